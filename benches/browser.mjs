@@ -1,6 +1,6 @@
-// node browser.mjs FILE...: prints, as a JSON list, the milliseconds that Chromium takes to compile
-// each shader. BROWSER_MODULES names the folder whose node_modules holds playwright-core, CHROMIUM
-// the program.
+// node browser.mjs FILE...: prints a JSON list with the milliseconds that Chromium needs to compile
+// each shader. BROWSER_MODULES is the folder whose node_modules contains playwright-core; CHROMIUM is
+// the path of the browser.
 import { createRequire } from 'node:module';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -15,7 +15,8 @@ const browser = await chromium.launch({
 const page = await browser.newPage();
 await page.setContent('<canvas></canvas>');
 
-// The status is asked for, so that the time holds the whole compilation. A warm-up comes first.
+// Querying the status forces the compilation to finish, so the time covers all of it. One warm-up run
+// first.
 const times = await page.evaluate((sources) => {
   const gl = document.querySelector('canvas').getContext('webgl2');
   const compile = (source) => {

@@ -1,7 +1,7 @@
-// node draw.mjs WIDTH HEIGHT TIME FILE...: prints, as a JSON list, what Chromium's software renderer
-// takes for each shader that `shaderport --target glsl` wrote: milliseconds from its text to the bytes
-// of the first frame, and of one frame more. BROWSER_MODULES names the folder whose node_modules holds
-// playwright-core, CHROMIUM the program.
+// node draw.mjs WIDTH HEIGHT TIME FILE...: prints a JSON list with the times of Chromium's software
+// renderer for each shader written by `shaderport --target glsl`: milliseconds from the source text to
+// the bytes of the first frame, and for one more frame. BROWSER_MODULES is the folder whose
+// node_modules contains playwright-core; CHROMIUM is the path of the browser.
 import { createRequire } from 'node:module';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -57,7 +57,7 @@ const told = await page.evaluate(([width, height, time, shaders]) => {
     const first = performance.now() - start;
     let frame = Infinity;
     const begin = performance.now();
-    // The best of ten, or of as many as fit into some seconds.
+    // Best of ten runs, or of as many as fit into a few seconds.
     for (let i = 0; i < 10 && performance.now() - begin < 5000; i += 1) {
       start = performance.now();
       draw();
@@ -68,6 +68,6 @@ const told = await page.evaluate(([width, height, time, shaders]) => {
   });
 }, [width, height, time, shaders]);
 
-if (told.some(({ colors }) => colors < 2)) throw new Error('a shader has drawn one colour only');
+if (told.some(({ colors }) => colors < 2)) throw new Error('a shader drew a single colour');
 console.log(JSON.stringify(told));
 await browser.close();

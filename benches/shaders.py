@@ -1,10 +1,10 @@
-"""Shaders of any size, as they are measured."""
+"""Generates shaders of any size for the benchmarks."""
 
 HEADER = '#version 300 es\nprecision highp float;\nuniform vec2 size;\nuniform float time;\nout vec4 color;\n'
 
 
 def function(i):
-    """One function of ten lines, as they are written in shaders."""
+    """One function of ten lines in typical shader style."""
     before = f'shape{i - 1}(p * 1.1, t)' if i % 8 else 'length(p) - 1.0'
     return f'''float shape{i}(vec3 p, float t) {{
     vec3 q = abs(p) - vec3(0.{i % 9 + 1}, 1.0, 0.5);

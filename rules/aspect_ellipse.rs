@@ -1,4 +1,4 @@
-//! Circles that come out as ellipses.
+//! Circles that are drawn as ellipses on a canvas that is not square.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check_call), Check::Binary(check_comparison)],
 };
 
-/// The widest ramp that is still an edge.
+/// Widest ramp of `smoothstep` that still counts as a sharp edge.
 const EDGE: f64 = 0.05;
 
 fn check_call(cx: &mut Context, call: &Builtin) {
@@ -46,7 +46,7 @@ fn check_comparison(cx: &mut Context, e: &BinaryExpr) {
     }
 }
 
-/// A value that is compared: a distance, perhaps less a radius.
+/// Reports a compared value that is a squeezed distance, with or without a radius subtracted.
 fn check(cx: &mut Context, compared: ExprId) {
     let module = cx.facts.module();
     let Some(op) = module.op_of(compared) else {
@@ -75,13 +75,16 @@ fn check(cx: &mut Context, compared: ExprId) {
     };
     cx.report(
         extent,
-        "this circle is an ellipse unless the picture is square",
+        "this circle is drawn as an ellipse unless the canvas is square",
     )
-    .note("both coordinates go from 0 to 1, over a width and a height that differ")
-    .help("divide both by the height: `(2.0 * fragCoord - iResolution.xy) / iResolution.y`");
+    .note("x is a fraction of the width and y of the height, so their units differ in length")
+    .help(
+        "divide both coordinates by the height: \
+        `(2.0 * fragCoord - iResolution.xy) / iResolution.y`",
+    );
 }
 
-/// Whether a distance is taken between places that are shares of the width and of the height.
+/// Whether a distance is computed from x as a fraction of the width and y as one of the height.
 fn is_squeezed(cx: &Context, distance: OpId) -> bool {
     let module = cx.facts.module();
     let OpKind::Builtin(_, operands) = module.op(distance).kind else {

@@ -30,11 +30,12 @@ fn check(cx: &mut Context, id: StmtId) {
         },
         _ => return,
     };
-    // A second pair of parentheses says that it is meant.
+    // A second pair of parentheses marks an intended assignment.
     let ExprKind::Assign(None, target, value) = tree.expr(condition).kind else {
         return;
     };
-    // Nobody compares with what has just been asked or computed: `if (hit = distance < 0.1)`.
+    // The value of a comparison or computation is an intended assignment:
+    // `if (hit = distance < 0.1)`.
     if !matches!(
         tree.expr(tree.unparen(value)).kind,
         ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Index(..) | ExprKind::Bool(_)
@@ -46,15 +47,15 @@ fn check(cx: &mut Context, id: StmtId) {
     };
     let fix = operator.is_direct().then(|| {
         Fix::suggestion(
-            "compare with `==`",
+            "replace `=` with `==`",
             vec![Edit::replace(operator.span, "==")],
         )
     });
     let text = program.expr_text(target);
     cx.report_expr(
         condition,
-        format!("this condition writes to `{text}` instead of comparing it"),
+        format!("this condition assigns to `{text}` instead of comparing it"),
     )
-    .help("if it is meant, put it in a second pair of parentheses")
+    .help("if the assignment is intended, wrap it in a second pair of parentheses")
     .fix(fix);
 }

@@ -1,4 +1,4 @@
-//! Names that are words of other shading languages.
+//! Names that other shading languages reserve.
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
@@ -17,10 +17,9 @@ pub static RULE: Rule = Rule {
 };
 
 static WGSL: Setting<bool> =
-    Setting::new("wgsl", false, "Whether words of WGSL alone are reported");
+    Setting::new("wgsl", false, "Also report names that only WGSL reserves");
 
-/// Languages that shaders are brought to, and the words that each keeps for itself and WebGL leaves
-/// free.
+/// Languages that shaders are ported to, and the words that each reserves although WebGL does not.
 #[rustfmt::skip]
 const LANGUAGES: [(&str, &[&str]); 5] = [
     ("desktop GLSL", &[
@@ -63,7 +62,7 @@ const LANGUAGES: [(&str, &[&str]); 5] = [
     ]),
 ];
 
-/// Bit `i` is set in what the words of `LANGUAGES[i]` have.
+/// By word: a bit set; bit `i` means that `LANGUAGES[i]` reserves it.
 static REFUSED_BY: LazyLock<FxHashMap<&str, u8>> = LazyLock::new(|| {
     let mut refused_by: FxHashMap<&str, u8> = FxHashMap::default();
     for (i, (_, words)) in LANGUAGES.iter().enumerate() {
@@ -89,10 +88,10 @@ fn check(cx: &mut Context, name: &DeclaredName) {
     }
     cx.report(
         Extent::token(name.token),
-        format!("`{}` is a word of {}", name.text, listed(&refusing)),
+        format!("`{}` is reserved in {}", name.text, listed(&refusing)),
     )
-    .note("WebGL takes it as a name; a port of the shader, and some drivers, do not")
-    .help("take another name");
+    .note("WebGL accepts this name, but ports of the shader and some drivers do not")
+    .help(format!("rename `{}`", name.text));
 }
 
 /// `a`, `a and b`, `a, b and c`.

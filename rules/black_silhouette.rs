@@ -1,4 +1,4 @@
-//! Surfaces of which none is lit.
+//! Scenes in which no surface is lit.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Seen;
@@ -16,12 +16,12 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// What is no brighter than this is black.
+/// A pixel counts as black if no channel is brighter than this.
 const BLACK: f32 = 3.0 / 255.0;
-/// How much of the picture has to be black, and how much not.
+/// Least shares of the sampled quads that are entirely black, and entirely lit.
 const SHARES: [f64; 2] = [0.03, 0.03];
-/// How many black pixels have to hit something, how many others nothing, and how many of those that
-/// hit have to be black.
+/// Least share of black pixels that hit a surface, of lit pixels that miss, and of hits that are
+/// black.
 const NEARLY_ALL: f64 = 0.99;
 
 fn check(cx: &mut Context) {
@@ -45,20 +45,23 @@ fn check(cx: &mut Context) {
         ];
         if shares.iter().all(|share| *share >= NEARLY_ALL) {
             let told = trial.told();
-            let finding = cx.report_op(hit.condition, "everything that rays hit is black");
-            finding.note(told).help("add light from everywhere, such as an ambient term of 0.2, or turn the sun to the side that is seen");
+            let finding = cx.report_op(hit.condition, "all surfaces hit by rays are black");
+            finding.note(told).help(
+                "add ambient light, such as a constant term of 0.2, or move the light to the \
+                visible side",
+            );
             return;
         }
     }
 }
 
-/// The share that some have beside others; of nothing, none.
+/// The share of `some` in the sum of both; 0 if both are 0.
 fn share(some: u64, others: u64) -> f64 {
     some as f64 / (some + others).max(1) as f64
 }
 
-/// What is seen in a run of the quads that are black, and in one of those that are not; nothing where
-/// there are too few of either at an instant.
+/// What a run of the black quads shows, and one of the lit quads; `None` if there are too few of
+/// either at any instant.
 fn halves(cx: &Context, trial: &Trial) -> Option<[Seen; 2]> {
     let (bench, supplier) = cx.facts.bench()?;
     let mut seen = [Seen::default(), Seen::default()];

@@ -1,4 +1,4 @@
-//! Rays that end where they begin.
+//! Rays that stop at their first step because the camera is inside an object.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -21,9 +21,9 @@ fn check(cx: &mut Context) {
         let extent = cx.program.tree.stmt(stmt).extent;
         cx.facts.tell_blank();
         let head = cx.program.token(extent.first).map(|t| t.span);
-        let message = "the rays end at their first step: the camera stands inside of something";
+        let message = "the camera is inside an object: nearly all rays stop at the first step";
         let finding = cx.report_span(head.unwrap_or_default(), message);
         let finding = finding.note(told.clone());
-        finding.help("move the camera to where the scene is empty");
+        finding.help("move the camera to an empty part of the scene");
     }
 }

@@ -1,4 +1,4 @@
-//! `clamp` with its bounds the wrong way round.
+//! `clamp` with crossed bounds or misplaced arguments.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -30,17 +30,20 @@ fn check(cx: &mut Context, call: &Builtin) {
     let text = |e| program.expr_text(e).to_string();
     let (first, second, third) = (text(x), text(low), text(high));
     let (message, instead) = if is_moved {
-        let message = "`clamp` bounds a constant, and takes its upper bound from what varies";
+        let message = "arguments of `clamp` appear to be in the wrong order";
         (message, format!("clamp({third}, {first}, {second})"))
     } else {
-        let message = "the lower bound of `clamp` is greater than the upper";
+        let message = "the lower bound of `clamp` is greater than its upper bound";
         (message, format!("clamp({first}, {third}, {second})"))
     };
     let fix = cx.is_direct(call.id).then(|| {
         let edit = Edit::replace(program.expr_span(call.id), instead.clone());
-        Fix::suggestion(format!("write `{instead}`"), vec![edit])
+        Fix::suggestion(format!("use `{instead}`"), vec![edit])
     });
     cx.report_expr(call.id, message)
-        .note("the value stands first, then the lower bound, then the upper; crossed bounds are undefined")
+        .note(
+            "the order is `clamp(x, minVal, maxVal)`; \
+            the result is undefined if `minVal > maxVal` (section 8.3)",
+        )
         .fix(fix);
 }

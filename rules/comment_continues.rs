@@ -1,4 +1,4 @@
-//! A `\` at the end of a comment, which takes the next line with it.
+//! A `\` at the end of a `//` comment, which makes the next line part of the comment.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -24,7 +24,7 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// Reports the first line of a comment that is in it by mistake.
+/// Reports the first line of a comment that looks like code.
 fn check_comment(cx: &mut Context, comment: Span, text: &str) {
     let mut start = 0;
     for (at, _) in text.match_indices('\n') {
@@ -38,9 +38,9 @@ fn check_comment(cx: &mut Context, comment: Span, text: &str) {
             let mark = Span::new(mark - 1, mark);
             let from = comment.start + (at + 1 + next.len() - code.len()) as u32;
             let place = Span::new(from, from + code.trim_end().len() as u32);
-            cx.report_span(place, "this line is part of the comment above it")
-                .label(mark, "`\\` at the end of a line joins the next one to it")
-                .help("take the `\\` out, or put something behind it");
+            cx.report_span(place, "this line is part of the `//` comment above it")
+                .label(mark, "`\\` continues the comment")
+                .help("remove the `\\`, or add a character after it");
             return;
         }
         start = at + 1;

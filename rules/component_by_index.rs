@@ -1,4 +1,4 @@
-//! Components of vectors and elements of local arrays whose number is computed.
+//! Vector components and elements of local arrays selected by a non-constant index.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
@@ -27,10 +27,13 @@ fn check(cx: &mut Context, id: ExprId) {
     }
     let text = program.expr_text(object);
     if ty.is_vector() {
-        let message = format!("which component of `{text}` this is, is computed");
+        let message = format!("vector `{text}` is indexed by a non-constant expression");
         cx.report_expr(id, message)
-            .note("drivers of Adreno have mixed such components up, and compilers of Direct3D refuse writes to them in loops")
-            .help("choose among `.x`, `.y` and `.z` with conditions");
+            .note(
+                "some Adreno drivers return the wrong component, and Direct3D compilers reject writes to \
+                one in a loop",
+            )
+            .help("select `.x`, `.y` or `.z` with conditions");
         return;
     }
     let variable = program
@@ -38,9 +41,15 @@ fn check(cx: &mut Context, id: ExprId) {
         .and_then(|v| program.variable(v));
     let is_own = variable.is_some_and(|v| v.storage == Storage::Local && !v.is_const);
     if ty.is_array() && is_own {
-        let message = format!("which element of the local array `{text}` this is, is computed");
+        let message = format!("local array `{text}` is indexed by a non-constant expression");
         cx.report_expr(id, message)
-            .note("Safari 15 has drawn such elements wrong; elsewhere the whole array may move to slow memory")
-            .help("choose with conditions, or keep the numbers in a vector, a `const` array or a texture");
+            .note(
+                "Safari 15 has read wrong elements of such arrays; other compilers may place the array in \
+                slow memory",
+            )
+            .help(
+                "select with conditions, or store the values in a vector, a `const` array or a \
+                texture",
+            );
     }
 }

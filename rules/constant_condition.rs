@@ -1,4 +1,4 @@
-//! Conditions whose answer stands in the text.
+//! Comparisons of literals, and of a `uint` with zero, that always give the same result.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
@@ -25,18 +25,18 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     if let Some(answer) = literal_answer(cx, e).or_else(|| sign_answer(cx, e))
         && program.is_direct(extent)
     {
-        let finding = cx.report_expr(e.id, format!("this is always {answer}"));
+        let finding = cx.report_expr(e.id, format!("this comparison is always {answer}"));
         if matches!(
             e.op,
             BinaryOp::Less | BinaryOp::GreaterEqual | BinaryOp::Greater | BinaryOp::LessEqual
         ) && program.ty(e.left).scalar_kind() == Some(Scalar::Uint)
         {
-            finding.note("a `uint` is never below zero");
+            finding.note("a `uint` is never negative");
         }
     }
 }
 
-/// The answer where both sides are literals. A name may be a switch that the author sets.
+/// The result if both sides are literals. A name may be a switch that the author sets.
 fn literal_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
     let program = cx.program;
     let tree = &program.tree;
@@ -44,7 +44,7 @@ fn literal_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
         ExprKind::Bool(value) => Some(value),
         _ => None,
     };
-    // A `true` or `false` that is written out switches something on or off.
+    // A literal `true` or `false` switches something on or off.
     let is_switch = literal(e.left).or(literal(e.right)).is_some();
     if is_switch || !e.op.compares() || has_name(cx, e.id) {
         return None;
@@ -55,8 +55,8 @@ fn literal_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
     }
 }
 
-/// Whether an expression holds a name, or too much to look for one: each comparison of a long chain
-/// holds all those before it.
+/// Whether an expression contains a name, or is too large to search: each comparison of a long
+/// chain contains all those before it.
 fn has_name(cx: &Context, id: ExprId) -> bool {
     const MAX_LOOK: usize = 100;
     let tree = &cx.program.tree;
@@ -74,7 +74,7 @@ fn has_name(cx: &Context, id: ExprId) -> bool {
     true
 }
 
-/// The answer where something that is never negative is compared with zero.
+/// The result if a value that is never negative is compared with zero.
 fn sign_answer(cx: &Context, e: &BinaryExpr) -> Option<bool> {
     let program = cx.program;
     let is_zero = |id| program.scalar(id).is_some_and(|v| v.as_float() == 0.0);

@@ -15,10 +15,10 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Binary(check)],
 };
 
-/// Longest chain of `&&` or `||` that is looked at.
+/// Longest chain of `&&` or `||` that is analysed.
 const MAX_CHAIN: usize = 32;
 
-/// One condition of a chain that compares something with a constant: where it lies if that is true.
+/// One condition of a chain that compares a subject with a constant: the values for which it holds.
 #[derive(Clone, Copy)]
 struct Term {
     expr: ExprId,
@@ -26,14 +26,14 @@ struct Term {
     is: Set,
 }
 
-/// The numbers from `lo` to `hi` without the ends that are open, or all but one.
+/// An interval of numbers with open or closed ends, or all numbers but one.
 #[derive(Clone, Copy)]
 struct Set {
     lo: f64,
     hi: f64,
     without_lo: bool,
     without_hi: bool,
-    /// All numbers but `lo`, which is `hi`.
+    /// All numbers but `lo`, which equals `hi`.
     is_all_but: bool,
 }
 
@@ -78,14 +78,14 @@ fn report(cx: &mut Context, whole: ExprId, before: ExprId, term: ExprId, is_and:
     let [first, second] = [before, term].map(|t| program.expr_text(t).to_string());
     let (place, label) = (program.expr_span(before), program.expr_span(term));
     let message = match is_and {
-        true => format!("`{first}` and `{second}` are never true together"),
-        false => format!("`{first}` or `{second}` is always true"),
+        true => format!("`{first}` and `{second}` are never both true"),
+        false => format!("`{first} || {second}` is always true"),
     };
     let other = if is_and { "||" } else { "&&" };
     cx.report_expr(whole, message)
-        .label(place, "one of them")
-        .label(label, "the other")
-        .help(format!("perhaps `{other}` is meant between them"));
+        .label(place, "first condition")
+        .label(label, "second condition")
+        .help(format!("did you mean `{other}`?"));
 }
 
 /// The conditions of a chain, from left to right.
@@ -104,7 +104,7 @@ fn chain(tree: &Tree, e: &BinaryExpr) -> Vec<ExprId> {
     all
 }
 
-/// A comparison with a constant, or its contrary.
+/// The set for which a comparison with a constant gives `truth`.
 fn term(program: &Program, expr: ExprId, mut truth: bool) -> Option<Term> {
     let tree = &program.tree;
     let mut at = tree.unparen(expr);
@@ -137,10 +137,10 @@ fn term(program: &Program, expr: ExprId, mut truth: bool) -> Option<Term> {
     })
 }
 
-/// Whether two conditions leave out nothing but what is no number: `x < 0.0 || x >= 0.0`.
+/// Whether two conditions cover every number and fail only for NaN: `x < 0.0 || x >= 0.0`.
 fn is_test_for_nan(program: &Program, a: &Term, b: &Term) -> bool {
     let is_float = program.ty(a.subject).scalar_kind() == Some(Scalar::Float);
-    // Both are turned round already.
+    // Both are negated already.
     is_float
         && !(a.is.is_single() && b.is.is_single())
         && (a.is.lo == b.is.hi || a.is.hi == b.is.lo)
@@ -164,7 +164,7 @@ impl Set {
         })
     }
 
-    /// The same for numbers that are whole: `x > 1` is `x >= 2`.
+    /// The same set of integers with closed ends: `x > 1` is `x >= 2`.
     fn of_whole(self) -> Set {
         Set {
             lo: if self.without_lo {
@@ -187,7 +187,7 @@ impl Set {
         self.lo == self.hi && !self.is_all_but
     }
 
-    /// Whether no number lies in both.
+    /// Whether the two sets have no number in common.
     fn misses(&self, other: &Set) -> bool {
         match (self.is_all_but, other.is_all_but) {
             (true, true) => false,

@@ -1,4 +1,4 @@
-//! `p.x*p.x + p.x*p.x`: a component that was copied and not changed.
+//! `p.x*p.x + p.x*p.x`: a component that was copied without being changed.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape, same_code};
@@ -20,7 +20,7 @@ pub static RULE: Rule = Rule {
     ],
 };
 
-/// The names of components, in sets that go together.
+/// Component names, by naming set.
 const SETS: [&str; 3] = ["xyzw", "rgba", "stpq"];
 
 /// `f(p.x) + f(p.x)`
@@ -48,18 +48,18 @@ fn check_sum(cx: &mut Context, e: &BinaryExpr) {
     };
     let text = program.expr_text(right);
     let place = program.span(a);
-    let message = format!("`{text}` is added twice: perhaps one `{name}` is another component");
-    cx.report(b, message).label(place, "the same");
+    let message = format!("`{text}` is added twice; did you mean another component than `{name}`?");
+    cx.report(b, message).label(place, "same expression");
 }
 
-/// The only component that tokens speak of.
+/// The component that all component accesses in the tokens name, if it is the same for all.
 fn component_in(program: &Program, extent: Extent) -> Option<&str> {
     let mut all = (extent.first..=extent.last).filter_map(|t| component(program, t));
     let first = all.next()?;
     all.all(|next| next == first).then_some(first)
 }
 
-/// The one component that a token names, behind a dot.
+/// The component that a token names, if it is a single component after a dot.
 fn component(program: &Program, token: TokenId) -> Option<&str> {
     let before = program.token(token.checked_sub(1)?)?;
     let name = program.token(token)?;
@@ -101,12 +101,15 @@ fn check_vector(cx: &mut Context, id: ExprId) {
     };
     if is_work && is_copy && same_code(program, *before, *copy) && are_alike(program, &extents) {
         let place = program.span(*before);
-        cx.report(*copy, "this component is the same as the one before")
-            .label(place, "perhaps it was copied from here");
+        cx.report(
+            *copy,
+            "the last component of this vector repeats the one before it",
+        )
+        .label(place, "may be copied from here");
     }
 }
 
-/// Whether what an argument takes its component from has so many of them.
+/// Whether every vector accessed in an argument has at least `count` components.
 fn has_components(program: &Program, arg: Option<ExprId>, count: usize) -> bool {
     let tree = &program.tree;
     let Some(arg) = arg else { return false };
@@ -121,13 +124,13 @@ fn has_components(program: &Program, arg: Option<ExprId>, count: usize) -> bool 
     members.all(|object| program.ty(object).components() as usize >= count)
 }
 
-/// The number of the only component that tokens speak of.
+/// The index of the only component that the tokens name.
 fn number(program: &Program, extent: Extent) -> Option<usize> {
     let name = component_in(program, extent)?;
     SETS.iter().find_map(|set| set.find(name))
 }
 
-/// Whether pieces of code differ in nothing but components.
+/// Whether pieces of code differ only in components.
 fn are_alike(program: &Program, extents: &[Extent]) -> bool {
     extents.windows(2).all(|pair| match *pair {
         [a, b] => difference(program, a, b).is_some(),
@@ -135,8 +138,8 @@ fn are_alike(program: &Program, extents: &[Extent]) -> bool {
     })
 }
 
-/// The places, from the first token on, at which two pieces of code name different components;
-/// `None` where they differ in anything else.
+/// The token offsets at which two pieces of code name different components; `None` if they differ
+/// in anything else.
 fn difference(program: &Program, a: Extent, b: Extent) -> Option<Vec<u32>> {
     if a.last - a.first != b.last - b.first {
         return None;
@@ -158,8 +161,8 @@ fn is_one(a: &Token, b: &Token) -> bool {
     (a.kind, a.value) == (b.kind, b.value) && a.is_direct() && b.is_direct()
 }
 
-/// Three lines that do the same to three components, of which the last one was not changed all
-/// through: `c.x = f(a.x); c.y = f(a.y); c.z = f(a.y);`
+/// Three lines that do the same to three components, where one component of the last line was not
+/// changed: `c.x = f(a.x); c.y = f(a.y); c.z = f(a.y);`
 fn check_lines(cx: &mut Context, id: StmtId) {
     let program = cx.program;
     let tree = &program.tree;
@@ -182,18 +185,18 @@ fn check_lines(cx: &mut Context, id: StmtId) {
         if let Some(at) = left_over(program, a.0, b.0, c.0) {
             let token = Extent::token(c.0.first + at);
             let text = program.sources.text(program.span(token));
-            let message = format!("`{text}` stands here as in the line above");
+            let message = format!("component `{text}` is unchanged from the line above");
             let place = program.span(Extent::token(b.0.first + at));
             let own = program.span(tree.expr(c.1).extent);
             cx.report(token, message)
-                .label(own, "this line is about another component")
-                .label(place, "the line above");
+                .label(own, "assigns another component")
+                .label(place, "line above");
         }
     }
 }
 
-/// The first place where the third of three lines names the component of the second, though the
-/// second changed it.
+/// The first offset where the third of three lines names the same component as the second, although
+/// the second differs from the first there.
 fn left_over(program: &Program, a: Extent, b: Extent, c: Extent) -> Option<u32> {
     let changed = difference(program, a, b)?;
     let again = difference(program, b, c)?;
@@ -203,7 +206,7 @@ fn left_over(program: &Program, a: Extent, b: Extent, c: Extent) -> Option<u32> 
         let first = all.next()?;
         all.all(|n| n == first).then_some(first?)
     };
-    // The first two change the same component everywhere, and the third goes on with it.
+    // The first two lines use one component each throughout, and the third continues the series.
     one(a)?;
     one(b)?;
     let target = changed.first()?;

@@ -1,4 +1,4 @@
-//! Variables that hold a constant and never change.
+//! Variables with a constant value that are never modified.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
@@ -38,6 +38,9 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let name = program.names.text(variable.name);
     let start = program.span(declared.extent).start;
     let edit = Edit::insert(start, "const ");
-    cx.report(Extent::token(token), format!("`{name}` never changes"))
-        .fix(Fix::suggestion("make it `const`", vec![edit]));
+    cx.report(
+        Extent::token(token),
+        format!("`{name}` is never modified and can be `const`"),
+    )
+    .fix(Fix::suggestion("add `const`", vec![edit]));
 }

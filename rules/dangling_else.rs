@@ -1,4 +1,4 @@
-//! An `else` that belongs to another `if` than it stands under.
+//! An `else` that is aligned with one `if` but belongs to another.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::indent::{indent, line_indent};
@@ -27,7 +27,7 @@ fn check(cx: &mut Context, id: StmtId) {
     else {
         return;
     };
-    // Down through bodies without braces to the `if` that takes the `else`.
+    // Descend through bodies without braces to the `if` that the `else` belongs to.
     let mut inner = then;
     let otherwise = loop {
         match tree.stmt(inner).kind {
@@ -56,9 +56,9 @@ fn check(cx: &mut Context, id: StmtId) {
     let [near, far] = [inner, id].map(|s| program.span(Extent::token(first(s))));
     cx.report(
         Extent::token(word),
-        "this `else` belongs to the `if` inside",
+        "this `else` belongs to the inner `if`, not the one it is aligned with",
     )
-    .label(near, "to this one")
-    .label(far, "and stands under this one")
-    .help("put braces around the inner `if`");
+    .label(near, "`else` belongs to this `if`")
+    .label(far, "aligned with this `if`")
+    .help("add braces around the inner `if`");
 }

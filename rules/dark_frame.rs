@@ -1,4 +1,4 @@
-//! Pictures in which hardly anything can be seen.
+//! Frames in which almost nothing is visible.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::trial::{Trial, TrialShot, luminance, percent, share};
@@ -14,20 +14,20 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// What is no brighter than this cannot be told from black on most screens.
+/// A luminance up to this value looks black on most screens.
 const DARK: f32 = 12.0 / 255.0;
-/// The share of the pixels that may be brighter without anything to be seen in them.
+/// Share of pixels that may be brighter although the frame counts as dark.
 const LIT: f64 = 0.001;
-/// The share where much is hit by rays, and dark all the same.
+/// The same share for frames in which rays hit surfaces in many pixels.
 const LIT_SURFACE: f64 = 0.03;
-/// The share of the rays that hit something there.
+/// Share of pixels whose rays hit a surface from which `LIT_SURFACE` applies.
 const SURFACE: f64 = 0.25;
 
 fn check(cx: &mut Context) {
     let Some(trial) = cx.facts.picture() else {
         return;
     };
-    // A constant is meant to be what it is.
+    // A constant colour is intended.
     if trial.shows_a_number() || !cx.facts.is_computed() {
         return;
     }
@@ -56,15 +56,18 @@ fn check(cx: &mut Context) {
     let brightest = (brightest * 255.0).round();
     let lit = share(trial.drawn(), |l| luminance(l.shown()) > DARK);
     let message = match brightest {
-        0.0 => "the picture is black".to_string(),
-        _ if lit > LIT => format!("{} of the picture is as good as black", percent(1.0 - lit)),
-        _ => format!("the picture is as good as black: {brightest} of 255 at the brightest"),
+        0.0 => "the image is black".to_string(),
+        _ if lit > LIT => format!("{} of the image is nearly black", percent(1.0 - lit)),
+        _ => format!("the image is nearly black: the maximum brightness is {brightest} of 255"),
     };
     let finding = cx.report_picture(message).note(told);
-    finding.help("look for a light that reaches nothing, a colour that is multiplied by zero, or a camera that looks away");
+    finding.help(
+        "check for a light that reaches nothing, a colour multiplied by zero, or a camera that \
+        faces away",
+    );
 }
 
-/// Whether no more than a share of the pixels is lit at any instant.
+/// Whether at most this share of the pixels is lit at every instant.
 fn is_dark(trial: &Trial, lit: f64) -> bool {
     trial.all(|shot: &TrialShot| share(shot.drawn(), |l| luminance(l.shown()) > DARK) <= lit)
 }

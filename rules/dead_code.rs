@@ -29,7 +29,7 @@ fn check(cx: &mut Context, id: StmtId) {
     }
 }
 
-/// Statements one behind the other.
+/// Checks a sequence of statements.
 fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
     let program = cx.program;
     let tree = &program.tree;
@@ -42,8 +42,8 @@ fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
         return;
     };
     let (end, kind) = (tree.stmt(end), tree.stmt(first).kind);
-    // The language wants a value behind a `discard`, and habit a `break` or `return` behind every
-    // case and every function.
+    // A function needs a `return` after `discard`, and by convention every case ends with a `break`
+    // and every function with a `return`.
     let is_jump = matches!(
         kind,
         StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue
@@ -55,20 +55,26 @@ fn check_run(cx: &mut Context, run: &[StmtId], is_block: bool) {
     let Some(edit) = remove_statement(program, extent) else {
         return;
     };
-    let jump = match end.kind {
-        StmtKind::Return(_) => "`return`",
-        StmtKind::Discard => "`discard`",
-        StmtKind::Break => "`break`",
-        StmtKind::Continue => "`continue`",
-        _ => "this",
+    let exit = match end.kind {
+        StmtKind::Return(_) => "`return` exits here",
+        StmtKind::Discard => "`discard` exits here",
+        StmtKind::Break => "`break` exits here",
+        StmtKind::Continue => "`continue` exits here",
+        _ => "always exits here",
     };
     let end = program.span(end.extent);
     let (message, title) = match dead.len() {
-        1 => ("this statement never runs".to_string(), "take it out"),
-        n => (format!("these {n} statements never run"), "take them out"),
+        1 => (
+            "this statement is unreachable".to_string(),
+            "remove the statement",
+        ),
+        n => (
+            format!("these {n} statements are unreachable"),
+            "remove the statements",
+        ),
     };
     let fix = is_block.then(|| Fix::suggestion(title, vec![edit]));
     cx.report(tree.stmt(first).extent, message)
-        .label(end, format!("{jump} leaves before it"))
+        .label(end, exit)
         .fix(fix);
 }

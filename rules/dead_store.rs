@@ -1,4 +1,4 @@
-//! Values that are overwritten before anything reads them.
+//! Values that are overwritten or dropped before they are read.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, Shape};
@@ -33,7 +33,7 @@ fn check_assignment(cx: &mut Context, id: ExprId) {
         return;
     };
     if is_statement && is_own(cx, variable) && cx.is_direct(id) {
-        // Of `a += b` the sum is what is stored.
+        // `a += b` stores the sum.
         let stored = if op.is_some() { id } else { value };
         check_value(cx, variable, stored, id);
     }
@@ -43,14 +43,14 @@ fn check_declaration(cx: &mut Context, declared: &DeclaredVariable) {
     let Some(init) = declared.declarator().and_then(|d| d.init) else {
         return;
     };
-    // A value to begin with, a constant or a copy, is a habit that costs nothing.
+    // An initial value that is a constant or a copy is a convention and costs nothing.
     let is_plain = cx.program.expr(init).is_const || !is_work(cx, init);
     if declared.stmt.is_some() && !is_plain && is_own(cx, declared.variable) && cx.is_direct(init) {
         check_value(cx, declared.variable, init, init);
     }
 }
 
-/// Whether an expression computes something, and is no copy of a variable or of parts of one.
+/// Whether an expression computes something, and is not a copy of a variable or of parts of one.
 fn is_work(cx: &Context, expr: ExprId) -> bool {
     let tree = &cx.program.tree;
     let mut at = tree.unparen(expr);
@@ -60,8 +60,8 @@ fn is_work(cx: &Context, expr: ExprId) -> bool {
     !matches!(tree.expr(at).kind, ExprKind::Name(_))
 }
 
-/// Whether a variable lives in its function, has numbers that are told apart, and is read at all:
-/// what is never read is another finding.
+/// Whether a variable is local to its function, is a scalar or vector, and is read at all:
+/// another rule reports variables that are never read.
 fn is_own(cx: &Context, id: VariableId) -> bool {
     let program = cx.program;
     let Some(variable) = program.variable(id) else {
@@ -95,8 +95,8 @@ fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, whole: Exp
             *v == variable && program.tree.expr(*write).extent.first > extent.last
         });
     let next = next.map(|(write, _)| program.expr_span(*write));
-    // The last step of what goes on step by step is one too many, and is left to the compiler; so is
-    // a constant that others take the place of.
+    // The last update of a running value is redundant, but harmless; so is a constant that is
+    // overwritten later.
     let is_step = facts
         .mentions()
         .is_in(program, variable, program.tree.expr(value).extent);
@@ -107,8 +107,8 @@ fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, whole: Exp
     if is_idle {
         return;
     }
-    let finding = cx.report_expr(whole, format!("nothing reads this value of `{name}`"));
+    let finding = cx.report_expr(whole, format!("value assigned to `{name}` is never read"));
     if let Some(next) = next {
-        finding.label(next, "its next value");
+        finding.label(next, "next write");
     }
 }

@@ -36,31 +36,32 @@ fn check(cx: &mut Context) {
         }
         let name = program.names.text(definition.name);
         let place = match definition.uses {
-            1 => "the place of its name".to_string(),
-            uses => format!("each of its {uses} uses"),
+            1 => "where it is used".to_string(),
+            uses => format!("at each of its {uses} uses"),
         };
         let fix = fix(cx, definition, ty);
         let type_name = program.type_name(ty);
         cx.report_span(
             definition.name_span,
-            format!("`{name}` writes a call into {place}"),
+            format!("`{name}` expands to a function call {place}"),
         )
         .note(format!(
-            "its value never changes: a `const {type_name}` is computed once, and checked where it stands"
+            "the value is constant: a `const {type_name}` is evaluated once and checked at its \
+            declaration"
         ))
         .fix(fix);
     }
 }
 
-/// Whether a name is called in a macro's body.
+/// Whether the body of a macro contains a function call.
 fn holds_call(definition: &Macro) -> bool {
     let kinds: Vec<TokenKind> = definition.body.iter().map(|t| t.token.kind).collect();
     let call = [TokenKind::Identifier, TokenKind::LeftParen];
     kinds.windows(2).any(|pair| pair == call)
 }
 
-/// By macro: the type of what it stands for, where that is a whole expression with a constant value
-/// that a function of the language computes.
+/// By index of a macro: the type of its expansion, if that is a complete call of a built-in
+/// function with a constant value.
 fn types(cx: &Context) -> FxHashMap<u32, Type> {
     let program = cx.program;
     let tokens = &program.tokens;
@@ -88,7 +89,7 @@ fn types(cx: &Context) -> FxHashMap<u32, Type> {
     types
 }
 
-/// Writes a constant in the place of the `#define`.
+/// Replaces the `#define` with a constant.
 fn fix(cx: &Context, definition: &Macro, ty: Type) -> Option<Fix> {
     let program = cx.program;
     let name = program.names.text(definition.name);
@@ -115,5 +116,8 @@ fn fix(cx: &Context, definition: &Macro, ty: Type) -> Option<Fix> {
     }
     let constant = format!("const {} {name} = {text};", program.type_name(ty));
     let edit = Edit::replace(Span::new(hash, value.end), constant);
-    Some(Fix::suggestion("make it a constant", vec![edit]))
+    Some(Fix::suggestion(
+        "replace the macro with a `const`",
+        vec![edit],
+    ))
 }

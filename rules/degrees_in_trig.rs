@@ -1,4 +1,4 @@
-//! Degrees where radians belong.
+//! Angles in degrees where radians are expected.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::defs::Def;
@@ -32,13 +32,13 @@ const fn is_trig(function: BuiltinId) -> bool {
     matches!(function, BuiltinId::Sin | BuiltinId::Cos | BuiltinId::Tan)
 }
 
-/// Whether an angle is a part of a circle as people count it in degrees: 30, 45, 90, 180.
+/// Whether an angle is a constant that looks like degrees: 30, 45, 90, 180.
 fn is_in_degrees(cx: &Context, angle: ExprId) -> bool {
     let value = cx.program.scalar(angle).map(|v| v.as_float().abs());
     value.is_some_and(|v| (30.0..=720.0).contains(&v) && v % 15.0 == 0.0)
 }
 
-/// `rotate(90.0)`, where the function takes the sine of it.
+/// `rotate(90.0)`, where the function passes its parameter to `sin`.
 fn check_passed(cx: &mut Context, id: ExprId) {
     let program = cx.program;
     let (ExprKind::Call(_, args), Resolution::Function(callee)) =
@@ -62,7 +62,7 @@ fn check_passed(cx: &mut Context, id: ExprId) {
     }
 }
 
-/// The trigonometric function that a function gives one of its parameters to, as it is.
+/// The trigonometric function that a function passes one of its parameters to unchanged.
 fn taken_by(cx: &Context, callee: FunctionRef, parameter: VariableId) -> Option<BuiltinId> {
     let (module, defs) = (cx.facts.module(), cx.facts.defs());
     module.function(callee)?.ops.ops().find_map(|op| {
@@ -84,13 +84,13 @@ fn report(cx: &mut Context, angle: ExprId, function: BuiltinId) {
     let text = cx.program.expr_text(angle).to_string();
     let fix = cx.is_direct(angle).then(|| {
         let edit = Edit::replace(cx.program.expr_span(angle), format!("radians({text})"));
-        Fix::suggestion(format!("write `radians({text})`"), vec![edit])
+        Fix::suggestion(format!("use `radians({text})`"), vec![edit])
     });
     let name = function.name();
     cx.report_expr(
         angle,
-        format!("`{name}` takes radians, and `{text}` looks like degrees"),
+        format!("`{name}` expects radians, but `{text}` looks like degrees"),
     )
-    .note("a full turn is 6.2832 radians")
+    .note("a full circle is 360 degrees or 6.2832 radians")
     .fix(fix);
 }

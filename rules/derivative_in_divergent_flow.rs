@@ -1,4 +1,4 @@
-//! Derivatives in code that only some pixels run.
+//! Derivatives in code that only some neighbouring pixels run.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{ControlId, Parted, Varying};
@@ -18,9 +18,9 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// Most places that a finding points at.
+/// Most labels of a finding.
 const MAX_LABELS: usize = 4;
-/// Most findings in one shader: what parts the pixels is mostly the same for all.
+/// Most findings in one shader: the cause of the divergence is usually the same for all.
 const MAX_FINDINGS: usize = 8;
 
 fn check(cx: &mut Context) {
@@ -35,22 +35,22 @@ fn check(cx: &mut Context) {
         let name = gradient.function.name();
         let mut finding = cx.report_op(
             gradient.call,
-            format!("`{name}` compares neighbouring pixels, but only some of them run this"),
+            format!("`{name}` is called where neighbouring pixels diverge"),
         );
         for (span, message) in labels {
             finding = finding.label(span, message);
         }
         let finding = finding.note(
-            "its derivatives are undefined here: seams and single wrong pixels along the edge",
+            "derivatives are undefined here, which shows as seams and wrong pixels along the edge",
         );
         match help {
             Some(help) => finding.help(help),
-            None => finding.help("compute it before the branch"),
+            None => finding.help("move the call before the branch"),
         };
     }
 }
 
-/// What to write instead of a texture call.
+/// The help for a call of `texture`; `None` for other calls and long ones.
 fn help(cx: &Context, call: OpId, function: BuiltinId) -> Option<String> {
     let Provenance::Expr(call) = cx.facts.module().provenance(call) else {
         return None;
@@ -62,11 +62,12 @@ fn help(cx: &Context, call: OpId, function: BuiltinId) -> Option<String> {
         .filter(|_| function == BuiltinId::Texture && is_short)?;
     let args = rest.strip_suffix(')')?;
     Some(format!(
-        "compute it before the branch, or write `textureLod({args}, 0.0)`"
+        "move the call before the branch, or use `textureLod({args}, 0.0)`"
     ))
 }
 
-/// The way from the branch back to what differs: first the condition, last the source.
+/// The path from the branch back to the cause of the divergence: first the condition, last the
+/// source.
 fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
     let (program, facts) = (cx.program, cx.facts);
     let mut labels: Vec<(Span, String)> = Vec::new();
@@ -74,11 +75,11 @@ fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
     let mut has_condition = false;
     for why in facts.uniformity().why(Varying::Control(control)) {
         match why {
-            // The first value on the way is what the code hangs on.
+            // The first value on the path is the condition.
             Varying::Value(op) if !has_condition => {
                 has_condition = true;
                 if let Provenance::Expr(e) = facts.module().provenance(op) {
-                    labels.push((program.expr_span(e), "not the same for all pixels".into()));
+                    labels.push((program.expr_span(e), "differs between pixels".into()));
                 }
             }
             Varying::Parting(p) => {
@@ -88,7 +89,7 @@ fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
                 {
                     let span = program.span(stmt.extent);
                     if labels.iter().all(|(known, _)| *known != span) {
-                        labels.push((span, "some pixels leave here".into()));
+                        labels.push((span, "some pixels return here".into()));
                     }
                 }
             }
@@ -103,14 +104,14 @@ fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
     if let Some(source) = source {
         let name = program.names.text(source.name);
         let what = match source.storage {
-            Storage::Input => format!("because of `{name}`, which differs from pixel to pixel"),
-            _ => format!("because of `{name}`, the place of the pixel"),
+            Storage::Input => format!("`{name}` differs between pixels"),
+            _ => format!("`{name}` is the pixel position"),
         };
         let token = source.token.and_then(|t| program.token(t));
         let span = token.map(|t| t.span).filter(|s| program.is_user(*s));
         match (span, labels.last_mut()) {
             (Some(span), _) => labels.push((span, what)),
-            (None, Some((_, message))) => *message = format!("{message}, {what}"),
+            (None, Some((_, message))) => *message = format!("{message} because {what}"),
             _ => {}
         }
     }

@@ -1,4 +1,4 @@
-//! Derivatives of what jumps.
+//! Derivatives of discontinuous values.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -32,10 +32,10 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let (name, jumps) = (call.function.name(), jump.function.name());
-    cx.report_expr(of, format!("`{name}` of a value that jumps"))
-        .label(at, format!("`{jumps}` jumps here"))
-        .note("where it jumps the derivative is huge, which draws a line of pixels")
+    cx.report_expr(of, format!("`{name}` is applied to a discontinuous value"))
+        .label(at, format!("`{jumps}` is discontinuous"))
+        .note("at the discontinuity the derivative is very large, which draws a line of pixels")
         .help(format!(
-            "take the derivative of what stands in `{jumps}`, before it jumps"
+            "take the derivative of the argument of `{jumps}` instead"
         ));
 }

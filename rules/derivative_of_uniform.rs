@@ -1,4 +1,4 @@
-//! Derivatives of what is the same for all pixels.
+//! Derivatives of values that are the same for all pixels.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Varying;
@@ -20,7 +20,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     else {
         return;
     };
-    // Where nothing runs, or nobody calls the function, nothing differs.
+    // Without an entry point or a caller, nothing is known to differ.
     let (Some(entry), Stage::Fragment) = (cx.facts.entry(), cx.program.stage) else {
         return;
     };
@@ -36,6 +36,6 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     }
     let (name, text) = (call.function.name(), cx.program.expr_text(of));
-    let message = format!("`{name}` is always zero, since `{text}` is the same for all pixels");
+    let message = format!("`{name}` is always zero: `{text}` is the same for all pixels");
     cx.report_expr(call.id, message);
 }

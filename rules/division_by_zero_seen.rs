@@ -1,4 +1,4 @@
-//! Divisions that were seen to divide by zero.
+//! Divisions by zero that occurred in a sample run.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// A share of the divisions that no bad luck explains.
+/// Least share of the executed float divisions that divide by zero.
 const OFTEN: f64 = 0.01;
 
 fn check(cx: &mut Context) {
@@ -29,9 +29,9 @@ fn check(cx: &mut Context) {
         }
         let is_nothing = fault.number.witness.operands.first() == Some(&0.0);
         let what = match (is_float, is_nothing) {
-            (false, _) => "the divisor is zero, and the result undefined",
-            (true, true) => "zero is divided by zero, which is a NaN",
-            (true, false) => "the divisor is zero, and the result infinite",
+            (false, _) => "the divisor is zero; the result is undefined",
+            (true, true) => "zero is divided by zero; the result is NaN",
+            (true, false) => "the divisor is zero; the result is infinite",
         };
         let finding = cx.report_op(op, what).note(fault.words).note(told.clone());
         if is_float && !is_nothing {
@@ -40,7 +40,7 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// Whether it is more than a line or a point of the picture, which the code may be made for.
+/// Whether it affects more than a line or a point of the image, which the code may account for.
 fn is_often(fault: &Untold) -> bool {
     fault.number.times as f64 / fault.visits.max(1) as f64 >= OFTEN
 }

@@ -1,4 +1,4 @@
-//! Gamma correction of what was corrected already.
+//! Gamma correction of a colour that is already corrected.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
@@ -48,13 +48,13 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let at = program.span(extent);
-    cx.report_expr(call.id, "this colour is corrected for gamma twice")
-        .label(at, "it was corrected here already")
-        .note("a second correction makes dark colours gray and takes their saturation")
-        .help("correct once, behind all that is computed with light");
+    cx.report_expr(call.id, "gamma correction is applied twice to this colour")
+        .label(at, "already gamma-corrected here")
+        .note("a second correction makes dark colours gray and reduces their saturation")
+        .help("remove one correction; keep the one after all lighting calculations");
 }
 
-/// Whether this is `pow(c, 1.0 / 2.2)` or the like.
+/// Whether this is `pow(c, 1.0 / 2.2)` or a similar correction.
 fn is_gamma(cx: &Context, op: OpId) -> bool {
     let module = cx.facts.module();
     let OpKind::Builtin(BuiltinId::Pow, operands) = module.op(op).kind else {

@@ -1,4 +1,4 @@
-//! Macro names with two underscores in a row.
+//! Macro names with two consecutive underscores.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context, definition: &Macro) {
     let span = definition.name_span;
     let name = cx.program.sources.text(span);
-    // Libraries mark themselves as read by empty macros of such names.
+    // Include guards of libraries are empty macros with such names.
     if !name.contains("__") || definition.body.is_empty() {
         return;
     }
@@ -27,10 +27,8 @@ fn check(cx: &mut Context, definition: &Macro) {
     }
     cx.report_span(
         span,
-        format!("the macro name `{name}` holds two underscores in a row"),
+        format!("macro name `{name}` contains two consecutive underscores"),
     )
-    .note(
-        "GLSL keeps such names for itself: the browser takes them for macros, some drivers do not",
-    )
-    .help(format!("write `{shorter}`"));
+    .note("GLSL reserves such names; the browser accepts them for macros, some drivers do not")
+    .help(format!("rename it to `{shorter}`"));
 }

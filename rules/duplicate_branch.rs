@@ -1,4 +1,4 @@
-//! Branches that do the same, and conditions that are asked twice.
+//! Identical branches, and conditions that are tested twice.
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
@@ -33,8 +33,8 @@ fn check_if(cx: &mut Context, id: StmtId) {
     let is_empty = bodies.iter().any(|b| b.last - b.first < 2);
     if !is_empty && same_code(program, bodies[0], bodies[1]) {
         let first = program.span(bodies[0]);
-        cx.report(bodies[1], "both branches of this `if` do the same")
-            .label(first, "the other one");
+        cx.report(bodies[1], "both branches of this `if` are identical")
+            .label(first, "identical branch");
     }
     let is_chain = matches!(tree.stmt(otherwise).kind, StmtKind::If { .. });
     if is_chain && !is_else(cx, id) {
@@ -50,12 +50,12 @@ fn check_ternary(cx: &mut Context, id: ExprId) {
     };
     let [first, second] = [a, b].map(|e| tree.expr(e).extent);
     if cx.is_direct(id) && same_code(program, first, second) {
-        cx.report(second, "both answers of `?:` are the same")
-            .label(program.span(first), "the other one");
+        cx.report(second, "both results of this `?:` are identical")
+            .label(program.span(first), "identical result");
     }
 }
 
-/// Whether a statement is what stands behind an `else`.
+/// Whether a statement is the body of an `else`.
 fn is_else(cx: &Context, id: StmtId) -> bool {
     let outer = cx.facts.structure().outer(id);
     outer.is_some_and(|o| {
@@ -63,7 +63,7 @@ fn is_else(cx: &Context, id: StmtId) -> bool {
     })
 }
 
-/// `if (a) ... else if (a) ...`: the second is never asked.
+/// `if (a) ... else if (a) ...`: the second condition is never true.
 fn check_chain(cx: &mut Context, start: StmtId) {
     let program = cx.program;
     let tree = &program.tree;
@@ -79,16 +79,16 @@ fn check_chain(cx: &mut Context, start: StmtId) {
         let extent = tree.expr(condition).extent;
         let hash = code_hash(program, extent);
         match asked.get(&hash) {
-            // What has effects may have another answer the second time.
+            // A condition with side effects may give another result the second time.
             Some(&before)
                 if same_code(program, before, extent) && !cx.facts.effects().has(condition) =>
             {
                 let before = program.span(before);
                 cx.report(
                     extent,
-                    "this condition was asked before, so it is false here",
+                    "this condition was already tested, so it is always false here",
                 )
-                .label(before, "asked here");
+                .label(before, "first tested here");
             }
             Some(_) => {}
             None => {

@@ -1,4 +1,4 @@
-//! `if (x); { ... }`: a semicolon that takes the place of the body.
+//! `if (x); { ... }`: a semicolon that is the entire body.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::indent::{indent, line_indent};
@@ -30,14 +30,14 @@ fn check(cx: &mut Context, id: StmtId) {
         let is_direct = cx.program.is_direct(tree.stmt(empty).extent);
         let next = body.get(at + 1).copied();
         let next = next.filter(|n| is_meant(cx, stmt, empty, *n));
-        // Nothing can be the point of a loop, whose head may do the work, and not of an `if`.
+        // The body of a loop may be empty if its head does the work; that of an `if` may not.
         if is_direct && (next.is_some() || what == "if") {
             report(cx, what, empty, next);
         }
     }
 }
 
-/// The word before an empty body, and the empty body at the end of a statement.
+/// The keyword before an empty body at the end of a statement, and that body.
 fn headed(tree: &Tree, stmt: StmtId) -> Option<(&'static str, StmtId)> {
     let is_empty = |s: &StmtId| tree.stmt(*s).kind == StmtKind::Empty;
     let (what, body) = match tree.stmt(stmt).kind {
@@ -60,8 +60,8 @@ fn headed(tree: &Tree, stmt: StmtId) -> Option<(&'static str, StmtId)> {
     Some((what, body)).filter(|(_, body)| is_empty(body))
 }
 
-/// Whether the statement behind an empty body looks like the body: a block, or one that stands
-/// further in than the head.
+/// Whether the statement after an empty body looks like the body: a block, or a statement that is
+/// indented more than the head.
 fn is_meant(cx: &Context, head: StmtId, empty: StmtId, next: StmtId) -> bool {
     let program = cx.program;
     let tree = &program.tree;
@@ -83,11 +83,11 @@ fn report(cx: &mut Context, what: &str, empty: StmtId, next: Option<StmtId>) {
     let tree = &program.tree;
     let span = program.span(tree.stmt(empty).extent);
     let next = next.map(|n| program.span(Extent::token(tree.stmt(n).extent.first)));
-    let fix = next.map(|_| Fix::suggestion("take the `;` out", vec![Edit::delete(span)]));
-    let message = format!("this `;` is all that the `{what}` has for a body");
+    let fix = next.map(|_| Fix::suggestion("remove the `;`", vec![Edit::delete(span)]));
+    let message = format!("this `;` is the entire body of the `{what}`");
     let mut finding = cx.report_span(span, message);
     if let Some(next) = next {
-        finding = finding.label(next, "this runs whatever is asked before");
+        finding = finding.label(next, format!("not part of the `{what}`"));
     }
     finding.fix(fix);
 }

@@ -1,5 +1,5 @@
-//! The pages of the compile errors, `errors/NAME.md`. They are here and not beside the names, so that a
-//! word that changes in a page compiles no front end.
+//! The pages of the compile errors, `errors/NAME.md`. They are in this crate, so that a change of a page
+//! does not recompile the front end.
 
 macro_rules! pages {
     ($($name:literal,)*) => {
@@ -8,7 +8,7 @@ macro_rules! pages {
     };
 }
 
-/// The page of a compile error.
+/// The text of the page of a compile error, in Markdown.
 pub fn error_page(name: &str) -> Option<&'static str> {
     let index = PAGES.binary_search_by_key(&name, |(n, _)| n).ok()?;
     PAGES.get(index).map(|(_, page)| *page)

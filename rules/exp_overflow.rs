@@ -1,4 +1,4 @@
-//! Exponential functions of numbers too large for them.
+//! Exponential functions of arguments that are too large.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -22,7 +22,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         BuiltinId::Sinh | BuiltinId::Cosh => 89.41,
         _ => return,
     };
-    // A constant has a rule of its own.
+    // Another rule reports constants.
     if !cx.program.values(of).is_empty() {
         return;
     }
@@ -31,9 +31,15 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let name = call.function.name();
-    cx.report_expr(of, format!("`{name}` overflows here: its argument is {range}"))
-        .note(format!(
-            "above {limit} the result is greater than any `float`: an infinity, and a NaN in `x / (1.0 + x)`"
-        ))
-        .help(format!("bound the argument with `min(..., {:.1})`", limit - 8.72));
+    cx.report_expr(
+        of,
+        format!("`{name}` overflows: its argument can be {range}"),
+    )
+    .note(format!(
+        "above {limit} the result is infinite, and `x / (1.0 + x)` is NaN"
+    ))
+    .help(format!(
+        "limit the argument with `min(..., {:.1})`",
+        limit - 8.72
+    ));
 }

@@ -1,4 +1,4 @@
-//! Pictures of one colour, and such in which no ray hits anything.
+//! Frames of one colour, and frames in which no ray hits anything.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::trial::{Hit, SampledPixel, Trial, TrialShot, is_too_bright};
@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// Colours nearer to one another than this cannot be told apart.
+/// Channels that differ by less than this look the same.
 const NEAR: f32 = 1.5 / 255.0;
 
 fn check(cx: &mut Context) {
@@ -24,7 +24,7 @@ fn check(cx: &mut Context) {
     if trial.all(is_black) {
         return;
     }
-    // Other rules say why.
+    // Other rules report the cause.
     let is_told =
         !cx.facts.stuck_marches().is_empty() || trial.drawn().all(|pixel| is_too_bright(&pixel));
     if is_told {
@@ -38,13 +38,12 @@ fn check(cx: &mut Context) {
     {
         cx.facts.tell_blank();
         let told = trial.told();
-        let message =
-            "the picture is of one colour although it is computed from the place of the pixel";
+        let message = "the image has one colour although it depends on the pixel position";
         cx.report_picture(message).note(told);
     }
 }
 
-/// Says where rays are told from one another, if all of them miss; whether they do.
+/// Reports the condition that detects hits, if all rays miss; returns whether they do.
 fn missed(cx: &mut Context, trial: &Trial) -> bool {
     let miss = |trial: &Trial, hit: &Hit| {
         let seen = hit.seen(&trial.seen);
@@ -58,9 +57,12 @@ fn missed(cx: &mut Context, trial: &Trial) -> bool {
     };
     facts.tell_blank();
     let told = trial.told();
-    let message = "no ray hits anything: the picture is what lies behind";
+    let message = "no ray hits anything; only the background is drawn";
     let finding = cx.report_op(hit.condition, message).note(told);
-    finding.help("look for a camera that stands in the wrong place or looks away, and for a scene that is never near zero");
+    finding.help(
+        "check the camera position and direction, and whether the scene distance ever gets near \
+        zero",
+    );
     true
 }
 

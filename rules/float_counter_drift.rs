@@ -1,4 +1,4 @@
-//! Float counters whose rounding decides how often a loop turns.
+//! Float counters where rounding changes the number of iterations.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -15,14 +15,14 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Stmt(check)],
 };
 
-/// Most turns that are counted.
+/// Most iterations that are counted.
 const MAX_TURNS: u32 = 10_000;
 
 /// `for (float x = start; x < limit; x += step)`
 #[derive(Clone, Copy)]
 struct Counted {
     counter: VariableId,
-    /// Whether the loop sets a variable that was there before.
+    /// Whether the loop assigns a variable that is declared before it.
     is_set: bool,
     start: f32,
     limit: f32,
@@ -38,7 +38,7 @@ fn check(cx: &mut Context, id: StmtId) {
     let Some((turns, meant)) = turns(&counted) else {
         return;
     };
-    // Whoever changes the counter elsewhere too counts otherwise.
+    // A counter that is changed elsewhere counts differently.
     let writes = cx.facts.writes().all().iter();
     let writes = writes.filter(|(_, v)| *v == counted.counter).count();
     let own = 1 + usize::from(counted.is_set);
@@ -54,12 +54,17 @@ fn check(cx: &mut Context, id: StmtId) {
         last: program.tree.stmt(body).extent.first.saturating_sub(2),
     };
     let step = plain(counted.step);
-    cx.report(head, format!("this loop turns {turns} times, not {meant}"))
-        .note(format!("`{step}` is no number that a float can be, so the sum of many is not where it should be"))
-        .help("count in whole numbers, and compute the rest from the count");
+    cx.report(
+        head,
+        format!("this loop runs {turns} iterations, not {meant}"),
+    )
+    .note(format!(
+        "`{step}` has no exact `float` representation, and each addition rounds again"
+    ))
+    .help("use an `int` counter and compute the `float` value from it");
 }
 
-/// How often a loop turns, and how often it would on paper.
+/// The number of iterations with `float` arithmetic, and with exact arithmetic.
 fn turns(counted: &Counted) -> Option<(u32, u32)> {
     let Counted {
         start,
@@ -74,7 +79,7 @@ fn turns(counted: &Counted) -> Option<(u32, u32)> {
         BinaryOp::Greater => x > limit,
         _ => x >= limit,
     };
-    // What the author wrote, such as 0.1, which no float is.
+    // The number as written, such as 0.1, which no `float` represents exactly.
     let written = |x: f32| plain(x).parse::<f64>().ok();
     let way = (written(limit)? - written(start)?) / written(step)?;
     let whole = way.round();
@@ -93,7 +98,7 @@ fn turns(counted: &Counted) -> Option<(u32, u32)> {
     Some((turns.count() as u32, meant))
 }
 
-/// A number in the fewest digits that tell it from others.
+/// A number in the fewest digits that identify it.
 fn plain(x: f32) -> String {
     format!("{x:?}")
 }
@@ -133,7 +138,7 @@ fn counted(program: &Program, id: StmtId) -> Option<Counted> {
     })
 }
 
-/// The counter that a loop declares or sets, and what it starts from.
+/// The counter that a loop declares or assigns, and its start value.
 fn started(program: &Program, init: StmtId) -> Option<(VariableId, f32)> {
     let tree = &program.tree;
     let decl = match tree.stmt(init).kind {

@@ -1,4 +1,4 @@
-//! `a == b` on floats of which one is rounded.
+//! `a == b` on floats when one side is rounded.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::{Interval, Rounding};
@@ -34,17 +34,17 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         Side::Left => (&left, &right),
         Side::Right => (&right, &left),
     };
-    let (miss, relation) = match e.op {
-        BinaryOp::Equal => ("`==` may miss", "<"),
-        _ => ("`!=` may hold beside", ">="),
+    let relation = match e.op {
+        BinaryOp::Equal => "<",
+        _ => ">=",
     };
     let instead = match ty.is_vector() {
         true => format!("distance({left}, {right}) {relation} 1e-4"),
         false => format!("abs({left} - {right}) {relation} 1e-4"),
     };
-    let message = format!("`{rounded}` is rounded, so {miss} `{other}`");
+    let message = format!("`{rounded}` is rounded and may not exactly equal `{other}`");
     cx.report_expr(e.id, message)
-        .note("rounding makes results differ that should be equal, on each GPU in its own way")
+        .note("GPUs round differently, so values that should be equal can differ")
         .help(format!("compare with a tolerance: `{instead}`"));
 }
 
@@ -55,7 +55,7 @@ enum Side {
     Right,
 }
 
-/// The side that rounding has come into for certain, where that may decide the comparison.
+/// The side that is certainly rounded, if that may change the result of the comparison.
 fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<Side> {
     let left = cx.facts.range(e.left).nth(component as usize)?;
     let right = cx.facts.range(e.right).nth(component as usize)?;
@@ -64,7 +64,7 @@ fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<Side> {
         (_, Rounding::Always) => Side::Right,
         _ => return None,
     };
-    // A division or root is to be kept from exactly zero, and what a value is bounded by is held.
+    // A comparison with zero guards a division or square root, and the limits of a value are exact.
     let is_edge =
         |value: Option<f64>, other: &Interval| value.is_some_and(|v| v == 0.0 || other.holds(v));
     let is_meant = is_edge(left.single(), &right)

@@ -1,4 +1,4 @@
-//! Pictures that hang on the last digits of a sine, a root or a division.
+//! Images that depend on the last digits of a sine, a square root or a division.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{CompileOptions, Lean, Persona};
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// The share of the picture that has to look otherwise.
+/// Least share of the pixels that look different.
 const SEEN: f64 = 0.2;
 /// How many quads are run at each instant.
 const QUADS: usize = 32;
@@ -47,7 +47,12 @@ fn check(cx: &mut Context) {
     };
     let told = trial.told();
     let changed = percent(changed);
-    let finding = cx.report_picture("the picture hangs on digits that GPUs do not share");
-    finding.note(format!("{changed} of the pixels look otherwise on a GPU that is as inexact as the conformance suite allows")).note(told)
-        .help("hash integers, and keep the arguments of sines small");
+    let finding = cx.report_picture("the image depends on rounding that differs between GPUs");
+    finding
+        .note(format!(
+            "{changed} of the sampled pixels change on a GPU with the largest errors that the \
+            conformance suite allows"
+        ))
+        .note(told)
+        .help("use integer hashes, and keep the arguments of `sin` small");
 }

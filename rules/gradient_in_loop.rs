@@ -1,4 +1,4 @@
-//! Textures with derivatives inside loops that pixels leave apart.
+//! Derivatives in loops that pixels exit at different iterations.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Parted;
@@ -31,16 +31,20 @@ fn check(cx: &mut Context) {
         let finding = cx
             .report_op(
                 gradient.call,
-                format!("`{name}` takes derivatives in a loop that pixels leave apart"),
+                format!("`{name}` is called in a loop that pixels exit at different iterations"),
             )
-            .label(head, "some pixels leave this loop before others")
-            .note("they are undefined here, and Direct3D unrolls the loop for them or refuses it");
+            .label(head, "some pixels exit earlier")
+            .note(
+                "its derivatives are undefined here; Direct3D unrolls the loop for them or \
+                rejects it",
+            );
         if gradient.function.kind().is_texture() {
             finding.help(
-                "use `textureLod` with a level of your own, or `textureGrad` with derivatives from before the loop",
+                "use `textureLod` with an explicit level, or `textureGrad` with derivatives from \
+                before the loop",
             );
         } else {
-            finding.help("take the derivative before the loop");
+            finding.help("compute the derivative before the loop");
         }
     }
 }

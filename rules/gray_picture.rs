@@ -1,4 +1,4 @@
-//! Colours that do not show.
+//! Images that look gray although their channels differ.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::trial::{SampledPixel, Trial, luminance, share};
@@ -14,11 +14,11 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// Colours of less saturation pixel gray.
+/// Colours of at most this saturation look gray.
 const GRAY: f32 = 0.08;
-/// The share of the pixels that have to.
+/// Least share of the pixels that look gray.
 const MOST: f64 = 0.995;
-/// Darker pixels show no colour.
+/// Pixels up to this luminance show no colour.
 const DARK: f32 = 12.0 / 255.0;
 
 fn check(cx: &mut Context) {
@@ -30,24 +30,24 @@ fn check(cx: &mut Context) {
     }
     let told = trial.told();
     let finding =
-        cx.report_picture("the picture is gray although its channels are computed one by one");
-    finding.note(told).help(
-        "colours whose channels differ by a few hundredths look gray: set them further apart",
-    );
+        cx.report_picture("the image is gray although its channels are computed separately");
+    finding
+        .note(told)
+        .help("increase the differences between channels; a few hundredths look gray");
 }
 
-/// Whether nothing has a colour that could be seen, although the channels differ.
+/// Whether no pixel has a visible colour, although the channels differ.
 fn is_gray(trial: &Trial) -> bool {
     let lit = || trial.drawn().filter(|l| luminance(l.shown()) > DARK);
     let is_white = |pixel: &SampledPixel| pixel.shown().iter().all(|lane| *lane >= 1.0);
     let colored = || lit().filter(|l| !is_white(l));
     let has_two = colored().nth(16).is_some();
-    // The same number in all channels is meant to be gray.
+    // The same value in all channels is intended to be gray.
     let tinted = share(colored(), |l| !l.is_even());
     has_two && tinted > 0.5 && share(colored(), |l| saturation(l.shown()) <= GRAY) >= MOST
 }
 
-/// How far the channels of a colour lie from one another, in parts of the largest.
+/// The difference between the largest and smallest channel, as a fraction of the largest.
 fn saturation(color: [f32; 3]) -> f32 {
     let (least, most) = (
         color.iter().fold(1.0, |a, b| b.min(a)),

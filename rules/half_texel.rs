@@ -1,4 +1,4 @@
-//! Lookups at the corners of texels.
+//! Texture lookups at the corners of texels.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
@@ -27,12 +27,12 @@ fn check(cx: &mut Context, call: &Builtin) {
     if cx.program.ty(place).components() != 2 || !(0..2).all(|lane| is_corner(cx, op, lane)) {
         return;
     }
-    cx.report_expr(place, "these coordinates are corners of texels")
-        .note("four texels meet there: a filter mixes them, and without one rounding picks any")
-        .help("add half a texel, `(p + 0.5) / size`, or read with `texelFetch`");
+    cx.report_expr(place, "these texture coordinates lie on texel corners")
+        .note("four texels meet there: filtering blends them, and without it rounding selects one")
+        .help("add half a texel: `(p + 0.5) / size`, or use `texelFetch`");
 }
 
-/// Whether a lane is a whole number divided by the size of the picture or of a channel.
+/// Whether a component is an integer divided by the size of the image or of a channel.
 fn is_corner(cx: &Context, op: OpId, lane: u32) -> bool {
     let module = cx.facts.module();
     let Some(Start::Made(made, lane)) = cx.facts.origin(op, lane) else {
@@ -60,7 +60,7 @@ fn is_size(cx: &Context, op: OpId, lane: u32) -> bool {
         .any(|name| cx.facts.is_given(start, name))
 }
 
-/// Whether a lane is a number of a texel: rounded, or an integer before.
+/// Whether a component is an integer: rounded, or converted from one.
 fn is_counted(cx: &Context, op: OpId, lane: u32) -> bool {
     use BuiltinId::{Ceil, Floor, Round, Trunc};
     let module = cx.facts.module();

@@ -22,15 +22,15 @@ fn check_binary(cx: &mut Context, e: &BinaryExpr) {
         (Mul, Some(1.0), None) | (Add, Some(0.0), None) => e.right,
         (Mul | Div, None, Some(1.0)) | (Add | Sub, None, Some(0.0)) => e.left,
         (Mul, Some(0.0), None) | (Mul, None, Some(0.0)) => {
-            return report(cx, e.id, "this is always zero".to_string());
+            return report(cx, e.id, "this product is always zero".to_string());
         }
         _ => return,
     };
-    // `0.0 + x` may make a vector of a number.
+    // With a vector operand, a scalar becomes a vector.
     let is_same_type = cx.program.ty(kept) == cx.program.ty(e.id);
     if is_same_type {
         let text = cx.program.expr_text(kept);
-        let message = format!("this is `{text}`");
+        let message = format!("this expression is the same as `{text}`");
         report(cx, e.id, message);
     }
 }
@@ -43,7 +43,7 @@ fn check_builtin(cx: &mut Context, call: &Builtin) {
         _ => return,
     };
     let text = cx.program.expr_text(kept);
-    let message = format!("this is `{text}`");
+    let message = format!("this expression is the same as `{text}`");
     report(cx, call.id, message);
 }
 
@@ -53,7 +53,7 @@ fn report(cx: &mut Context, id: ExprId, message: String) {
     }
 }
 
-/// A number that stands in the text: one with a name may be changed.
+/// The value of a literal; a named number may be a setting.
 fn literal(cx: &Context, id: ExprId) -> Option<f32> {
     let tree = &cx.program.tree;
     match tree.expr(tree.unparen(id)).kind {

@@ -1,4 +1,4 @@
-//! Indexes outside their array, vector or matrix.
+//! Indices outside their array, vector or matrix.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -43,10 +43,10 @@ fn check(cx: &mut Context, id: ExprId) {
         true => Side::Low,
         false => Side::High,
     };
-    let message = format!("the index {is} outside 0..{last}: {known}");
+    let message = format!("the index {is} outside 0..={last}: its value is {known}");
     cx.report_range(index, (&range, side), message)
         .note(format!(
-            "`{what}` has {count} elements; beyond them lies anything"
+            "`{what}` has {count} elements; the result of an access outside them is undefined"
         ));
     cx.judge(id, &[Kind::OutOfRange]);
 }

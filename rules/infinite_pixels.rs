@@ -1,4 +1,4 @@
-//! Pixels that come out infinitely bright.
+//! Pixels with infinite colour values.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -16,6 +16,6 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let what = "infinite, and a NaN as soon as it is blended or filtered";
+    let what = "infinite and becomes NaN when blended or filtered";
     report_broken(cx, Kind::Infinite, f32::is_infinite, what);
 }

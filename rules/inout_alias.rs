@@ -1,4 +1,4 @@
-//! One variable under two names.
+//! One variable passed to two output parameters, or passed and used as a global.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
@@ -45,21 +45,30 @@ fn check(cx: &mut Context, id: ExprId) {
             }
             cx.report_expr(
                 arg,
-                format!("`{name}` gets `{text}` under two names and writes to both"),
+                format!("`{text}` is passed to two output parameters of `{name}`"),
             )
-            .note("which of the two values it holds in the end is undefined");
+            .note(
+                "outputs are copied back in an undefined order (section 6.1.1), so either value \
+                may remain",
+            );
             return;
         }
         if is_global(cx, part.0) && names_it(cx, callee, part.0) {
-            cx.report_expr(arg, format!("`{name}` gets `{text}`, and uses that variable itself too"))
-                .note("the parameter is a copy: what is written to one is not seen in the other until the end");
+            cx.report_expr(
+                arg,
+                format!("`{text}` is passed to `{name}`, which also uses it as a global"),
+            )
+            .note(
+                "the parameter is a copy: writes to one are not visible in the other until the function \
+                returns",
+            );
             return;
         }
     }
 }
 
-/// The variable that an argument names, and which of its components; `None` where it is an element
-/// or a member, of which the text does not tell enough.
+/// The variable that an argument names and a mask of its components; `None` if the argument is an
+/// array element or a struct member, which may not be known statically.
 fn part(cx: &Context, arg: ExprId) -> Option<(VariableId, u8)> {
     let program = cx.program;
     let arg = program.tree.unparen(arg);
@@ -82,8 +91,8 @@ fn is_global(cx: &Context, id: VariableId) -> bool {
     variable.is_some_and(|v| v.storage == Storage::Global)
 }
 
-/// Whether what a call leaves in an argument is read; an output may be given a variable to be thrown
-/// away in.
+/// Whether the value that a call writes to an argument is read; a variable may only collect outputs
+/// that are not needed.
 fn is_read(cx: &Context, id: ExprId, callee: FunctionRef, arg: ExprId) -> bool {
     let (module, defs, live) = (cx.facts.module(), cx.facts.defs(), cx.facts.live());
     let mut calls = cx.facts.calls().calls_of(callee);

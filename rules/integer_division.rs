@@ -1,4 +1,4 @@
-//! Divisions of integers that lose what was meant.
+//! Integer divisions that discard the fractional part unintentionally.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
@@ -25,7 +25,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     {
         return;
     }
-    // Both are scalars: what they make is one.
+    // The quotient is a scalar, so both operands are.
     let (left, right) = (
         cx.facts.range(e.left).next(),
         cx.facts.range(e.right).next(),
@@ -38,12 +38,12 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         (Some(x), Some(y)) if y != 0.0 && x % y != 0.0 => {
             let whole = (x / y).trunc();
             let is_float = becomes_float(cx, e.id);
-            // Half of a size that has a name is counted in whole cells.
+            // A named size is divided into whole cells.
             let is_meant = !literals && whole != 0.0;
             if is_meant || !(is_float || whole == 0.0 && literals) {
                 return;
             }
-            (format!("`{x} / {y}` of integers is {whole}"), is_float)
+            (format!("integer division `{x} / {y}` is {whole}"), is_float)
         }
         // `i / n` with `i` from 0 to `n - 1`.
         (None, _) if a.lo.value >= 0.0 && a.is_finite() && b.lo.value > a.hi.value => {
@@ -52,7 +52,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
             }
             let (a, b) = (a.of_integer(), b.of_integer());
             (
-                format!("this division of integers is always 0: {a} by {b}"),
+                format!("this integer division is always 0: {a} divided by {b}"),
                 true,
             )
         }
@@ -64,10 +64,10 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
             Edit::insert(at(e.left), ".0"),
             Edit::insert(at(e.right), ".0"),
         ];
-        Fix::suggestion("divide floats", edits)
+        Fix::suggestion("use float literals", edits)
     });
     cx.report_expr(e.id, message)
-        .note("the division of integers drops what is behind the point")
+        .note("integer division discards the fractional part")
         .help("convert to `float` before the division, not after it")
         .fix(fix);
 }

@@ -1,4 +1,4 @@
-//! `asin` and `acos` of numbers that are no sine or cosine.
+//! `asin` and `acos` of arguments outside -1.0..1.0.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_exec::Kind;
@@ -32,7 +32,7 @@ fn check(cx: &mut Context, call: &Builtin) {
             Edit::insert(span.start, "clamp("),
             Edit::insert(span.end, ", -1.0, 1.0)"),
         ];
-        Fix::suggestion("bound it with `clamp(..., -1.0, 1.0)`", edits)
+        Fix::suggestion("limit it with `clamp(..., -1.0, 1.0)`", edits)
     });
     let is = range.may_or_is(|r| r.is_below(least) || r.is_above(most));
     let side = match range.strays_below(least) {
@@ -43,11 +43,11 @@ fn check(cx: &mut Context, call: &Builtin) {
         of,
         (&range, side),
         format!(
-            "the argument of `{}` {is} outside -1.0..1.0: {range}",
+            "argument of `{}` {is} outside -1.0..1.0: its value is {range}",
             call.function.name()
         ),
     )
-    .note("there is no angle with such a sine or cosine; the result is undefined")
+    .note("the result is undefined for arguments below -1.0 or above 1.0 (section 8.1)")
     .fix(fix);
     cx.judge(call.id, &[Kind::Undefined]);
 }

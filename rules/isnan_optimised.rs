@@ -1,4 +1,4 @@
-//! `isnan` and `isinf`, which compilers may leave out.
+//! `isnan` and `isinf`, which compilers may optimise away.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -20,11 +20,11 @@ fn check(cx: &mut Context, call: &Builtin) {
     }
     let name = call.function.name();
     let finding = cx
-        .report_expr(call.id, format!("the compiler may leave `{name}` out"))
-        .note("it may take it that such numbers never come up, and on some machines it does");
+        .report_expr(call.id, format!("the compiler may optimise `{name}` away"))
+        .note("it may assume that such values never occur (section 4.5.1), and some compilers do");
     finding.help(match call.function {
         BuiltinId::IsNan => {
-            "keep the number from becoming one: guard the division, root or power before"
+            "prevent the NaN instead: guard the division, square root or power that produces it"
         }
         _ => "compare with a large number: `abs(x) > 1e30`",
     });

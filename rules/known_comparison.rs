@@ -1,4 +1,4 @@
-//! Comparisons whose answer follows from the ranges of both sides.
+//! Comparisons where the ranges of both sides decide the result.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::{Interval, Rounding};
@@ -22,7 +22,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;
     let is_order = matches!(e.op, Less | Greater | LessEqual | GreaterEqual);
     let kind = program.ty(e.left).scalar_kind();
-    // That a `uint` is never below zero is another finding.
+    // `constant-condition` reports that a `uint` is never negative.
     if !is_order || kind == Some(Scalar::Uint) || program.expr(e.id).is_const {
         return;
     }
@@ -36,7 +36,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     let (Some(left), Some(right)) = (left, right) else {
         return;
     };
-    // Two numbers that the author set are a switch.
+    // A comparison of two constants is a switch.
     if left.single().is_some() && right.single().is_some() {
         return;
     }
@@ -54,7 +54,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         Some(_) => (program.expr_text(e.left), left, e.left),
         None => (program.expr_text(e.right), right, e.right),
     };
-    // What always holds is often the last of several cases, spelled out.
+    // A condition that always holds is often the last of several cases, written out.
     let tree = &program.tree;
     let is_written_here = !matches!(
         tree.expr(tree.unparen(place)).kind,
@@ -71,7 +71,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     };
     let text = format!("`{spelled}` is {known} here");
     let place = program.expr_span(place);
-    cx.report_expr(e.id, format!("this is always {answer}"))
+    cx.report_expr(e.id, format!("this comparison is always {answer}"))
         .label(place, text);
 }
 
@@ -82,9 +82,9 @@ struct Side {
     expr: ExprId,
 }
 
-/// Whether all of one number is less than all of another, or none of it.
+/// Whether `a` is always or never less than `b`; `None` if neither is certain.
 fn is_less(cx: &Context, a: Side, b: Side) -> Option<bool> {
-    // What rounding has come into may be a little beyond its bounds.
+    // A rounded value may exceed its bounds slightly.
     let slack = |side: Side, is_low: bool| {
         let r = side.range;
         let is_sharp = r.rounding == Rounding::Never
@@ -105,8 +105,8 @@ fn is_less(cx: &Context, a: Side, b: Side) -> Option<bool> {
     (a.range.lo.value >= b.range.hi.value + high).then_some(false)
 }
 
-/// Whether a condition speaks of a value in more places than one: what one tells may settle the
-/// other, which is a contradiction.
+/// Whether a condition uses a variable in more than one comparison: one may decide the other, which
+/// is a `contradiction`.
 fn is_spoken_of_twice(cx: &Context, comparison: ExprId, place: ExprId) -> bool {
     let tree = &cx.program.tree;
     let structure = cx.facts.structure();
@@ -135,8 +135,8 @@ fn is_spoken_of_twice(cx: &Context, comparison: ExprId, place: ExprId) -> bool {
     })
 }
 
-/// Whether a comparison is of what the code around it computes: what callers pass and other functions
-/// leave is asked after in good faith, and so is a uniform by itself.
+/// Whether the compared values are computed in the same function: testing a uniform, or values from
+/// callers and other functions, is a reasonable guard.
 fn is_computed_here(cx: &Context, e: &BinaryExpr) -> bool {
     let program = cx.program;
     let is_plain = |side: ExprId| {
@@ -150,8 +150,8 @@ fn is_computed_here(cx: &Context, e: &BinaryExpr) -> bool {
         && !sides.iter().any(|s| hangs_on_callers(cx.facts, *s))
 }
 
-/// What the whole condition is that a comparison is part of, where its answer settles that: one of
-/// several that all must hold may well always hold.
+/// The result of the whole condition that contains a comparison, if the comparison decides it: one
+/// of several conditions joined by `&&` may well always hold.
 fn settled(cx: &Context, expr: ExprId, answer: bool) -> Option<bool> {
     let tree = &cx.program.tree;
     let structure = cx.facts.structure();

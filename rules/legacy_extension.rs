@@ -1,4 +1,4 @@
-//! `#extension` for what GLSL ES 3.00 has built in.
+//! `#extension` for features that are built into GLSL ES 3.00.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, remove_lines};
@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// Extensions of WebGL1, and what of WebGL2 does the same.
+/// Extensions of WebGL1, and the features of WebGL2 that replace them.
 const CORE: [(&str, &str); 4] = [
     (
         "GL_OES_standard_derivatives",
@@ -42,11 +42,11 @@ fn check(cx: &mut Context) {
         let edit = remove_lines(program, used.span);
         cx.report_span(
             used.span,
-            format!("WebGL2 has no extension `{name}`, and needs none"),
+            format!("extension `{name}` does not exist in WebGL2"),
         )
         .note(format!(
             "{what} part of GLSL ES 3.00; the browser warns about the name"
         ))
-        .fix(Fix::safe("take it out", vec![edit]));
+        .fix(Fix::safe("remove the directive", vec![edit]));
     }
 }

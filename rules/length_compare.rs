@@ -1,4 +1,4 @@
-//! `length(p) < r`
+//! `length(p) < r`: a square root that the comparison does not need.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
@@ -43,11 +43,14 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
             }
             _ => continue,
         };
-        cx.report_expr(e.id, "a root is taken only to be compared")
-            .help(format!(
-                "compare `{square}` with the square, {:?}",
-                bound * bound
-            ));
+        cx.report_expr(
+            e.id,
+            "unnecessary square root in a comparison with a constant",
+        )
+        .help(format!(
+            "compare `{square}` with `{:?}` instead",
+            bound * bound
+        ));
         return;
     }
 }

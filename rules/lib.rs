@@ -1,5 +1,5 @@
-//! Every lint rule: a pair of files each, `NAME.rs` for what it does and `NAME.md` for what it
-//! means. `errors/` holds the pages of the compile errors.
+//! All lint rules. Each is a pair of files: `NAME.rs` implements it, `NAME.md` is its page. `errors/` has
+//! the pages of the compile errors.
 
 mod aspect_ellipse;
 mod assignment_in_condition;
@@ -135,7 +135,7 @@ use shaderlint_lint::Rule;
 
 pub use errors::error_page;
 
-/// All rules, by name.
+/// All rules, sorted by name.
 #[rustfmt::skip]
 pub static RULES: &[&Rule] = &[
     &aspect_ellipse::RULE,

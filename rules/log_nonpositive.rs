@@ -40,7 +40,7 @@ fn check(cx: &mut Context, call: &Builtin) {
             call.function.name()
         ),
     )
-    .note("the logarithm of zero or less is undefined: an infinity or a NaN")
-    .help(format!("bound it with `max({text}, 1e-6)`"));
+    .note("the logarithm of zero or less is undefined (section 8.2): infinity or NaN")
+    .help(format!("use `max({text}, 1e-6)`"));
     cx.judge(call.id, &[Kind::Undefined]);
 }

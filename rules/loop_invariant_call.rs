@@ -1,4 +1,4 @@
-//! Expensive calls that give the same in every turn of a loop.
+//! Expensive calls that return the same value in every iteration of a loop.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::still::{Places, is_still, runs_each_turn};
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
     40.0,
-    "Fewest operations of a call that is reported",
+    "Minimum cost of a reported call, in operations",
 )
 .on_swiftshader(12.0);
 
@@ -53,15 +53,15 @@ fn check(cx: &mut Context) {
         };
         let name = program.names.text(function.name);
         let head = program.span(Extent::token(extent.first));
-        let turns = looped
-            .bound
-            .turns()
-            .map_or(String::new(), |t| format!(", {t} times"));
+        let label = match looped.bound.turns() {
+            Some(turns) => format!("loop of up to {turns} iterations"),
+            None => "in this loop".to_string(),
+        };
         cx.report_expr(
             call.expr,
-            format!("`{name}` gives the same in every turn of the loop"),
+            format!("`{name}` returns the same value in every iteration"),
         )
-        .label(head, format!("computed again in each turn{turns}"))
-        .help("compute it once before the loop");
+        .label(head, label)
+        .help(format!("call `{name}` once, before the loop"));
     }
 }

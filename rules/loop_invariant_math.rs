@@ -1,4 +1,4 @@
-//! Functions of the language in a loop that give the same in every turn.
+//! Expensive built-in functions that return the same value in every iteration of a loop.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
@@ -17,10 +17,10 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// Fewest turns of a loop that is looked at: a few samples for each pixel are no matter.
+/// Minimum iterations of a loop that is checked: a few samples per pixel cost little.
 const FEWEST_TURNS: u64 = 8;
 
-/// How many expressions around a call are looked at.
+/// Maximum number of enclosing expressions that are searched for a larger invariant call.
 const MAX_OUTER: usize = 6;
 
 fn check(cx: &mut Context) {
@@ -54,7 +54,7 @@ fn check(cx: &mut Context) {
         if !still(id) || calls_function(program, id) {
             continue;
         }
-        // The largest call that stays is the one to take out.
+        // Only the largest invariant call is reported: that one is to be moved out.
         let outer = std::iter::successors(facts.structure().parent(id), |p| {
             facts.structure().parent(*p)
         });
@@ -62,16 +62,16 @@ fn check(cx: &mut Context) {
         if outer.take(MAX_OUTER).any(|p| is_larger(&p) && still(p)) {
             continue;
         }
-        // One line is taken out as a whole.
+        // One finding per statement.
         if last.replace(stmt) == Some(stmt) {
             continue;
         }
         let text = program.expr_text(id);
         let head = program.span(Extent::token(extent.first));
-        let message = format!("`{text}` is the same in every turn of the loop");
+        let message = format!("`{text}` has the same value in every iteration");
         cx.report_expr(id, message)
-            .label(head, "computed again in each turn")
-            .help("compute it once before the loop");
+            .label(head, "in this loop")
+            .help("compute it once, before the loop");
     }
 }
 
@@ -79,7 +79,7 @@ fn is_long(bound: Bound) -> bool {
     bound.turns().is_none_or(|turns| turns >= FEWEST_TURNS)
 }
 
-/// Whether an expression calls one of the shader's functions, which may do more than it seems.
+/// Whether an expression calls a user-defined function, which may have side effects.
 fn calls_function(program: &Program, id: ExprId) -> bool {
     let mut todo = vec![id];
     while let Some(next) = todo.pop() {
@@ -92,7 +92,7 @@ fn calls_function(program: &Program, id: ExprId) -> bool {
     false
 }
 
-/// Functions that take many steps of a processor.
+/// Whether a built-in function is expensive.
 const fn is_dear(function: BuiltinId) -> bool {
     use BuiltinId::*;
     matches!(

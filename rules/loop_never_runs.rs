@@ -48,19 +48,19 @@ fn check(cx: &mut Context, id: StmtId) {
         BinaryOp::Equal => start == limit,
         _ => start != limit,
     };
-    // From 0 to 0 is a loop that someone has turned off.
+    // A loop from 0 to 0 was switched off on purpose.
     if runs || start == limit || !op.compares() {
         return;
     }
     let place = program.span(tree.stmt(init).extent);
     cx.report_expr(
         condition,
-        "this loop never runs: its condition is false from the start",
+        "loop never runs: its condition is false from the start",
     )
-    .label(place, "it starts here");
+    .label(place, "initial value");
 }
 
-/// The counter that a loop declares or sets, and the number that it starts from.
+/// The counter that the `for` header declares or assigns, and its initial value.
 fn started(program: &Program, init: StmtId) -> Option<(shaderlint_semantic::VariableId, f64)> {
     let tree = &program.tree;
     match tree.stmt(init).kind {
@@ -84,7 +84,7 @@ fn started(program: &Program, init: StmtId) -> Option<(shaderlint_semantic::Vari
     }
 }
 
-/// A number that stands in the text: one with a name may be a switch.
+/// The value of a literal; a named constant may be a switch and does not count.
 fn literal(program: &Program, expr: ExprId) -> Option<f64> {
     let tree = &program.tree;
     let at = tree.unparen(expr);

@@ -1,4 +1,4 @@
-//! Weights of a brightness that do not add up.
+//! Luma weights that do not add up to 1.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-/// What the standards for television give red, green and blue.
+/// Luma weights of red, green and blue in the television standards.
 const STANDARDS: [([f64; 3], &str); 3] = [
     ([0.299, 0.587, 0.114], "BT.601"),
     ([0.2126, 0.7152, 0.0722], "BT.709"),
@@ -37,7 +37,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let Some((side, weights)) = known else { return };
     let sum: f64 = weights.iter().sum();
     let close = |a: f64, b: f64| (a - b).abs() < 0.0051;
-    // Two that are right tell what is meant; a grey must stay as bright as it is.
+    // Two matching weights identify the standard; the sum must be 1 to preserve greys.
     let meant = STANDARDS.into_iter().find(|(right, _)| {
         let count = right
             .iter()
@@ -53,16 +53,18 @@ fn check(cx: &mut Context, call: &Builtin) {
     let fix = fix(cx, side, &text);
     cx.report_expr(
         side,
-        format!("these weights add up to {:.3}, not to 1", sum),
+        format!("luma weights add up to {:.3} instead of 1", sum),
     )
-    .note(format!("two of them are those of {name}: `vec3({text})`"))
+    .note(format!("two of them match {name}: `vec3({text})`"))
     .fix(fix);
 }
 
 fn fix(cx: &Context, side: ExprId, text: &str) -> Option<Fix> {
     let is_vector = matches!(cx.program.tree.expr(side).kind, ExprKind::Construct(..));
     (is_vector && cx.is_direct(side)).then(|| {
-        let edit = Edit::replace(cx.program.expr_span(side), format!("vec3({text})"));
-        Fix::suggestion("write the weights of the standard", vec![edit])
+        let weights = format!("vec3({text})");
+        let title = format!("use `{weights}`");
+        let edit = Edit::replace(cx.program.expr_span(side), weights);
+        Fix::suggestion(title, vec![edit])
     })
 }

@@ -19,15 +19,15 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// A call whose text falls apart.
+/// A macro call with tokens that operator precedence splits.
 #[derive(Clone, Copy)]
 struct Torn {
     call: Expanded,
-    /// The tokens that belong together, and do not stay together.
+    /// The tokens that should form one operand, but do not.
     unit: Extent,
-    /// The operator that tears them apart.
+    /// The operator that splits them.
     operator: TokenId,
-    /// Whether they are an argument of the call, and not all that it gives.
+    /// Whether they are an argument of the call rather than its whole expansion.
     is_argument: bool,
 }
 
@@ -45,7 +45,7 @@ fn check(cx: &mut Context) {
     if !program.tokens.macros.iter().any(holds_operator) {
         return;
     }
-    // A macro is mended in one place, however often it is called.
+    // A macro is fixed in its definition, so it is reported once however often it is called.
     let mut by_macro: BTreeMap<(usize, bool), (Torn, usize)> = BTreeMap::new();
     let calls = expanded(program)
         .into_iter()
@@ -63,8 +63,8 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// What falls apart in a call: at most all that it gives, by an operator of its own, and one of its
-/// arguments.
+/// What is split in a call: the expansion, at an operator of the macro body, and the first of its
+/// arguments that is split.
 fn torn(program: &Program, call: Expanded) -> impl Iterator<Item = Torn> {
     let of = move |unit: Extent, is_argument: bool| {
         let is_own = |t: TokenId| is_argument || !is_of_argument(program, call, t);
@@ -80,14 +80,14 @@ fn torn(program: &Program, call: Expanded) -> impl Iterator<Item = Torn> {
     [of(call.extent, false), argument].into_iter().flatten()
 }
 
-/// Whether a token that a call gives came out of one of its arguments.
+/// Whether a token of an expansion comes from an argument of the call.
 fn is_of_argument(program: &Program, call: Expanded, token: TokenId) -> bool {
     let definition = program.tokens.macros.get(call.definition);
     let takes_any = definition.is_some_and(|m| m.params.is_some());
     takes_any && program.token(token).is_some_and(|t| t.span != call.call)
 }
 
-/// The runs of tokens in what a call gives that came out of its arguments.
+/// The runs of tokens in an expansion that come from arguments of the call.
 fn arguments(program: &Program, call: Expanded) -> impl Iterator<Item = Extent> {
     let is_argument = move |t: &TokenId| is_of_argument(program, call, *t);
     let mut at = call.extent.first;
@@ -102,9 +102,9 @@ fn arguments(program: &Program, call: Expanded) -> impl Iterator<Item = Extent> 
     })
 }
 
-/// The operator beside a run of tokens that takes a part of it for its operand: the run is an
-/// expression by itself, and another one where it stands. Only the operators count that are the run's
-/// own.
+/// The operator next to a run of tokens that takes only part of it as its operand, so that the run
+/// is a complete expression on its own but not in its context. Only operators accepted by `is_own`
+/// are considered.
 fn tearing(program: &Program, unit: Extent, is_own: impl Fn(TokenId) -> bool) -> Option<TokenId> {
     let kind = |at: TokenId| program.token(at).map(|t| t.kind);
     let mut own = operators(program, unit)?;
@@ -134,7 +134,7 @@ fn tearing(program: &Program, unit: Extent, is_own: impl Fn(TokenId) -> bool) ->
     own.iter().any(|o| tears(o.kind, o.binds)).then_some(before)
 }
 
-/// The operators of a run of tokens, outside all brackets, if it is a whole expression.
+/// The operators of a run of tokens outside all brackets, if the run is a complete expression.
 fn operators(program: &Program, unit: Extent) -> Option<Vec<Operator>> {
     use TokenKind::*;
     let mut found = Vec::new();
@@ -185,10 +185,10 @@ const fn ends_operand(kind: TokenKind) -> bool {
     )
 }
 
-/// How tightly `*` binds.
+/// Precedence of `*`.
 const PRODUCT: u8 = 12;
 
-/// How tightly an operator between operands binds: the tighter, the more (GLSL ES 3.00 section 5.1).
+/// Precedence of a binary operator: higher binds tighter (GLSL ES 3.00 section 5.1).
 const fn binding(kind: TokenKind) -> Option<u8> {
     use TokenKind::*;
     Some(match kind {
@@ -208,7 +208,7 @@ const fn binding(kind: TokenKind) -> Option<u8> {
     })
 }
 
-/// Whether `a outer (b inner c)` is `a outer b inner c`, rounding aside.
+/// Whether `a outer (b inner c)` equals `a outer b inner c`, apart from rounding.
 const fn regroups(outer: TokenKind, inner: TokenKind) -> bool {
     use TokenKind::*;
     matches!(
@@ -239,12 +239,12 @@ fn report(cx: &mut Context, torn: Torn, count: usize) {
         .collect();
     let (message, title) = match torn.is_argument {
         true => (
-            format!("`{name}` tears its argument apart: `{operator}` takes a part of `{unit}`"),
-            "put its parameters in parentheses",
+            format!("macro `{name}` needs parentheses: `{operator}` splits its argument `{unit}`"),
+            "add parentheses around each parameter in the macro body",
         ),
         false => (
-            format!("`{name}` falls apart here: `{operator}` takes a part of `{unit}`"),
-            "put its text in parentheses",
+            format!("macro `{name}` needs parentheses: `{operator}` splits its expansion `{unit}`"),
+            "add parentheses around the macro body",
         ),
     };
     let place = definition.name_span;
@@ -254,14 +254,14 @@ fn report(cx: &mut Context, torn: Torn, count: usize) {
     let fix = fix.flatten().map(|e| Fix::suggestion(title, e));
     let mut finding = cx
         .report_span(torn.call.call, message)
-        .label(place, "its text is put in as it stands");
+        .label(place, "expands without parentheses");
     if count > 1 {
-        finding = finding.note(format!("so it is in {count} calls of it"));
+        finding = finding.note(format!("{count} calls of `{name}` are affected"));
     }
     finding.fix(fix);
 }
 
-/// The parentheses that keep a macro together, or its parameters.
+/// Inserts parentheses around the macro body, or around its parameters.
 fn edits(definition: &Macro, parameters: bool) -> Option<Vec<Edit>> {
     let body = &definition.body;
     let around = |first: &Token, last: &Token| {

@@ -1,4 +1,4 @@
-//! `if (hit) MACRO;` where the macro is more than one statement.
+//! `if (hit) MACRO;` where the macro expands to more than one statement.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::expansion::{Expanded, expanded};
@@ -50,7 +50,7 @@ fn check_body(cx: &mut Context, calls: &[Expanded], head: TokenId, what: &str, b
     let goes_on = extent.last < call.extent.last;
     let next = program.token(extent.last + 1).map(|t| t.kind);
     let is_outside = !call.extent.contains(Extent::token(head));
-    // What follows in the same call; a lone `;` does nothing.
+    // Whether more statements of the same expansion follow; a lone `;` is not one.
     let is_more = match next {
         Some(TokenKind::Semicolon) => extent.last + 1 < call.extent.last,
         Some(TokenKind::RightBrace | TokenKind::Else) | None => false,
@@ -64,8 +64,8 @@ fn check_body(cx: &mut Context, calls: &[Expanded], head: TokenId, what: &str, b
     };
     let name = program.names.text(definition.name);
     let place = definition.name_span;
-    let message = format!("only the first statement of `{name}` hangs on this `{what}`");
+    let message = format!("`{what}` applies only to the first statement of macro `{name}`");
     cx.report_span(call.call, message)
-        .label(place, "more than one statement")
-        .help("put braces around the call");
+        .label(place, "expands to several statements")
+        .help("add braces around the macro call");
 }

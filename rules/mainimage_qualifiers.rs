@@ -1,4 +1,4 @@
-//! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches its caller.
+//! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches the caller.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -45,12 +45,16 @@ fn check(cx: &mut Context, id: FunctionRef) {
     };
     let is_plain = color.direction == Direction::In && program.is_direct(param.extent);
     let has_prototype = function.declaration != function.definition.unwrap_or(function.declaration);
-    let fix = (is_plain && !has_prototype).then(|| Fix::suggestion("make it `out`", vec![edit]));
+    let fix =
+        (is_plain && !has_prototype).then(|| Fix::suggestion("declare it as `out`", vec![edit]));
     let extent = Extent {
         first: param.extent.first,
         last: param.extent.last,
     };
-    cx.report(extent, "`mainImage` cannot hand its colour back")
-        .note("without `out` the parameter is a copy, which is lost at the end of the function")
-        .fix(fix);
+    cx.report(
+        extent,
+        "`mainImage` cannot return its colour: the parameter is not `out`",
+    )
+    .note("without `out`, the function writes to a local copy that the caller never sees")
+    .fix(fix);
 }

@@ -1,4 +1,4 @@
-//! Formulas for which GLSL has a function.
+//! Formulas that a built-in function computes.
 
 use BinaryOp::{Add, Div, Mul, Sub};
 use Formula::{Binary, Call, Number, Operand, Unary};
@@ -19,7 +19,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Expr(&[Shape::Binary, Shape::Call], check)],
 };
 
-/// Whether operands are of a kind that the function takes and that makes it shorter.
+/// Whether the built-in accepts the operands and is shorter than the formula.
 type Fits = fn(&Context, ExprId, &[ExprId]) -> bool;
 
 const A: &Formula = &Operand(0);
@@ -28,7 +28,7 @@ const C: &Formula = &Operand(2);
 const ONE: &Formula = &Number(1.0);
 const TWO: &Formula = &Number(2.0);
 
-/// What is written, and the function that gives the same of the operands in their order.
+/// Formulas, and the built-in that computes the same from the operands in their order.
 #[rustfmt::skip]
 static FORMULAS: [(Formula, BuiltinId, Fits); 10] = [
     // min(max(a, b), c) and max(min(a, c), b)
@@ -40,7 +40,7 @@ static FORMULAS: [(Formula, BuiltinId, Fits); 10] = [
     (Binary(Add, A, &Binary(Mul, &Binary(Sub, B, A), C)), BuiltinId::Mix, is_mixture),
     // a * (1.0 - c) + b * c
     (Binary(Add, &Binary(Mul, A, &Binary(Sub, ONE, C)), &Binary(Mul, B, C)), BuiltinId::Mix, is_mixture),
-    // a - 2.0 * dot(a, b) * b, by which two factors are multiplied first
+    // a - 2.0 * dot(a, b) * b, for each order of multiplication
     (Binary(Sub, A, &Binary(Mul, &Binary(Mul, TWO, &Call(BuiltinId::Dot, A, B)), B)), BuiltinId::Reflect, any),
     (Binary(Sub, A, &Binary(Mul, &Binary(Mul, TWO, B), &Call(BuiltinId::Dot, A, B))), BuiltinId::Reflect, any),
     (Binary(Sub, A, &Binary(Mul, &Binary(Mul, &Call(BuiltinId::Dot, A, B), B), TWO)), BuiltinId::Reflect, any),
@@ -63,7 +63,7 @@ fn check(cx: &mut Context, id: ExprId) {
     let Some((function, arguments)) = found else {
         return;
     };
-    // What is computed twice in the formula must be the same each time.
+    // An operand that occurs twice in the formula must have the same value each time.
     let extent = program.tree.expr(id).extent;
     if cx.facts.effects().has(id) || !program.is_direct(extent) {
         return;
@@ -71,8 +71,9 @@ fn check(cx: &mut Context, id: ExprId) {
     let texts: Vec<&str> = arguments.iter().map(|&a| program.expr_text(a)).collect();
     let call = format!("{}({})", function.name(), texts.join(", "));
     let edit = Edit::replace(program.span(extent), call.clone());
-    cx.report_expr(id, format!("this is `{call}`"))
-        .fix(Fix::suggestion(format!("write `{call}`"), vec![edit]));
+    let message = format!("manual implementation of `{}`", function.name());
+    cx.report_expr(id, message)
+        .fix(Fix::suggestion(format!("use `{call}`"), vec![edit]));
 }
 
 fn any(_: &Context, _: ExprId, _: &[ExprId]) -> bool {
@@ -83,7 +84,7 @@ fn is_vector(cx: &Context, _: ExprId, operands: &[ExprId]) -> bool {
     operands.iter().all(|e| cx.program.ty(*e).is_vector())
 }
 
-/// `x`, and constants that bound it.
+/// Whether the operands are a value and its constant bounds, in order.
 fn are_bounds(cx: &Context, _: ExprId, operands: &[ExprId]) -> bool {
     let program = cx.program;
     let bound = |e: ExprId| {
@@ -102,8 +103,8 @@ fn are_bounds(cx: &Context, _: ExprId, operands: &[ExprId]) -> bool {
     is_ordered && fits && program.ty(low) == program.ty(high) && bound(x).is_none()
 }
 
-/// Two values of a type and a weight that is not a number, which would be a scale; no part of a
-/// longer sum, which has a shape of its own.
+/// Whether the operands are two values of one type and a weight that is not constant: a constant
+/// would be a scale. Terms of a longer sum are left as they are.
 fn is_mixture(cx: &Context, id: ExprId, operands: &[ExprId]) -> bool {
     let program = cx.program;
     let parent = cx.facts.structure().parent(id);

@@ -19,15 +19,15 @@ pub static RULE: Rule = Rule {
 static CALLS: Setting<u64> = Setting::new(
     "calls",
     4,
-    "Fewest calls of one function in another that are reported",
+    "Minimum number of calls of one function in another",
 );
 static SIZE: Setting<f64> = Setting::new(
     "size",
     150.0,
-    "Fewest operations of the called function that are reported",
+    "Minimum size of the called function, in operations",
 );
 
-/// Most further calls that a finding points at.
+/// Maximum number of further calls that get a label.
 const MAX_LABELS: usize = 7;
 
 fn check(cx: &mut Context, function: FunctionRef) {
@@ -56,14 +56,20 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let mut finding = cx
             .report_expr(
                 *first,
-                format!("`{name}` is called {count} times here and copied each time"),
+                format!("`{name}` is called {count} times here and inlined at each call"),
             )
             .mark(format!("{size:.0} operations"));
         for call in calls.iter().skip(1).take(MAX_LABELS) {
-            finding = finding.label(program.expr_span(*call), "again");
+            finding = finding.label(program.expr_span(*call), "inlined again");
         }
         finding
-            .note("compilers replace each call by the function's text, which takes seconds where that is large")
-            .help(format!("call `{name}` once in a loop that starts with `min(iFrame, 0)`, which is never unrolled"));
+            .note(
+                "compilers inline every call; with a large function, compiling the shader takes \
+                seconds",
+            )
+            .help(format!(
+                "call `{name}` once, in a loop that starts at `min(iFrame, 0)` and so \
+                is never unrolled"
+            ));
     }
 }

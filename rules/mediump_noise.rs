@@ -1,4 +1,4 @@
-//! Hashes and time in half precision.
+//! Hashes and time in `mediump` or `lowp`.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Root};
@@ -20,10 +20,10 @@ pub static RULE: Rule = Rule {
 static FACTOR: Setting<f64> = Setting::new(
     "factor",
     1000.0,
-    "Smallest factor before a `fract` that makes it a hash",
+    "Minimum factor inside `fract` that marks a hash",
 );
 
-/// An operation, and what it takes more digits for.
+/// An operation, and what it computes that needs more precision.
 type Place = (OpId, &'static str);
 
 fn check(cx: &mut Context) {
@@ -44,18 +44,26 @@ fn check(cx: &mut Context) {
             precision = Some((kind, decl.extent));
         }
     }
-    let Some((QualifierKind::Mediump | QualifierKind::Lowp, extent)) = precision else {
-        return;
+    let (qualifier, extent) = match precision {
+        Some((QualifierKind::Mediump, extent)) => ("mediump", extent),
+        Some((QualifierKind::Lowp, extent)) => ("lowp", extent),
+        _ => return,
     };
     let Some((op, what)) = hash(cx).or_else(|| time(cx)) else {
         return;
     };
     let place = cx.facts.module().provenance(op).extent(&program.tree);
     let place = program.span(place.unwrap_or_default());
-    cx.report(extent, format!("too few digits for {what}"))
-        .label(place, "it stands here")
-        .note("on phones it has 10 bits behind the point: noise turns into stripes, and time stands still after seconds")
-        .help("write `precision highp float;`");
+    cx.report(
+        extent,
+        format!("`{qualifier}` is not precise enough for {what}"),
+    )
+    .label(place, "needs `highp`")
+    .note(
+        "phones keep 10 bits of the fraction: noise turns into stripes, and time advances in \
+        visible steps",
+    )
+    .help("use `precision highp float;`");
 }
 
 /// `fract(x * 43758.5453)`
@@ -74,7 +82,8 @@ fn hash(cx: &Context) -> Option<Place> {
     found.map(|(op, ..)| (op, "a hash"))
 }
 
-/// A uniform that moves a wave along or starts again at whole numbers: it counts the seconds.
+/// A scalar uniform that shifts the phase of a wave or is wrapped by `fract` or `mod`: it counts
+/// seconds.
 fn time(cx: &Context) -> Option<Place> {
     use BuiltinId::{Cos, Fract, Mod, Sin};
     let module = cx.facts.module();
@@ -95,11 +104,11 @@ fn time(cx: &Context) -> Option<Place> {
         };
         let mut all = terms.iter().flat_map(|term| factors(module, *term));
         let counted = all.find(|op| is_period && is_counted(op))?;
-        Some((counted, "a time that runs on"))
+        Some((counted, "a time in seconds"))
     })
 }
 
-/// Calls of functions that repeat themselves, in few digits, and their first arguments.
+/// Low-precision calls of built-in functions, and their first arguments.
 fn periods(module: &Module) -> impl Iterator<Item = (OpId, BuiltinId, OpId)> {
     let ops = (0..).map(OpId).zip(&module.ops);
     ops.filter_map(|(op, made)| match made.kind {
@@ -118,7 +127,7 @@ fn factors(module: &Module, op: OpId) -> Vec<OpId> {
     parts(module, op, &[Binary::Multiply])
 }
 
-/// The operands of a sum or product, taken apart.
+/// The operands of a nested sum or product, flattened.
 fn parts(module: &Module, op: OpId, kinds: &[Binary]) -> Vec<OpId> {
     let mut parts = Vec::new();
     let mut todo = vec![op];

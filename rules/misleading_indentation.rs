@@ -1,4 +1,4 @@
-//! A statement that stands as if an `if` held it, and is behind it.
+//! A statement that is indented as if an `if` or loop controlled it, but follows it.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::indent::{indent, line_indent};
@@ -28,17 +28,17 @@ fn check(cx: &mut Context, id: StmtId) {
             let program = cx.program;
             let place = Extent::token(tree.stmt(stmt).extent.first);
             let next = tree.stmt(next).extent;
-            let message = format!("this stands as if the `{what}` before it held it");
+            let message = format!("statement is indented as if it belonged to the `{what}` above");
             let head = program.span(place);
             let end = program.span(Extent::token(tree.stmt(last).extent.last));
             cx.report(next, message)
-                .label(head, "without braces it holds one statement")
-                .label(end, "which ends here");
+                .label(head, "controls only one statement")
+                .label(end, "its body ends here");
         }
     }
 }
 
-/// The last body of a statement, if it has no braces, and the word before it.
+/// The last body of a statement, if it has no braces, and the keyword before it.
 fn last_body(tree: &Tree, stmt: StmtId) -> Option<(&'static str, StmtId)> {
     let (what, body) = match tree.stmt(stmt).kind {
         StmtKind::If {
@@ -53,20 +53,20 @@ fn last_body(tree: &Tree, stmt: StmtId) -> Option<(&'static str, StmtId)> {
         StmtKind::While { body, .. } => ("while", body),
         _ => return None,
     };
-    // Nothing for a body is another mistake.
+    // An empty body is a different mistake.
     let is_plain = !matches!(tree.stmt(body).kind, StmtKind::Block(_) | StmtKind::Empty);
     is_plain.then_some((what, body))
 }
 
-/// Whether a statement begins its line just as far in as the body before it, and that further in
-/// than the head.
+/// Whether `next` starts its line at the indentation of the body before it, and that is deeper than
+/// the head.
 fn is_misleading(cx: &Context, head: StmtId, body: StmtId, next: StmtId) -> Option<bool> {
     let program = cx.program;
     let first = |stmt: StmtId| program.tree.stmt(stmt).extent.first;
     let is_direct = |stmt| program.token(first(stmt)).is_some_and(|t| t.is_direct());
     let (body_at, next_at) = (indent(program, first(body))?, indent(program, first(next))?);
     let head_at = line_indent(program, first(head))?;
-    // A `;` too many stands for nothing.
+    // A stray `;` does nothing.
     let is_code = program.tree.stmt(next).kind != StmtKind::Empty;
     Some(
         is_code

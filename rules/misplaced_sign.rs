@@ -1,4 +1,4 @@
-//! `x =- 1.0`.
+//! `x =- 1.0` where `x -= 1.0` is meant.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
@@ -36,8 +36,8 @@ fn check(cx: &mut Context, id: ExprId) {
     else {
         return;
     };
-    // `x =-1.0` sets the sign of a number; nobody writes it apart from its operand. A plus does
-    // nothing, wherever it stands.
+    // In `x =-1.0` the sign belongs to the number; `=- 1.0` separates it from its operand. A unary
+    // plus does nothing, with or without a space.
     let is_apart = before.end < equal.start && sign.end < behind.start;
     if equal.end != sign.start || !(is_apart || op == UnaryOp::Plus) {
         return;
@@ -45,18 +45,18 @@ fn check(cx: &mut Context, id: ExprId) {
     let symbol = op.symbol();
     let operator = Span::new(equal.start, sign.end);
     let fix = Fix::suggestion(
-        format!("write `{symbol}=`"),
+        format!("did you mean `{symbol}=`?"),
         vec![Edit::replace(operator, format!("{symbol}="))],
     );
     let text = program.expr_text(target);
     let message = match op {
-        UnaryOp::Plus => format!("`=+` sets `{text}`, it adds nothing to it"),
-        _ => format!("`=-` sets `{text}`, it takes nothing from it"),
+        UnaryOp::Plus => format!("`=+` assigns to `{text}` instead of adding to it"),
+        _ => format!("`=-` assigns to `{text}` instead of subtracting from it"),
     };
     cx.report_span(operator, message).fix(fix);
 }
 
-/// The sign that an expression begins with.
+/// The unary sign at the start of an expression.
 fn leading_sign(tree: &Tree, mut expr: ExprId) -> Option<UnaryOp> {
     loop {
         match tree.expr(expr).kind {

@@ -1,4 +1,4 @@
-//! Functions that may end without a value.
+//! Functions that may end without returning a value.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -32,11 +32,11 @@ fn check(cx: &mut Context, id: FunctionRef) {
     let end = program.token(decl.extent.last).map(|t| t.span);
     let header = program.span(decl.header);
     let finding = cx
-        .report_span(header, format!("`{name}` may end without a `return`"))
+        .report_span(header, format!("not all paths of `{name}` return a value"))
         .note(format!(
-            "its value is then undefined, although it is `{ty}`"
+            "without a `return`, the `{ty}` result is undefined (section 6.1)"
         ));
     if let Some(end) = end {
-        finding.label(end, "the end is reached here");
+        finding.label(end, "reached without `return`");
     }
 }

@@ -16,27 +16,27 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Expr(&[Shape::FloatLiteral], check)],
 };
 
-/// A number, what it is, and how many of its digits tell that it is meant.
+/// A constant, its name, and the number of leading digits that identify it.
 const KNOWN: &[(f64, &str, usize)] = &[
     (PI, "π", 3),
     (TAU, "2π", 3),
     (FRAC_PI_2, "π/2", 6),
     (FRAC_1_PI, "1/π", 5),
     (E, "e", 4),
-    (1.618_033_988_749_895, "the golden ratio", 4),
+    (1.618_033_988_749_895, "golden ratio", 4),
     (SQRT_2, "√2", 5),
     (57.295_779_513_082_32, "180/π", 4),
     (0.017_453_292_519_943_295, "π/180", 4),
 ];
 
-/// Digits that a `float` can hold.
+/// Decimal digits that a `float` can hold.
 const EXACT: usize = 8;
 
 fn check(cx: &mut Context, id: ExprId) {
     let ExprKind::Float(number) = cx.program.tree.expr(id).kind else {
         return;
     };
-    // Nearly all literals are far from these, and cost no more than that.
+    // Cheap test first: nearly all literals are far from every constant.
     let number = f64::from(number);
     let is_near = |(value, ..): &&(f64, &str, usize)| (number - value).abs() < value * 0.01;
     let Some(&(value, name, telling)) = KNOWN.iter().find(is_near) else {
@@ -49,14 +49,17 @@ fn check(cx: &mut Context, id: ExprId) {
     let right = format!("{value:.8}");
     let fix = cx.is_direct(id).then(|| {
         let edit = Edit::replace(cx.program.expr_span(id), right.clone());
-        Fix::suggestion(format!("write `{right}`"), vec![edit])
+        Fix::suggestion(format!("use `{right}`"), vec![edit])
     });
-    cx.report_expr(id, format!("`{text}` is almost {name}, which is {right}"))
-        .fix(fix);
+    cx.report_expr(
+        id,
+        format!("`{text}` looks like a mistyped {name} ({right})"),
+    )
+    .fix(fix);
 }
 
-/// Whether a literal begins with the digits of a number, goes on with others, and is not that number
-/// cut off or rounded.
+/// Whether a literal begins with the digits of a constant, continues with other digits, and is
+/// neither that constant truncated nor rounded.
 fn is_slip(text: &str, value: f64, telling: usize) -> bool {
     let text = text.trim_end_matches(['f', 'F']);
     let Some((whole, fraction)) = text.split_once('.').filter(|_| !text.contains(['e', 'E']))
@@ -72,7 +75,7 @@ fn is_slip(text: &str, value: f64, telling: usize) -> bool {
     let right = right.trim_start_matches('0');
     let pairs = digits.bytes().zip(right.bytes());
     let same = pairs.take_while(|(a, b)| a == b).count();
-    // The last digit may be rounded up or cut off.
+    // The last digit may be rounded up or truncated.
     let unit = 10f64.powi(-(fraction.len() as i32));
     let is_right = (written - value).abs() < unit.max(value * 2e-7);
     same >= telling && digits.len() >= same + 2 && same < EXACT - 1 && !is_right

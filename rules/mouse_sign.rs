@@ -1,4 +1,4 @@
-//! The place of a click, taken with its sign.
+//! The click position in `iMouse.zw`, used without removing its sign.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
@@ -32,7 +32,7 @@ fn check_distance(cx: &mut Context, call: &Builtin) {
     }
 }
 
-/// Two places of which one is that of a click.
+/// Reports a difference of two positions, one of them `iMouse.zw` with its sign.
 fn check(cx: &mut Context, a: ExprId, b: ExprId) {
     let program = cx.program;
     if program.names.get("iMouse").is_none() {
@@ -53,12 +53,15 @@ fn check(cx: &mut Context, a: ExprId, b: ExprId) {
                 Some((expr, lane))
             });
     let Some((click, _)) = found else { return };
-    cx.report_expr(click, "the place of the click is negative most of the time")
-        .note("`iMouse.z` is negative while no button is down, and `iMouse.w` but in the frame of the click")
-        .help("take `abs(iMouse.zw)`");
+    cx.report_expr(click, "click position `iMouse.zw` is used without `abs`")
+        .note(
+            "`iMouse.z` is negative while the button is up; `iMouse.w` is negative except in \
+            the frame of the click",
+        )
+        .help("use `abs(iMouse.zw)`");
 }
 
-/// What a lane is, scaling aside.
+/// The origin of a lane, ignoring scale factors.
 fn unscaled(cx: &Context, mut op: OpId, mut lane: u32) -> Option<Start> {
     let module = cx.facts.module();
     for _ in 0..8 {
@@ -74,7 +77,7 @@ fn unscaled(cx: &Context, mut op: OpId, mut lane: u32) -> Option<Start> {
     None
 }
 
-/// Whether a lane is `iMouse.z` or `iMouse.w`, and no condition tells that it is not negative.
+/// Whether a lane is `iMouse.z` or `iMouse.w`, and no condition excludes that it is negative.
 fn is_click(cx: &Context, op: OpId, lane: u32) -> bool {
     let origin = unscaled(cx, op, lane);
     let is_lane = matches!(origin, Some(Start::Given(_, 2 | 3)));
@@ -83,7 +86,7 @@ fn is_click(cx: &Context, op: OpId, lane: u32) -> bool {
         && cx.facts.ranges().lane(op, lane).lo.value < 0.0
 }
 
-/// Whether a lane is a place in the picture: that of the pixel, or of the mouse.
+/// Whether a lane is a pixel or mouse coordinate.
 fn is_place(cx: &Context, op: OpId, lane: u32) -> bool {
     let origin = unscaled(cx, op, lane);
     let is_lane = matches!(origin, Some(Start::Given(_, 0 | 1)));

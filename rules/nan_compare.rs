@@ -35,9 +35,12 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     };
     let fix = (cx.is_direct(e.id) && program.version == Version::Es300).then(|| {
         let edit = Edit::replace(program.expr_span(e.id), test.clone());
-        Fix::suggestion(format!("write `{test}`"), vec![edit])
+        Fix::suggestion(format!("use `{test}`"), vec![edit])
     });
-    cx.report_expr(e.id, "a number is compared with itself")
-        .note("compilers take it for equal and drop the test, so it does not find NaN everywhere")
+    cx.report_expr(e.id, format!("`{text}` is compared with itself"))
+        .note(
+            "compilers may assume that a value equals itself and remove the test, so NaN can go \
+            undetected",
+        )
         .fix(fix);
 }

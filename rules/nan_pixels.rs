@@ -1,4 +1,4 @@
-//! Pixels that come out as no number.
+//! Pixels that are NaN.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -16,6 +16,6 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let what = "NaN, which some GPUs draw black and others white";
+    let what = "NaN, drawn black on some GPUs and white on others";
     report_broken(cx, Kind::Nan, f32::is_nan, what);
 }

@@ -30,7 +30,8 @@ fn check_comparison(cx: &mut Context, e: &BinaryExpr) {
         (Some(truth), None) => (e.right, truth),
         _ => return,
     };
-    report(cx, e.id, value, is_equal == truth);
+    let message = format!("redundant comparison with `{truth}`");
+    report(cx, (e.id, message.as_str()), value, is_equal == truth);
 }
 
 /// `c ? true : false`
@@ -41,7 +42,8 @@ fn check_ternary(cx: &mut Context, id: ExprId) {
     if let (Some(a), Some(b)) = (literal(cx, a), literal(cx, b))
         && a != b
     {
-        report(cx, id, condition, a);
+        let message = "redundant `?:` between `true` and `false`";
+        report(cx, (id, message), condition, a);
     }
 }
 
@@ -53,8 +55,8 @@ fn literal(cx: &Context, id: ExprId) -> Option<bool> {
     }
 }
 
-/// Says that `whole` is `value`, or its contrary.
-fn report(cx: &mut Context, whole: ExprId, value: ExprId, truth: bool) {
+/// Reports that `whole` can be replaced by `value`, or by its negation where `truth` is false.
+fn report(cx: &mut Context, (whole, message): (ExprId, &str), value: ExprId, truth: bool) {
     let program = cx.program;
     if !cx.is_direct(whole) {
         return;
@@ -75,6 +77,6 @@ fn report(cx: &mut Context, whole: ExprId, value: ExprId, truth: bool) {
         _ => code.clone(),
     };
     let edit = Edit::replace(program.expr_span(whole), written);
-    cx.report_expr(whole, format!("this is `{code}`"))
-        .fix(Fix::safe(format!("write `{code}`"), vec![edit]));
+    cx.report_expr(whole, message)
+        .fix(Fix::safe(format!("use `{code}`"), vec![edit]));
 }

@@ -1,4 +1,4 @@
-//! Remainders of negative integers.
+//! `%` with negative operands.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -33,11 +33,14 @@ fn check(cx: &mut Context, id: ExprId) {
     let Some((side, range)) = bad else { return };
     let is = range.may_or_is(|r| r.is_below(0.0));
     let (x, n) = (program.expr_text(left), program.expr_text(right));
-    let help = format!("bring it above zero first: `({x} + {n}) % {n}`");
+    let help = format!("make the operand positive first: `({x} + {n}) % {n}`");
     let known = range.of_integer();
     let finding = cx
-        .report_expr(side, format!("an operand of `%` {is} negative: {known}"))
-        .note("the remainder of a negative integer is undefined; most GPUs give a negative one");
+        .report_expr(side, format!("operand of `%` {is} negative: {known}"))
+        .note(
+            "`%` with a negative operand is undefined (section 5.9); most GPUs return a \
+            negative result",
+        );
     if side == left {
         finding.help(help);
     }

@@ -1,4 +1,4 @@
-//! Negative floats that become unsigned.
+//! Negative floats that are converted to unsigned integers.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::ranges::{Interval, Side};
@@ -30,7 +30,7 @@ fn check(cx: &mut Context, id: ExprId) {
         if program.ty(arg).scalar_kind() != Some(Scalar::Float) {
             continue;
         }
-        // Towards zero, so what lies between -1 and 0 becomes 0; of a constant the browser warns.
+        // The conversion truncates, so -1..0 becomes 0; a negative constant is always reported.
         let is_bad = |r: &Interval| r.reaches_below(-1.0) || r.single().is_some_and(|v| v < 0.0);
         let bad = cx.facts.range(arg).find(is_bad);
         let Some(range) = bad else { continue };
@@ -43,7 +43,7 @@ fn check(cx: &mut Context, id: ExprId) {
                 Edit::insert(span.start, format!("{whole}(")),
                 Edit::insert(span.end, ")"),
             ];
-            Fix::suggestion(format!("go through `{whole}`"), edits)
+            Fix::suggestion(format!("convert to `{whole}` first"), edits)
         });
         let name = program
             .sources
@@ -52,9 +52,12 @@ fn check(cx: &mut Context, id: ExprId) {
         cx.report_range(
             arg,
             (&range, Side::Low),
-            format!("what becomes a `{name}` {is} negative: {range}"),
+            format!("value converted to `{name}` {is} negative: {range}"),
         )
-        .note("a negative float has no unsigned value; GPUs give 0, or wrap round, or anything")
+        .note(
+            "converting a negative float to an unsigned type is undefined (section 5.4.1); \
+            results differ between GPUs",
+        )
         .fix(fix);
     }
 }

@@ -1,4 +1,4 @@
-//! Nested loops that turn more often for a pixel than a renderer can take.
+//! Nested loops with too many iterations per pixel.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
@@ -17,11 +17,11 @@ pub static RULE: Rule = Rule {
 static TURNS: Setting<f64> = Setting::new(
     "turns",
     100_000.0,
-    "Most turns of all innermost loops for one pixel",
+    "Maximum iterations of all innermost loops per pixel",
 )
 .on_swiftshader(1000.0);
 
-/// Most loops that a finding points at.
+/// Maximum number of enclosing loops that get a label.
 const MAX_LABELS: usize = 6;
 
 fn check(cx: &mut Context) {
@@ -48,20 +48,23 @@ fn check(cx: &mut Context) {
     let mut finding = cx
         .report(
             keyword(inner.stmt),
-            format!("up to {total} turns of loops for each pixel; {most} are allowed"),
+            format!("up to {total} loop iterations per pixel; the limit is {most}"),
         )
-        .mark(format!("{} turns in here", inner.turns));
+        .mark(format!("{} iterations", inner.turns));
     for nest in nests.iter().rev().skip(1).take(MAX_LABELS) {
         let is_loop = !matches!(program.tree.stmt(nest.stmt).kind, StmtKind::Block(_));
         if is_loop {
             finding = finding.label(
                 program.span(keyword(nest.stmt)),
-                format!("times {}", nest.turns),
+                format!("multiplied by {} iterations", nest.turns),
             );
         }
     }
     if chain.len() > 1 {
-        finding = finding.note(format!("the deepest nest is {}", chain.join(" × ")));
+        finding = finding.note(format!(
+            "the most expensive nest runs {} iterations",
+            chain.join(" × ")
+        ));
     }
-    finding.help("take fewer turns in one of the loops, or leave them early");
+    finding.help("reduce the iterations of one of the loops, or exit early with `break`");
 }

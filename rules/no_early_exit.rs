@@ -1,4 +1,4 @@
-//! Scene functions that compute every primitive at every step.
+//! Scene functions that evaluate every primitive at every step of a ray.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
@@ -22,13 +22,13 @@ pub static RULE: Rule = Rule {
 static PRIMITIVES: Setting<u64> = Setting::new(
     "primitives",
     16,
-    "Fewest calls in a scene function that want a test before them",
+    "Minimum number of primitives in a reported scene function",
 )
 .on_swiftshader(8);
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
     600.0,
-    "Fewest operations of a scene function that wants a test",
+    "Minimum cost of a reported scene function, in operations",
 )
 .on_swiftshader(80.0);
 
@@ -51,7 +51,7 @@ fn check(cx: &mut Context) {
         let primitives = facts.calls().calls_by(scene).map(|c| c.callee);
         let primitives: Vec<_> = primitives.filter(|c| is_primitive(cx, *c)).collect();
         let count = primitives.len();
-        // Many calls of one function are the samples of a grid.
+        // Calls of a single function are usually samples of a grid.
         if primitives.iter().all(|c| Some(c) == primitives.first()) {
             continue;
         }
@@ -65,15 +65,21 @@ fn check(cx: &mut Context) {
         let step = program.span(Extent::token(program.tree.stmt(looped).extent.first));
         cx.report(
             Extent::token(decl.ident.token),
-            format!("`{name}` computes all its {count} parts at every step"),
+            format!("`{name}` evaluates all its {count} primitives at every step"),
         )
-        .label(step, "called at each step of this loop")
-        .note("most steps are far from most parts; a software renderer runs out of time and shows nothing")
-        .help("test a box around each group first, and return or skip it where the place is outside");
+        .label(step, "called by this loop")
+        .note(
+            "most steps are far from most primitives; a software renderer runs out of time and \
+            shows nothing",
+        )
+        .help(
+            "test a bounding box per group first, and return or skip the group when the point \
+            is outside",
+        );
     }
 }
 
-/// Whether a function takes a place and gives a distance or a material.
+/// Whether a function maps a position to a scalar, such as a distance or a material.
 fn is_primitive(cx: &Context, callee: FunctionRef) -> bool {
     let Some(function) = cx.program.function(callee) else {
         return false;
@@ -82,7 +88,7 @@ fn is_primitive(cx: &Context, callee: FunctionRef) -> bool {
     has_place && function.returns.components() == 1
 }
 
-/// Whether anything in a body is skipped on a condition.
+/// Whether a body skips part of its work on a condition.
 fn branches(cx: &Context, body: StmtId) -> bool {
     let tree = &cx.program.tree;
     let mut todo = vec![body];
@@ -110,7 +116,7 @@ fn branches(cx: &Context, body: StmtId) -> bool {
     false
 }
 
-/// Whether a condition is about a place, and not about what was found there.
+/// Whether a condition tests a position, not a distance computed from it.
 fn asks_place(cx: &Context, condition: ExprId) -> bool {
     let program = cx.program;
     let mut todo = vec![condition];
@@ -138,7 +144,7 @@ fn leaves(tree: &Tree, stmt: StmtId) -> bool {
     }
 }
 
-/// Whether a branch holds a call of one of the shader's functions.
+/// Whether a branch contains a call of a user-defined function.
 fn holds_call(cx: &Context, stmt: StmtId) -> bool {
     let extent = cx.program.tree.stmt(stmt).extent;
     let Some(function) = cx.facts.structure().function_of(stmt) else {

@@ -1,4 +1,4 @@
-//! Expressions whose value is thrown away, and that do nothing else.
+//! Expressions with an unused value and no side effect.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, Shape, remove_statement};
@@ -36,17 +36,17 @@ fn check_comma(cx: &mut Context, id: ExprId) {
     let ExprKind::Comma(left, right) = program.tree.expr(id).kind else {
         return;
     };
-    // Where the whole does nothing, it was reported as a statement.
+    // If the whole expression has no effect, it was reported as a statement.
     let dropped = is_idle(cx, right) && is_dropped(program, cx.facts.structure(), id);
-    // Of `a, b, c` the tree is `(a, b), c`.
+    // `a, b, c` is parsed as `(a, b), c`.
     let is_list = matches!(program.tree.expr(left).kind, ExprKind::Comma(..));
     if !dropped && !is_list && is_idle(cx, left) {
-        cx.report_expr(left, "the value left of the comma is thrown away")
-            .note("`a, b` computes both, and is `b`");
+        cx.report_expr(left, "value left of the comma is unused")
+            .note("`a, b` evaluates both operands and returns `b` (section 5.9)");
     }
 }
 
-/// Whether an expression does nothing but have a value, and stands in the text as it is.
+/// Whether an expression has no side effect and does not come from a macro.
 fn is_idle(cx: &Context, id: ExprId) -> bool {
     let program = cx.program;
     !plainly_acts(cx, id)
@@ -55,8 +55,8 @@ fn is_idle(cx: &Context, id: ExprId) -> bool {
         && program.is_direct(program.tree.expr(id).extent)
 }
 
-/// Whether something stands here because something has to: the name of the counter at the beginning of
-/// a `for`, the call of a function that is still empty.
+/// Whether an expression is a placeholder: the name of the counter in the header of a `for`, or the
+/// call of a function with an empty body.
 fn is_placeholder(cx: &Context, stmt: StmtId, root: ExprId) -> bool {
     let program = cx.program;
     let tree = &program.tree;
@@ -79,8 +79,8 @@ fn is_placeholder(cx: &Context, stmt: StmtId, root: ExprId) -> bool {
     }
 }
 
-/// Whether an expression is an assignment, or a call that writes to its arguments, as nearly all
-/// statements are.
+/// Whether an expression is an assignment, or a call that writes to its arguments: a cheap test
+/// that accepts nearly all statements.
 fn plainly_acts(cx: &Context, id: ExprId) -> bool {
     let program = cx.program;
     match program.tree.expr(id).kind {
@@ -105,10 +105,10 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
             let operator = program.token(tree.expr(left).extent.last + 1);
             let fix = operator
                 .filter(|_| tree.unparen(root) == root)
-                .map(|t| Fix::suggestion("assign with `=`", vec![Edit::replace(t.span, "=")]));
+                .map(|t| Fix::suggestion("did you mean `=`?", vec![Edit::replace(t.span, "=")]));
             let (left, right) = (program.expr_text(left), program.expr_text(right));
             (
-                format!("this compares `{left}` with `{right}` and forgets the answer"),
+                format!("result of comparing `{left}` with `{right}` is unused"),
                 fix,
             )
         }
@@ -116,8 +116,8 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
             let name = program.token(inner.extent.first);
             let name = name.map_or("", |t| program.sources.text(t.span));
             let message = match program.ty(root).is_void() {
-                true => format!("`{name}` does nothing that is seen outside it"),
-                false => format!("the result of `{name}` is thrown away, and it does nothing else"),
+                true => format!("call of `{name}` has no effect"),
+                false => format!("result of `{name}` is unused, and the call has no other effect"),
             };
             let first = tree.args(args).first().copied();
             let kept = first
@@ -126,11 +126,11 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
                 let text = program.expr_text(a);
                 let start = program.expr_span(root).start;
                 let edit = Edit::insert(start, format!("{text} = "));
-                Fix::suggestion(format!("assign it to `{text}`"), vec![edit])
+                Fix::suggestion(format!("assign the result to `{text}`"), vec![edit])
             });
             (message, fix.or_else(|| removal(cx, stmt)))
         }
-        _ => ("this statement does nothing".to_string(), removal(cx, stmt)),
+        _ => ("statement has no effect".to_string(), removal(cx, stmt)),
     };
     cx.report_expr(root, message).fix(fix);
 }
@@ -142,5 +142,5 @@ fn removal(cx: &Context, stmt: StmtId) -> Option<Fix> {
         return None;
     }
     let edit = remove_statement(cx.program, tree.stmt(stmt).extent)?;
-    Some(Fix::safe("take it out", vec![edit]))
+    Some(Fix::safe("remove this statement", vec![edit]))
 }

@@ -1,4 +1,4 @@
-//! Normals of another length than one.
+//! Vectors that must have length 1 and do not.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-/// How far from 1 a length may lie through rounding, and numbers of few digits.
+/// Tolerance around length 1, for rounding and for constants written with few digits.
 const SLACK: f64 = 0.02;
 
 fn check(cx: &mut Context, call: &Builtin) {
@@ -47,8 +47,8 @@ fn check(cx: &mut Context, call: &Builtin) {
     let (name, text) = (call.function.name(), cx.program.expr_text(of));
     cx.report_expr(
         of,
-        format!("`{name}` wants a vector of length 1 here, and the length is {known}"),
+        format!("`{name}` expects a unit vector, but the length is {known}"),
     )
-    .note("with any other length the result points elsewhere")
-    .help(format!("write `normalize({text})`"));
+    .note("with any other length, the result has the wrong direction (section 8.5)")
+    .help(format!("use `normalize({text})`"));
 }

@@ -1,4 +1,4 @@
-//! `normalize` of a vector without a direction.
+//! `normalize` of a zero vector.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -22,6 +22,9 @@ fn check(cx: &mut Context, call: &Builtin) {
     if ranges.peek().is_none() || !ranges.all(|r| r.single() == Some(0.0)) {
         return;
     }
-    cx.report_expr(of, "`normalize` of a zero vector")
-        .note("it divides by the length, which is zero: the result is undefined, and mostly NaN");
+    cx.report_expr(of, "`normalize` is called with a zero vector")
+        .note(
+            "`normalize` divides by the length, which is zero: the result is undefined, usually \
+            NaN",
+        );
 }

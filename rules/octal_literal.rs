@@ -33,9 +33,15 @@ fn check(cx: &mut Context) {
             let decimal = format!("{meant}{suffix}");
             let edit = Edit::replace(token.span, decimal.clone());
             let value = token.value;
-            cx.report_span(token.span, format!("`{text}` is {value}"))
-                .note("a whole number that begins with 0 is read to base 8")
-                .fix(Fix::suggestion(format!("write `{decimal}`"), vec![edit]));
+            cx.report_span(
+                token.span,
+                format!("`{text}` is an octal literal with the value {value}"),
+            )
+            .note("an integer literal with a leading 0 is octal (section 4.1.3)")
+            .fix(Fix::suggestion(
+                format!("did you mean `{decimal}`?"),
+                vec![edit],
+            ));
         }
     }
 }

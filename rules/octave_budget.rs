@@ -1,4 +1,4 @@
-//! Sums of more octaves of noise than anybody sees.
+//! Noise sums with more octaves than are visible.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::defs::{Def, DefId, Defs};
@@ -18,9 +18,9 @@ pub static RULE: Rule = Rule {
 };
 
 static OCTAVES: Setting<u64> =
-    Setting::new("octaves", 12, "Most octaves of a sum of noise").on_swiftshader(6);
+    Setting::new("octaves", 12, "Maximum octaves of a noise sum").on_swiftshader(6);
 
-/// How many operations of a product are looked at for a call.
+/// Maximum number of operations of a product that are searched for a call.
 const MAX_LOOK: usize = 16;
 
 fn check(cx: &mut Context, stmt: StmtId) {
@@ -32,7 +32,7 @@ fn check(cx: &mut Context, stmt: StmtId) {
         return;
     };
     let most = cx.option(&OCTAVES);
-    // A loop that leaves early sums as many octaves as its caller asks for.
+    // A loop that exits early sums as many octaves as its caller asks for.
     if looped.ends_early || turns <= most || !sums_octaves(cx, stmt) {
         return;
     }
@@ -42,7 +42,7 @@ fn check(cx: &mut Context, stmt: StmtId) {
         let found = macros.find(|m| m.name_span == used.definition)?;
         Some(found.body.last()?.token.span)
     });
-    // The author's own range goes before.
+    // A range that the author gave takes precedence.
     if let Some((range, _)) = body_end.and_then(|end| range_behind(program, end))
         && turns as f64 <= range.max
     {
@@ -50,13 +50,16 @@ fn check(cx: &mut Context, stmt: StmtId) {
     }
     cx.report_expr(
         given,
-        format!("the noise is summed over {turns} octaves; {most} are allowed"),
+        format!("noise sums {turns} octaves; the limit is {most}"),
     )
-    .note("each octave costs as much as the one before and shows half as much of it; the last ones are smaller than a pixel")
-    .help(format!("sum {most} octaves, and fewer far away"));
+    .note(
+        "each octave costs the same and contributes half as much; the last ones are smaller \
+        than a pixel",
+    )
+    .help(format!("use {most} octaves, and fewer at a distance"));
 }
 
-/// Whether a loop adds up what a function gives, scaled by a number that each turn scales again.
+/// Whether a loop sums calls of a function, scaled by a number that each iteration scales again.
 fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
     let (module, defs) = (cx.facts.module(), cx.facts.defs());
     let mut loops = (0..).map(LoopId).zip(&module.loops);
@@ -67,7 +70,7 @@ fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
         .heads(id)
         .filter(|h| is_scaled(module, defs, *h))
         .collect();
-    // The place and what the noise there counts.
+    // The position and the amplitude.
     scaled.len() >= 2
         && looped.ops.ops().any(|op| match module.op(op).kind {
             OpKind::Binary(Binary::Multiply | Binary::Divide, a, b) => {
@@ -78,7 +81,7 @@ fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
         })
 }
 
-/// Whether a turn makes a multiple of what a head holds.
+/// Whether each iteration multiplies the value that a loop head holds.
 fn is_scaled(module: &Module, defs: &Defs, head: DefId) -> bool {
     let Def::Head { back, .. } = defs.get(head) else {
         return false;
@@ -112,7 +115,7 @@ fn sees(module: &Module, defs: &Defs, op: OpId, heads: &[DefId]) -> bool {
     }
 }
 
-/// Whether a value is made of what a function of the shader gives.
+/// Whether a value is computed from the result of a user-defined function.
 fn is_called(module: &Module, op: OpId) -> bool {
     let mut todo = vec![op];
     for _ in 0..MAX_LOOK {

@@ -1,4 +1,4 @@
-//! Indices that were seen outside of their array.
+//! Indices that were out of range in a sample run.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -19,8 +19,8 @@ fn check(cx: &mut Context) {
     let told = cx.facts.trial().map_or(String::new(), Trial::told);
     for fault in cx.facts.untold(Kind::OutOfRange) {
         let message = match fault.number.witness.operands.first() {
-            Some(index) => format!("the index lies outside: {index}"),
-            None => "the index lies outside".to_string(),
+            Some(index) => format!("index {index} is out of range"),
+            None => "index is out of range".to_string(),
         };
         let finding = cx.report_op(fault.number.op, message);
         finding.note(fault.words).note(told.clone());

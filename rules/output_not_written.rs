@@ -1,4 +1,4 @@
-//! Outputs that a function leaves without a value.
+//! Outputs that a function does not write.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Parts;
@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Function(check)],
 };
 
-/// All components of a color.
+/// All components of a colour, a bit each.
 const PICTURE: Parts = 0b1111;
 /// The bit of the alpha component.
 const ALPHA: Parts = 1 << 3;
@@ -26,19 +26,19 @@ fn check(cx: &mut Context, function: FunctionRef) {
         return;
     };
     let is_entry = cx.facts.entry() == Some(function);
-    // The player shows a picture without its alpha.
+    // ShaderToy's player ignores the alpha of the image.
     let is_picture = program.dialect.host().hides_alpha && is_entry;
     let pass = Dialect::ShaderToy(Pass::Buffer);
     let is_buffer = is_entry
         && (program.dialect == pass || program.dialect == Dialect::ShaderToy(Pass::Cubemap));
-    // A function that returns something tells by it whether the rest has a value.
+    // A return value often tells the caller whether the outputs are valid.
     let tells = program
         .function(function)
         .is_some_and(|f| !f.returns.is_void());
     for unset in found.outputs.iter().filter(|u| u.always || !tells) {
         let ignored = if is_picture { ALPHA } else { 0 };
         let missing = unset.missing & !ignored;
-        // Which pixels and components of a buffer are of use, the other passes know.
+        // Only the other passes know which pixels and components of a buffer are used.
         if is_buffer && !(unset.always && missing == PICTURE) {
             continue;
         }
@@ -61,23 +61,24 @@ fn check(cx: &mut Context, function: FunctionRef) {
             name.to_string()
         };
         let message = match unset.always {
-            true => format!("`{what}` is never written to"),
-            false => format!("`{what}` may not be written to"),
+            true => format!("output `{what}` is never written"),
+            false => format!("output `{what}` is not written on every path"),
         };
         let declared = program.declared_at(variable);
         let left = program.span(unset.at);
         let finding = cx.report_span(declared.unwrap_or(left), message);
         let finding = match declared {
-            Some(_) if !unset.always => finding.label(left, "left here without it"),
+            Some(_) if !unset.always => finding.label(left, "exits without writing it"),
             _ => finding,
         };
         finding.note(
-            "the value is undefined: browsers make it zero, other programs leave what was there",
+            "the value is undefined: browsers set it to zero, other programs keep the previous \
+            contents",
         );
     }
 }
 
-/// Whether a caller uses what a function does not write; of a function without callers nobody knows.
+/// Whether a caller reads what a function does not write; true for a function without callers.
 fn is_taken(cx: &Context, function: FunctionRef, output: VariableId, missing: Parts) -> bool {
     let (module, live) = (cx.facts.module(), cx.facts.live());
     let parameters = module.function(function).map(|f| module.parameters(f));

@@ -1,4 +1,4 @@
-//! Parameters that the function overwrites before it looks at them.
+//! Parameters that the function overwrites before it reads them.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -28,7 +28,7 @@ fn check(cx: &mut Context, id: FunctionRef) {
         let Some((variable, param)) = found.and_then(|v| Some((v, program.variable(v)?))) else {
             continue;
         };
-        // What goes back to the caller may be called `inout` for want of a first look.
+        // `inout` may be a habit where `out` would do, so only `in` parameters count.
         let takes = param.storage == Storage::Param(Direction::In);
         let is_read = param.written && cx.facts.writes().is_read(variable);
         let (Some(token), true, true) = (param.token, takes, is_read) else {
@@ -48,10 +48,10 @@ fn check(cx: &mut Context, id: FunctionRef) {
         let own = program.names.text(function.name);
         let write = facts.writes().all().iter().find(|(_, v)| *v == variable);
         let write = write.map(|(write, _)| program.expr_span(*write));
-        let message = format!("whatever `{own}` is given as `{name}`, it overwrites");
+        let message = format!("`{own}` overwrites parameter `{name}` before reading it");
         let finding = cx.report(Extent::token(token), message);
         if let Some(write) = write {
-            finding.label(write, "overwritten here, before anything reads it");
+            finding.label(write, "overwritten here");
         }
     }
 }

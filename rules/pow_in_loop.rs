@@ -1,4 +1,4 @@
-//! `pow` with a small whole exponent in a loop.
+//! `pow` with a small integer exponent in a loop.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-/// The largest exponent for which a few multiplications do.
+/// Maximum exponent that a few multiplications can replace.
 const MAX_EXPONENT: f32 = 8.0;
 
 fn check(cx: &mut Context, call: &Builtin) {
@@ -24,7 +24,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let program = cx.program;
-    // An exponent with a name is there to be changed.
+    // A named exponent is meant to be changed.
     let is_literal = matches!(program.tree.expr(exponent).kind, ExprKind::Float(_));
     let Some(Value::Float(power)) = program.scalar(exponent).filter(|_| is_literal) else {
         return;
@@ -43,7 +43,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let Some(head) = around.find(|l| l.bound.turns() != Some(1)).map(|l| l.stmt) else {
         return;
     };
-    // That the base may be negative is another finding, and a worse one.
+    // A base that may be negative is reported by `pow-negative-base`.
     if cx.facts.range(base).any(|r| r.reaches_below(0.0)) {
         return;
     }
@@ -53,7 +53,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         let factors = vec![text.as_str(); power as usize];
         let product = cx.in_place_of(call.id, factors.join(" * "));
         let edit = Edit::replace(program.expr_span(call.id), product.clone());
-        Fix::suggestion(format!("write `{product}`"), vec![edit])
+        Fix::suggestion(format!("use `{product}`"), vec![edit])
     });
     let place = program.span(Extent::token(program.tree.stmt(head).extent.first));
     let most = if power > 4.0 {
@@ -63,11 +63,11 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     cx.report_expr(
         call.id,
-        format!("`pow` with the exponent {power} in each turn of a loop"),
+        format!("`pow` with constant exponent {power} in a loop"),
     )
     .label(place, "in this loop")
     .note(format!(
-        "it is a logarithm and an exponential, and inexact; {most} give the same"
+        "`pow` computes a logarithm and an exponential and is inexact; {most} give the same result"
     ))
     .fix(fix);
 }

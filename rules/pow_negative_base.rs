@@ -30,22 +30,25 @@ fn check(cx: &mut Context, call: &Builtin) {
     let fix = (square && is_simple(cx, base) && cx.is_direct(call.id)).then(|| {
         let product = cx.in_place_of(call.id, format!("{text} * {text}"));
         let edit = Edit::replace(cx.program.expr_span(call.id), product.clone());
-        Fix::suggestion(format!("write `{product}`"), vec![edit])
+        Fix::suggestion(format!("use `{product}`"), vec![edit])
     });
     let help = match square {
-        true => "multiply it with itself, which is defined for all numbers".to_string(),
-        false => format!("bound it with `max({text}, 0.0)`, or take `abs({text})`"),
+        true => "multiply the base by itself, which is defined for all numbers".to_string(),
+        false => format!("use `max({text}, 0.0)` or `abs({text})`"),
     };
     let is = range.may_or_is(|r| r.is_below(0.0));
     let message = format!("the base of `pow` {is} negative: {range}");
     cx.report_range(base, (&range, Side::Low), message)
-        .note("`pow` of a negative number is undefined, and a NaN on many GPUs, whatever the exponent")
+        .note(
+            "`pow` of a negative base is undefined for every exponent (section 8.2); many GPUs \
+            return NaN",
+        )
         .help(help)
         .fix(fix);
     cx.judge(call.id, &[Kind::Undefined]);
 }
 
-/// Whether an expression is short and costs nothing to write twice.
+/// Whether an expression is a name or a member of one, and so can be written twice.
 fn is_simple(cx: &Context, expr: ExprId) -> bool {
     let tree = &cx.program.tree;
     match tree.expr(expr).kind {

@@ -1,4 +1,4 @@
-//! Samplers of data that are read in the lowest precision.
+//! Samplers of data that default to `lowp`.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
@@ -36,12 +36,17 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
         return;
     }
     let name = sampler.name();
-    cx.report(Extent::token(declarator.ident.token), format!("`{name}` is `lowp` unless it says otherwise"))
-        .note("texels are fetched from it one by one, as data; `lowp` keeps 8 bits of them where it is taken at its word")
-        .help(format!("write `uniform highp {name}`, or `precision highp {name};` once"));
+    cx.report(
+        Extent::token(declarator.ident.token),
+        format!("`{name}` without a precision qualifier defaults to `lowp`"),
+    )
+    .note("its texels are read as data with `texelFetch`; a true `lowp` keeps only 8 bits of them")
+    .help(format!(
+        "use `uniform highp {name}`, or add `precision highp {name};`"
+    ));
 }
 
-/// Whether texels are fetched from a sampler one by one: what it holds is data, and no picture.
+/// Whether a sampler is read with `texelFetch`, and so holds data rather than an image.
 fn is_fetched(cx: &Context, sampler: VariableId) -> bool {
     let program = cx.program;
     cx.facts.mentions().all(sampler).iter().any(|&mention| {
@@ -50,7 +55,7 @@ fn is_fetched(cx: &Context, sampler: VariableId) -> bool {
     })
 }
 
-/// Whether the shader gives a default precision for a type.
+/// Whether the shader declares a default precision for a type.
 fn has_default(tree: &Tree, wanted: TypeId) -> bool {
     let base = tree.ty(wanted).base;
     tree.decls.iter().any(|d| match d.kind {

@@ -1,4 +1,4 @@
-//! `vec3(v)` of a `vec3`, `float(1.0)`.
+//! Constructors that convert nothing: `vec3(v)` of a `vec3`, `float(1.0)`.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Expr(&[Shape::Construct], check)],
 };
 
-/// Longest code that a message repeats, in bytes.
+/// Maximum length of code that a message quotes, in bytes.
 const LONGEST: usize = 40;
 
 fn check(cx: &mut Context, id: ExprId) {
@@ -47,17 +47,19 @@ fn check(cx: &mut Context, id: ExprId) {
     };
     let text = program.expr_text(arg);
     let has_comment = |e: &Edit| program.sources.text(e.span).contains('/');
-    let fix =
-        (!edits.iter().any(has_comment)).then(|| Fix::safe("take the constructor off", edits));
+    let fix = (!edits.iter().any(has_comment)).then(|| Fix::safe("remove the constructor", edits));
     let what = match text.len() {
         0..=LONGEST if !text.contains('\n') => format!("`{text}`"),
-        _ => "this".to_string(),
+        _ => "the argument".to_string(),
     };
-    cx.report_expr(id, format!("{what} has the type `{name}` already"))
-        .fix(fix);
+    cx.report_expr(
+        id,
+        format!("redundant constructor: {what} already has type `{name}`"),
+    )
+    .fix(fix);
 }
 
-/// Whether the argument would fall apart without parentheses.
+/// Whether the argument needs parentheses to remain one operand.
 fn needs_parentheses(cx: &Context, id: ExprId, arg: ExprId) -> bool {
     let tree = &cx.program.tree;
     match tree.expr(arg).kind {

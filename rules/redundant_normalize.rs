@@ -1,4 +1,4 @@
-//! `normalize` of what is normalized already.
+//! `normalize` of a vector that is already normalized.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::defs::Def;
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-/// Most copies that a value is followed through.
+/// Maximum number of copies through which a value is followed.
 const MAX_COPIES: usize = 8;
 
 fn check(cx: &mut Context, call: &Builtin) {
@@ -35,18 +35,21 @@ fn check(cx: &mut Context, call: &Builtin) {
     let text = program.expr_text(arg).to_string();
     let fix = cx.is_direct(call.id).then(|| {
         let edit = Edit::replace(program.expr_span(call.id), text.clone());
-        Fix::suggestion(format!("write `{text}`"), vec![edit])
+        Fix::suggestion(format!("use `{text}`"), vec![edit])
     });
     let made = made.map(|expr| program.expr_span(expr));
-    let mut finding = cx.report_expr(call.id, format!("`{text}` has length 1 already"));
+    let mut finding = cx.report_expr(
+        call.id,
+        format!("redundant `normalize`: `{text}` already has length 1"),
+    );
     if let Some(made) = made {
         finding = finding.label(made, "normalized here");
     }
     finding.fix(fix);
 }
 
-/// Where a vector was normalized that is a copy of such a one, whole and in order; `None` inside
-/// where that is in more places than one.
+/// The call of `normalize` of which a vector is an unchanged copy. The inner `None` means that
+/// there are several such calls.
 fn unit(cx: &Context, op: OpId) -> Option<Option<ExprId>> {
     let (module, defs) = (cx.facts.module(), cx.facts.defs());
     let is_normalize =

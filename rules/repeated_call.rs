@@ -21,14 +21,14 @@ pub static RULE: Rule = Rule {
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
     60.0,
-    "Fewest operations of a call that is reported",
+    "Minimum cost of a reported call, in operations",
 )
 .on_swiftshader(20.0);
 
 fn check(cx: &mut Context) {
     let program = cx.program;
     let facts = cx.facts;
-    // By statement, function and spelling; a call stands in one statement.
+    // By statement, function and spelling.
     let mut first: FxHashMap<(StmtId, FunctionRef, Vec<Word>), ExprId> = FxHashMap::default();
     for call in &program.calls {
         if facts.work().operations(call.callee) < cx.option(&OPERATIONS)
@@ -40,7 +40,7 @@ fn check(cx: &mut Context) {
             continue;
         };
         let extent = program.tree.expr(call.expr).extent;
-        // A long call is not written twice by chance, and spelling all of them out takes time.
+        // Long calls are rarely written twice, and comparing all of them takes time.
         if extent.last - extent.first > MAX_TOKENS || is_taken_apart(cx, stmt) {
             continue;
         }
@@ -56,7 +56,7 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// Longest call that is compared, in tokens.
+/// Maximum length of a call that is compared, in tokens.
 const MAX_TOKENS: u32 = 64;
 
 fn report(cx: &mut Context, callee: FunctionRef, before: ExprId, again: ExprId) {
@@ -67,22 +67,25 @@ fn report(cx: &mut Context, callee: FunctionRef, before: ExprId, again: ExprId) 
     let name = program.names.text(function.name);
     let before = program.expr_span(before);
     let uses = program.macros_at(program.tree.expr(again).extent.first);
-    let mut finding = cx.report_expr(again, format!("the same call of `{name}` as before"));
+    let mut finding = cx.report_expr(
+        again,
+        format!("repeated call of `{name}` with the same arguments"),
+    );
     if program.expr_span(again) != before {
-        finding = finding.label(before, "the same");
+        finding = finding.label(before, "first call");
     }
     match uses.last() {
         Some(used) => {
             let name = used.name.clone();
             finding.help(format!(
-                "`{name}` writes its argument out more than once: keep the call in a variable"
+                "store the result in a variable: `{name}` repeats its argument"
             ))
         }
-        None => finding.help("keep it in a variable"),
+        None => finding.help("store the result in a variable"),
     };
 }
 
-/// A token without its place.
+/// A token without its position.
 type Word = (TokenKind, u32);
 
 /// The tokens of a node.
@@ -93,8 +96,8 @@ fn spelling(program: &Program, extent: Extent) -> Vec<Word> {
         .collect()
 }
 
-/// Whether a statement writes to anything while it is computed, so that two calls in it may differ,
-/// or computes only one of two sides.
+/// Whether a statement assigns while it is evaluated, so that two calls in it may differ, or
+/// evaluates only one of two operands.
 fn is_taken_apart(cx: &Context, stmt: StmtId) -> bool {
     let program = cx.program;
     let tree = &program.tree;

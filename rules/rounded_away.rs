@@ -1,4 +1,4 @@
-//! Numbers so near to another, or so small, that rounding leaves nothing of the difference.
+//! Numbers so close to another one, or so small, that rounding removes the difference.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
@@ -18,11 +18,11 @@ pub static RULE: Rule = Rule {
     ],
 };
 
-/// What is longer was not typed by hand, but printed by a program: its last digits are nobody's
-/// intention.
+/// Maximum length of a literal that is checked: a longer one was printed by a program, so that its
+/// last digits mean nothing.
 const WRITTEN: usize = 14;
 
-/// What is as short holds no digits that are rounded away.
+/// Maximum length of a literal that cannot hold digits lost to rounding.
 const SHORT: usize = 4;
 
 /// `0.99999999` and `1e-46`.
@@ -30,7 +30,7 @@ fn check_literal(cx: &mut Context, id: ExprId) {
     let ExprKind::Float(value) = cx.program.tree.expr(id).kind else {
         return;
     };
-    // Nearly all literals are neither whole nor next to nothing, or say so in few letters.
+    // Cheap test first: nearly all literals have a fraction and are not tiny, or are short.
     if value.fract() != 0.0 && !value.is_subnormal() {
         return;
     }
@@ -42,18 +42,18 @@ fn check_literal(cx: &mut Context, id: ExprId) {
         return;
     };
     if meant != 0.0 && (value == 0.0 || value.is_subnormal()) {
-        let message = format!("`{text}` is zero: no `float` is so small");
+        let message = format!("`{text}` is too small for a `float` and becomes zero");
         cx.report_expr(id, message)
-            .note("GPUs take what is below 1.2e-38 for zero")
-            .help("take a number such as `1e-30`");
+            .note("GPUs flush values below 1.2e-38 to zero")
+            .help("use a larger number such as `1e-30`");
     } else if value.fract() == 0.0
         && meant.fract() != 0.0
         && value.abs() <= 65_536.0
         && text.len() <= WRITTEN
     {
-        let message = format!("`{text}` is the same as `{value:?}`");
+        let message = format!("`{text}` is rounded to `{value:?}`");
         cx.report_expr(id, message)
-            .note("a `float` has about seven digits; the rest is rounded away");
+            .note("a `float` has about seven significant digits");
     }
 }
 
@@ -73,7 +73,7 @@ fn check_sum(cx: &mut Context, e: &BinaryExpr) {
         let part_size = small(part)?;
         let mut ranges = cx.facts.range(large).peekable();
         ranges.peek()?;
-        // Half a step between two floats is rounded; a quarter is always lost.
+        // Half a unit in the last place may round up; a quarter is always lost.
         let is_lost = ranges.all(|r| {
             let least = r.lo.value.max(-r.hi.value);
             least.is_finite() && least > 0.0 && part_size < least * f64::from(f32::EPSILON) / 4.0
@@ -84,6 +84,6 @@ fn check_sum(cx: &mut Context, e: &BinaryExpr) {
     let (large, part) = (program.expr_text(large), program.expr_text(part));
     let message = format!("`{part}` is too small to change `{large}`");
     cx.report_expr(e.id, message)
-        .note("a `float` has about seven digits; the rest is rounded away")
-        .help("next to 1.0 the smallest difference is about 1e-7");
+        .note("a `float` has about seven significant digits")
+        .help("use a larger number: next to 1.0, the smallest difference is about 1e-7");
 }

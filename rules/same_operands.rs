@@ -1,4 +1,4 @@
-//! `x - x`, `max(a, a)`, `a || b || a`.
+//! The same operand twice: `x - x`, `max(a, a)`, `a || b || a`.
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],
 };
 
-/// Longest chain of `&&` or `||` that is looked at.
+/// Maximum length of a chain of `&&` or `||` that is checked.
 const MAX_CHAIN: usize = 64;
 
 fn check_binary(cx: &mut Context, e: &BinaryExpr) {
@@ -25,13 +25,13 @@ fn check_binary(cx: &mut Context, e: &BinaryExpr) {
     let outcome = match e.op {
         And | Or => return check_chain(cx, e),
         Sub => "always zero",
-        Div => "always one, or nothing where it is zero",
+        Div => "one, or undefined for zero",
         Rem => "always zero",
         BitXor => "always zero",
-        BitAnd | BitOr => "just that",
+        BitAnd | BitOr => "that operand",
         Xor | Less | Greater => "always false",
         LessEqual | GreaterEqual => "always true",
-        // Of floats that is a test for NaN, which is another matter.
+        // For floats this is a test for NaN: see `nan-compare`.
         Equal | NotEqual if program.ty(e.left).scalar_kind() == Some(Scalar::Float) => return,
         Equal => "always true",
         NotEqual => "always false",
@@ -41,12 +41,12 @@ fn check_binary(cx: &mut Context, e: &BinaryExpr) {
     if is_twice(cx, e.left, e.right) && !program.expr(e.id).is_const && !is_matrix {
         let text = program.expr_text(e.left);
         let symbol = e.op.symbol();
-        let message = format!("`{text}` stands on both sides of `{symbol}`, which is {outcome}");
+        let message = format!("both operands of `{symbol}` are `{text}`; the result is {outcome}");
         cx.report_expr(e.id, message);
     }
 }
 
-/// Each condition of a chain against those before it.
+/// Compares each condition of a chain with those before it.
 fn check_chain(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;
     let tree = &program.tree;
@@ -76,10 +76,10 @@ fn check_chain(cx: &mut Context, e: &BinaryExpr) {
         let before = *asked.entry(hash).or_insert(next);
         if before != next && is_twice(cx, before, next) {
             let text = program.expr_text(next);
-            let message = format!("`{text}` is asked twice");
+            let message = format!("`{text}` is tested twice in this `{}` chain", e.op.symbol());
             let before = program.expr_span(before);
             cx.report_expr(next, message)
-                .label(before, "asked here first");
+                .label(before, "first tested here");
         }
     }
 }
@@ -94,22 +94,22 @@ fn check_builtin(cx: &mut Context, call: &Builtin) {
         _ => return,
     };
     let outcome = match call.function {
-        Min | Max | Mix => "just that",
-        Clamp => "always that bound",
-        Step | LessThanEqual | GreaterThanEqual => "always the same",
+        Min | Max | Mix => "that argument",
+        Clamp => "that bound",
+        Step | LessThanEqual | GreaterThanEqual => "constant",
         LessThan | GreaterThan => "always false",
         Distance | Cross | Mod => "always zero",
-        Equal | NotEqual if program.ty(a).scalar_kind() != Some(Scalar::Float) => "always the same",
+        Equal | NotEqual if program.ty(a).scalar_kind() != Some(Scalar::Float) => "constant",
         _ => return,
     };
     if is_twice(cx, a, b) && !program.expr(call.id).is_const {
         let (text, name) = (program.expr_text(a), call.function.name());
-        let message = format!("`{name}` is given `{text}` twice, which gives {outcome}");
+        let message = format!("`{name}` is called with `{text}` twice; the result is {outcome}");
         cx.report_expr(call.id, message);
     }
 }
 
-/// Whether two expressions are the same code, written out by hand, with the same value each time.
+/// Whether two expressions are the same code, not from a macro and without side effects.
 fn is_twice(cx: &Context, a: ExprId, b: ExprId) -> bool {
     let program = cx.program;
     let tree = &program.tree;

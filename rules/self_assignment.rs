@@ -50,8 +50,8 @@ fn check_assignment(cx: &mut Context, id: ExprId) {
         .fix(fix);
 }
 
-/// Whether an assignment is all that one of several branches does: it says that there everything
-/// stays as it is.
+/// Whether an assignment is the only statement of a branch that has an `else`: it states that
+/// nothing changes in this case.
 fn is_case(cx: &Context, id: ExprId) -> bool {
     let tree = &cx.program.tree;
     let structure = cx.facts.structure();
@@ -69,7 +69,7 @@ fn is_case(cx: &Context, id: ExprId) -> bool {
     false
 }
 
-/// Two statements, of which the second gives back what the first one took.
+/// Checks for two statements where the second copies a value back to where it came from.
 fn check_copy(cx: &mut Context, first: StmtId, second: StmtId) {
     let program = cx.program;
     let Some((copy, from)) = copied(cx, first) else {
@@ -89,11 +89,11 @@ fn check_copy(cx: &mut Context, first: StmtId, second: StmtId) {
     };
     let (to, copy) = (name(to), name(copy));
     let before = program.span(program.tree.stmt(first).extent);
-    cx.report(extent, format!("`{to}` gets the value that it has"))
-        .label(before, format!("`{copy}` was just made from it"));
+    cx.report(extent, format!("`{to}` is assigned its own value"))
+        .label(before, format!("`{copy}` is copied from `{to}`"));
 }
 
-/// `to = from;` or `float to = from;` of two variables.
+/// The variables of `to = from;` or `float to = from;`.
 fn copied(cx: &Context, stmt: StmtId) -> Option<(VariableId, VariableId)> {
     let program = cx.program;
     let tree = &program.tree;
@@ -128,5 +128,5 @@ fn removal(cx: &Context, id: ExprId) -> Option<Fix> {
         return None;
     }
     let edit = remove_statement(cx.program, tree.stmt(stmt).extent)?;
-    Some(Fix::safe("take it out", vec![edit]))
+    Some(Fix::safe("remove this statement", vec![edit]))
 }

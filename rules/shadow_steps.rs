@@ -1,4 +1,4 @@
-//! Shadow loops that go on behind the first thing that they meet.
+//! Shadow loops that continue after the light is blocked.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::MarchGoal;
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 static STEPS: Setting<u64> = Setting::new(
     "steps",
     32,
-    "Most steps of a shadow loop that never stops early",
+    "Maximum steps of a shadow loop without an early exit",
 )
 .on_swiftshader(16);
 
@@ -36,11 +36,8 @@ fn check(cx: &mut Context) {
             continue;
         }
         let head = Extent::token(cx.program.tree.stmt(looped.stmt).extent.first);
-        cx.report(
-            head,
-            format!("the shadow loop always takes all {turns} steps"),
-        )
-        .note("once the light is hidden, more steps change nothing")
-        .help("stop there: `if (h < 0.001) return 0.0;`, or `if (res < 0.004) break;`");
+        cx.report(head, format!("shadow loop always runs all {turns} steps"))
+            .note("once the light is blocked, further steps change nothing")
+            .help("add an early exit: `if (h < 0.001) return 0.0;` or `if (res < 0.004) break;`");
     }
 }

@@ -1,4 +1,4 @@
-//! Variables that take the name of one outside.
+//! Variables that shadow a variable of an outer scope.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule};
@@ -35,27 +35,27 @@ fn check(cx: &mut Context, declared: &DeclaredName) {
         Storage::Input => "input",
         Storage::Output => "output",
         Storage::Global => "global variable",
-        Storage::Local => "variable",
+        Storage::Local => "outer variable",
     };
     let outside = program.declared_at(hidden);
     let outside = outside.filter(|span| program.is_user(*span));
-    // What a host declares besides its uniforms is not known to who writes for it.
+    // Authors cannot know the names that a host declares, except its uniforms.
     if outside.is_none() && hidden.storage != Storage::Uniform {
         return;
     }
     let finding = cx.report(
         Extent::token(declared.token),
-        format!("`{name}` hides the {what} of the same name outside"),
+        format!("`{name}` shadows the {what} of the same name"),
     );
     let finding = match outside {
-        Some(span) => finding.label(span, "this one"),
-        None => finding.note("ShaderToy declares it"),
+        Some(span) => finding.label(span, "shadowed declaration"),
+        None => finding.note(format!("ShaderToy declares `{name}`")),
     };
-    finding.help("give one of them another name");
+    finding.help("rename one of them");
 }
 
-/// Whether a reader may take one for the other. A function that names a parameter like some global
-/// variable has no use for that one.
+/// Whether a reader may confuse the two. A parameter with the name of a global is not confusing:
+/// the function does not use that global.
 fn is_confusing(inner: &Variable, hidden: &Variable) -> bool {
     let is_param = |v: &Variable| matches!(v.storage, Storage::Param(_));
     let is_near = is_param(hidden) || hidden.storage == Storage::Local;

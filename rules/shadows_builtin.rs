@@ -1,4 +1,4 @@
-//! Variables and functions that hide a built-in function.
+//! Variables and functions that shadow a built-in function.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule};
@@ -31,11 +31,13 @@ fn check(cx: &mut Context, declared: &DeclaredName) {
     };
     cx.report(
         Extent::token(declared.token),
-        format!("`{name}` hides the built-in function `{name}`"),
+        format!("`{name}` shadows the built-in function `{name}`"),
     )
     .note(match is_local {
-        true => "the function cannot be called where this name is seen",
-        false => "WebGL allows it, other compilers of GLSL ES take both for one name and refuse it",
+        true => "the function cannot be called while this declaration is in scope",
+        false => {
+            "WebGL accepts this; other GLSL ES compilers keep both in one scope and reject the shader"
+        }
     })
-    .help("take another name");
+    .help(format!("rename `{name}`"));
 }

@@ -1,4 +1,4 @@
-//! Loops in each other that count with one variable.
+//! Nested loops that use the same counter.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -31,20 +31,21 @@ fn check(cx: &mut Context, id: StmtId) {
     let Some((_, around)) = outer.and_then(|s| counted(program, s)) else {
         return;
     };
-    // Where the outer loop is left behind the inner one, nobody counts on.
     let is_direct = program.is_direct(tree.expr(place).extent);
     if !is_direct {
         return;
     }
     let name = program.variable(counter).map(|v| v.name);
     let name = name.map_or("", |n| program.names.text(n));
-    let message = format!("this loop counts with `{name}`, as the loop around it does");
+    let message = format!("nested loops use the same counter `{name}`");
     let around = program.expr_span(around);
     cx.report_expr(place, message)
-        .label(around, "what it leaves there is counted on from here");
+        .mark("changed by the inner loop")
+        .label(around, "the outer loop continues from there")
+        .help("use a separate counter for the inner loop");
 }
 
-/// The variable that a loop's step changes, where the loop sets it first, and the step.
+/// The variable that the step of a `for` loop changes, and the step.
 fn counted(program: &Program, id: StmtId) -> Option<(VariableId, ExprId)> {
     let tree = &program.tree;
     let StmtKind::For {

@@ -1,4 +1,4 @@
-//! `1 << n - 1`
+//! Sums next to a shift without parentheses: `1 << n - 1`.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
@@ -29,7 +29,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         let Some((op, left)) = sum(side) else {
             continue;
         };
-        // Blanks that keep the sum together say that it is meant so.
+        // `1 << n-1`: the spacing shows that the sum is intended.
         let inner = gap(cx, left);
         let outer = gap(cx, e.left);
         if inner.is_none() || outer.is_none() || inner < outer {
@@ -41,14 +41,15 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         let shift = e.op.symbol();
         cx.report_expr(
             side,
-            format!("`{symbol}` binds more tightly than `{shift}`"),
+            format!("`{symbol}` has higher precedence than `{shift}`"),
         )
-        .help("put the shift in parentheses, or the sum, if that is meant")
-        .fix(Fix::safe("put the sum in parentheses", edits));
+        .mark("evaluated first")
+        .help("add parentheses around the shift if it should be evaluated first")
+        .fix(Fix::safe("add parentheses around the sum", edits));
     }
 }
 
-/// How many blanks stand before the operator behind an operand.
+/// Number of blanks between an operand and the operator after it.
 fn gap(cx: &Context, operand: ExprId) -> Option<u32> {
     let program = cx.program;
     let last = program.tree.expr(operand).extent.last;

@@ -1,4 +1,4 @@
-//! Shifts by more bits than an integer has.
+//! Shift amounts that are negative, or 32 and more.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Kind;
@@ -37,9 +37,11 @@ fn check(cx: &mut Context, id: ExprId) {
     cx.report_range(
         by,
         (&range, side),
-        format!("the number of bits to shift by {is} outside 0..31: {known}"),
+        format!("shift amount {is} outside 0 to 31: {known}"),
     )
-    .note("integers have 32 bits; a shift by a negative number, or by 32 or more, is undefined")
-    .help("keep it inside with `& 31`");
+    .note(
+        "integers have 32 bits; a shift by less than 0 or more than 31 is undefined (section 5.9)",
+    )
+    .help("mask the shift amount with `& 31`");
     cx.judge(id, &[Kind::Undefined]);
 }

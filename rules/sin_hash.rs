@@ -1,4 +1,4 @@
-//! `fract(sin(x) * 43758.5453)`: a hash that differs from GPU to GPU.
+//! `fract(sin(x) * 43758.5453)`: a hash that differs between GPUs.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::formula::factors;
@@ -18,12 +18,15 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-static FACTOR: Setting<f64> =
-    Setting::new("factor", 100.0, "Smallest factor that makes a sine a hash");
+static FACTOR: Setting<f64> = Setting::new(
+    "factor",
+    100.0,
+    "Smallest factor of the sine that is reported",
+);
 
-/// Name of the function that takes its place.
+/// Name of the function that the fix inserts.
 const HASH: &str = "integerHash";
-const ADVICE: &str = "hash integers: the same input gives the same bits on every GPU";
+const ADVICE: &str = "use an integer hash: the same input gives the same result on every GPU";
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[arg] = call.args else { return };
@@ -43,8 +46,13 @@ fn check(cx: &mut Context, call: &Builtin) {
     };
     let fix = fix(cx, call.id, sine);
     let finding = cx
-        .report_expr(call.id, "this hash may draw another picture on another GPU")
-        .note("`sin` is exact to a few digits only, and the factor brings the others up");
+        .report_expr(
+            call.id,
+            "sine hash gives different values on different GPUs",
+        )
+        .note(
+            "the large factor amplifies the rounding error of the sine, which differs between GPUs",
+        );
     match fix {
         Some(fix) => finding.fix(fix),
         None => finding.help(ADVICE),
@@ -62,7 +70,7 @@ fn sine(program: &Program, factor: ExprId) -> Option<ExprId> {
     first.filter(|_| matches!(function, BuiltinId::Sin | BuiltinId::Cos))
 }
 
-/// Calls an integer hash instead, which is put before the function.
+/// Calls an integer hash instead, and inserts its definition before the calling function.
 fn fix(cx: &Context, call: ExprId, sine: ExprId) -> Option<Fix> {
     let program = cx.program;
     let node = program.tree.expr(call);
@@ -98,7 +106,7 @@ fn fix(cx: &Context, call: ExprId, sine: ExprId) -> Option<Fix> {
     Some(Fix::suggestion(ADVICE, edits))
 }
 
-/// What is hashed: `p` of `dot(p, vec2(12.9898, 78.233))`, or all of it.
+/// The input of the hash: `p` in `dot(p, vec2(12.9898, 78.233))`, or the whole argument of the sine.
 fn key(program: &Program, sine: ExprId) -> ExprId {
     let at = program.tree.unparen(sine);
     match (program.builtin_called(at), program.tree.expr(at).kind) {
@@ -111,7 +119,7 @@ fn key(program: &Program, sine: ExprId) -> ExprId {
     }
 }
 
-/// The hash of a number or vector, as a function.
+/// The definition of an integer hash of a float or of a vector with `size` components.
 fn definition(size: u32) -> String {
     let (ty, bits) = match size {
         1 => ("float".to_string(), "floatBitsToUint(p)".to_string()),

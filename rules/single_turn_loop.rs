@@ -1,4 +1,4 @@
-//! Loops that never turn twice.
+//! Loops that run at most one iteration.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context, id: StmtId) {
     let program = cx.program;
     let tree = &program.tree;
-    // A loop without an end of its own is a way to jump: `while (true) { ... break; }`.
+    // `while (true) { ... break; }` emulates a jump.
     let (condition, body) = match tree.stmt(id).kind {
         StmtKind::For {
             condition: Some(condition),
@@ -45,11 +45,11 @@ fn check(cx: &mut Context, id: StmtId) {
         _ => "`discard`",
     };
     let place = program.span(tree.stmt(last).extent);
-    cx.report(Extent::token(head), "this loop never turns twice")
-        .label(place, format!("{jump} leaves it in its first turn"));
+    cx.report(Extent::token(head), "loop runs at most one iteration")
+        .label(place, format!("{jump} ends the first iteration"));
 }
 
-/// The last statement that leaves a loop's body, if no `continue` keeps it turning.
+/// The last statement that leaves the loop; `None` if a `continue` may start another iteration.
 fn leaving(cx: &Context, body: StmtId) -> Option<StmtId> {
     let tree = &cx.program.tree;
     let mut todo = vec![body];
@@ -59,7 +59,7 @@ fn leaving(cx: &Context, body: StmtId) -> Option<StmtId> {
         match stmt.kind {
             StmtKind::Continue => return None,
             StmtKind::Break | StmtKind::Return(_) | StmtKind::Discard => last = last.max(Some(id)),
-            // What an inner loop or a `switch` does with its own jumps ends nothing here.
+            // Jumps of an inner loop end the inner loop only.
             StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. } => {}
             StmtKind::Switch { .. } => return None,
             _ => each_inner(tree, stmt, |inner| todo.push(inner)),

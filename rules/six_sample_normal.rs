@@ -1,4 +1,4 @@
-//! Normals by six calls where four do.
+//! Normals computed with six calls of the scene function where four are enough.
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
@@ -19,10 +19,10 @@ pub static RULE: Rule = Rule {
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",
     20.0,
-    "Fewest operations of a function that is reported",
+    "Smallest scene function that is reported, in operations per call",
 );
 
-/// The size of a scene function from which on its copies matter more than its calls.
+/// Code size, in operations, above which inlining matters more than the calls; see `map-inlining`.
 const LARGE: f64 = 150.0;
 
 fn check(cx: &mut Context) {
@@ -43,7 +43,7 @@ fn check(cx: &mut Context) {
         let &[first, .., last] = differences.as_slice() else {
             continue;
         };
-        // A large scene is another finding, that of its copies.
+        // A large scene function is reported by `map-inlining`.
         let work = cx.facts.work();
         let is_dear =
             work.operations(callee) >= cx.option(&OPERATIONS) && work.size(callee) < LARGE;
@@ -55,14 +55,17 @@ fn check(cx: &mut Context) {
         let last = program.expr_span(last);
         cx.report_expr(
             first,
-            format!("three differences are six calls of `{name}`"),
+            format!("normal calls `{name}` 6 times where 4 calls are enough"),
         )
-        .label(last, "the third")
-        .help("four calls at the corners of a tetrahedron give the same normal");
+        .mark("first of three differences")
+        .label(last, "third difference")
+        .help(format!(
+            "use the tetrahedron technique: 4 calls of `{name}` give the same normal"
+        ));
     }
 }
 
-/// The difference `f(p + e) - f(p - e)` that a call is the left side of.
+/// The difference `f(p + e) - f(p - e)` whose left side is this call.
 fn difference(cx: &Context, call: ExprId, callee: FunctionRef) -> Option<ExprId> {
     let program = cx.program;
     let tree = &program.tree;
@@ -86,7 +89,7 @@ fn difference(cx: &Context, call: ExprId, callee: FunctionRef) -> Option<ExprId>
     (is_same && is_central && same_code(program, a, b)).then_some(parent)
 }
 
-/// The call that an expression is, or a member of.
+/// The call in `f(p)` or `f(p).x`.
 fn called(program: &Program, expr: ExprId) -> Option<ExprId> {
     let tree = &program.tree;
     let mut at = tree.unparen(expr);
@@ -96,7 +99,7 @@ fn called(program: &Program, expr: ExprId) -> Option<ExprId> {
     matches!(tree.expr(at).kind, ExprKind::Call(..)).then_some(at)
 }
 
-/// The place that the first argument of a call is a step from, and which way.
+/// The point `p` and the direction of the first argument, `p + e` or `p - e`.
 fn shifted(program: &Program, call: ExprId) -> Option<(ExprId, BinaryOp)> {
     let tree = &program.tree;
     let ExprKind::Call(_, args) = tree.expr(call).kind else {

@@ -1,4 +1,4 @@
-//! `smoothstep` with its edges the wrong way round.
+//! `smoothstep` with reversed or equal edges.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -19,7 +19,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Smoothstep, &[low, high, x]) = (call.function, call.args) else {
         return;
     };
-    // Where the value is a constant and an edge varies, they stand in another order.
+    // A constant value and a varying edge: `swapped-arguments` reports it.
     let is_known = |e| !cx.program.values(e).is_empty();
     if is_known(x) && is_known(high) && !is_known(low) {
         return;
@@ -36,20 +36,20 @@ fn check(cx: &mut Context, call: &Builtin) {
     let text = |e| cx.program.expr_text(e).to_string();
     let (a, b, of) = (text(low), text(high), text(x));
     if is_equal {
-        cx.report_expr(call.id, "the edges of `smoothstep` are equal")
-            .note("the result is undefined; between the edges it divides by zero")
-            .help(format!("write `step({a}, {of})`, or move the edges apart"));
+        cx.report_expr(call.id, "edges of `smoothstep` are equal")
+            .note("the result is undefined if `edge0 >= edge1` (section 8.3); equal edges divide by zero")
+            .help(format!("use `step({a}, {of})`, or move the edges apart"));
         return;
     }
     let instead = cx.in_place_of(call.id, format!("1.0 - smoothstep({b}, {a}, {of})"));
     let fix = cx.is_direct(call.id).then(|| {
         let edit = Edit::replace(cx.program.expr_span(call.id), instead.clone());
-        Fix::suggestion(format!("write `{instead}`"), vec![edit])
+        Fix::suggestion(format!("use `{instead}`"), vec![edit])
     });
     cx.report_expr(
         call.id,
-        "the first edge of `smoothstep` is greater than the second",
+        "first edge of `smoothstep` is greater than the second",
     )
-    .note("the result is undefined, though most drivers draw a falling step")
+    .note("the result is undefined if `edge0 >= edge1` (section 8.3); most drivers draw a falling step")
     .fix(fix);
 }

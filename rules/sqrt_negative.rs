@@ -1,4 +1,4 @@
-//! Roots of negative numbers.
+//! Square roots of negative numbers.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_exec::Kind;
@@ -32,15 +32,17 @@ fn check(cx: &mut Context, call: &Builtin) {
                 Edit::insert(span.start, "max("),
                 Edit::insert(span.end, format!(", {least})")),
             ];
-            Fix::suggestion(format!("bound it with `max(..., {least})`"), edits)
+            Fix::suggestion(format!("clamp it with `max(..., {least})`"), edits)
         });
         let is = range.may_or_is(|r| r.is_below(0.0));
         cx.report_range(
             of,
             (range, Side::Low),
-            format!("the argument of `{name}` {is} negative: {range}"),
+            format!("argument of `{name}` {is} negative: {range}"),
         )
-        .note("the root of a negative number is undefined, and a NaN on most GPUs")
+        .note(format!(
+            "`{name}` of a negative number is undefined (section 8.2), and NaN on most GPUs"
+        ))
         .fix(fix);
         cx.judge(call.id, &[Kind::Undefined]);
     } else if is_inverse && let Some(range) = ranges.iter().find(|r| r.holds(0.0)) {
@@ -48,10 +50,10 @@ fn check(cx: &mut Context, call: &Builtin) {
         cx.report_range(
             of,
             (range, Side::Low),
-            format!("the argument of `inversesqrt` {is} zero: {range}"),
+            format!("argument of `inversesqrt` {is} zero: {range}"),
         )
-        .note("the inverse root of zero is undefined")
-        .help("bound it with `max(..., 1e-6)`");
+        .note("`inversesqrt(0.0)` is undefined (section 8.2)")
+        .help("clamp it with `max(..., 1e-6)`");
         cx.judge(call.id, &[Kind::Undefined]);
     }
 }

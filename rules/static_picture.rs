@@ -1,8 +1,8 @@
-//! Pictures that read the time and do not move.
+//! Shaders that read the time and draw the same image in every frame.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Draw, quads_all_over};
-use shaderlint_lint::trial::{Instant, SIZE};
+use shaderlint_lint::trial::{Instant, SIZE, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -15,10 +15,10 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// When the picture is looked at, no mouse near.
+/// Times in seconds at which pixels are compared, without a mouse.
 const TIMES: [f64; 8] = [0.0, 0.13, 0.71, 2.3, 5.9, 10.7, 23.3, 43.1];
-/// How many quads are looked at: a few first, since most pictures move everywhere, and many before
-/// it is told, since some move in a few places alone.
+/// Number of quads per round: few at first, since most images change everywhere, and many before the
+/// finding is reported, since some images change in a few places only.
 const QUADS: [usize; 3] = [8, 576, 4096];
 
 fn check(cx: &mut Context) {
@@ -55,7 +55,10 @@ fn check(cx: &mut Context) {
         }
     }
     let times = TIMES.map(|t| t.to_string()).join(", ");
-    let message = format!("`{name}` is read, and the picture does not move");
+    let message = format!("`{name}` is read, but the image does not change");
     let finding = cx.report_picture(message);
-    finding.note(format!("{} pixels are the same at {times} s", QUADS[2] * 4));
+    let pixels = grouped(QUADS[2] as u64 * 4);
+    finding.note(format!(
+        "{pixels} sampled pixels are identical at {times} s"
+    ));
 }

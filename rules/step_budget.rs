@@ -1,4 +1,4 @@
-//! Ray marching loops that take more steps than a renderer can.
+//! Ray marching loops with more steps than the target renderer can afford.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::{March, MarchGoal, way};
@@ -26,25 +26,21 @@ pub static RULE: Rule = Rule {
 static MAIN: Setting<u64> = Setting::new(
     "main",
     200,
-    "Most steps of a loop that looks for what a pixel shows",
+    "Maximum steps of a marching loop that is not a shadow loop",
 )
 .on_swiftshader(64);
-static SHADOW: Setting<u64> = Setting::new(
-    "shadow",
-    64,
-    "Most steps of a loop that looks for what stands before a light",
-)
-.on_swiftshader(16);
+static SHADOW: Setting<u64> =
+    Setting::new("shadow", 64, "Maximum steps of a shadow loop").on_swiftshader(16);
 static SUM: Setting<u64> =
-    Setting::new("sum", 512, "Most steps of all marching loops together").on_swiftshader(80);
+    Setting::new("sum", 512, "Maximum steps of all marching loops together").on_swiftshader(80);
 
-/// Why steps are counted.
-const WHY: &str = "each pixel may take all of them, and asks the whole scene at each";
+/// Reason for the limit.
+const WHY: &str = "each step evaluates the whole scene, and any pixel may take all steps";
 
-/// A marching loop, and how many steps it may take.
+/// A marching loop and its maximum number of steps.
 struct Marched {
     march: March,
-    /// Where the number of steps stands.
+    /// The expression that gives the number of steps.
     given: ExprId,
     steps: u64,
     allowed: u64,
@@ -75,7 +71,7 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// A loop that what it finds may end: it takes as many steps as it needs, and this many at most.
+/// Counts the steps of a loop that a hit may end early; `None` where the number is not known.
 fn marched(cx: &Context, march: &March) -> Option<Marched> {
     let steps = march.looped.bound.turns()?;
     let given = march.looped.given?;
@@ -96,20 +92,20 @@ fn marched(cx: &Context, march: &March) -> Option<Marched> {
     })
 }
 
-/// The range that the author wrote behind the number that the loop runs to.
+/// The range in the comment after the definition of the number of steps: `// (80~400)`.
 fn documented(cx: &Context, given: ExprId) -> Option<TunableRange> {
     let (definition, _) = definition(cx, given)?;
     range_behind(cx.program, definition).map(|(range, _)| range)
 }
 
-/// Where the number that a loop runs to is defined, as a macro or a constant: its last token, and
-/// the name.
+/// The macro or constant that defines the number of steps: the span of its last token, and of its
+/// name.
 fn definition(cx: &Context, given: ExprId) -> Option<(Span, Span)> {
     let program = cx.program;
     let mut todo = vec![given];
     while let Some(next) = todo.pop() {
         let expr = program.tree.expr(next);
-        // The outermost macro is the one that stands in the loop.
+        // The outermost macro is the one that the loop names.
         if let Some(used) = program.macros_at(expr.extent.first).last() {
             let mut macros = program.tokens.macros.iter();
             let definition = macros.find(|m| m.name_span == used.definition)?;
@@ -143,26 +139,26 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     let seen = cx.facts.turns_seen(looped.stmt);
     let mut finding = cx.report_expr(
         given,
-        format!("the {role} takes up to {steps} steps; {allowed} are allowed"),
+        format!("{role} runs up to {steps} steps; the limit is {allowed}"),
     );
     if let Some(limit) = looped.limit.filter(|l| *l != given) {
-        finding = finding.label(program.expr_span(limit), "the loop runs to it");
+        finding = finding.label(program.expr_span(limit), "loop bound");
     }
     finding = match definition {
         Some((_, name)) if marched.documented.is_none() => finding.label(name, "defined here"),
         _ => finding,
     };
     finding = match &marched.documented {
-        Some(range) => finding.label(range.span, "the range that its author gives"),
+        Some(range) => finding.label(range.span, "documented range"),
         None => finding.note(WHY),
     };
     if let Some(way) = way {
-        finding = finding.note(format!("called as {way}"));
+        finding = finding.note(format!("call path: {way}"));
     }
     if let Some(seen) = seen {
         finding = finding.note(seen);
     }
-    finding.help(format!("take at most {allowed}"));
+    finding.help(format!("use at most {allowed} steps"));
 }
 
 fn report_sum(cx: &mut Context, marches: &[&Marched], sum: u64) {
@@ -178,13 +174,13 @@ fn report_sum(cx: &mut Context, marches: &[&Marched], sum: u64) {
     let mut finding = cx
         .report_expr(
             largest.given,
-            format!("the marching loops take up to {sum} steps together; {most} are allowed"),
+            format!("marching loops run up to {sum} steps in total; the limit is {most}"),
         )
         .mark(format!("{} steps", largest.steps));
     for (span, steps) in others {
         finding = finding.label(span, format!("{steps} steps"));
     }
     finding.note(WHY).help(format!(
-        "take at most {main} for the picture and {shadow} for shadows"
+        "use at most {main} steps for the image and {shadow} for shadows"
     ));
 }

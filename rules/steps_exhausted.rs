@@ -1,4 +1,4 @@
-//! Loops that run out of steps before they find what they look for.
+//! Marching loops that reach their step limit before they find a hit.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::LoopFacts;
@@ -15,11 +15,11 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// A loop of fewer steps takes samples, and looks for nothing.
+/// Loops with fewer steps take samples, and do not search.
 const LEAST_STEPS: u64 = 10;
-/// The share of the pixels that have to run out of steps.
+/// Smallest share of pixels that run out of steps.
 const OFTEN: f64 = 0.005;
-/// The share of the picture that has to look otherwise with more of them.
+/// Smallest share of pixels that change visibly with twice as many steps.
 const SEEN: f64 = 0.01;
 
 fn check(cx: &mut Context) {
@@ -47,9 +47,14 @@ fn check(cx: &mut Context) {
             continue;
         };
         let (out, told) = (percent(exhausted(trial)), trial.told());
-        let message = format!("the loop runs out of steps at {out} of the pixels");
+        let message = format!("marching loop runs out of steps in {out} of the pixels");
         let finding = cx.report_expr(given, message);
-        finding.note(format!("with twice as many {} of the picture look otherwise", percent(changed))).note(told)
-            .help("take more steps, make the steps longer, or let rays that go far end as such that hit nothing");
+        finding
+            .note(format!(
+                "{} of the pixels change visibly with twice as many steps",
+                percent(changed)
+            ))
+            .note(told)
+            .help("use more steps, take longer steps, or end rays beyond a maximum distance as misses");
     }
 }

@@ -1,4 +1,4 @@
-//! Arguments in another order than the function takes them.
+//! Arguments in a different order than the parameters.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
@@ -23,37 +23,33 @@ fn check(cx: &mut Context, call: &Builtin) {
         let mut values = program.values(e).iter().map(|v| v.as_float());
         values.all(|v| (0.0..=1.0).contains(&v))
     };
-    let (wrong, order, why) = match call.function {
+    let (order, why) = match call.function {
         BuiltinId::Smoothstep if !is_known(a) && is_known(b) && is_known(c) => (
-            "takes an edge from what varies, and a constant between its edges",
             [b, c, a],
-            "both edges stand first, then the value between them",
+            "the order is `smoothstep(edge0, edge1, x)`; here `edge0` varies and `x` is constant",
         ),
         BuiltinId::Mix if !is_known(a) && is_known(b) && is_known(c) && !is_share(c) => (
-            "has a constant share that is not between 0 and 1",
             [b, c, a],
-            "both ends stand first, then the share of the second",
+            "the order is `mix(x, y, a)`; here `a` is a constant outside 0.0 to 1.0",
         ),
         BuiltinId::Clamp if is_known(a) && !is_known(b) && is_known(c) => (
-            "bounds a constant, and takes its lower bound from what varies",
             [b, a, c],
-            "the value stands first, then the lower bound, then the upper",
+            "the order is `clamp(x, minVal, maxVal)`; here `x` is constant and `minVal` varies",
         ),
         _ => return,
     };
     let name = call.function.name();
     let [x, y, z] = order.map(|e| program.expr_text(e));
     let instead = format!("{name}({x}, {y}, {z})");
-    // What is scalar among vectors has one place alone.
+    // The fix must keep the type of each argument: scalars have fixed positions among vectors.
     let is_same = order
         .iter()
         .zip(call.args)
         .all(|(e, at)| program.ty(*e) == program.ty(*at));
     let fix = (is_same && cx.is_direct(call.id)).then(|| {
         let edit = Edit::replace(program.expr_span(call.id), instead.clone());
-        Fix::suggestion(format!("write `{instead}`"), vec![edit])
+        Fix::suggestion(format!("use `{instead}`"), vec![edit])
     });
-    cx.report_expr(call.id, format!("this `{name}` {wrong}"))
-        .note(why)
-        .fix(fix);
+    let message = format!("arguments of `{name}` seem to be in the wrong order");
+    cx.report_expr(call.id, message).note(why).fix(fix);
 }

@@ -1,4 +1,4 @@
-//! `case` groups that run on into the next one.
+//! `case` groups that fall through into the next one.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -31,7 +31,7 @@ fn check(cx: &mut Context, id: StmtId) {
         let group = group.rsplit(|s| is_label(*s)).next().unwrap_or(&[]);
         let behind = body.get(at + 1..).unwrap_or(&[]);
         let next = behind.iter().find(|s| !is_label(**s));
-        // What only leaves may be run into.
+        // Falling through into a lone jump does no harm.
         let leaves = next.is_some_and(|n| {
             matches!(
                 tree.stmt(*n).kind,
@@ -49,7 +49,7 @@ fn report(cx: &mut Context, last: StmtId, label: StmtId) {
     let tree = &program.tree;
     let (last, label) = (tree.stmt(last).extent, tree.stmt(label).extent);
     let gap = Span::new(program.span(last).end, program.span(label).start);
-    // A comment between them says what is meant.
+    // A comment between them documents the fall-through.
     let is_noted = program
         .tokens
         .comments
@@ -59,17 +59,17 @@ fn report(cx: &mut Context, last: StmtId, label: StmtId) {
         return;
     }
     let edit = Edit::insert(program.span(last).end, " break;");
-    let fix = Fix::suggestion("end it with `break;`", vec![edit]);
-    cx.report(label, "the case before runs on into this one")
+    let fix = Fix::suggestion("add `break;`", vec![edit]);
+    cx.report(label, "previous `case` falls through into this one")
         .label(
             program.span(Extent::token(last.last)),
-            "nothing leaves here",
+            "no `break` after this",
         )
-        .help("if it is meant, say so in a comment on a line between them")
+        .help("if this is intended, add a comment on its own line before this label")
         .fix(fix);
 }
 
-/// Whether a comment begins its line, so that it is not about the code before it.
+/// Whether only blanks precede a comment on its line.
 fn is_own_line(cx: &Context, comment: Span) -> bool {
     let code = cx.program.sources.file_at(comment.start);
     let start = code.and_then(|file| {

@@ -27,7 +27,7 @@ fn check(cx: &mut Context, stmt: StmtId) {
     while let Some(next) = todo.pop() {
         match tree.stmt(next).kind {
             StmtKind::Return(_) => first = Some(first.map_or(next, |f| f.min(next))),
-            // It answers for itself.
+            // An inner `switch` is checked on its own.
             StmtKind::Switch { .. } => {}
             _ => each_inner(tree, tree.stmt(next), |s| todo.push(s)),
         }
@@ -38,9 +38,9 @@ fn check(cx: &mut Context, stmt: StmtId) {
     let leaves = program.span(tree.stmt(first).extent);
     cx.report(
         Extent::token(node.extent.first),
-        "this `switch` is left by `return`",
+        "`return` inside `switch`",
     )
-    .label(leaves, "leaves the function")
-    .note("compilers to Direct3D have lost such a `return`, or called the function's value unset")
-    .help("set a variable, `break`, and return it behind the `switch`; or use `if` and `else`");
+    .label(leaves, "returns from the function")
+    .note("some HLSL compilers dropped such a `return`, or reported an unset return value")
+    .help("assign to a variable, `break`, and return it after the `switch`; or use `if` and `else`");
 }

@@ -1,4 +1,4 @@
-//! Texels beyond the edge.
+//! `texelFetch` of texels outside the texture.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::defs::condition::{each_comparison, each_load};
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// The first of such lookups is told; the others read the same neighbours.
+/// Reports the first such lookup only; the others read the same neighbours.
 fn check(cx: &mut Context) {
     let module = cx.facts.module();
     let ops = (0..).map(OpId).zip(&module.ops);
@@ -34,12 +34,12 @@ fn check(cx: &mut Context) {
         (!is_guarded(cx, op)).then_some((place, sides))
     });
     let Some((place, side)) = found else { return };
-    cx.report_op(place, format!("beyond the {side} edge of the picture there is no such texel"))
-        .note("what `texelFetch` gives outside its texture differs: zero on some GPUs, the texel at the edge on others")
-        .help("bound it with `clamp`, or wrap it round: `(p + size) % size`");
+    cx.report_op(place, format!("`texelFetch` reads outside the texture at the {side} edge"))
+        .note("the result is undefined outside the texture (section 8.8): zero on some GPUs, the edge texel on others")
+        .help("clamp the coordinates with `clamp`, or wrap them with `(p + size) % size`");
 }
 
-/// The edge that a lane goes beyond: the place of the pixel with something added.
+/// The edge that a component passes: pixel coordinates plus an offset.
 fn beyond(cx: &Context, place: OpId, lane: u32) -> Option<&'static str> {
     let along = along(cx.facts, place, lane)?;
     if along.axis != lane || along.scale != 1.0 || along.share_of.is_some() {
@@ -56,7 +56,7 @@ fn beyond(cx: &Context, place: OpId, lane: u32) -> Option<&'static str> {
     }
 }
 
-/// Whether a condition around an operation speaks of the place of the pixel.
+/// Whether an enclosing condition tests the pixel coordinates.
 fn is_guarded(cx: &Context, op: OpId) -> bool {
     let (module, defs) = (cx.facts.module(), cx.facts.defs());
     let mut is_guarded = false;

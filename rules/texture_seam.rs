@@ -1,4 +1,4 @@
-//! Texture coordinates that jump.
+//! Texture coordinates that are discontinuous between neighbouring pixels.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Jump;
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// Each jump is told at the first lookup that it reaches.
+/// Reports each discontinuity at the first lookup that it reaches.
 fn check(cx: &mut Context) {
     let program = cx.program;
     let has_pixels = program.stage == Stage::Fragment && cx.facts.entry().is_some();
@@ -44,7 +44,7 @@ fn check(cx: &mut Context) {
             continue;
         };
         told.push(jump.call);
-        // Pixels are made coarse on purpose, mostly of a picture without mipmaps.
+        // Rounding makes coarse pixels on purpose, mostly from a texture without mipmaps.
         let is_known = cx.facts.around.mipmapped.contains(&Some(true));
         let is_seam = matches!(
             jump.function,
@@ -57,7 +57,7 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// The coordinates of a lookup that may read a smaller level.
+/// The coordinates of a lookup that may select a smaller mipmap level.
 fn place_of(cx: &Context, lookup: OpId) -> Option<ExprId> {
     let program = cx.program;
     let Provenance::Expr(call) = cx.facts.module().provenance(lookup) else {
@@ -69,7 +69,7 @@ fn place_of(cx: &Context, lookup: OpId) -> Option<ExprId> {
     let &[_, place, ..] = program.tree.args(args) else {
         return None;
     };
-    // A direction into a cube has no seam of its own.
+    // Directions into a cube map have no seam.
     let is_flat = program.ty(place).components() == 2;
     (is_flat && cx.facts.chooses_level(lookup)).then_some(place)
 }
@@ -82,11 +82,11 @@ fn tell(cx: &mut Context, place: ExprId, jump: Jump) {
     let at = cx.program.span(extent);
     let name = jump.function.name();
     let how = match jump.function {
-        BuiltinId::Atan => format!("`{name}` goes from π to -π here"),
-        _ => format!("`{name}` jumps here"),
+        BuiltinId::Atan => format!("`{name}` wraps from π to -π"),
+        _ => format!("`{name}` is discontinuous"),
     };
-    cx.report_expr(place, "these texture coordinates jump between two pixels")
+    cx.report_expr(place, "texture coordinates are discontinuous between neighbouring pixels")
         .label(at, how)
-        .note("where the texture has mipmaps the GPU takes the jump for a steep slope, and draws a line of its smallest level there")
-        .help("take the slope of what does not jump, with `textureGrad`, or the level yourself, with `textureLod`");
+        .note("if the texture has mipmaps, the GPU selects its smallest level at the jump, which draws a thin line")
+        .help("pass continuous gradients to `textureGrad`, or choose the level with `textureLod`");
 }

@@ -1,4 +1,4 @@
-//! Pixels where a share of the texture is wanted, and the other way round.
+//! Pixel coordinates passed to `texture`, and normalised coordinates passed to `texelFetch`.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Varying;
@@ -24,20 +24,20 @@ fn check(cx: &mut Context, call: &Builtin) {
     match call.function {
         Texture | Texture2D | TextureLod if is_in_pixels(cx, place) => {
             let name = call.function.name();
-            cx.report_expr(place, format!("`{name}` wants coordinates from 0 to 1, not pixels"))
-                .note("a whole picture lies between two pixels here, so that all of them read the same texel")
-                .help("divide by `iResolution.xy`, or read with `texelFetch(…, ivec2(…), 0)`");
+            cx.report_expr(place, format!("`{name}` expects coordinates from 0 to 1, found pixels"))
+                .note("neighbouring pixels are an integer number of textures apart, so all read the same texel")
+                .help("divide by `iResolution.xy`, or use `texelFetch(…, ivec2(…), 0)`");
         }
         TexelFetch if is_always_zero(cx, place) => {
-            cx.report_expr(place, "`texelFetch` wants texels, and these coordinates are always 0")
-                .note("what lies between -1 and 1 becomes 0 as an integer, so that all pixels read the same texel")
-                .help("multiply by the size first, or read with `texture`");
+            cx.report_expr(place, "`texelFetch` expects texels, but these coordinates are always 0")
+                .note("conversion to an integer truncates values between -1 and 1 to 0, so all pixels read the same texel")
+                .help("multiply by the texture size first, or use `texture`");
         }
         _ => {}
     }
 }
 
-/// Whether coordinates grow by whole numbers from pixel to pixel.
+/// Whether coordinates change by an integer from each pixel to the next.
 fn is_in_pixels(cx: &Context, place: ExprId) -> bool {
     let Some(op) = cx.facts.module().op_of(place) else {
         return false;
@@ -49,7 +49,7 @@ fn is_in_pixels(cx: &Context, place: ExprId) -> bool {
     })
 }
 
-/// Whether floats that differ from pixel to pixel all become 0.
+/// Whether floats that vary between pixels are all truncated to 0.
 fn is_always_zero(cx: &Context, place: ExprId) -> bool {
     let tree = &cx.program.tree;
     let ExprKind::Construct(_, args) = tree.expr(tree.unparen(place)).kind else {

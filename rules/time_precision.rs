@@ -1,4 +1,4 @@
-//! Time that is multiplied until a `float` has no digits left for it.
+//! Time multiplied by a factor so large that a `float` loses its precision.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
@@ -19,13 +19,13 @@ pub static RULE: Rule = Rule {
 static FACTOR: Setting<f64> = Setting::new(
     "factor",
     250.0,
-    "Smallest factor of the time of which nothing sensible is left after an hour",
+    "Smallest factor of the time that is reported",
 );
 
-/// After a quarter of an hour: what is left is the distance between two floats there.
+/// Running time in seconds at which the distance between two floats is reported.
 const LATER: f64 = 900.0;
 
-/// Most operations that are followed for one lane: what is made of more is no plain multiple.
+/// Most operations followed for one component; longer chains are not a plain multiple of the time.
 const MAX_PARTS: u32 = 16;
 
 fn check(cx: &mut Context, call: &Builtin) {
@@ -52,21 +52,21 @@ fn check(cx: &mut Context, call: &Builtin) {
         Fract => Some(1.0),
         _ => Some(std::f64::consts::TAU),
     };
-    // A long period keeps its digits.
+    // A long period tolerates the lost digits.
     let Some(period) = period.filter(|p| factor >= limit * p.max(1.0)) else {
         return;
     };
     let step = f64::from((LATER as f32).next_up() - LATER as f32) * factor;
     let name = call.function.name();
-    let message = format!("`{name}` of the time, {factor} times as fast, loses its digits");
+    let message = format!("`{name}` of the time multiplied by {factor} loses precision");
     cx.report_expr(of, message)
         .note(format!(
-            "after a quarter of an hour it goes on in steps of {step:.2}, where a full turn is {period:.2}; sooner than that it turns faster than frames are drawn"
+            "after 15 minutes the argument changes in steps of {step:.2} (period: {period:.2}); before that, it already repeats faster than the frame rate"
         ))
-        .help("take the remainder of the time first, `mod(iTime, period)`, or slow it down");
+        .help("reduce the time first with `mod(iTime, period)`, or use a smaller factor");
 }
 
-/// By how much the running time is multiplied in a lane.
+/// The factor of the time in a component.
 fn factor(cx: &Context, op: OpId, lane: u32, left: &mut u32) -> Option<f64> {
     *left = left.checked_sub(1)?;
     let module = cx.facts.module();

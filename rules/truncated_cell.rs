@@ -1,4 +1,4 @@
-//! Cells by truncation beside places by `fract`.
+//! Cell indices by truncation, combined with `fract` of the same value.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::is_same;
@@ -50,12 +50,15 @@ fn check(cx: &mut Context, id: ExprId) {
             Edit::insert(span.start, "floor("),
             Edit::insert(span.end, ")"),
         ];
-        Fix::suggestion(format!("write `floor({text})`"), edits)
+        Fix::suggestion(format!("use `floor({text})`"), edits)
     });
-    cx.report_expr(id, format!("`{name}` rounds towards zero, and `fract` downwards"))
-        .label(at, "the place inside the cell")
-        .note("below zero the cell and the place in it do not fit together, and the cell at zero is twice as wide")
-        .fix(fix);
+    cx.report_expr(
+        id,
+        format!("`{name}` rounds towards zero, but `fract` rounds down"),
+    )
+    .label(at, "position inside the cell")
+    .note("for negative values cell and position do not match, and cell 0 is twice as wide")
+    .fix(fix);
 }
 
 /// The `fract` of the same value, in the same function.

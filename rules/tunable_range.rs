@@ -1,4 +1,4 @@
-//! Numbers outside the range that their own comment gives.
+//! Numbers outside the range documented in their comment.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -25,11 +25,11 @@ fn check(cx: &mut Context) {
         let text = program.sources.text(found.value_span);
         cx.report_span(
             found.value_span,
-            format!("`{text}` is {side} the range that the comment gives"),
+            format!("`{text}` is {side} the range given in its comment"),
         )
-        .label(found.range, "the range")
+        .label(found.range, "documented range")
         .help(format!(
-            "take a number from {min} to {max}, or mend the comment"
+            "use a value from {min} to {max}, or update the comment"
         ));
     }
 }

@@ -1,4 +1,4 @@
-//! Loops that nothing ends for certain.
+//! Loops without an upper bound on their iterations.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
@@ -28,9 +28,9 @@ fn check(cx: &mut Context, stmt: StmtId) {
     if found.is_some_and(|l| l.bound == Bound::Open) {
         cx.report(
             Extent::token(node.extent.first),
-            "nothing ends this loop for certain",
+            "loop has no upper bound on its iterations",
         )
-        .note("where its condition never comes true the GPU hangs, and the browser ends the page's graphics")
-        .help("count the turns too: `for (int i = 0; i < 256; i++)`, with the condition as a `break`");
+        .note("if the exit condition is never met, the GPU hangs and the page loses its WebGL context")
+        .help("limit the iterations with `for (int i = 0; i < 256; i++)`, and `break` on the condition");
     }
 }

@@ -1,4 +1,4 @@
-//! Constants whose value the language does not define, or that no `float` can hold.
+//! Constants with an undefined value, or too large for their type.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, Shape};
@@ -20,7 +20,8 @@ pub static RULE: Rule = Rule {
     ],
 };
 
-const OVERFLOW: &str = "no `float` goes beyond 3.4e38: it is an infinity on most GPUs";
+const OVERFLOW: &str =
+    "the largest `float` is about 3.4e38; larger values are infinity on most GPUs";
 
 fn floats<'c>(cx: &'c Context, expr: ExprId) -> impl Iterator<Item = f32> + 'c {
     cx.program.values(expr).iter().map(|v| v.as_float())
@@ -41,19 +42,28 @@ fn check_call(cx: &mut Context, call: &Builtin) {
             .zip(floats(cx, second))
             .find(|(a, b)| is_bad(*a, *b))
     };
-    let said = match call.function {
-        BuiltinId::Acosh => one(|v| v < 1.0).map(|v| format!("`acosh` of {v:?}, which is below 1")),
-        BuiltinId::Atanh => one(|v| v.abs() >= 1.0)
-            .map(|v| format!("`atanh` of {v:?}, which is not between -1 and 1")),
-        BuiltinId::Pow => both(|a, b| a == 0.0 && b <= 0.0)
-            .map(|(_, b)| format!("`pow` of zero with the exponent {b:?}")),
-        BuiltinId::Atan => both(|a, b| a == 0.0 && b == 0.0)
-            .map(|_| "`atan` of the point (0, 0), which lies in no direction".to_string()),
-        _ => None,
+    let (message, domain) = match call.function {
+        BuiltinId::Acosh => (
+            one(|v| v < 1.0).map(|v| format!("`acosh` of {v:?} is undefined")),
+            "the argument must be at least 1 (section 8.1)",
+        ),
+        BuiltinId::Atanh => (
+            one(|v| v.abs() >= 1.0).map(|v| format!("`atanh` of {v:?} is undefined")),
+            "the argument must be between -1 and 1 (section 8.1)",
+        ),
+        BuiltinId::Pow => (
+            both(|a, b| a == 0.0 && b <= 0.0)
+                .map(|(_, b)| format!("`pow` of 0.0 with exponent {b:?} is undefined")),
+            "if the base is 0.0, the exponent must be greater than 0.0 (section 8.2)",
+        ),
+        BuiltinId::Atan => (
+            both(|a, b| a == 0.0 && b == 0.0).map(|_| "`atan(0.0, 0.0)` is undefined".to_string()),
+            "at least one argument must not be 0.0 (section 8.1)",
+        ),
+        _ => (None, ""),
     };
-    if let Some(said) = said {
-        cx.report_expr(call.id, said)
-            .note("the result is undefined; each GPU gives what it likes");
+    if let Some(message) = message {
+        cx.report_expr(call.id, message).note(domain);
         return;
     }
     let is_finite = |e: &ExprId| {
@@ -65,7 +75,7 @@ fn check_call(cx: &mut Context, call: &Builtin) {
         BuiltinId::Exp | BuiltinId::Exp2 | BuiltinId::Pow | BuiltinId::Sinh | BuiltinId::Cosh
     );
     if grows && call.args.iter().all(is_finite) && floats(cx, call.id).any(f32::is_infinite) {
-        cx.report_expr(call.id, format!("the result of `{name}` overflows"))
+        cx.report_expr(call.id, format!("result of `{name}` overflows `float`"))
             .note(OVERFLOW);
     }
 }
@@ -74,18 +84,18 @@ fn check_overflow(cx: &mut Context, e: &BinaryExpr) {
     use BinaryOp::{Add, Div, Mul, Sub};
     let is_arithmetic = matches!(e.op, Add | Sub | Mul | Div);
     let is_out = is_arithmetic && floats(cx, e.id).any(f32::is_infinite);
-    // Division by zero is another mistake.
+    // `zero-division` reports division by zero.
     let is_zero = |side| e.op == Div && floats(cx, side).any(|v| v == 0.0);
     let sides = [e.left, e.right];
     if is_out && sides.iter().all(|s| floats(cx, *s).all(f32::is_finite)) && !is_zero(e.right) {
-        cx.report_expr(e.id, "the value of this constant overflows")
+        cx.report_expr(e.id, "constant expression overflows `float`")
             .note(OVERFLOW);
     }
 }
 
 fn check_literal(cx: &mut Context, id: ExprId) {
     if matches!(cx.program.tree.expr(id).kind, ExprKind::Float(v) if v.is_infinite()) {
-        cx.report_expr(id, "this number is greater than any `float`")
+        cx.report_expr(id, "literal is too large for `float`")
             .note(OVERFLOW);
     }
 }
@@ -110,7 +120,7 @@ fn check_conversion(cx: &mut Context, id: ExprId) {
     let out = values.filter(is_float).map(|v| f64::from(v.as_float()));
     if let Some(value) = out.into_iter().find(|v| !ends.contains(v) && v.is_finite()) {
         let name = program.type_name(program.ty(id));
-        cx.report_expr(id, format!("{value:e} does not fit into `{name}`"))
-            .note("the result of such a conversion is undefined");
+        cx.report_expr(id, format!("{value:e} is out of range for `{name}`"))
+            .note("converting a value that the type cannot hold is undefined (section 5.4.1)");
     }
 }

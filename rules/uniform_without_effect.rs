@@ -1,8 +1,8 @@
-//! Uniforms that are read and change nothing.
+//! Uniforms that are read but do not affect the image.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Code, UniformSlot, quads_all_over};
-use shaderlint_lint::trial::{Instant, Press, SIZE};
+use shaderlint_lint::trial::{Instant, Press, SIZE, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{Storage, VariableId};
 
@@ -16,11 +16,11 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// What a uniform of the shader's own is set to, in all its components.
+/// Values to which all components of a user-defined uniform are set.
 const VALUES: [f64; 7] = [0.0, 1.0, 0.5, -1.0, 2.0, 10.0, 100.0];
-/// When the picture is looked at.
+/// Times in seconds at which pixels are compared.
 const TIMES: [f64; 2] = [2.3, 10.7];
-/// How many quads are looked at: a few first, since most uniforms change much.
+/// Number of quads per round: few at first, since most uniforms affect many pixels.
 const QUADS: [usize; 2] = [8, 256];
 
 fn check(cx: &mut Context) {
@@ -42,19 +42,22 @@ fn check(cx: &mut Context) {
             continue;
         };
         let values = match way {
-            Way::Mouse => "with the mouse here and there, its button up and down".to_string(),
-            Way::Values => format!("with {}", VALUES.map(|v| v.to_string()).join(", ")),
+            Way::Mouse => "with the mouse at several positions, released and pressed".to_string(),
+            Way::Values => format!(
+                "with the values {}",
+                VALUES.map(|v| v.to_string()).join(", ")
+            ),
         };
         let finding = cx.report_expr(
             mention,
-            format!("`{name}` is read and changes nothing in the picture"),
+            format!("`{name}` is read, but has no effect on the image"),
         );
-        let pixels = QUADS[1] * 4;
-        finding.note(format!("{pixels} pixels are the same {values}"));
+        let pixels = grouped(QUADS[1] as u64 * 4);
+        finding.note(format!("{pixels} sampled pixels are identical {values}"));
     }
 }
 
-/// How a uniform is tried.
+/// How a uniform is varied.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     /// By moving the mouse.
@@ -63,7 +66,7 @@ enum Way {
     Values,
 }
 
-/// Time and size are none of a user's choice.
+/// How to vary a uniform; `None` for those that the user does not control, such as time and size.
 fn way(cx: &Context, code: &Code, slot: &UniformSlot) -> Option<Way> {
     let (_, supplier) = cx.facts.bench()?;
     let draw = |instant: &Instant| supplier.draw(code, SIZE, instant);
@@ -120,7 +123,7 @@ fn changes(cx: &Context, code: &Code, slot: &UniformSlot, way: Way) -> Option<bo
     Some(false)
 }
 
-/// Where the user names a uniform first.
+/// The first use of a uniform in the user's files.
 fn mention(cx: &Context, name: &str) -> Option<shaderlint_syntax::ast::ExprId> {
     let program = cx.program;
     let root = name.split(['.', '[']).next()?;

@@ -1,4 +1,4 @@
-//! Variables that are read before they have a value.
+//! Variables that are read before they are assigned.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{Parts, Unset};
@@ -26,33 +26,33 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let Some(variable) = program.variable(unset.variable) else {
             continue;
         };
-        // What the player hands to the entry is zero in all browsers, and many shaders add to it.
+        // Output parameters of the entry function are zero in all browsers, and many shaders add to them.
         let is_param = matches!(variable.storage, Storage::Param(_));
         if is_param && cx.facts.entry() == Some(function) {
             continue;
         }
         let name = name_of(cx, unset.variable, unset.missing);
         let message = match unset.always {
-            true => format!("`{name}` is read before it has a value"),
-            false => format!("`{name}` may be read before it has a value"),
+            true => format!("`{name}` is read before it is assigned"),
+            false => format!("`{name}` may be read before it is assigned"),
         };
         let declared = program.declared_at(variable);
         let fix = zero(cx, variable);
         let finding = cx.report(unset.at, message).fix(fix);
         let finding = match declared {
-            Some(span) => finding.label(span, "declared here, without a value"),
+            Some(span) => finding.label(span, "declared without a value"),
             None => finding,
         };
         let finding = finding.note(
-            "the value is undefined: browsers make it zero, other programs leave what was there",
+            "its value is undefined (section 4.3): browsers set it to zero, other programs do not",
         );
         if is_param {
-            finding.help("an `out` parameter does not bring the caller's value; `inout` does");
+            finding.help("use `inout` to receive the value of the caller");
         }
     }
 }
 
-/// The value that browsers give the variable, written down.
+/// Initialises the variable with zero, as browsers do.
 fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
     let ty = variable.ty;
     let token = cx.program.token(variable.token?)?;
@@ -70,14 +70,14 @@ fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
         false => format!("{}({zero})", cx.program.type_name(ty)),
     };
     let title = format!(
-        "give it a value: `{} = {value}`",
+        "assign a value: `{} = {value}`",
         cx.program.names.text(variable.name)
     );
     let edit = Edit::insert(token.span.end, format!(" = {value}"));
     Some(Fix::safe(title, vec![edit]))
 }
 
-/// The variable, and those of its components that are missing where it is not all of them.
+/// The name of the variable, with the unassigned components or field if others are assigned.
 fn name_of(cx: &Context, id: VariableId, missing: Parts) -> String {
     let Some(variable) = cx.program.variable(id) else {
         return String::new();

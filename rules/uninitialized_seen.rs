@@ -1,4 +1,4 @@
-//! Pictures that hang on what was never written.
+//! Images that depend on a variable that was never assigned.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::CompileOptions;
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// What may lie where nothing was written: 7.25, which is no number that shaders start from.
+/// Bits of 7.25, an initial value that shaders do not use themselves.
 const RUBBISH: u32 = 0x40e8_0000;
 
 fn check(cx: &mut Context) {
@@ -43,18 +43,18 @@ fn check(cx: &mut Context) {
     let told = trial.told();
     let variable = cx.program.variable(unset.variable);
     let name = variable.map_or("", |v| cx.program.names.text(v.name));
-    let message = format!("`{name}` is read before it has a value, and the picture shows it");
+    let message = format!("`{name}` is read before it is assigned, and the image depends on it");
     let finding = cx.report(unset.at, message);
     finding
         .note(format!(
-            "{} of the picture look otherwise if 7.25 lies there instead of 0.0",
+            "{} of the pixels change visibly if its initial value is 7.25 instead of 0.0",
             percent(changed)
         ))
         .note(told);
 }
 
-/// The first variable that may lack its value, of those of which no other rule tells; nothing where
-/// the entry adds to what the player hands to it, which is zero in all browsers.
+/// The first read of a variable that may be unassigned; `None` if `uninitialized-read` reports one, or
+/// if it is an output of the entry function, which is zero in all browsers.
 fn suspect(cx: &Context) -> Option<Unset> {
     let functions = (0..cx.program.functions.len() as u32).map(FunctionRef);
     let outputs = cx.facts.outputs();

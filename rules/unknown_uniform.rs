@@ -1,9 +1,9 @@
-//! `getUniformLocation(program, "name")` where no shader of the page has that uniform.
+//! `getUniformLocation(program, "name")` for a uniform that no shader of the file declares.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Group, Rule};
 
-/// The rule.
+/// Reports names that the linking code of the engine did not find in the shaders.
 pub static RULE: Rule = Rule {
     name: "unknown-uniform",
     group: Group::Webgl2,

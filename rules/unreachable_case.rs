@@ -1,4 +1,4 @@
-//! `case` labels that the selector never takes.
+//! `case` labels outside the range of the selector.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::given::hangs_on_callers;
@@ -32,8 +32,7 @@ fn check(cx: &mut Context, id: StmtId) {
         return;
     }
     let place = program.expr_span(selector);
-    let text = program.expr_text(selector);
-    let known = format!("`{text}` is {} here", range.of_integer());
+    let known = format!("selector range: {}", range.of_integer());
     for &stmt in tree.block(body) {
         let StmtKind::Case(label) = tree.stmt(stmt).kind else {
             continue;
@@ -44,13 +43,14 @@ fn check(cx: &mut Context, id: StmtId) {
             _ => continue,
         };
         if !range.contains(value) {
-            cx.report(tree.stmt(stmt).extent, "this case is never taken")
+            let message = format!("`case {}` is never reached", program.expr_text(label));
+            cx.report(tree.stmt(stmt).extent, message)
                 .label(place, known.clone());
         }
     }
 }
 
-/// Whether a selector is what its function computes: callers and the host may give anything one day.
+/// Whether the function itself computes the selector; callers and the host may pass anything.
 fn is_computed_here(cx: &Context, selector: ExprId) -> bool {
     let variable = cx.program.variable_of(selector);
     let storage = variable

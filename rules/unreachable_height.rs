@@ -1,9 +1,9 @@
-//! Thresholds that a height, or another quantity, never reaches.
+//! Thresholds that a height, or another quantity, never reaches in a sample run.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{ComparedSeen, Watch};
 use shaderlint_ir::{Module, Op, OpId, OpKind};
-use shaderlint_lint::trial::{Trial, TrialShot};
+use shaderlint_lint::trial::{Trial, TrialShot, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::Type;
 
@@ -17,22 +17,21 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// Fewer comparisons than these tell nothing.
+/// Fewest sampled comparisons that count as evidence.
 const LEAST: u64 = 125;
 
-/// Comparisons with constants beyond these are not looked at: each is held against all others.
+/// Most comparisons that are analysed, since each is compared with all others.
 const MOST: usize = 200;
 
-/// Comparisons of one value with one constant after another, as the bands of a mountain are told
-/// apart.
+/// Comparisons of one value with several constants, such as the height bands of a mountain.
 struct Bands {
-    /// What is compared.
+    /// The compared value.
     value: OpId,
-    /// With the largest constant.
+    /// The comparison with the largest constant.
     last: OpId,
-    /// That constant.
+    /// The largest constant.
     limit: f32,
-    /// With others.
+    /// The comparisons with smaller constants.
     others: Vec<OpId>,
 }
 
@@ -68,16 +67,19 @@ fn check(cx: &mut Context) {
         } = seen;
         let told = trial.told();
         let message =
-            format!("this is {most:.3} at most, so that what lies beyond {limit} is never drawn");
+            format!("value is at most {most:.3}, so the threshold {limit} is never reached");
         let finding = cx.report_op(bands.value, message);
         finding
-            .note(format!("in {times} comparisons"))
+            .note(format!(
+                "{most:.3} is the maximum of {} sampled comparisons",
+                grouped(times)
+            ))
             .note(told)
-            .help("divide by the largest value that is really reached, or lower the thresholds");
+            .help("divide by the largest value that is actually reached, or lower the thresholds");
     }
 }
 
-/// All bands that a shader tells apart.
+/// All bands of a shader.
 fn bands(cx: &Context) -> Vec<Bands> {
     let module = cx.facts.module();
     let numbered = module.ops.iter().zip(0..);
@@ -109,7 +111,7 @@ fn bands(cx: &Context) -> Vec<Bands> {
     all
 }
 
-/// What an operation compares, and with what.
+/// The value and the threshold of a comparison, `step` or `smoothstep`.
 fn threshold(module: &Module, op: &Op) -> Option<(OpId, OpId)> {
     match op.kind {
         OpKind::Binary(binary, value, limit) if binary.compares() => Some((value, limit)),
@@ -119,21 +121,21 @@ fn threshold(module: &Module, op: &Op) -> Option<(OpId, OpId)> {
 }
 
 impl Bands {
-    /// The comparison that all others may stand behind.
+    /// The comparison that runs first.
     fn first(&self) -> OpId {
         self.others.iter().copied().fold(self.last, OpId::min)
     }
 }
 
-/// How far the value of some bands was seen to reach.
+/// The sampled maximum of the value of some bands.
 struct Reached {
     /// The largest value.
     most: f64,
-    /// What it has to reach for what lies beyond the last band.
+    /// The largest threshold.
     limit: f32,
-    /// How often it was compared where most pixels compare it.
+    /// Number of evaluations of the comparison that ran most often.
     times: u64,
-    /// Whether bands are told apart by it.
+    /// Whether some comparison was both true and false.
     tells: bool,
 }
 
@@ -154,14 +156,14 @@ impl Reached {
         })
     }
 
-    /// Whether it stays clear of the last band.
+    /// Whether the maximum stays below the largest threshold by more than 1 %.
     fn is_below(&self) -> bool {
         let limit = f64::from(self.limit);
         self.most + 0.01 * limit.abs() < limit
     }
 }
 
-/// Whether the value is largest at the last instant by far: it may go on to grow.
+/// Whether the maximum at the last instant is far above the earlier ones, so that it may keep growing.
 fn grows(trial: &Trial, bands: &Bands) -> bool {
     let most = |shot: &TrialShot| {
         let compared = shot.sampled.seen.compared.iter();

@@ -1,4 +1,4 @@
-//! Differences of unsigned integers below zero.
+//! Subtractions of unsigned integers that underflow.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
@@ -26,12 +26,12 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     let Some(range) = below else { return };
     let is = range.may_or_is(|r| r.is_below(0.0));
     let known = range.of_integer();
-    cx.report_expr(e.id, format!("this difference {is} below zero: {known}"))
-        .note("a `uint` wraps round: 0u - 1u is 4294967295u")
+    cx.report_expr(e.id, format!("unsigned difference {is} negative: {known}"))
+        .note("`uint` arithmetic wraps around: `0u - 1u` is `4294967295u`")
         .help("compute it as `int`, or compare the operands first");
 }
 
-/// Whether what a value goes into takes it as bits, as hashes do, or may bring it back.
+/// Whether wrapping may be intended: the value is used as bits, as in hashes, or in more arithmetic.
 fn wraps(cx: &Context, mut expr: ExprId) -> bool {
     let structure = cx.facts.structure();
     while let Some(parent) = structure.parent(expr) {

@@ -1,9 +1,9 @@
-//! `// shaderlint: allow(...)` that allows nothing.
+//! `// shaderlint: allow(...)` comments without a finding to suppress.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Group, Rule};
 
-/// The rule.
+/// Reports the comments that `suppress.rs` of the lint layer found to be unused.
 pub static RULE: Rule = Rule {
     name: "unused-allow",
     group: Group::Tidy,

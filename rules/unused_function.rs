@@ -1,4 +1,4 @@
-//! Functions that nothing calls.
+//! Functions that are never called.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, remove_statement};
@@ -33,13 +33,14 @@ fn check(cx: &mut Context, id: FunctionRef) {
         return;
     }
     let fix = removal(cx, definition);
-    cx.report(at, format!("nothing calls `{name}`")).fix(fix);
+    cx.report(at, format!("function `{name}` is never called"))
+        .fix(fix);
 }
 
 fn removal(cx: &Context, definition: &FunctionDecl) -> Option<Fix> {
     let program = cx.program;
     let name = definition.ident.name;
-    // Its prototype, or that of an overload, stands elsewhere.
+    // The prototype would remain; it may also be that of an overload.
     let has_prototype = program.tree.decls.iter().any(|d| match d.kind {
         DeclKind::Prototype(f) => program
             .tree
@@ -51,6 +52,6 @@ fn removal(cx: &Context, definition: &FunctionDecl) -> Option<Fix> {
         return None;
     }
     let edit = remove_statement(program, definition.extent)?;
-    let title = format!("take `{}` out", program.names.text(name));
+    let title = format!("remove `{}`", program.names.text(name));
     Some(Fix::suggestion(title, vec![edit]))
 }

@@ -1,4 +1,4 @@
-//! Macros that nothing uses.
+//! Macros that are never used.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, remove_lines};
@@ -23,17 +23,17 @@ fn check(cx: &mut Context, definition: &Macro) {
         return;
     }
     let name = program.names.text(definition.name);
-    // Any other mention may be a test, or code that is left out at the moment.
+    // Another mention may be an `#ifdef`, or in code that `#if` excludes.
     if name.starts_with('_') || cx.facts.count(name) != 1 {
         return;
     }
     let edit = removal(cx, span);
-    let fix = edit.map(|edit| Fix::suggestion(format!("take `{name}` out"), vec![edit]));
-    cx.report_span(span, format!("nothing uses the macro `{name}`"))
+    let fix = edit.map(|edit| Fix::suggestion(format!("remove `{name}`"), vec![edit]));
+    cx.report_span(span, format!("macro `{name}` is never used"))
         .fix(fix);
 }
 
-/// Takes the `#define` away whose name stands at a span.
+/// Removes the `#define` of the name at a span.
 fn removal(cx: &Context, name: Span) -> Option<Edit> {
     let program = cx.program;
     let file = program.sources.file_at(name.start)?;
@@ -52,7 +52,7 @@ fn removal(cx: &Context, name: Span) -> Option<Edit> {
         end += 1;
     }
     let span = Span::new(file.base + start as u32, file.base + end as u32);
-    // A comment that starts here and ends further down is left where it is, and the macro with it.
+    // A comment that starts on this line and ends on a later one keeps the macro from being removed.
     let comments = &program.tokens.comments;
     let first = comments.partition_point(|c| c.start < span.start);
     let inside = comments.iter().skip(first);

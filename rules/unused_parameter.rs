@@ -1,4 +1,4 @@
-//! Parameters that the function makes no use of.
+//! Parameters that the function never uses.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -34,7 +34,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
             continue;
         };
         let writes = cx.facts.writes();
-        // What an `out` parameter gets, the caller reads.
+        // The caller reads what is assigned to an `out` parameter.
         let is_used = writes.is_read(id)
             || matches!(param.storage, Storage::Param(d) if d == Direction::Out)
             || (matches!(param.storage, Storage::Param(d) if d.writes())
@@ -47,10 +47,10 @@ fn check(cx: &mut Context, function: FunctionRef) {
         }
         cx.report(
             Extent::token(token),
-            format!("`{name}` makes no use of its parameter `{own}`"),
+            format!("parameter `{own}` of `{name}` is never used"),
         )
         .help(format!(
-            "leave it out, or call it `_{own}` if callers must give it"
+            "remove it, or rename it to `_{own}` if the signature must stay"
         ));
     }
 }

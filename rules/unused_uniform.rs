@@ -1,4 +1,4 @@
-//! Uniforms that the shader declares and never reads.
+//! Uniforms that are declared but never read.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, remove_declaration};
@@ -32,8 +32,8 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
         return;
     }
     let edit = remove_declaration(program, declared);
-    let fix = edit.map(|e| Fix::suggestion(format!("take `{name}` out"), vec![e]));
-    cx.report(token, format!("the uniform `{name}` is never read"))
-        .note("the compiler drops it: a page that sets it gets no location for it")
+    let fix = edit.map(|e| Fix::suggestion(format!("remove `{name}`"), vec![e]));
+    cx.report(token, format!("uniform `{name}` is never read"))
+        .note("the compiler removes it, so `getUniformLocation` returns null")
         .fix(fix);
 }

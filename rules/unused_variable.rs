@@ -1,4 +1,4 @@
-//! Variables whose value nothing makes use of.
+//! Variables that are never read.
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{
@@ -30,14 +30,14 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let name = program.names.text(variable.name);
     let writes: Vec<ExprId> = cx.facts.writes().idle(declared.variable).to_vec();
     let fix = removal(cx, declared, &writes)
-        .map(|edits| Fix::suggestion(format!("take `{name}` out"), edits));
+        .map(|edits| Fix::suggestion(format!("remove `{name}`"), edits));
     let message = match writes.first() {
-        None => format!("`{name}` is never used"),
-        Some(_) => format!("`{name}` is written to, but never read"),
+        None => format!("variable `{name}` is never used"),
+        Some(_) => format!("variable `{name}` is assigned but never read"),
     };
     let mut finding = cx.report(Extent::token(token), message);
     if let Some(&written) = writes.first() {
-        finding = finding.label(program.expr_span(written), "this value goes nowhere");
+        finding = finding.label(program.expr_span(written), "this value is never read");
     }
     finding.fix(fix);
 }
@@ -48,7 +48,7 @@ fn is_unused(cx: &Context, declared: &DeclaredVariable) -> bool {
         return false;
     };
     let name = program.names.text(variable.name);
-    // A global may be meant for another pass, unless it stands in the last file.
+    // A global in an earlier file, such as Common, may be used by another pass.
     let is_own = || {
         let own = cx.facts.own_file();
         own.is_some_and(|own| own.contains(program.span(declared.extent)))
@@ -63,14 +63,13 @@ fn is_unused(cx: &Context, declared: &DeclaredVariable) -> bool {
         && (declared.stmt.is_some() || is_own())
 }
 
-/// The edits that take a variable and all that is written to it away, where nothing else goes with
-/// them.
+/// The edits that remove a variable and its assignments; `None` if that would remove other code.
 fn removal(cx: &Context, declared: &DeclaredVariable, writes: &[ExprId]) -> Option<Vec<Edit>> {
     let program = cx.program;
     let tree = &program.tree;
     let effects = cx.facts.effects();
     let init = declared.declarator()?.init;
-    // A struct that is declared on the spot would go too.
+    // The declaration would take a struct with it.
     let declares_type = matches!(tree.ty(declared.ty).base, TypeBase::Struct(_));
     if init.is_some_and(|e| effects.has(e)) || declares_type {
         return None;
@@ -97,7 +96,7 @@ fn removal(cx: &Context, declared: &DeclaredVariable, writes: &[ExprId]) -> Opti
     Some(edits)
 }
 
-/// Whether a statement stands in a block, so that the block is whole without it.
+/// Whether a statement is directly in a block, so that it can be removed.
 fn stands_alone(cx: &Context, stmt: StmtId) -> bool {
     let outer = cx.facts.structure().outer(stmt);
     outer.is_some_and(|o| matches!(cx.program.tree.stmt(o).kind, StmtKind::Block(_)))

@@ -1,4 +1,4 @@
-//! `clamp`, `min` and `max` that never cut anything, or always everything.
+//! `clamp`, `min` and `max` that never change their value, or always replace it.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::Interval;
@@ -17,7 +17,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Builtin(check)],
 };
 
-/// What a bound does to a value.
+/// How often a bound changes a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Cut {
     Never,
@@ -36,7 +36,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     if program.expr(call.id).is_const || !cx.is_direct(call.id) {
         return;
     }
-    // The bound of `max` may stand on either side.
+    // The bound of `min` and `max` may be either argument.
     let is_known = |e: &ExprId| !program.values(*e).is_empty();
     let (value, low, high) = match *call.args {
         [value, a, b] => (value, low.then_some(a), high.then_some(b)),
@@ -56,15 +56,14 @@ fn check(cx: &mut Context, call: &Builtin) {
         .iter()
         .zip([low, high])
         .find(|(cut, _)| **cut == Some(Cut::Always));
-    let text = program.expr_text(value);
     let Some(range) = cx.facts.range(value).next() else {
         return;
     };
     let name = call.function.name();
     let message = match always.and_then(|(_, bound)| bound) {
-        Some(bound) => format!("this `{name}` is always `{}`", program.expr_text(bound)),
+        Some(bound) => format!("`{name}` always returns `{}`", program.expr_text(bound)),
         None if all.iter().flatten().all(|c| *c == Cut::Never) => {
-            format!("`{name}` changes nothing here")
+            format!("`{name}` has no effect")
         }
         None => return,
     };
@@ -73,10 +72,10 @@ fn check(cx: &mut Context, call: &Builtin) {
     }
     let place = program.expr_span(value);
     cx.report_expr(call.id, message)
-        .label(place, format!("`{text}` is {range} here"));
+        .label(place, format!("range: {range}"));
 }
 
-/// What a bound does to all components of a value.
+/// How often a bound changes the components of a value; `Sometimes` where they differ.
 fn cut(cx: &Context, value: ExprId, bound: ExprId, is_low: bool) -> Cut {
     let exact = is_exact(cx.facts, cx.program, value, is_low);
     let bounds: Vec<Interval> = cx.facts.range(bound).collect();
@@ -103,8 +102,7 @@ fn cut(cx: &Context, value: ExprId, bound: ExprId, is_low: bool) -> Cut {
     all.unwrap_or(Cut::Sometimes)
 }
 
-/// Whether a value is what the code around it computes: what callers and the host give is cut in good
-/// faith.
+/// Whether the function itself computes the value; clamping what callers and the host pass is reasonable.
 fn is_computed_here(cx: &Context, value: ExprId) -> bool {
     let variable = cx.program.variable_of(value);
     let storage = variable

@@ -28,9 +28,9 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
     };
     cx.report(
         Extent::token(declarator.ident.token),
-        "`iResolution` is a `vec2` here, and a `vec3` in ShaderToy",
+        "`iResolution` is declared as `vec2`, but ShaderToy uses `vec3`",
     )
-    .note("code from there that reads its `z` or hands it on does not compile")
-    .note("its page sets it with `uniform2f`; what `uniform3f` sets does not arrive")
-    .help("for code from ShaderToy declare a `vec3`, and set it with `uniform3f(location, width, height, 1)`");
+    .note("ShaderToy code that reads `iResolution.z` or passes it as a `vec3` does not compile")
+    .note("a `vec2` is set with `uniform2f`; `uniform3f` has no effect on it")
+    .help("for ShaderToy code, declare a `vec3` and set it with `uniform3f(location, width, height, 1)`");
 }

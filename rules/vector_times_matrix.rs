@@ -1,4 +1,4 @@
-//! A vector from both sides of one matrix.
+//! One matrix multiplied by vectors from both sides.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::is_same;
@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// How many products are looked through for each.
+/// Most products `m * v` that each `v * m` is compared with.
 const MOST: usize = 64;
 
 fn check(cx: &mut Context) {
@@ -46,10 +46,11 @@ fn check(cx: &mut Context) {
         let at = cx.program.span(extent);
         cx.report_op(
             op,
-            "this turns the other way than the product with the matrix in front",
+            "`v * m` is used together with `m * v` for the same matrix",
         )
-        .label(at, "the same matrix in front of a vector")
-        .note("`v * m` is `transpose(m) * v`; of a rotation that is the rotation back")
-        .help("write `m * v`, or `transpose(m) * v` where it is meant");
+        .mark("vector times matrix")
+        .label(at, "matrix times vector")
+        .note("`v * m` equals `transpose(m) * v`, which is the inverse of a rotation")
+        .help("use `m * v`, or `transpose(m) * v` if this is intended");
     }
 }

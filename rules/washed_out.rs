@@ -1,4 +1,4 @@
-//! Pictures that are brighter than white nearly everywhere.
+//! Images that are brighter than white nearly everywhere.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::trial::{Trial, is_too_bright, share};
@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// The share of the pixels that have to be too bright.
+/// Smallest share of pixels that are too bright.
 const MOST: f64 = 0.9;
 
 fn check(cx: &mut Context) {
@@ -27,10 +27,8 @@ fn check(cx: &mut Context) {
     }
     let percent = (share(trial.drawn(), is_too_bright) * 100.0).floor();
     let told = trial.told();
-    let finding = cx.report_picture(format!(
-        "{percent} % of the picture is brighter than white, so that nothing is seen there"
-    ));
-    finding.note(told).help(
-        "make lights and colours weaker, or bring the colours together: `color / (1.0 + color)`",
-    );
+    let finding = cx.report_picture(format!("{percent} % of the image is brighter than white"));
+    finding
+        .note(told)
+        .help("reduce lights and colours, or apply tone mapping, e.g. `color / (1.0 + color)`");
 }

@@ -1,10 +1,10 @@
-//! `#version 300 es` in a page that asks for WebGL1.
+//! `#version 300 es` in a page that requests a WebGL1 context.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_syntax::Version;
 
-/// The rule.
+/// Compares the version of the shader with the `getContext` call of its page.
 pub static RULE: Rule = Rule {
     name: "webgl1-context",
     group: Group::Webgl2,
@@ -22,9 +22,9 @@ fn check(cx: &mut Context) {
     if cx.facts.around.embedder.is_webgl1 && cx.program.version == Version::Es300 {
         cx.report_span(
             span,
-            "the page asks for WebGL1, which cannot compile `#version 300 es`",
+            "page requests a WebGL1 context, which rejects `#version 300 es`",
         )
-        .note("`getContext(\"webgl\")` gives a context whose compiler knows GLSL ES 1.00 only")
-        .help("ask for `getContext(\"webgl2\")`");
+        .note("the context of `getContext(\"webgl\")` supports GLSL ES 1.00 only")
+        .help("use `getContext(\"webgl2\")`");
     }
 }

@@ -22,7 +22,7 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context, id: ExprId) {
     let (op, divisor) = match cx.program.tree.expr(id).kind {
-        // `1.0 / 0.0` is how an infinity is written.
+        // `1.0 / 0.0` is the usual way to write infinity.
         ExprKind::Binary(BinaryOp::Div, dividend, divisor)
             if is_infinity(cx, dividend, divisor) =>
         {
@@ -54,7 +54,7 @@ fn check(cx: &mut Context, id: ExprId) {
     };
     let message = match is_zero {
         true => "division by zero".to_string(),
-        false => format!("the divisor may be zero: {known}"),
+        false => format!("divisor may be zero: {known}"),
     };
     let side = if range.lo.value == 0.0 {
         Side::Low
@@ -64,12 +64,12 @@ fn check(cx: &mut Context, id: ExprId) {
     let finding = cx.report_range(divisor, (&range, side), message);
     let finding = finding.note(match is_float {
         true => {
-            "the result is an infinity, or a NaN if both are zero; some GPUs give something else"
+            "the result is undefined (section 4.5.1): on most GPUs infinity, or NaN for `0.0 / 0.0`"
         }
-        false => "the result of an integer division by zero is undefined",
+        false => "integer division by zero is undefined",
     });
     if !is_zero && range.lo.value >= 0.0 {
-        finding.help("decide what comes out there: start the counter behind zero, leave that case out, or bound the divisor from below by the smallest value that means something");
+        finding.help("start the counter at 1, skip this case, or use `max(x, smallest)` with the smallest meaningful divisor");
     }
     cx.judge(id, &[Kind::DivisionByZero]);
 }
@@ -81,7 +81,7 @@ fn is_infinity(cx: &Context, dividend: ExprId, divisor: ExprId) -> bool {
     is_float && is_constant(dividend) && is_constant(divisor)
 }
 
-/// Whether `min` or `clamp` bounds what comes out, so that an infinity does as well as a large number.
+/// Whether `min` or `clamp` bounds the quotient, so that infinity acts as a large number.
 fn is_bounded(cx: &Context, quotient: ExprId) -> bool {
     let mut at = quotient;
     while let Some(parent) = cx.facts.structure().parent(at) {

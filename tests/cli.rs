@@ -1,4 +1,5 @@
-//! The commands as people and programs use them: flags, exit codes, every format on one fixture.
+//! The command line as people and programs use it: flags, exit codes, and every format on one
+//! fixture.
 
 use insta_cmd::{assert_cmd_snapshot, get_cargo_bin};
 use std::fs;
@@ -140,7 +141,7 @@ fn no_path_is_the_current_folder() {
 #[test]
 fn help() {
     assert_cmd_snapshot!(lint(&["--help"]));
-    // Its targets depend on the features; the golden has all of them.
+    // The list of targets depends on the features; the snapshot contains all of them.
     if cfg!(feature = "naga") {
         assert_cmd_snapshot!(command("shaderport", &["--help"]));
     }
@@ -158,7 +159,7 @@ fn standard_input() {
 }
 
 #[test]
-fn the_dialect_can_be_told() {
+fn the_dialect_can_be_specified() {
     let code = "precision highp float;\nvoid main() { gl_FragColor = vec4(1.0); }\n";
     for (dialect, errors) in [("auto", 0), ("webgl1", 0), ("webgl2", 1), ("shadertoy", 1)] {
         let out = lint_stdin(&["-", "--dialect", dialect], code);
@@ -167,7 +168,7 @@ fn the_dialect_can_be_told() {
 }
 
 #[test]
-fn the_same_input_gives_the_same_bytes() {
+fn output_is_deterministic() {
     let run = || lint(&["--format", "json", "."]).output().unwrap().stdout;
     assert_eq!(run(), run());
 }
@@ -217,7 +218,7 @@ fn a_page_is_written_once() {
     assert_eq!(code, Some(2));
     assert_eq!(
         text,
-        "shaderport: a.html is there already; --force writes over it\n"
+        "shaderport: a.html already exists; use --force to overwrite it\n"
     );
     let before = folder.read("a.html");
     assert_eq!(
@@ -229,22 +230,18 @@ fn a_page_is_written_once() {
 }
 
 #[test]
-fn shaders_are_written_as_a_pair() {
+fn shaders_are_written_as_a_vertex_and_fragment_pair() {
     let folder = Folder::new();
     assert_eq!(folder.port(&["clean.glsl", "-o", "a.frag"]).0, Some(0));
     assert!(folder.read("a.frag").starts_with("#version 300 es\n"));
     assert!(folder.read("a.vert").starts_with("#version 300 es\n"));
     fs::remove_file(folder.0.path().join("a.frag")).unwrap();
     assert_eq!(folder.port(&["clean.glsl", "-o", "a.frag"]).0, Some(2));
-    assert_eq!(
-        folder.files(),
-        1,
-        "neither of the two is written where one is in the way"
-    );
+    assert_eq!(folder.files(), 1, "an existing file prevents writing both");
 }
 
 #[test]
-fn nothing_is_written_for_bad_input() {
+fn invalid_input_writes_no_files() {
     let folder = Folder::new();
     let check = |input: &str, message: &str| {
         let (code, text) = folder.port(&[input, "-o", "a.html"]);
@@ -256,18 +253,18 @@ fn nothing_is_written_for_bad_input() {
     check("missing.glsl", "No such file or directory");
     check(
         "empty.glsl",
-        "this has neither `mainImage`, which every ShaderToy shader has, nor `main`",
+        "no entry point: expected `mainImage` (ShaderToy) or `main`",
     );
     check(
         "folder/package.json",
-        "this is no ShaderToy export: it has no `renderpass`",
+        "not a ShaderToy export: `renderpass` is missing",
     );
     assert_eq!(folder.files(), 0);
 }
 
 #[cfg(not(feature = "naga"))]
 #[test]
-fn a_language_that_is_not_built_in_is_never_written_as_another() {
+fn target_languages_that_are_not_compiled_in_are_rejected() {
     let folder = Folder::new();
     for ending in ["wgsl", "spv", "hlsl", "metal"] {
         let (code, text) = folder.port(&["clean.glsl", "-o", &format!("a.{ending}")]);
@@ -295,7 +292,7 @@ fn a_folder_of_passes_is_one_project() {
     assert_eq!(code, Some(2));
     assert_eq!(
         text,
-        "shaderport: --channel: there is no pass `buffer_b`; there is `image`, `buffer_a`\n"
+        "shaderport: --channel: the project has no pass `buffer_b`; it has `image`, `buffer_a`\n"
     );
     let twice = ["passes", "--pass", "image=clean.glsl", "-o", "a.html"];
     assert_eq!(folder.port(&twice).0, Some(2));
@@ -306,7 +303,7 @@ fn a_folder_of_passes_is_one_project() {
 fn old_code_is_repaired() {
     let folder = Folder::new();
     let (code, text) = folder.port(&["old.glsl", "-o", "a.frag"]);
-    assert_eq!(code, Some(1), "not unless it is asked for");
+    assert_eq!(code, Some(1), "only with an option");
     assert!(text.ends_with("`--diff` shows how\n"), "{text}");
     let (code, text) = folder.port(&["old.glsl", "--repair", "-o", "b.frag"]);
     assert_eq!(code, Some(0), "{text}");
@@ -326,13 +323,13 @@ fn old_code_is_repaired() {
 fn webgl1_is_repaired() {
     let folder = Folder::new();
     let (code, text) = folder.port(&["webgl1.frag", "-o", "a.html"]);
-    assert_eq!(code, Some(0), "a page plays it as it stands: {text}");
+    assert_eq!(code, Some(0), "a page plays it unchanged: {text}");
     let (code, text) = folder.port(&["webgl1.frag", "--repair", "-o", "b.html"]);
     assert_eq!(code, Some(0), "{text}");
     insta::assert_snapshot!(stdout("webgl1.frag"));
 }
 
-/// What `--diff` says of a fixture.
+/// Output of `--diff` for a fixture.
 fn stdout(name: &str) -> String {
     let out = Command::new(get_cargo_bin("shaderport"))
         .current_dir(fixtures())
@@ -360,7 +357,7 @@ fn main_is_rewritten_where_it_is_safe() {
 }
 
 #[test]
-fn what_comes_from_outside_cannot_leave_its_element() {
+fn external_text_cannot_escape_its_element() {
     let folder = Folder::new();
     let hostile = "</script><script>alert(1)</script><!--<script>\u{2028}`${x}`";
     let code = format!("// {hostile}\nvoid mainImage(out vec4 c, in vec2 p) {{ c = vec4(1.0); }}");

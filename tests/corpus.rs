@@ -1,6 +1,6 @@
-//! Whole shaders: what both tools say and write, beside the inputs.
+//! Complete shaders with the diagnostics and output of both tools next to the inputs.
 //!
-//! `INSTA_UPDATE=always cargo test` accepts what is said now.
+//! `INSTA_UPDATE=always cargo test` accepts the current output.
 
 use shaderlint::engine::{NoFiles, Options, analyze, check};
 use shaderlint::ir::{print, verify};
@@ -21,7 +21,7 @@ fn templates() -> Vec<PathBuf> {
     found
 }
 
-/// Compares with the golden `NAME.KIND.snap` beside the input.
+/// Compares with the snapshot `NAME.KIND.snap` next to the input.
 fn golden(input: &Path, kind: &str, content: String) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(input.parent().unwrap());
@@ -37,7 +37,7 @@ fn what_shaderlint_says() {
         let text = fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
         let report = check(name, &text, &Options::default(), &NoFiles);
-        assert!(report.unread.is_none(), "{name} cannot be judged");
+        assert!(report.unread.is_none(), "{name} cannot be checked");
         let said: Vec<String> = report
             .diagnostics
             .iter()
@@ -58,7 +58,7 @@ fn what_shaderport_writes() {
         assert_eq!(passes.len(), 1);
         assert!(
             passes[0].text.ends_with(&text),
-            "the user's text stays as it is"
+            "the user's text is unchanged"
         );
         golden(&path, "port", passes[0].text.clone());
     }
@@ -79,7 +79,7 @@ fn what_shaders_become() {
     }
 }
 
-/// The shaders in a folder of the corpus, by name; there are at least so many.
+/// The shaders in a folder of the corpus, sorted by name; fails if there are fewer than `least`.
 fn shaders(folder: &str, least: usize) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("corpus")
@@ -93,7 +93,7 @@ fn shaders(folder: &str, least: usize) -> Vec<PathBuf> {
     found
 }
 
-/// What the program prints of a file, as a person sees it without colours.
+/// Exit code and human-readable output for a file, without colours.
 fn printed(path: &Path) -> (Option<i32>, String) {
     let folder = path.parent().unwrap();
     let done = Command::new(env!("CARGO_BIN_EXE_shaderlint"))
@@ -106,12 +106,12 @@ fn printed(path: &Path) -> (Option<i32>, String) {
     (done.status.code(), text)
 }
 
-/// Each mistake, what is printed of it beside it, and a table of all of them.
+/// Each mistake, the output for it in a file next to it, and a table of all of them.
 #[test]
-fn what_is_printed_of_mistakes() {
+fn mistakes_have_recorded_output() {
     let mut table = String::from(
-        "# Mistakes\n\nShaders as people write them, each with a mistake. Beside each is what \
-         `shaderlint` prints of it.\n\n| file | the first line |\n|---|---|\n",
+        "# Mistakes\n\nShaders with one typical mistake each, and the output of `shaderlint`.\n\n\
+         | file | first line of the output |\n|---|---|\n",
     );
     let mut stale = Vec::new();
     for path in shaders("mistakes", 40) {
@@ -120,7 +120,7 @@ fn what_is_printed_of_mistakes() {
         assert_eq!(code, Some(1), "{name} has no error");
         let first = text.lines().next().unwrap_or("").replace('|', "\\|");
         table.push_str(&format!(
-            "| [{name}]({name}), [printed]({name}.txt) | {first} |\n"
+            "| [{name}]({name}), [output]({name}.txt) | {first} |\n"
         ));
         stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
     }
@@ -129,7 +129,7 @@ fn what_is_printed_of_mistakes() {
     assert!(stale.is_empty(), "{}", stale.join("\n\n"));
 }
 
-/// Says what a file should hold where it holds something else; `INSTA_UPDATE=always` writes it.
+/// Returns the expected content if a file differs from it; `INSTA_UPDATE=always` writes the file.
 fn beside(path: &Path, text: &str) -> Option<String> {
     if fs::read_to_string(path).is_ok_and(|now| now == text) {
         return None;
@@ -138,19 +138,19 @@ fn beside(path: &Path, text: &str) -> Option<String> {
         fs::write(path, text).unwrap();
     }
     Some(format!(
-        "{} is stale, it should say\n{text}",
+        "{} is out of date; expected\n{text}",
         path.display()
     ))
 }
 
-/// Each pitfall is told by a rule, what is printed of it stands beside it, and its mended twin is
-/// silent.
+/// A rule reports each pitfall, the output is in a file next to it, and the fixed twin has no
+/// findings.
 #[test]
-fn what_is_printed_of_pitfalls() {
+fn pitfalls_have_recorded_output_and_a_fixed_twin() {
     let mut table = String::from(
-        "# Pitfalls\n\nShaders that compile and do not show what they should. Beside each is what \
-         `shaderlint` prints of it, and a mended twin of which it says nothing.\n\n\
-         | file | mended | the first line |\n|---|---|---|\n",
+        "# Pitfalls\n\nShaders that compile but do not draw what they should, the output of `shaderlint`, \
+         and a fixed version without findings.\n\n\
+         | file | fixed | first line of the output |\n|---|---|---|\n",
     );
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/pitfalls");
     let mut stale = Vec::new();
@@ -158,16 +158,16 @@ fn what_is_printed_of_pitfalls() {
         let name = path.file_name().unwrap().to_str().unwrap().to_string();
         let (code, text) = printed(&path);
         assert_eq!(code, Some(0), "{name} has errors");
-        if name.ends_with(".mended.glsl") {
-            assert!(text.ends_with(", no findings\n"), "{name}: {text}");
+        if name.ends_with(".fixed.glsl") {
+            assert!(text.starts_with("All checks passed ("), "{name}: {text}");
             continue;
         }
-        let mended = name.replace(".glsl", ".mended.glsl");
-        assert!(folder.join(&mended).is_file(), "{name} has no twin");
+        let mended = name.replace(".glsl", ".fixed.glsl");
+        assert!(folder.join(&mended).is_file(), "{name} has no fixed twin");
         let first = text.lines().next().unwrap_or("");
-        assert!(first.contains("]: "), "{name} is silent");
+        assert!(first.contains("]: "), "no finding for {name}");
         table.push_str(&format!(
-            "| [{name}]({name}), [printed]({name}.txt) | [{mended}]({mended}) | {first} |\n"
+            "| [{name}]({name}), [output]({name}.txt) | [{mended}]({mended}) | {first} |\n"
         ));
         stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
     }

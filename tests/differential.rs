@@ -1,7 +1,8 @@
-//! The same texts for two parsers, ours and glsl-lang's; each disagreement has a name.
+//! Compares our parser with glsl-lang on the same texts; each disagreement must have a known
+//! reason.
 //!
-//! `SHADERLINT_CASES=DIR cargo test --test all differential` reads the ShaderToy exports in
-//! `DIR/shadertoy` too.
+//! `SHADERLINT_CASES=DIR cargo test --test all differential` also reads the ShaderToy exports in
+//! `DIR/shadertoy`.
 
 use glsl_lang::ast::TranslationUnit;
 use glsl_lang::parse::DefaultParse;
@@ -16,10 +17,10 @@ use std::fs;
 use std::panic::catch_unwind;
 use std::path::Path;
 
-/// A reason, and whether a text gives it.
+/// A reason, and a predicate that tells whether it applies to a text.
 type Explanation = (&'static str, fn(&str) -> bool);
 
-/// Why the other parser refuses what ours, like the browser, accepts.
+/// Why the other parser rejects what ours, like the browser, accepts.
 const EXPLANATIONS: [Explanation; 4] = [
     ("an integer of 2^31 or more", has_large_integer),
     ("a keyword of desktop GLSL as a name", has_foreign_keyword),
@@ -27,13 +28,10 @@ const EXPLANATIONS: [Explanation; 4] = [
         "an exponent before a minus: `5e2-.5`",
         has_exponent_before_sign,
     ),
-    (
-        "a struct's name used for something else",
-        reuses_struct_name,
-    ),
+    ("a struct name used for something else", reuses_struct_name),
 ];
 
-/// Words that desktop GLSL keeps for itself and GLSL ES 3.00 does not.
+/// Keywords of desktop GLSL that GLSL ES 3.00 does not reserve.
 const FOREIGN_KEYWORDS: [&str; 12] = [
     "buffer",
     "shared",
@@ -93,16 +91,18 @@ fn reuses_struct_name(text: &str) -> bool {
         .filter(|w| w[0].1 == "struct")
         .map(|w| w[1].1)
         .collect();
-    // A type's name stands before a name or a call; after `.` or before `=` it is something else.
+    // A type name precedes a name or a call; after `.` or before `=` it is something else.
     let is_other = |w: &[(RawKind, &str)]| {
         structs.contains(&w[1].1) && (w[0].1 == "." || matches!(w[2].1, "=" | "." | ";" | ","))
     };
     all.windows(3).any(is_other)
 }
 
-/// What our preprocessor leaves of a text, a line for each line, if our parser takes it.
+/// The output of our preprocessor, with its line breaks preserved, and whether our parser accepts
+/// it.
 ///
-/// The other parser is given that, for its own preprocessor knows no macros between statements.
+/// The other parser gets this text, because its own preprocessor does not support macros between
+/// statements.
 fn preprocessed(text: &str) -> (String, bool) {
     let mut sources = Sources::new();
     let header = Pass::Image.host().prelude([None; 4]);
@@ -136,11 +136,11 @@ fn preprocessed(text: &str) -> (String, bool) {
     (plain, is_good)
 }
 
-/// Whether glsl-lang takes a text.
+/// Whether glsl-lang accepts a text.
 fn they_take(text: &str) -> Result<(), String> {
     let whole = format!("#version 300 es\n{text}");
     let read = catch_unwind(|| TranslationUnit::parse(whole.as_str()).map_err(|e| e.to_string()));
-    read.unwrap_or_else(|_| Err("it panics".to_string()))
+    read.unwrap_or_else(|_| Err("panic".to_string()))
         .map(|_| ())
 }
 
@@ -158,7 +158,7 @@ fn push_files(folder: &Path, found: &mut Vec<(String, String)>) {
     }
 }
 
-/// The passes of the exports in a folder, each behind its common code.
+/// The passes of the exports in a folder, each preceded by its common code.
 fn push_exports(folder: &Path, found: &mut Vec<(String, String)>) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
@@ -180,7 +180,7 @@ fn push_exports(folder: &Path, found: &mut Vec<(String, String)>) {
 }
 
 #[test]
-fn every_disagreement_has_a_name() {
+fn every_disagreement_has_a_known_reason() {
     let mut texts = Vec::new();
     push_files(
         &Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/templates"),
@@ -204,10 +204,10 @@ fn every_disagreement_has_a_name() {
         {
             explained[i] += 1;
         } else {
-            unexplained.push(format!("{name}: we {ours}, they {theirs:?}"));
+            unexplained.push(format!("{name}: ours {ours}, glsl-lang {theirs:?}"));
         }
     }
-    println!("{agreed} of {} agreed", texts.len());
+    println!("{agreed} of {} texts with the same verdict", texts.len());
     for ((why, _), count) in EXPLANATIONS.iter().zip(explained) {
         println!("{count} for {why}");
     }

@@ -1,8 +1,8 @@
-//! What the formatter keeps, on whole files: the tokens, what the compiler makes of them, and its
-//! own results.
+//! What the formatter preserves in complete files: the tokens, the compiled result, and its own
+//! output.
 //!
-//! `SHADERLINT_CASES=DIR cargo test --test all formatting` reads the exports of ShaderToy in
-//! `DIR/shadertoy` too.
+//! `SHADERLINT_CASES=DIR cargo test --test all formatting` also reads the ShaderToy exports in
+//! `DIR/shadertoy`.
 
 use shaderlint::engine::{NoFiles, Options, analyze, format};
 use shaderlint::format::{Brace, Indentation, Style};
@@ -26,10 +26,10 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// What the compiler makes of each shader of a file; nothing of those with errors.
+/// The IR of each shader of a file; `None` for those with errors.
 fn modules(name: &str, text: &str) -> Vec<Option<String>> {
     let report = analyze(name, text, &Options::default(), &NoFiles);
-    // Slashes stand before places, which are others.
+    // Source positions follow slashes; they change.
     let lines = |text: String| -> String {
         let said = text.lines().map(|l| l.split(" // ").next().unwrap_or(l));
         said.map(|l| l.trim_end().to_string() + "\n").collect()
@@ -39,7 +39,7 @@ fn modules(name: &str, text: &str) -> Vec<Option<String>> {
     module.collect()
 }
 
-/// All that a text says besides white space.
+/// The tokens of a text, without white space.
 fn tokens(text: &str) -> Vec<&str> {
     let raw = tokenize(text, 0);
     let is_said = |kind| !matches!(kind, RawKind::Whitespace | RawKind::Newline);
@@ -53,7 +53,7 @@ fn formatted(name: &str, text: &str, style: &Style) -> Option<String> {
     Some(apply_edits(text, 0, &formatting.edits).unwrap())
 }
 
-/// Checks a file in a style; gives whether it was formatted at all.
+/// Checks a file with a style; returns whether it was formatted.
 fn check(path: &Path, style: &Style) -> bool {
     let name = path.to_string_lossy();
     let Ok(text) = fs::read_to_string(path) else {
@@ -65,18 +65,18 @@ fn check(path: &Path, style: &Style) -> bool {
     assert_eq!(
         formatted(&name, &once, style).as_ref(),
         Some(&once),
-        "{name} is not stable"
+        "{name}: formatting is not idempotent"
     );
-    // In an export a string holds the code, line breaks and all.
+    // In an export the code is a string that contains the line breaks.
     if !name.ends_with(".json") {
-        assert_eq!(tokens(&text), tokens(&once), "{name} has other tokens");
+        assert_eq!(tokens(&text), tokens(&once), "{name}: the tokens differ");
     }
     let (before, after) = (modules(&name, &text), modules(&name, &once));
     for (before, after) in before.iter().zip(&after) {
-        // What was wrong may be right: a blank line before `#version` goes.
+        // An error may disappear: blank lines before `#version` are removed.
         assert!(
             before.is_none() || before == after,
-            "{name} means something else"
+            "{name}: the IR differs"
         );
     }
     assert_eq!(before.len(), after.len(), "{name}");
@@ -95,18 +95,18 @@ fn check_all(folder: &Path, at_least: usize) {
         let formatted = found.iter().filter(|path| check(path, &style)).count();
         assert!(
             formatted >= at_least,
-            "only {formatted} files are formatted"
+            "only {formatted} files were formatted"
         );
     }
 }
 
 #[test]
-fn the_corpus_means_the_same_when_it_is_formatted() {
+fn formatting_preserves_the_corpus() {
     check_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus"), 60);
 }
 
 #[test]
-fn exports_mean_the_same_when_they_are_formatted() {
+fn formatting_preserves_exports() {
     if let Some(cases) = std::env::var_os("SHADERLINT_CASES") {
         check_all(&Path::new(&cases).join("shadertoy"), 300);
     }

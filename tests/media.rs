@@ -1,10 +1,10 @@
-//! The shaders that draw stand-ins for ShaderToy's files.
+//! The shaders that draw stand-ins for ShaderToy's media files.
 
 use shaderlint::engine::{NoFiles, Options, check};
 use shaderlint::port::{Generator, Project, add_stand_ins, html};
 use std::fs;
 
-/// One input for each file of the site, and one of each kind that is not known.
+/// One input for each of ShaderToy's files, and one of each kind with an unknown file.
 fn inputs() -> Vec<String> {
     let rows = fs::read_to_string("src/port/media/stock.rs").unwrap();
     let files = rows.lines().filter_map(|line| {
@@ -40,17 +40,20 @@ fn generators() -> Vec<Generator> {
     all
 }
 
-/// What is too much for each frame is not for a shader that runs once.
+/// Rules about costs per frame do not apply to a shader that runs once.
 const COSTLY: [&str; 2] = ["map-inlining", "nested-iterations"];
 
 #[test]
-fn nothing_is_found_in_them() {
+fn generators_have_no_findings() {
     let all = generators();
     assert_eq!(all.len(), 30);
     for generator in all {
         let (name, text) = (format!("{}.frag", generator.name), generator.fragment());
         let report = check(&name, &text, &Options::default(), &NoFiles);
-        assert!(report.shaders.len() == 1, "{name} is no shader");
+        assert!(
+            report.shaders.len() == 1,
+            "{name} is not recognised as a shader"
+        );
         let mut all = report.diagnostics.iter();
         let finding = all.find(|f| !COSTLY.contains(&f.rule));
         let at = finding.map(|f| report.sources.text(f.span));
@@ -59,7 +62,7 @@ fn nothing_is_found_in_them() {
 }
 
 #[test]
-fn every_file_is_used() {
+fn every_generator_file_is_used() {
     let all: String = generators().iter().map(Generator::fragment).collect();
     for folder in [
         "src/port/media",
@@ -79,7 +82,7 @@ fn every_file_is_used() {
 }
 
 #[test]
-fn strokes_of_the_font_begin_where_the_table_says() {
+fn font_stroke_offsets_match_the_table() {
     let text = fs::read_to_string("src/port/media/font.glsl").unwrap();
     let (strokes, rest) = text.split_once("\n);\n").unwrap();
     let lines = strokes.lines().filter(|l| l.starts_with("    0x"));
@@ -96,7 +99,7 @@ fn strokes_of_the_font_begin_where_the_table_says() {
 }
 
 #[test]
-fn a_page_holds_what_it_uses_once() {
+fn a_page_contains_each_used_generator_once() {
     let used = |ids: &[&str]| {
         let input = |id: &&str| format!(r#"{{"type":"texture","id":"{id}","channel":0}}"#);
         let inputs: Vec<String> = ids.iter().map(input).collect();
@@ -104,20 +107,20 @@ fn a_page_holds_what_it_uses_once() {
         let composed = project.resolve("test").unwrap();
         html(&project, &composed, None)
     };
-    // Both sizes of noise come from one shader.
+    // One shader draws both sizes of noise.
     let page = used(&["Xsf3zn", "XdXGzn"]);
     assert_eq!(page.matches("ivec2(37, 17)").count(), 1);
     assert_eq!(page.matches("STROKES").count(), 0);
     let (small, large) = (page.len(), used(&["Xsf3zn", "4dXGzr"]).len());
     assert!(
         large - small < 12_000,
-        "the font takes {} bytes",
+        "the font adds {} bytes",
         large - small
     );
     let without = used(&[]).len();
     assert!(
         small - without < 1_500,
-        "noise takes {} bytes",
+        "noise adds {} bytes",
         small - without
     );
 }

@@ -1,7 +1,7 @@
-//! The languages that naga writes: every feature of GLSL reaches all four, or is refused where it
-//! stands.
+//! The target languages of naga: every GLSL feature can be translated to all four, or is rejected
+//! at its position.
 //!
-//! `INSTA_UPDATE=always cargo test --all-features --test all naga` accepts what is written now.
+//! `INSTA_UPDATE=always cargo test --all-features --test all naga` accepts the current output.
 #![cfg(feature = "naga")]
 
 use shaderlint::port::naga::{
@@ -17,7 +17,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::Arc;
 
-/// What the only pass of a shader becomes.
+/// Translates the only pass of a shader.
 fn written(code: &str, language: TargetLanguage) -> Result<Vec<u8>, Refused> {
     let project = Project::from_shader("shader", code).unwrap();
     let composed = compose(&project, "shader").unwrap();
@@ -34,7 +34,7 @@ fn wgsl(code: &str) -> String {
     String::from_utf8(written).unwrap()
 }
 
-/// Asks that all four languages can say it.
+/// Asserts that all four languages support the code.
 #[track_caller]
 fn reaches_all(code: &str) {
     for language in TargetLanguage::ALL {
@@ -47,9 +47,9 @@ fn reaches_all(code: &str) {
     }
 }
 
-/// Asks a compiler, where there is one: `HLSL_COMPILER` names glslang's.
+/// Compiles the HLSL output if `HLSL_COMPILER` names glslang's executable.
 #[test]
-fn a_compiler_reads_what_is_written_as_hlsl() {
+fn hlsl_output_compiles() {
     let Ok(compiler) = std::env::var("HLSL_COMPILER") else {
         return;
     };
@@ -85,7 +85,7 @@ fn a_compiler_reads_what_is_written_as_hlsl() {
 }
 
 #[test]
-fn templates_reach_all_languages() {
+fn templates_translate_to_all_languages() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/templates");
     let mut count = 0;
     for entry in fs::read_dir(folder).unwrap() {
@@ -98,10 +98,10 @@ fn templates_reach_all_languages() {
     assert!(count >= 3);
 }
 
-/// Statements that use a feature; `c` is the colour, `f` the place, `i` and `u` whole numbers that
-/// nobody knows before.
+/// Statements that use a feature; `c` is the colour, `f` the pixel position, `i` and `u` integers
+/// that are unknown at compile time.
 const STATEMENTS: &[&str] = &[
-    // Components, places and assignments that are values.
+    // Components, places, and assignments used as values.
     "c.zx = f; c.rgb *= 2.0; c.xyz.yz = f.yx; c[i] = 1.0;",
     "c.x = c.y = f.x; c += 1.0; i++; --i; vec4 d = c++; c = d--;",
     "vec2 v = f; v.yx = v; v[i] += v.x; c.xy = v;",
@@ -112,7 +112,7 @@ const STATEMENTS: &[&str] = &[
      c.x = float(s != t) + t.q[1];",
     "c.zyx[i] = 2.0; c.zyx[i] += f.x; c.x += c.zyx[i]; f.yx[1] = 3.0;",
     "const mat2 M[2] = mat2[2](mat2(1.0), mat2(2.0)); c.xy = M[i][i] + M[1][0]; c.z = mat2(3.0)[i].x;",
-    // Numbers.
+    // Scalars and vectors.
     "c = mod(c, 3.0) + mod(c, c.wzyx); c.x = mod(f.x, 2.0);",
     "i = i / 3 + i % 5 - (i << 2) + (i >> 1) ^ (i & 7) | ~i; c.x = float(i);",
     "u = u * 747796405u + 2891336453u; u ^= u >> 16; u <<= 3; c.x = float(-u);",
@@ -139,11 +139,11 @@ const STATEMENTS: &[&str] = &[
     "mat3 m = outerProduct(c.xyz, c.zyx); c.x = determinant(inverse(m)) + inverse(mat2(c))[0].x;",
     "c = inverse(mat4(f.x)) * c + matrixCompMult(mat4(1.0), mat4(2.0))[i];",
     "c.x = (mat2(1.0, 2.0, 3.0, 4.0) * f)[i] + mat2(f, f)[i].x;",
-    // What is evaluated only where it is asked for.
+    // Short-circuit and conditional evaluation.
     "c.x = i > 1 && bump(f.x) > 2.0 ? bump(f.y) : f.x; c.y = i > 2 || bump(f.x) > 1.0 ? 1.0 : 0.0;",
     "bool b = i > 1 ^^ u > 1u; c.x = b ? 1.0 : 2.0; mat2 m = b ? mat2(1.0) : mat2(2.0); c.xy *= m;",
     "c.x = (bump(f.x), f.y); if (i > 1) nothing();",
-    // Flow.
+    // Control flow.
     "for (int k = 0; k < 9; k++) { if (k == i) continue; if (k > 7) break; c.x += float(k); }",
     "int k = 0; while (k++ < 5) { float z; z += 1.0; c.x += z; } do { k--; if (k == 2) continue; } \
      while (k > 0);",
@@ -187,13 +187,13 @@ float unsaid(float x) { if (x > 1.0) return 2.0; }
 ";
 
 #[test]
-fn features_reach_all_languages() {
+fn features_translate_to_all_languages() {
     for statement in STATEMENTS {
         reaches_all(&with_functions(statement));
     }
 }
 
-/// A shader of ShaderToy that runs a statement.
+/// A ShaderToy shader that executes a statement.
 fn with_functions(statement: &str) -> String {
     format!(
         "{FUNCTIONS}void mainImage(out vec4 c, in vec2 f) {{\n    c = vec4(f, unsaid(f.x), 1.0);\n    \
@@ -201,7 +201,7 @@ fn with_functions(statement: &str) -> String {
     )
 }
 
-/// Whole shaders of both stages and versions, whatever their uniforms mean.
+/// Complete shaders of both stages and versions, with arbitrary uniforms.
 const WHOLE: &[(Stage, &str)] = &[
     (
         Stage::Fragment,
@@ -262,7 +262,7 @@ const WHOLE: &[(Stage, &str)] = &[
 ];
 
 #[test]
-fn whole_shaders_reach_all_languages() {
+fn complete_shaders_translate_to_all_languages() {
     for (stage, code) in WHOLE {
         let checked = checked(*stage, code);
         for language in TargetLanguage::ALL {
@@ -289,7 +289,7 @@ fn the_interface_names_what_a_host_feeds() {
 }
 
 #[test]
-fn the_interface_says_what_the_passes_of_a_project_read() {
+fn the_interface_lists_the_inputs_of_all_passes() {
     let pass = |kind: &str, id: &str, inputs: &str| {
         format!(
             "{{\"type\":\"{kind}\",\"name\":\"\",\"outputs\":[{{\"id\":\"{id}\",\"channel\":0}}],\
@@ -339,7 +339,7 @@ fn the_interface_says_what_the_passes_of_a_project_read() {
 }
 
 #[test]
-fn stages_that_are_given_together_share_the_numbers_of_varyings() {
+fn linked_stages_share_varying_locations() {
     let vertex = "#version 300 es\nin vec4 at;\nout vec3 unused;\nout vec2 b;\nout float a;\n\
                   void main() { a = at.x; b = at.xy; gl_Position = at; }\n";
     let fragment = "#version 300 es\nprecision highp float;\nin float a;\nin vec2 b;\nout vec4 c;\n\
@@ -378,7 +378,7 @@ fn stages_that_are_given_together_share_the_numbers_of_varyings() {
     assert!(text.contains("@location(0) a: f32"), "{text}");
 }
 
-/// What the other languages have no words for, and what is said of it.
+/// Features without an equivalent in the target languages, and the message for each.
 const REFUSED: &[(&str, &str, &str)] = &[
     (
         "uniform isamplerCube s;",
@@ -393,7 +393,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
 ];
 
 #[test]
-fn what_has_no_counterpart_is_refused_where_it_stands() {
+fn untranslatable_features_are_rejected_at_their_position() {
     for (declaration, statement, place) in REFUSED {
         let code = format!(
             "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n\
@@ -404,13 +404,13 @@ fn what_has_no_counterpart_is_refused_where_it_stands() {
     }
 }
 
-/// A whole fragment shader in WGSL.
+/// The WGSL translation of a complete fragment shader.
 fn whole_wgsl(code: &str) -> String {
     let (_, text) = whole(&checked(Stage::Fragment, code), TargetLanguage::Wgsl).unwrap();
     String::from_utf8(text).unwrap()
 }
 
-/// What is said of a shader, and the text that it is said of.
+/// The refusal of a shader, and the text at its position.
 fn refusal(code: &str) -> (Refused, String) {
     let analysis = checked(Stage::Fragment, code);
     let refused = whole(&analysis, TargetLanguage::Wgsl).err().unwrap();
@@ -418,7 +418,7 @@ fn refusal(code: &str) -> (Refused, String) {
     (refused, text)
 }
 
-/// A whole shader that compiles.
+/// Checks a complete shader, which must compile.
 fn checked(stage: Stage, code: &str) -> Checked {
     let mut sources = Sources::new();
     let files = [sources.add("", None, Role::User, code).unwrap()];
@@ -438,7 +438,7 @@ fn checked(stage: Stage, code: &str) -> Checked {
     checked
 }
 
-/// A whole shader in another language.
+/// Translates a complete shader.
 fn whole(checked: &Checked, language: TargetLanguage) -> Result<(Lowered, Vec<u8>), Refused> {
     let options = LowerOptions {
         language,
@@ -451,7 +451,7 @@ fn whole(checked: &Checked, language: TargetLanguage) -> Result<(Lowered, Vec<u8
 }
 
 #[test]
-fn rows_are_turned_for_pictures_only() {
+fn rows_are_flipped_for_images_only() {
     let image = "void mainImage(out vec4 c, in vec2 f) { c = vec4(f, dFdy(f)); }";
     let turned = wgsl(image);
     assert!(turned.contains("uniforms.iResolution.y"), "{turned}");
@@ -461,7 +461,7 @@ fn rows_are_turned_for_pictures_only() {
 }
 
 #[test]
-fn a_name_of_the_user_turns_no_rows() {
+fn user_names_do_not_flip_rows() {
     let head =
         "#version 300 es\nprecision highp float;\nuniform vec2 resolution;\nout vec4 color;\n";
     let main = "void main() { color = vec4(resolution, gl_FragCoord.xy); }\n";
@@ -479,7 +479,7 @@ fn a_name_of_the_user_turns_no_rows() {
 }
 
 #[test]
-fn what_a_call_hands_out_starts_at_zero() {
+fn out_parameters_start_at_zero() {
     let of = |body: &str| {
         wgsl(&format!(
             "void mainImage(out vec4 c, in vec2 f) {{ {body} }}"
@@ -493,19 +493,19 @@ fn what_a_call_hands_out_starts_at_zero() {
 }
 
 #[test]
-fn texels_of_whole_numbers_repeat_at_the_nearest_level() {
+fn integer_textures_wrap_at_the_nearest_level() {
     let text = whole_wgsl(
         "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n\
          uniform isampler2D t;\nuniform float l;\nout vec4 c;\n\
          void main() { c = vec4(textureLod(t, gl_FragCoord.xy, l)); }\n",
     );
     assert!(text.contains("= min(max(i32(round("), "{text}");
-    // A remainder has the sign of what is divided, so that it takes two.
+    // The remainder has the sign of the dividend, so two operations are needed.
     assert_eq!(text.matches(" % ").count(), 2, "{text}");
 }
 
 #[test]
-fn the_last_component_of_a_pixels_place_is_inverse_for_direct3d() {
+fn frag_coord_w_is_inverted_for_direct3d() {
     let code = "#version 300 es\nprecision highp float;\nout vec4 c;\n\
                 void main() { c = vec4(gl_FragCoord.w); }\n";
     let inverse = |language| {
@@ -518,7 +518,7 @@ fn the_last_component_of_a_pixels_place_is_inverse_for_direct3d() {
 }
 
 #[test]
-fn sizes_of_levels_are_halves() {
+fn texture_size_halves_with_each_level() {
     let of = |level: &str| {
         wgsl(&format!(
             "void mainImage(out vec4 c, in vec2 f) {{ c.xy = vec2(textureSize(iChannel0, {level})); }}"
@@ -534,7 +534,7 @@ fn sizes_of_levels_are_halves() {
 }
 
 #[test]
-fn an_element_of_samplers_has_a_case() {
+fn sampler_array_elements_are_selected_by_switch() {
     let text = whole_wgsl(WHOLE[5].1);
     assert_eq!(text.matches("switch ").count(), 4, "{text}");
     assert!(
@@ -559,15 +559,15 @@ fn qualifiers_are_kept() {
     let told = whole_wgsl(WHOLE[6].1);
     for part in [
         "centroid",
-        "// flat inputs are those of the first vertex",
-        "// textures of whole numbers: the nearest texel is taken",
+        "// flat inputs have the value of the first vertex",
+        "// integer textures use nearest filtering",
     ] {
         assert!(told.contains(part), "{part}\n{told}");
     }
 }
 
 #[test]
-fn matrices_lie_by_rows_where_the_layout_says_so() {
+fn row_major_layouts_are_supported() {
     let code = "#version 300 es\nprecision highp float;\nstruct S { mat2x3 m; };\n\
                 layout(std140) uniform B { layout(row_major) mat3x2 a; mat3x2 b; \
                 layout(row_major) S s[2]; layout(row_major) mat4 n[2]; int i; };\n\
@@ -602,7 +602,7 @@ fn matrices_lie_by_rows_where_the_layout_says_so() {
 }
 
 #[test]
-fn texels_outside_are_zero() {
+fn out_of_bounds_texel_fetches_return_zero() {
     let text =
         wgsl("void mainImage(out vec4 c, in vec2 f) { c = texelFetch(iChannel0, ivec2(f), 0); }");
     for part in [
@@ -615,9 +615,9 @@ fn texels_outside_are_zero() {
     }
 }
 
-/// What WGSL's compilers would work out, and refuse: nothing that they could is left in the text.
+/// Constant expressions that WGSL compilers would reject must not remain in the output.
 #[test]
-fn constants_that_come_to_nothing_are_left_to_the_run() {
+fn invalid_constant_expressions_are_evaluated_at_run_time() {
     for (statement, refused) in [
         ("c.x = clamp(f.x, 1.0, 0.0);", "1f, 0f)"),
         ("c = clamp(c, 1.0, 0.0);", "vec4(1f), vec4(0f))"),
@@ -654,7 +654,7 @@ fn the_form_of_wgsl() {
 }
 
 #[test]
-fn deep_code_is_answered() {
+fn deeply_nested_code_does_not_crash() {
     let deep = |n: usize, open: &str, close: &str| {
         format!(
             "void mainImage(out vec4 c, in vec2 f) {{ float x = f.x; c = vec4({}x{}); }}",
@@ -669,7 +669,7 @@ fn deep_code_is_answered() {
         deep(60, "mod(", ", 2.0)"),
     ] {
         for language in TargetLanguage::ALL {
-            // Deep code may be refused, but not without an answer.
+            // Deeply nested code may be rejected, but must not crash.
             let _ = written(&code, language);
         }
     }

@@ -1,13 +1,14 @@
-//! Every page means what it says: its bad examples are reported as it prints, its fixes give what
-//! it shows, its good examples are silent.
+//! Tests the pages of rules, compile errors and hosts: each has its sections, its bad examples are
+//! reported exactly as printed, its fixes write what is shown, and its good examples have no findings.
 //!
-//! `INSTA_UPDATE=always cargo test` writes what is printed and fixed into the pages, and the table of
-//! all rules between its markers.
+//! `INSTA_UPDATE=always cargo test` writes the generated parts: heads, findings, fixed code, options,
+//! and the tables in `rules/README.md`.
 
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::host::{Feed, presets};
-use shaderlint::lint::{Allow, Fence, FenceKind, Page, Renderer, Rule, Settings};
+use shaderlint::lint::trial::{INSTANTS, SIZE, TrialLimit};
+use shaderlint::lint::{Allow, Check, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};
@@ -116,19 +117,137 @@ impl Example<'_> {
     }
 }
 
-/// What stands before a fence, so that a rendered page says what it shows.
+/// The label before a fence, so that a rendered page says what the fence shows.
 fn label(name: &str, kind: FenceKind) -> Option<&'static str> {
     let is_error = ERRORS.contains(&name);
     Some(match kind {
-        FenceKind::Bad if is_error => "Refused:",
-        FenceKind::Bad => "Reported:",
-        FenceKind::Text => "What is printed:",
-        FenceKind::Fixed => "What `--fix` makes of it:",
-        FenceKind::Suggested => "What `--unsafe-fixes` makes of it:",
+        FenceKind::Text => "shaderlint prints:",
+        FenceKind::Fixed => "`--fix` writes:",
+        FenceKind::Suggested => "`--unsafe-fixes` writes:",
         FenceKind::Good if is_error => "Accepted:",
         FenceKind::Good => "Not reported:",
-        FenceKind::Other => return None,
+        FenceKind::Bad | FenceKind::Other => return None,
     })
+}
+
+/// The sections of a page, in order.
+fn sections(name: &str) -> Vec<&'static str> {
+    let mut sections = vec!["## Why it matters", "## Example", "## Fix"];
+    if name == "invalid-encoding" {
+        // Pages are UTF-8 themselves.
+        sections.remove(1);
+    }
+    if let Some(rule) = RULES.iter().find(|r| r.name == name) {
+        sections.push("## When to ignore it");
+        if !rule.options.is_empty() {
+            sections.push(OPTIONS.trim());
+        }
+    }
+    sections
+}
+
+/// Which parts a page lacks: its sections in order, each with a text.
+fn missing_parts(name: &str, text: &str) -> Vec<String> {
+    let mut outside = true;
+    let mut found: Vec<(&str, usize)> = Vec::new();
+    for line in text.lines() {
+        outside ^= line.starts_with("```");
+        match found.last_mut() {
+            _ if outside && line.starts_with("## ") => found.push((line, 0)),
+            Some((_, words)) => *words += line.split_whitespace().count(),
+            None => {}
+        }
+    }
+    let mut problems = Vec::new();
+    let headings: Vec<&str> = found.iter().map(|(heading, _)| *heading).collect();
+    let expected = sections(name);
+    if headings != expected {
+        problems.push(format!("{name}: expected {expected:?}, found {headings:?}"));
+    }
+    for (heading, words) in found {
+        if words < 5 {
+            problems.push(format!("{name}: `{heading}` is empty"));
+        }
+    }
+    problems
+}
+
+/// The highest grade of fix that changes a bad example of a page.
+fn fix_of(name: &str, text: &str, page: &Page) -> &'static str {
+    let settings = settings(name);
+    let changes = |allow| {
+        let bad = page.fences.iter().filter(|f| f.kind == FenceKind::Bad);
+        let mut codes = bad.map(|f| (f.file, &text[f.range.clone()]));
+        codes.any(|(file, code)| {
+            let options = options(file, code, &settings);
+            mend(file, code, &options, &NoFiles, allow).text != code
+        })
+    };
+    match (changes(Allow::Safe), changes(Allow::Unsafe)) {
+        (true, _) => "safe",
+        (false, true) => "unsafe",
+        (false, false) => "none",
+    }
+}
+
+/// The line between title and summary. A page keeps the version that it names; a new one gets the
+/// version under development.
+fn head(name: &str, text: &str) -> String {
+    let page = Page::new(text);
+    let fix = fix_of(name, text, &page);
+    let since = page.head.rsplit_once("**Since:** ").map(|(_, since)| since);
+    let since = since.unwrap_or(env!("CARGO_PKG_VERSION"));
+    match RULES.iter().find(|r| r.name == name) {
+        None => {
+            format!("**Compile error** \u{b7} **Fix:** {fix} \u{b7} **Since:** {since}")
+        }
+        Some(rule) => {
+            let default = if rule.default { "on" } else { "off" };
+            let (group, severity) = (rule.group.name(), rule.severity.name());
+            let alias = rule.alias();
+            let alias = alias.map_or(String::new(), |a| format!(" \u{b7} **Alias:** `{a}`"));
+            format!(
+                "**Group:** {group} \u{b7} **Severity:** {severity} \u{b7} **Default:** {default} \
+                \u{b7} **Fix:** {fix}{alias} \u{b7} **Since:** {since}"
+            )
+        }
+    }
+}
+
+/// What a rule that runs the shader samples, for the paragraph after its summary.
+fn sampled(name: &str) -> Option<String> {
+    let rule = RULES.iter().find(|r| r.name == name)?;
+    rule.checks.iter().find(|c| matches!(c, Check::Run(_)))?;
+    let [width, height] = SIZE;
+    let times = INSTANTS.map(|i| i.time.to_string());
+    let (last, first) = times.split_last()?;
+    let first = first.join(", ");
+    let pixels = columns(&TrialLimit::default().pixels.to_string());
+    Some(format!(
+        "Found in a [sample run](../docs/sampling.md): up to {pixels} pixels of a {width}x{height} frame, \
+        at {first} and {last} s."
+    ))
+}
+
+/// The digits of a number, in groups of three.
+fn columns(digits: &str) -> String {
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A page with its generated paragraphs: the head, and what is sampled.
+fn with_head(name: &str, text: &str) -> String {
+    let (before, rest) = text.split_once("\n## ").unwrap_or((text, ""));
+    let page = Page::new(before);
+    let mut paragraphs = vec![format!("# {}", page.name), head(name, text), page.summary];
+    paragraphs.extend(sampled(name));
+    format!("{}\n\n## {rest}", paragraphs.join("\n\n"))
 }
 
 /// The text up to the content of a fence, with the label before the fence.
@@ -154,6 +273,13 @@ fn check_page(name: &str, text: &str) -> (Vec<String>, String) {
     }
     // Pages are UTF-8 themselves.
     let has_examples = name != "invalid-encoding";
+    problems.extend(missing_parts(name, text));
+    let headed = with_head(name, text);
+    if headed != text {
+        problems.push(format!("{name}: the head is stale"));
+    }
+    let text = headed.as_str();
+    let page = Page::new(text);
     if has_examples && !page.fences.iter().any(|f| f.kind == FenceKind::Bad) {
         problems.push(format!("{name}: no bad example"));
     }
@@ -276,22 +402,25 @@ fn pages_of_hosts() {
         .iter()
         .map(|feed| format!("| `{}` | {} |\n", feed.name(), feed.says()))
         .collect();
-    let words = format!("| a uniform is given | that is |\n|---|---|\n{words}");
+    let words = format!("| value | meaning |\n|---|---|\n{words}");
     let mut list = format!(
-        "# Hosts\n\nWho runs shaders, or completes them before a browser sees them. `--host NAME` says it to `shaderlint` and \
-        `shaderport`, `host = \"NAME\"` in `shaderlint.toml` for good; without it hosts are found by themselves. Each is a file \
-        of GLSL in `src/host/presets`, and a host of your own is one like it: `[host] prelude = \"host.glsl\"`.\n\n\
-        ## A host of your own\n\n\
-        ```glsl\n// My engine\n//\n// What it does, in sentences.\n//\n// base: three\n// names: all\n\
+        "# Hosts\n\nA host is the site or library that runs a shader, or completes it before the browser compiles it. \
+        `shaderlint` and `shaderport` detect the host of a shader. To select one, use `--host NAME` or set \
+        `host = \"NAME\"` in `shaderlint.toml`.\n\n\
+        ## Defining a host\n\n\
+        Each host is a GLSL file in `src/host/presets`. To add your own, write a file of the same form and set \
+        `prelude = \"host.glsl\"` in the section `[host]`.\n\n\
+        ```glsl\n// My engine\n//\n// A description.\n//\n// base: three\n// names: all\n\
         uniform float uClock; // = time\nuniform vec2 uSize; // = resolution, or vec3\n\
         uniform sampler2D uNoise; // = file, mipmap, repeat\n#ifdef SHADER_DECLARES\n\
         varying vec2 vPlace; // = port_place, own\n#endif\n```\n\n\
-        The head is the title, what it does, and facts: `base` (the host that it builds on), `version` (`any`, `own`, `desktop`, \
-        `100`, `300 es`), `names` (`all`: other names are mistakes; `some`), `entry`, `include`, `hole`, `package`, `word`, \
-        `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`. A comment `// =` behind a declaration says what the host \
-        sets the name to, so that shaders can be run; `or TYPE` are further types, `numbered` lets the number in the name be any, \
-        and `usual` or `own` says how much the name shows that a shader is this host's. Names between `#ifdef SHADER_DECLARES` \
-        and `#endif` are declared by the shaders themselves. A varying is given GLSL of `port_place` (from 0 to 1), `port_pos` \
+        The header has a title, a description and facts: `base` (the host that it extends), `version` (`any`, `own`, `desktop`, \
+        `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), `entry`, `include`, `hole`, `package`, \
+        `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`.\n\n\
+        A comment `// =` after a declaration states the value that the host sets, so that the shader can be run. Options \
+        follow after commas: `or TYPE` lists more types, `numbered` accepts any number in the name, and `usual` or `own` \
+        states how strongly the name indicates this host. Names between `#ifdef SHADER_DECLARES` and `#endif` are declared \
+        by the shaders themselves. The value of a varying is a GLSL expression of `port_place` (from 0 to 1), `port_pos` \
         (from -1 to 1) and `port_size` (pixels).\n\n{words}\n## All hosts\n\n| name | host | compiled as |\n|---|---|---|\n",
     );
     let mut expected = Vec::new();
@@ -341,7 +470,7 @@ const TABLES: [Table; 2] = [
 /// A row for each rule. `folder` leads from the file to the pages.
 fn rules(folder: &str) -> String {
     let mut text = String::from(
-        "\n| rule | group | level | by default | fix | what it finds |\n|---|---|---|---|---|---|\n",
+        "\n| rule | group | severity | default | fix | summary |\n|---|---|---|---|---|---|\n",
     );
     for rule in RULES {
         let page = Page::new(rule.page);
@@ -371,7 +500,7 @@ fn rules(folder: &str) -> String {
 
 /// A row for each compile error.
 fn errors(folder: &str) -> String {
-    let mut text = String::from("\n| error | what it means |\n|---|---|\n");
+    let mut text = String::from("\n| error | summary |\n|---|---|\n");
     for name in ERRORS {
         let page = Page::new(error_page(name).unwrap());
         let summary = page.summary.replace('|', "\\|");
@@ -459,9 +588,32 @@ fn a_table_stands_between_its_markers() {
 }
 
 #[test]
+fn a_page_without_its_parts_is_refused() {
+    let parts = |text: &str| missing_parts("flat-frame", text).len();
+    let body = "one two three four five\n";
+    let whole = format!(
+        "# a\n\nOne.\n\n## Why it matters\n{body}## Example\n{body}## Fix\n{body}## When to ignore it\n"
+    );
+    assert_eq!(parts(&format!("{whole}{body}")), 0);
+    assert_eq!(parts(&whole), 1);
+    assert_eq!(parts(&whole.replace("## Fix", "## Fixing")), 2);
+}
+
+#[test]
+fn a_head_keeps_its_version() {
+    let page = "# flat-frame\n\n**Since:** 0.0.9\n\nSummary.\n\n## Why it matters\n\nText.\n";
+    let fresh = with_head("flat-frame", page);
+    assert!(fresh.contains(" **Severity:** warning ") && fresh.contains("**Since:** 0.0.9\n"));
+    assert!(fresh.contains("\n\nSummary.\n\nFound in a [sample run]"));
+    assert_eq!(with_head("flat-frame", &fresh), fresh);
+    let new = with_head("flat-frame", &page.replace("**Since:** 0.0.9\n\n", ""));
+    assert!(new.contains(concat!("**Since:** ", env!("CARGO_PKG_VERSION"))));
+}
+
+#[test]
 fn a_fence_is_labelled_once() {
-    let once = labelled("Text.\n\n```glsl bad\n", Some("Refused:"));
-    assert_eq!(once, "Text.\n\nRefused:\n\n```glsl bad\n");
-    assert_eq!(labelled(&once, Some("Refused:")), once);
+    let once = labelled("Text.\n\n```glsl good\n", Some("Accepted:"));
+    assert_eq!(once, "Text.\n\nAccepted:\n\n```glsl good\n");
+    assert_eq!(labelled(&once, Some("Accepted:")), once);
     assert_eq!(labelled("Text.\n\n```sh\n", None), "Text.\n\n```sh\n");
 }

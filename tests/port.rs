@@ -1,5 +1,5 @@
-//! `shaderport` as an impatient or a careless person runs it: what it reads, what it must not write
-//! over, and what it says.
+//! `shaderport` used impatiently or carelessly: what it reads, what it must not overwrite, and its
+//! messages.
 #![cfg(unix)]
 
 use insta_cmd::get_cargo_bin;
@@ -13,7 +13,7 @@ const CODE: &str =
     "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy); }\n";
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-/// A folder with a shader `a.glsl` and a picture `a.png`.
+/// A folder with a shader `a.glsl` and an image `a.png`.
 struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -41,11 +41,11 @@ impl Folder {
         command
     }
 
-    /// Exit code, and what is said without the notes of what is not at hand.
+    /// Exit code and messages, without the notes about missing media files.
     fn run(&self, args: &str) -> (Option<i32>, String) {
         let out = self.command(args).output().unwrap();
         let said = String::from_utf8(out.stderr).unwrap();
-        let lines = said.lines().filter(|l| !l.contains("and there is none"));
+        let lines = said.lines().filter(|l| !l.contains(" file given; "));
         let lines: Vec<&str> = lines.collect();
         (out.status.code(), lines.join("\n"))
     }
@@ -63,10 +63,10 @@ impl Folder {
 }
 
 #[test]
-fn an_input_is_never_written_over() {
+fn inputs_are_never_overwritten() {
     let folder = Folder::new();
     fs::hard_link(folder.path("a.glsl"), folder.path("hard.glsl")).unwrap();
-    let same = |name: &str| format!("{name} is what is read; write to another file");
+    let same = |name: &str| format!("{name} is an input file; choose another output");
     folder.fails("a.glsl -o ./a.glsl --force", &same("./a.glsl"));
     folder.fails("a.glsl -o hard.glsl --force", &same("hard.glsl"));
     folder.fails("--pass image=a.glsl -o a.glsl --force", &same("a.glsl"));
@@ -80,35 +80,35 @@ fn an_input_is_never_written_over() {
 }
 
 #[test]
-fn only_regular_files_are_written_over() {
+fn only_regular_files_are_overwritten() {
     let folder = Folder::new();
     folder.put("there.html", "there");
     symlink(folder.path("there.html"), folder.path("link.html")).unwrap();
     fs::create_dir(folder.path("image.frag")).unwrap();
-    let end = ", and only regular files are written over; without `-o` it goes to standard output";
+    let end = ", not a regular file; omit `-o` to write to standard output";
     folder.fails(
         "a.glsl -o link.html --force",
-        &format!("link.html is a symbolic link{end}"),
+        &format!("cannot overwrite link.html: it is a symbolic link{end}"),
     );
     folder.fails(
         "a.glsl -t html -o /dev/null --force",
-        &format!("/dev/null is a device{end}"),
+        &format!("cannot overwrite /dev/null: it is a device{end}"),
     );
     folder.fails(
         "a.glsl -o . --force -t glsl",
-        &format!("./image.frag is a folder{end}"),
+        &format!("cannot overwrite ./image.frag: it is a folder{end}"),
     );
     folder.fails(
         "a.glsl -o /dev/null --force",
-        &format!("/dev/null is a device{end}"),
+        &format!("cannot overwrite /dev/null: it is a device{end}"),
     );
-    folder.fails("a.glsl -o a.glsl/b.html", "a.glsl is no folder");
+    folder.fails("a.glsl -o a.glsl/b.html", "a.glsl is not a folder");
     assert_eq!(fs::read(folder.path("there.html")).unwrap(), b"there");
     folder.works("a.glsl -o there.html --force", "");
 }
 
 #[test]
-fn a_folder_is_where_files_get_names() {
+fn files_in_an_output_folder_get_default_names() {
     let folder = Folder::new();
     folder.works("a.glsl -o shaders", "");
     folder.works("a.glsl -t html -o pages/", "");
@@ -134,7 +134,7 @@ fn passes_outside_of_their_folder_are_not_read() {
     symlink(folder.path("secret.glsl"), folder.path("p/common.glsl")).unwrap();
     folder.fails(
         "p -o a.html",
-        "p/common.glsl leads out of p; give it with `--pass common=FILE`",
+        "p/common.glsl is outside of p; pass it with `--pass common=FILE`",
     );
     fs::remove_file(folder.path("p/common.glsl")).unwrap();
     symlink("image.glsl", folder.path("p/buffer_a.glsl")).unwrap();
@@ -142,25 +142,26 @@ fn passes_outside_of_their_folder_are_not_read() {
 }
 
 #[test]
-fn media_are_what_their_bytes_say() {
+fn media_types_are_detected_from_content() {
     let folder = Folder::new();
     folder.put("b.png", b"\xff\xd8\xff\xe0");
     folder.put("c.png", "<svg xmlns='http://www.w3.org/2000/svg'/>");
     folder.works(
         "a.glsl --channel 0=b.png -o b.html",
-        "note: b.png holds image/jpeg whatever its name says, and is taken as that\n\
-         note: b.png adds 31 bytes",
+        "note: b.png contains image/jpeg, despite its extension\n\
+         note: embedded b.png (31 bytes)",
     );
     let page = fs::read_to_string(folder.path("b.html")).unwrap();
     assert!(page.contains("data:image/jpeg;base64,/9j/4A=="));
     folder.fails(
         "a.glsl --channel 0=c.png -o c.html",
-        "--channel: c.png: this is SVG, a document that may hold scripts; save the picture as PNG",
+        "--channel: c.png: SVG is not supported because it can contain scripts; save the image as \
+         PNG",
     );
     folder.fails(
         "a.glsl --channel 0=a.png --max-media 4 -o c.html",
-        "--channel: a.png: the file has 8 bytes; at most 4 bytes are put onto a channel, more \
-         with `--max-media SIZE`",
+        "--channel: a.png: the file has 8 bytes, but the limit for media is 4 bytes; raise it with \
+         `--max-media SIZE`",
     );
 }
 
@@ -172,21 +173,22 @@ fn media_outside_of_their_folder_are_not_read() {
     folder.put("toy.json", toy);
     folder.put("site/media/keep.txt", "");
     symlink(folder.path("a.png"), folder.path("site/media/b.png")).unwrap();
-    let out = "`/media/b.png` leads out of site";
+    let out = "`/media/b.png` is outside of site";
     folder.fails("toy.json --media site -o toy.html", out);
     assert!(!folder.path("toy.html").exists());
 }
 
-/// Every target that can be read back is the original's code; a plain `main` is compared by running.
+/// Every target that can be read back contains the original code; a plain `main` is compared by
+/// running it.
 #[test]
-fn what_is_written_is_verified() {
+fn output_is_verified() {
     let folder = Folder::new();
     let export = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/export.json");
-    // The export has an error, which is mended here.
+    // The export has an error that is repaired here.
     let text = fs::read_to_string(export).unwrap().replace("SCALE", "2.0");
     folder.put("export.json", text);
     let lines = |said: &str| -> Vec<String> {
-        let told = said.lines().filter(|l| l.contains(": the same"));
+        let told = said.lines().filter(|l| l.contains(": identical"));
         told.map(str::to_string).collect()
     };
     for target in ["page.html", "module.js", "project.json", "shaders"] {
@@ -195,7 +197,7 @@ fn what_is_written_is_verified() {
         let told = lines(&said);
         assert!(!told.is_empty(), "{target}: {said}");
         assert!(
-            told.iter().all(|l| l.ends_with(": the same code")),
+            told.iter().all(|l| l.ends_with(": identical code")),
             "{target}: {said}"
         );
     }
@@ -205,11 +207,11 @@ fn what_is_written_is_verified() {
     );
     folder.works(
         "plain.glsl --main rewrite --verify -o plain.frag",
-        "Image: the same bits on 8832 pixels",
+        "Image: identical on 8832 pixels",
     );
 }
 
-/// A repair is compared with what was given, where that draws anything.
+/// A repair is compared with the original if that draws anything.
 #[test]
 fn repairs_are_verified() {
     let folder = Folder::new();
@@ -222,16 +224,16 @@ fn repairs_are_verified() {
     let old = "precision highp float;\nvarying vec2 place;\nuniform float time;\n\
                uniform sampler2D back;\nvoid main() {\n    \
                gl_FragColor = texture2D(back, place) * sin(time);\n}\n";
-    let same = "Image: the same bits on 8832 pixels".to_string();
+    let same = "Image: identical on 8832 pixels".to_string();
     assert_eq!(told("old.frag", old), (Some(0), same));
     let toy = "void mainImage(out vec4 c, in vec2 p) { c = texture2D(iChannel0, p); }\n";
-    let since = " as the repaired text; what was given does not compile";
-    let same = format!("Image: the same code{since}");
+    let since = ", compared with the repaired code: the original does not compile";
+    let same = format!("Image: identical code{since}");
     assert_eq!(told("toy.glsl", toy), (Some(0), same));
 }
 
-/// A pass of vertices is written as a vertex shader with the site's fragment shader beside it, and a
-/// pair of shaders as this pair.
+/// A vertex pass is written as a vertex shader together with the host's fragment shader, and a pair
+/// of shaders as that pair.
 #[test]
 fn both_shaders_of_a_pass_are_written() {
     let folder = Folder::new();
@@ -240,7 +242,7 @@ fn both_shaders_of_a_pass_are_written() {
         let args = format!("{dialects}/{from} -t glsl --verify -o {out}");
         let (code, said) = folder.run(&args);
         assert_eq!(code, Some(0), "{said}");
-        assert!(said.ends_with("Image: the same code"), "{said}");
+        assert!(said.ends_with("Image: identical code"), "{said}");
         for (file, text) in [vertex, fragment] {
             let shader = fs::read_to_string(folder.path(file)).unwrap();
             assert!(shader.contains(text), "{file}: {shader}");
@@ -266,15 +268,15 @@ fn both_shaders_of_a_pass_are_written() {
 }
 
 #[test]
-fn what_is_too_large_for_a_shader_is_not_read_as_one() {
+fn oversized_files_are_rejected() {
     let folder = Folder::new();
     folder.put("large.glsl", vec![b'\n'; 41 << 20]);
-    let said = "large.glsl: this has more than 40 MB; that is no shader";
+    let said = "large.glsl: the file is larger than 40 MB, the limit for shaders";
     folder.fails("large.glsl -o large.html", said);
 }
 
 #[test]
-fn sound_of_a_time_alone_is_repaired() {
+fn main_sound_with_only_a_time_is_repaired() {
     let folder = Folder::new();
     let toy = r#"{"renderpass":[
         {"type":"image","code":"void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }","inputs":[],"outputs":[]},
@@ -288,40 +290,40 @@ fn sound_of_a_time_alone_is_repaired() {
 }
 
 #[test]
-fn wrong_names_are_told_with_the_right_ones() {
+fn misspelt_names_get_suggestions() {
     let folder = Folder::new();
     let check = |args: &str, said: &str| folder.fails(&format!("{args} -o x.html"), said);
     check(
         "a.glsl --channel 0=keybord",
-        "--channel: there is no file `keybord`; did you mean `keyboard`?",
+        "--channel: file `keybord` not found; did you mean `keyboard`?",
     );
     check(
         "a.glsl --channel bufer_a.0=mic",
-        "--channel: `bufer_a` is no pass; did you mean `buffer_a`?",
+        "--channel: unknown pass `bufer_a`; did you mean `buffer_a`?",
     );
     check(
         "a.glsl --channel buffer_a.0=mic",
-        "--channel: there is no pass `buffer_a`; there is `image`",
+        "--channel: the project has no pass `buffer_a`; it has `image`",
     );
     check(
         "--pass imag=a.glsl",
-        "--pass: `imag` is no pass; did you mean `image`?",
+        "--pass: unknown pass `imag`; did you mean `image`?",
     );
     folder.fails(
         "a.glsl -o a.vert",
-        "-o a.vert: nothing is made for the ending `.vert`; write `-o NAME.frag`, and the vertex \
-         shader lies beside it",
+        "-o a.vert: unknown output extension `.vert`; use `-o NAME.frag`, which writes NAME.vert as \
+         well",
     );
     folder.put("p/other.json", "{}");
     check(
         "p",
-        "p: no file in it is called like a pass: `image.glsl`, `buffer_a.glsl`, `common.glsl`; or \
-         give a file itself, like p/other.json",
+        "p: no pass found; name the files `image.glsl`, `buffer_a.glsl`, `common.glsl`, or pass a \
+         single file, such as p/other.json",
     );
 }
 
 #[test]
-fn texts_are_read_in_every_encoding() {
+fn all_unicode_encodings_are_read() {
     let folder = Folder::new();
     folder.put("bom.glsl", format!("\u{feff}{CODE}"));
     folder.put("p/image.glsl", format!("\u{feff}{CODE}"));
@@ -354,11 +356,11 @@ fn texts_are_read_in_every_encoding() {
     folder.put("page.glsl", "<!doctype html>");
     folder.fails(
         "page.glsl -o x.html",
-        "page.glsl: this is a page of HTML or XML, and no shader",
+        "page.glsl: expected a shader, found HTML or XML",
     );
     folder.fails(
         "/dev/zero -o x.html",
-        "/dev/zero: this has more than 40 MB; that is no shader",
+        "/dev/zero: the file is larger than 40 MB, the limit for shaders",
     );
     folder.fails(
         "p/image.glsl/x -o x.html",
@@ -366,7 +368,7 @@ fn texts_are_read_in_every_encoding() {
     );
 }
 
-/// A page is a thing to send.
+/// A page is small enough to send.
 #[test]
 fn a_page_of_a_template_is_small() {
     let folder = Folder::new();
@@ -382,7 +384,7 @@ fn a_page_of_a_template_is_small() {
 }
 
 #[test]
-fn it_says_what_it_waits_for() {
+fn waiting_for_standard_input_is_reported() {
     let folder = Folder::new();
     let mut command = folder.command("- -t html");
     let mut running = command
@@ -394,10 +396,7 @@ fn it_says_what_it_waits_for() {
     let mut said = String::new();
     let mut errors = BufReader::new(running.stderr.take().unwrap());
     errors.read_line(&mut said).unwrap();
-    assert!(
-        said.starts_with("waiting for the end of standard input"),
-        "{said}"
-    );
+    assert!(said.starts_with("waiting for standard input"), "{said}");
     let mut input = running.stdin.take().unwrap();
     input.write_all(CODE.as_bytes()).unwrap();
     drop(input);
@@ -406,14 +405,14 @@ fn it_says_what_it_waits_for() {
 }
 
 #[test]
-fn what_no_repair_makes_a_shader_is_said_as_it_is() {
+fn unrepairable_text_is_not_reported_as_repaired() {
     let folder = Folder::new();
     folder.put("text.glsl", "hello world\n");
     let (code, said) = folder.run("text.glsl -o text.html");
     assert_eq!(code, Some(1), "{said}");
-    assert!(said.contains("there is no type `hello`"), "{said}");
+    assert!(said.contains("unknown type `hello`"), "{said}");
     assert!(!said.contains("repaired"), "{said}");
-    // One that a repair makes whole is mended unasked, as WebGL2 needs it.
+    // A shader that a repair completes is repaired automatically, as WebGL2 requires it.
     let desktop = "#version 330\nout vec4 c;\nvoid main() { c = vec4(1 / 2.0f); }\n";
     folder.put("desktop.glsl", desktop);
     let (code, said) = folder.run("desktop.glsl -o desktop.html");
@@ -427,14 +426,14 @@ fn a_channel_is_named_by_its_sampler() {
     let code = "precision highp float;\nuniform sampler2D u_photo;\n\
         void main() { gl_FragColor = texture2D(u_photo, vec2(0.5)); }\n";
     folder.put("photo.frag", code);
-    let note = "note: a.png adds 34 bytes";
+    let note = "note: embedded a.png (34 bytes)";
     folder.works("photo.frag --channel u_photo=a.png -o photo.html", note);
     let page = fs::read_to_string(folder.path("photo.html")).unwrap();
     assert!(page.contains("\"uniform\":\"u_photo\"") && page.contains("data:image/png"));
     let (code, said) = folder.run("photo.frag --channel photo=a.png -o other.html");
     assert_eq!(code, Some(2), "{said}");
     assert!(
-        said.contains("there is no sampler `photo`; there is `u_photo`"),
+        said.contains("unknown sampler `photo`; the shader has `u_photo`"),
         "{said}"
     );
 }

@@ -1,7 +1,7 @@
-//! What holds for every text, tried on thousands of random ones.
+//! Properties that hold for every text, checked with thousands of random ones.
 //!
-//! They are the same in every run; `SHADERLINT_SEED` sets the seed of others,
-//! and `SHADERLINT_ROUNDS` how many times as many there are.
+//! The texts are the same in every run; `SHADERLINT_SEED` sets another seed and `SHADERLINT_ROUNDS`
+//! multiplies their number.
 
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
@@ -13,7 +13,7 @@ use shaderlint::rules::RULES;
 use shaderlint::syntax::tokenize;
 use shaderlint::text::{Role, Sources};
 
-/// Pieces of shaders; put together at random they make half-right code, where most can go wrong.
+/// Snippets of shaders; random combinations produce half-valid code, where most can go wrong.
 const PIECES: &[&str] = &[
     "float ",
     "int ",
@@ -98,7 +98,7 @@ fn texts() -> impl Strategy<Value = String> {
     pieces.prop_map(|all| all.concat())
 }
 
-/// `None` where the text is clearly no shader.
+/// `None` if the text is clearly not a shader.
 fn judge(text: &str) -> Option<Report> {
     let settings = Settings::new(RULES, &["all".to_string()], &[]).unwrap();
     let options = Options::new(DialectChoice::Auto, settings);
@@ -106,7 +106,7 @@ fn judge(text: &str) -> Option<Report> {
     match report.unread {
         None => Some(report),
         Some(Unread::Skipped(_)) => None,
-        Some(_) => panic!("this cannot be judged"),
+        Some(_) => panic!("not recognised as a shader"),
     }
 }
 
@@ -121,7 +121,7 @@ fn count_errors(found: &Option<Report>) -> usize {
     all.filter(|d| d.severity == Severity::Error).count()
 }
 
-/// An export with something of everything, in which pieces are put in the place of others.
+/// An export with one item of every kind, in which snippets replace others.
 const EXPORT: &str = r#"[{"ver":"0.1","info":{"id":"abcdef","name":"n","username":"u","tags":["t"]},
 "renderpass":[{"inputs":[{"id":"4dXGR8","filepath":"/media/a.png","type":"buffer","channel":0,
 "sampler":{"filter":"linear","wrap":"clamp","vflip":"true"}},{"id":257,"ctype":"texture","src":"/b.png","channel":"1"}],
@@ -159,13 +159,13 @@ const JSON_PIECES: &[&str] = &[
     "99999999999999999999",
 ];
 
-/// The last place at or before an offset where a character starts.
+/// The last character boundary at or before an offset.
 fn boundary(text: &str, at: usize) -> usize {
     let mut places = (0..=at.min(text.len())).rev();
     places.find(|i| text.is_char_boundary(*i)).unwrap_or(0)
 }
 
-/// The export with values, or any stretches of it, replaced.
+/// The export with values or arbitrary ranges replaced.
 fn exports() -> impl Strategy<Value = String> {
     let change = (
         0..EXPORT.len(),
@@ -190,7 +190,7 @@ fn exports() -> impl Strategy<Value = String> {
     })
 }
 
-/// The seed is printed, which is shown where a property fails.
+/// Prints the seed, which is shown if a property fails.
 fn config() -> ProptestConfig {
     let seed = std::env::var("SHADERLINT_SEED").map_or(1, |seed| seed.parse().unwrap());
     println!("SHADERLINT_SEED={seed}");
@@ -208,7 +208,7 @@ proptest! {
     #![proptest_config(config())]
 
     #[test]
-    fn tokens_put_end_to_end_are_the_text(text in prop_oneof![texts(), any::<String>()]) {
+    fn tokens_concatenate_to_the_text(text in prop_oneof![texts(), any::<String>()]) {
         let mut at = 0;
         for token in tokenize(&text, 0) {
             prop_assert_eq!(token.span.start, at);
@@ -220,7 +220,7 @@ proptest! {
     }
 
     #[test]
-    fn positions_grow_with_addresses(text in any::<String>()) {
+    fn positions_increase_with_offsets(text in any::<String>()) {
         let mut sources = Sources::new();
         let id = sources.add("a", None, Role::User, text.as_str()).unwrap();
         let file = sources.file(id).unwrap();
@@ -239,7 +239,7 @@ proptest! {
     }
 
     #[test]
-    fn findings_lie_in_the_text_of_the_user(text in prop_oneof![texts(), any::<String>()]) {
+    fn findings_are_inside_the_user_text(text in prop_oneof![texts(), any::<String>()]) {
         let Some(found) = judge(&text) else {
             return Ok(());
         };
@@ -257,10 +257,9 @@ proptest! {
         }
     }
 
-    /// Whatever an export holds, it is read or refused; what was read is written so that it is read
-    /// again.
+    /// Any export is read or rejected; what was read can be written and read again.
     #[test]
-    fn exports_are_read_or_refused(text in exports()) {
+    fn exports_are_read_or_rejected(text in exports()) {
         if let Ok(project) = Project::from_json(&text) {
             let written = json(&project);
             let again = Project::from_json(&written);
@@ -268,14 +267,14 @@ proptest! {
         }
     }
 
-    /// What compiles goes on to compile, and what `--fix` leaves it leaves for good.
+    /// Valid code stays valid, and repeating `--fix` changes nothing more.
     #[test]
-    fn fixes_break_nothing_and_come_to_an_end(text in texts()) {
+    fn fixes_add_no_errors_and_terminate(text in texts()) {
         prop_assert_eq!(trouble_of_fixes(&text), None);
     }
 }
 
-/// What is wrong with the fixes of a text.
+/// What is wrong with the fixes of a text, if anything.
 fn trouble_of_fixes(text: &str) -> Option<String> {
     let options = Options::default();
     let before = count_errors(&judge(text));
@@ -283,16 +282,16 @@ fn trouble_of_fixes(text: &str) -> Option<String> {
     for allow in [Allow::Safe, Allow::Unsafe] {
         let after = count_errors(&judge(&fixed(text, allow)));
         if before == 0 && after > 0 {
-            return Some(format!("{after} errors come of fixes"));
+            return Some(format!("the fixes added {after} errors"));
         }
     }
     let once = fixed(text, Allow::Unsafe);
     let twice = fixed(&once, Allow::Unsafe);
-    (once != twice).then(|| format!("{once}\n-- is mended further to --\n{twice}"))
+    (once != twice).then(|| format!("{once}\n-- a second run changes it to --\n{twice}"))
 }
 
-/// What cannot be read took the `;` of its line along, and each that was put in behind it.
+/// Unreadable code consumed the `;` of its line, and each one that a fix inserted after it.
 #[test]
-fn fixes_come_to_an_end_where_they_did_not() {
+fn fixes_terminate_after_unreadable_code() {
     assert_eq!(trouble_of_fixes("{;}x};#[(i 0;<4;i+)+}f();w;"), None);
 }

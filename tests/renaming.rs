@@ -1,7 +1,7 @@
-//! Renaming keeps what a shader does: the middle form is the same, names aside.
+//! Renaming preserves the meaning of a shader: the IR is the same except for names.
 //!
-//! `SHADERLINT_CASES=DIR cargo test --test all renaming` reads the exports of ShaderToy in
-//! `DIR/shadertoy` too; `SHADERLINT_RENAMED=N` renames so many names of each file, not four.
+//! `SHADERLINT_CASES=DIR cargo test --test all renaming` also reads the ShaderToy exports in
+//! `DIR/shadertoy`; `SHADERLINT_RENAMED=N` renames N names of each file instead of four.
 
 use shaderlint::engine::{NoFiles, Options, analyze};
 use shaderlint::ide::{Document, NameUse, may_rename, rename};
@@ -12,10 +12,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What every name becomes; no shader has it.
+/// The new name for everything; no shader contains it.
 const NEW: &str = "renamedByTest";
 
-/// Words of the printed form itself, which names in it cannot be told from.
+/// Keywords of the printed IR, which cannot be distinguished from names in it.
 const WORDS: [&str; 25] = [
     "bits",
     "call",
@@ -44,7 +44,7 @@ const WORDS: [&str; 25] = [
     "word",
 ];
 
-/// All shaders and exports in a folder, in the order of their names.
+/// All shaders and exports in a folder, sorted by name.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -58,21 +58,21 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     found.sort();
 }
 
-/// What a printed middle form says in two ways, neither of which hangs on one name.
+/// Two forms of a printed IR, neither of which depends on the renamed name.
 #[derive(PartialEq, Debug)]
 struct Meaning {
-    /// With the old name in the place of the new. A second variable of a name in a function has a
-    /// number, which is left out.
+    /// With the old name substituted for the new one. A second variable of the same name in a
+    /// function has a number, which is omitted.
     renamed_back: String,
-    /// By function: each name as the number of its first appearance there, so that variables of one
-    /// name are told apart.
+    /// By function: each name replaced by the number of its first appearance, so that variables
+    /// with the same name are distinguished.
     numbered: String,
 }
 
-/// What a word of a printed middle form is.
+/// The role of a word in the printed IR.
 #[derive(PartialEq)]
 enum WordUse {
-    /// No name.
+    /// Not a name.
     None,
     /// A function or a member.
     Other,
@@ -80,7 +80,7 @@ enum WordUse {
     Variable,
 }
 
-/// Calls `visit` with each word of a text, and with what stands between words.
+/// Calls `visit` with each word of a text, and with the text between words.
 fn each_word<'t>(text: &'t str, mut visit: impl FnMut(&'t str, WordUse)) {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '\'';
     let mut rest = text;
@@ -106,7 +106,7 @@ fn meaning(printed: &str, old: &str) -> Meaning {
     let (mut renamed_back, mut numbered) = (String::new(), String::new());
     let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
     for line in printed.lines() {
-        // What is not indented begins something; slashes stand before places, which are others.
+        // A line without indentation begins an item; source positions follow slashes; they change.
         if !line.starts_with(' ') {
             numbers.clear();
         }
@@ -134,7 +134,7 @@ fn meaning(printed: &str, old: &str) -> Meaning {
     }
 }
 
-/// What the compiler makes of each shader of a file; nothing of those with errors.
+/// The IR of each shader of a file; `None` for those with errors.
 fn modules(name: &str, text: &str) -> Vec<Option<String>> {
     let report = analyze(name, text, &Options::default(), &NoFiles);
     let analyses = report.analyses.iter();
@@ -142,7 +142,7 @@ fn modules(name: &str, text: &str) -> Vec<Option<String>> {
     module.collect()
 }
 
-/// Where the names of a document are declared that it can rename, spread over it.
+/// Declarations of renameable names, spread over the document.
 fn places(document: &Document, count: usize) -> Vec<u32> {
     let mut found = BTreeSet::new();
     for (_, index) in document.shaders() {
@@ -157,7 +157,7 @@ fn places(document: &Document, count: usize) -> Vec<u32> {
     found.into_iter().step_by(step).collect()
 }
 
-/// Renames names of a file; gives how many were, and the reasons for the others.
+/// Renames names of a file; returns how many were renamed, and the reasons for the others.
 fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
     let name = path.to_string_lossy();
     let Ok(text) = fs::read_to_string(path) else {
@@ -166,7 +166,7 @@ fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
     let options = Arc::new(Options::default());
     let document = Document::new(&name, text.as_str().into(), options, &NoFiles);
     let before = modules(&name, &text);
-    // Where all have errors, there is nothing to compare.
+    // If all shaders have errors, there is nothing to compare.
     if before.iter().all(Option::is_none) {
         return (0, Vec::new());
     }
@@ -186,14 +186,14 @@ fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
         let now = modules(&name, &after);
         assert_eq!(now.len(), before.len(), "{name} at {place}");
         for (before, now) in before.iter().zip(&now) {
-            // What was wrong may be right: the old name was reserved.
+            // An error may disappear: the old name was reserved.
             let Some(before) = before else {
                 continue;
             };
             let now = now.as_ref().map(|now| meaning(now, &old));
             assert!(
                 now == Some(meaning(before, &old)),
-                "{name} means something else once `{old}` at {place} is another"
+                "{name}: the IR differs after renaming `{old}` at {place}"
             );
         }
         renamed += 1;
@@ -212,19 +212,19 @@ fn check_all(folder: &Path, at_least: usize) {
         renamed += done;
         refused.extend(others);
     }
-    println!("{renamed} names are others, {} stay:", refused.len());
+    println!("{renamed} names renamed, {} refused:", refused.len());
     refused.iter().for_each(|why| println!("  {why}"));
-    assert!(renamed >= at_least, "only {renamed} names are renamed");
+    assert!(renamed >= at_least, "only {renamed} names were renamed");
     assert!(refused.len() * 50 <= renamed, "{refused:#?}");
 }
 
 #[test]
-fn the_corpus_means_the_same_with_other_names() {
+fn renaming_preserves_the_corpus() {
     check_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus"), 100);
 }
 
 #[test]
-fn exports_mean_the_same_with_other_names() {
+fn renaming_preserves_exports() {
     if let Some(cases) = std::env::var_os("SHADERLINT_CASES") {
         check_all(&Path::new(&cases).join("shadertoy"), 1_000);
     }

@@ -1,7 +1,7 @@
-//! The order of the house: layers, circles, pairs, pages, sizes, names, words.
+//! Rules for the code base: layers, cycles, pairs, pages, sizes, names, messages.
 
 mod circles;
-mod code;
+pub mod code;
 mod names;
 
 use code::{Token, tokens, without_tests};
@@ -13,12 +13,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Longest file, in lines.
+/// Maximum length of a file, in lines.
 const MAX_FILE: usize = 800;
-/// Longest function, in lines.
+/// Maximum length of a function, in lines.
 const MAX_FUNCTION: usize = 80;
 
-fn root() -> PathBuf {
+pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
@@ -35,8 +35,8 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Paths from the top of the repository, with contents.
-fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
+/// Files with this extension: paths relative to the repository, and contents.
+pub fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
     let mut paths = Vec::new();
     for folder in folders {
         walk(&root().join(folder), &mut paths);
@@ -57,7 +57,7 @@ fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
         .collect()
 }
 
-/// The folders of all crates, in which their roots stand; `src` holds the programs beside the layers.
+/// The source folders of all crates; `src` contains the programs and all layers.
 fn crates() -> Vec<String> {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
     let members = manifest.split_once("members = [").unwrap().1;
@@ -71,7 +71,7 @@ fn crates() -> Vec<String> {
 }
 
 #[test]
-fn no_rule_names_another() {
+fn rules_do_not_depend_on_each_other() {
     for (file, text) in files(&["rules"], ".rs") {
         let tokens = without_tests(&tokens(&text));
         let names_another = tokens.windows(2).any(|pair| {
@@ -85,7 +85,7 @@ fn no_rule_names_another() {
 }
 
 #[test]
-fn every_rule_is_a_pair() {
+fn every_rule_has_code_and_a_page() {
     let names = |ending: &str| -> BTreeSet<String> {
         let all = fs::read_dir(root().join("rules"))
             .unwrap()
@@ -102,7 +102,7 @@ fn every_rule_is_a_pair() {
     assert_eq!(
         RULES.iter().map(|r| r.name).collect::<Vec<_>>(),
         sorted,
-        "the rules stand by name"
+        "the rules are sorted by name"
     );
 }
 
@@ -129,7 +129,7 @@ fn every_error_has_a_page() {
 }
 
 #[test]
-fn modules_say_what_they_are_and_stay_small() {
+fn modules_are_documented_and_stay_small() {
     let mut wrong = Vec::new();
     for (file, text) in files(&["src", "rules", "tests"], ".rs") {
         if !text.starts_with("//! ") {
@@ -147,7 +147,7 @@ fn modules_say_what_they_are_and_stay_small() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Functions of more lines than fit, with their heads, however those are wrapped.
+/// Functions that are too long, with their signatures.
 fn long_functions(text: &str) -> Vec<String> {
     let mut long = Vec::new();
     let mut open: Option<(usize, String, String)> = None;
@@ -169,7 +169,8 @@ fn long_functions(text: &str) -> Vec<String> {
     long
 }
 
-/// What is put into pages is named by the file that does it; nothing else would see that it is not.
+/// Every script of the player must be named by the file that puts it into pages; otherwise it is
+/// unused.
 #[test]
 fn every_script_of_the_player_is_used() {
     let port: String = files(&["src/port"], ".rs")
@@ -181,7 +182,10 @@ fn every_script_of_the_player_is_used() {
     for (path, _) in scripts {
         let name = path.trim_start_matches("src/port/");
         let is_types = name == "player/types.js";
-        assert!(is_types || port.contains(name), "{path} is in no page");
+        assert!(
+            is_types || port.contains(name),
+            "{path} is not used by any page"
+        );
     }
 }
 
@@ -198,11 +202,11 @@ fn functions_fit_a_screen() {
     assert_eq!(long_functions(&wrapped).len(), 1);
 }
 
-/// What a built-in function does is told by its row in the table and by its number, never by its name
-/// or how the name begins.
+/// Code identifies a built-in function by its row in the table and its id, never by its name or a
+/// prefix of its name.
 #[test]
-fn no_built_in_is_told_by_its_name() {
-    // Below these layers nothing knows of functions; `port` speaks of textures and how they wrap.
+fn built_ins_are_not_identified_by_name() {
+    // The layers below do not know functions; `port` uses names of textures and wrap modes.
     let folders = ["src/semantic", "src/lint", "rules", "src/port/naga"];
     let later = ["src/ir", "src/flow", "src/exec"];
     let later = later.iter().filter(|f| root().join(f).exists());
@@ -219,13 +223,13 @@ fn no_built_in_is_told_by_its_name() {
             }
         }
     }
-    // What selects all rules.
+    // The name of the group with all rules.
     wrong.retain(|w| !w.contains("\"all\" => Some(Reach::All)"));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Whether the name of a built-in function, or the beginning of one, stands on a line where it is
-/// compared with something: beside `==`, in a pattern, or as what a text starts with or holds.
+/// Whether a line compares something with the name of a built-in function or a part of one: with
+/// `==`, in a pattern, or in `starts_with`, `contains` and the like.
 fn compares_a_built_in(line: &str) -> bool {
     let parts: Vec<&str> = line.split('"').collect();
     (1..parts.len()).step_by(2).any(|i| {
@@ -253,9 +257,10 @@ fn compares_a_built_in(line: &str) -> bool {
     })
 }
 
-/// What the checker finds wrong is an enum in one file, and its words are in the file of the same name.
+/// Each problem enum of the checker is in one file, and its messages are in the file of the same
+/// name.
 #[test]
-fn words_stand_where_they_are_looked_for() {
+fn messages_are_in_the_file_of_their_problem() {
     let mut wrong = Vec::new();
     for (file, text) in files(&["src/semantic/explain"], ".rs") {
         for rest in text.split("\nimpl Explain for ").skip(1) {
@@ -270,7 +275,7 @@ fn words_stand_where_they_are_looked_for() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Messages are lower case and without a full stop, as every page prints them.
+/// Messages start in lower case and have no full stop.
 #[test]
 fn messages_keep_their_style() {
     let mut wrong = Vec::new();
@@ -278,7 +283,7 @@ fn messages_keep_their_style() {
         let page = Page::new(&text);
         for fence in &page.fences {
             for line in text[fence.range.clone()].lines() {
-                let heads = ["error[", "warning[", "note["];
+                let heads = ["error[", "warning[", "info["];
                 let Some(rest) = heads.iter().find_map(|h| line.strip_prefix(h)) else {
                     continue;
                 };
@@ -300,10 +305,10 @@ fn messages_keep_their_style() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// `rules/new`, as CONTRIBUTING.md tells to use it.
+/// `rules/new`, used as described in CONTRIBUTING.md.
 #[cfg(unix)]
 #[test]
-fn a_new_rule_is_a_pair_in_its_place() {
+fn rules_new_creates_a_sorted_rule_and_page() {
     let folder = tempfile::tempdir().unwrap();
     for file in ["rules/new", "rules/lib.rs", "src/lint/rule.rs"] {
         let to = folder.path().join(file);
@@ -315,8 +320,11 @@ fn a_new_rule_is_a_pair_in_its_place() {
         command.args(args).output().unwrap().status.success()
     };
     assert!(new(&["even-odds", "numeric"]));
-    assert!(!new(&["even-odds"]), "it is there already");
-    assert!(!new(&["other-odds", "groupless"]), "there is no such group");
+    assert!(!new(&["even-odds"]), "the rule exists already");
+    assert!(
+        !new(&["other-odds", "groupless"]),
+        "the group does not exist"
+    );
     let read = |file: &str| fs::read_to_string(folder.path().join("rules").join(file)).unwrap();
     assert!(read("even_odds.rs").contains("group: Group::Numeric,"));
     assert!(Page::new(&read("even_odds.md")).name == "even-odds");

@@ -1,7 +1,8 @@
-//! Small shaders and what the browser says of each: `corpus/verdicts`, whose README has the form.
-//! `tests/browser/verdicts.js` asks the browser again.
+//! Small shaders and the browser's verdict on each: `corpus/verdicts`, whose README describes the
+//! format. `tests/browser/verdicts.js` compares them with the browser.
 //!
-//! `INSTA_UPDATE=always cargo test` records under which rule shaderlint refuses what the browser refuses.
+//! `INSTA_UPDATE=always cargo test` records the rule under which shaderlint rejects what the
+//! browser rejects.
 
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
@@ -9,7 +10,7 @@ use shaderlint::lint::Settings;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What the line above a case says, and the lines below it.
+/// The head of a case, and the lines after it.
 struct Case<'a> {
     head: &'a str,
     /// `accepted`, `refused LINE` or `refused LINE RULE`.
@@ -19,7 +20,7 @@ struct Case<'a> {
     code: String,
 }
 
-/// The head of a case, `//: VERDICT[, VERSION STAGE][: TITLE]`, without its code.
+/// Parses the head of a case, `//: VERDICT[, VERSION STAGE][: TITLE]`.
 fn head(line: &str) -> Option<Case<'_>> {
     let said = line.strip_prefix("//: ")?;
     let said = said.split_once(": ").map_or(said, |(said, _)| said);
@@ -50,7 +51,7 @@ fn cases(text: &str) -> Vec<Case<'_>> {
     found
 }
 
-/// The whole shader, and the name of its file.
+/// The complete shader, and its file name.
 fn shader(case: &Case) -> (String, &'static str) {
     let name = if case.is_fragment { "a.frag" } else { "a.vert" };
     let code = case.code.trim_end();
@@ -76,12 +77,12 @@ fn shader(case: &Case) -> (String, &'static str) {
     )
 }
 
-/// The rule of the first error that shaderlint finds.
+/// The rule of the first error that shaderlint reports.
 fn judge(case: &Case) -> Option<&'static str> {
     let options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
     let (text, name) = shader(case);
     let report = check(name, &text, &options, &NoFiles);
-    assert!(report.unread.is_none(), "it is not read: {}", case.head);
+    assert!(report.unread.is_none(), "unreadable case: {}", case.head);
     let mut all = report.diagnostics.iter();
     all.find(|d| d.severity == Severity::Error).map(|d| d.rule)
 }
@@ -96,7 +97,7 @@ fn files() -> Vec<PathBuf> {
     found
 }
 
-/// Puts the rules into the heads, where shaderlint refuses what the browser refuses.
+/// Writes the rules into the heads of the cases that both shaderlint and the browser reject.
 fn record_rules() {
     for path in files() {
         let mut text = fs::read_to_string(&path).unwrap();
@@ -114,7 +115,7 @@ fn record_rules() {
 }
 
 #[test]
-fn the_verdict_is_the_browsers() {
+fn verdicts_match_the_browser() {
     if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
         record_rules();
     }
@@ -134,10 +135,16 @@ fn the_verdict_is_the_browsers() {
             if !is_right {
                 let name = path.file_name().unwrap().display();
                 let found = found.unwrap_or("accepted");
-                wrong.push(format!("{name}: {found}, not {}\n{}", case.head, case.code));
+                wrong.push(format!(
+                    "{name}: found {found}, expected {}\n{}",
+                    case.head, case.code
+                ));
             }
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert!(accepted > 300 && refused > 300, "{accepted} and {refused}");
+    assert!(
+        accepted > 300 && refused > 300,
+        "{accepted} accepted, {refused} refused"
+    );
 }

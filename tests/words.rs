@@ -1,225 +1,345 @@
-//! Mistakes inside expressions and words of other languages: each is one error, and its fix gives
-//! what was meant.
+//! How the product speaks: plain technical English in every text that a person reads. Each refused
+//! word has the term of the field that replaces it.
 
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
-use shaderlint::lint::{Allow, Settings};
-use shaderlint::rules::RULES;
+use super::tidy::code::{Token, tokens, without_tests};
+use super::tidy::{files, root};
+use regex::{Regex, RegexBuilder};
+use std::fs;
 
-const HEAD: &str = "#version 300 es\nprecision highp float;\nuniform sampler2D tex;\nuniform float time;\n\
-    uniform mat4 mvp;\nin vec2 uv;\nout vec4 fragColor;\nfloat ring(vec2 p, float r) { return length(p) - r; }\n";
-const BEFORE: &str = "void main() {\nvec3 a = vec3(uv, 0.5), b = a.zyx;\nfloat x = uv.x, y = uv.y;\n\
-    int i = 3;\nbool p = x > y, q = y > 0.5;\n";
-const AFTER: &str = "\nfragColor = vec4(a * x + b * y, float(i));\n}\n";
+/// Longest title of a finding, in characters: one line of a list of problems.
+const MOST_TITLE: usize = 72;
+/// Longest sentence of a label, note or help, in words.
+const MOST_SENTENCE: usize = 30;
 
-fn options() -> Options {
-    let settings = Settings::new(RULES, &[], &["all".to_string()]).unwrap();
-    Options::new(DialectChoice::Auto, settings)
+/// Refused in texts, and what to write. The patterns are regular expressions between word boundaries.
+const TEXTS: &[(&str, &str)] = &[
+    (
+        r"(each|every|one|first|last|a|per|of|the|many|more|\d+) turns?",
+        "iteration",
+    ),
+    (r"(loops?|it) turns", "runs, repeats"),
+    (r"pictures?", "image, frame, output"),
+    (
+        r"told|tells? (of|that|what|how|which|by|whether)|is said|said (of|to)",
+        "reported, shown, listed",
+    ),
+    (r"mend(s|ed|ing)?", "fix, repair"),
+    (r"hangs? on", "depends on"),
+    (r"(stand|stands|stood|standing)", "is, is declared, appears"),
+    (
+        r"(stands|text|line|file|name|comment|`[^`]*`) behind",
+        "after",
+    ),
+    (
+        r"ending of|its ending|the ending|file endings?",
+        "extension",
+    ),
+    (
+        r"words? of (HLSL|Metal|WGSL|C|other languages)",
+        "HLSL type, HLSL function, keyword",
+    ),
+    (r"by (itself|themselves)", "implicitly"),
+    (r"wants?", "expects, needs"),
+    (
+        r"takes (no|only|an?|one|two|three|\d+) (arguments?|index|constant|number|value|parameter)",
+        "expects, accepts",
+    ),
+    (
+        r"leaves? (something |it )?open",
+        "cannot be resolved, was not checked",
+    ),
+    (r"middle form", "IR"),
+    (r"register code", "bytecode"),
+    (
+        r"part(s|ed|ing)? (some )?pixels|pixels part|leave apart",
+        "diverge",
+    ),
+    (r"personas?", "GPU profile"),
+    (r"blessed", "golden image"),
+    (
+        r"whole (number|numbers|shader|shaders|text|texts)",
+        "integer; complete shader",
+    ),
+    (
+        r"(a|the|square) roots? (of|and|in|a) (a )?(negative|number|sine)",
+        "square root",
+    ),
+    (
+        r"(is|are|was|were|be) looked at|looks? at",
+        "checks, analyses",
+    ),
+    (r"in the mean", "on average"),
+    (r"the site('s)?", "ShaderToy"),
+    (r"needless(ly)?", "unnecessary, redundant"),
+    (
+        r"nothing declares|nobody knows|nobody sets",
+        "is not declared, is unknown",
+    ),
+    (
+        r"(do|does) not go together|do not mix",
+        "cannot multiply A by B",
+    ),
+    (r"(cannot|can not) become", "cannot assign A to B"),
+    (r"(is|are) gone since", "was removed in"),
+    (r"(`|this|it|that) is no [a-z]+", "is not a"),
+    (
+        r"what was read|known of|said of|can come to be|at hand",
+        "name the cause",
+    ),
+    (r"beholders?|thereof|wherein|whereby|therein", "shorter"),
+];
+
+/// Phrases with a refused word that mean something else.
+const ALLOWED: &[&str] = &[
+    // Names.
+    "gpu-dependent-picture",
+    "gpu_dependent_picture",
+    "gray-picture",
+    "gray_picture",
+    "needless-bool",
+    "needless_bool",
+    "static-picture",
+    "static_picture",
+    "contain `picture`",
+    "`pictures`",
+    "shaderlint.pictures",
+    // A replacement for a missing file.
+    "stand-in",
+    "stands for",
+    "stand for",
+    "the site or library",
+    "the base by itself",
+    "you do not want",
+    "it turns off",
+    "it turns on",
+    "is no longer",
+    "is no more than",
+    "is no greater",
+    "is no less",
+];
+
+fn refused() -> Vec<(Regex, &'static str)> {
+    let build = |(pattern, instead): &(&str, &'static str)| {
+        let pattern = format!(r"\b(?:{pattern})(?:\b|$|\W)");
+        let regex = RegexBuilder::new(&pattern).case_insensitive(true).build();
+        (regex.unwrap(), *instead)
+    };
+    TEXTS.iter().map(build).collect()
 }
 
-fn judge(code: &str) -> Vec<String> {
-    let report = check("a.frag", code, &options(), &NoFiles);
-    assert!(report.unread.is_none(), "cannot be judged: {code}");
-    report.diagnostics.into_iter().map(|d| d.message).collect()
+/// A text that a person reads, with the place where it is written.
+struct Text {
+    place: String,
+    text: String,
 }
 
-/// One error for `broken`, whose fix makes it `meant`, which compiles.
-fn check_in(before: &str, broken: &str, meant: &str, after: &str) {
-    let code = format!("{before}{broken}{after}");
-    let errors = judge(&code);
-    assert_eq!(errors.len(), 1, "{broken}: {errors:?}");
-    let fixed = mend("a.frag", &code, &options(), &NoFiles, Allow::Unsafe);
-    let body = fixed
-        .text
-        .strip_prefix(before)
-        .and_then(|t| t.strip_suffix(after));
-    assert_eq!(body.unwrap_or(&fixed.text), meant, "{errors:?}");
-    assert_eq!(judge(&fixed.text), Vec::<String>::new(), "{meant}");
-}
-
-fn statement(broken: &str, meant: &str) {
-    check_in(&format!("{HEAD}{BEFORE}"), broken, meant, AFTER);
-}
-
-fn global(broken: &str, meant: &str) {
-    check_in(HEAD, broken, meant, &format!("\n{BEFORE}{AFTER}"));
-}
-
-#[test]
-fn types_and_functions_of_other_languages_are_known() {
-    statement("float3 c = a; b = c;", "vec3 c = a; b = c;");
-    statement(
-        "vec2 c = half2(x, y); x = c.x;",
-        "vec2 c = vec2(x, y); x = c.x;",
-    );
-    statement("Vec3 c = a; b = c;", "vec3 c = a; b = c;");
-    statement("a = lerp(a, b, x);", "a = mix(a, b, x);");
-    statement("x = saturate(y + 1.0);", "x = clamp(y + 1.0, 0.0, 1.0);");
-    statement(
-        "vec4 c = mul(mvp, mul(mvp, vec4(a, 1.0))); x = c.x;",
-        "vec4 c = (mvp * (mvp * vec4(a, 1.0))); x = c.x;",
-    );
-    statement("x = mad(x, y + 1.0, x);", "x = (x * (y + 1.0) + x);");
-    statement("x = fmod(x, y);", "x = mod(x, y);");
-    statement(
-        "a = tex2Dlod(tex, vec4(uv, 0.0, 1.0)).rgb;",
-        "a = textureLod(tex, (vec4(uv, 0.0, 1.0)).xy, (vec4(uv, 0.0, 1.0)).w).rgb;",
-    );
-    statement("x = Math.max(x, Math.PI);", "x = max(x, 3.14159265);");
-    statement("x = powf(x, y);", "x = pow(x, y);");
-    statement("p = True;", "p = true;");
-    statement("x = null;", "x = 0.0;");
-    statement("console.log(x);", "");
-    statement("x = a.dot(b);", "x = dot(a, b);");
-}
-
-#[test]
-fn a_word_that_the_shader_declares_is_its_own() {
-    let own = "float lerp(float a, float b) { return a * b; }\nstruct float3 { float x; };\n";
-    let code = format!(
-        "{HEAD}{own}{BEFORE}float var = lerp(x, y); float3 c = float3(var); x = c.x;{AFTER}"
-    );
-    assert_eq!(judge(&code), Vec::<String>::new());
-}
-
-#[test]
-fn declarations_without_a_type_get_that_of_their_value() {
-    statement("var c = a * 2.0; b = c;", "vec3 c = a * 2.0; b = c;");
-    statement("let c: f32 = 1.0; x = c;", "float c = 1.0; x = c;");
-    statement("let c: vec3<f32> = a; b = c;", "vec3 c = a; b = c;");
-    statement("const c = 2.0; x = c;", "const float c = 2.0; x = c;");
-    statement(
-        "constexpr float c = 2.0; x = c;",
-        "const float c = 2.0; x = c;",
-    );
-    statement("c = a * 2.0; b = c;", "vec3 c = a * 2.0; b = c;");
-    global("const K: f32 = 2.0;", "const float K = 2.0;");
-}
-
-#[test]
-fn operators_of_other_languages_are_understood() {
-    statement(
-        "if (p and x > 1.0) { x = 1.0; }",
-        "if (p && x > 1.0) { x = 1.0; }",
-    );
-    statement("if (not p) { x = 1.0; }", "if (!p) { x = 1.0; }");
-    statement("if (i === 3) { x = 1.0; }", "if (i == 3) { x = 1.0; }");
-    statement("if (i <> 3) { x = 1.0; }", "if (i != 3) { x = 1.0; }");
-    statement("p &&= q;", "p = p && q;");
-    statement("x = 2.0 * y ** 2 + 1.0;", "x = 2.0 * pow(y, 2.0) + 1.0;");
-    statement("x = 2.0 * y ^ 2.0;", "x = 2.0 * pow(y, 2.0);");
-    statement("x = x % 2.0;", "x = mod(x, 2.0);");
-    statement("x = std::sin(y);", "x = sin(y);");
-    statement("float c = 1,5; x = c;", "float c = 1.5; x = c;");
-    statement("x = i as f32;", "x = float(i);");
-    statement("x = (half)i;", "x = float(i);");
-    statement("x = static_cast<float>(i);", "x = float(i);");
-    statement("p = 0 <= i < 3;", "p = 0 <= i && i < 3;");
-    statement("a = new vec3(1.0);", "a = vec3(1.0);");
-    statement("x = 1.0h;", "x = 1.0;");
-    statement("i = 0b101;", "i = 0x5;");
-}
-
-#[test]
-fn heads_of_other_languages_are_understood() {
-    statement(
-        "if (p) { x = 1.0; } elif (q) { x = 2.0; } else { x = 3.0; }",
-        "if (p) { x = 1.0; } else if (q) { x = 2.0; } else { x = 3.0; }",
-    );
-    statement(
-        "[unroll] for (int k = 0; k < 4; k++) { x += 1.0; }",
-        "for (int k = 0; k < 4; k++) { x += 1.0; }",
-    );
-    statement(
-        "for (k in range(4)) { x += 1.0; }",
-        "for (int k = 0; k < 4; k++) { x += 1.0; }",
-    );
-    statement("if p { x = 1.0; }", "if (p) { x = 1.0; }");
-    global(
-        "fn shade(q: vec3<f32>, r: f32) -> vec3<f32> { return q * r; }",
-        "vec3 shade(vec3 q, float r) { return q * r; }",
-    );
-    global(
-        "vec4 shade(vec2 q) : SV_Target { return vec4(q, 0.0, 1.0); }",
-        "vec4 shade(vec2 q) { return vec4(q, 0.0, 1.0); }",
-    );
-    global(
-        "cbuffer Params : register(b0) { vec4 tint; };",
-        "uniform Params { vec4 tint; };",
-    );
-    global("import math", "");
-}
-
-#[test]
-fn arguments_are_dropped_added_and_swapped() {
-    statement("x = ring(uv);", "x = ring(uv, 0.0);");
-    statement("x = ring(true, uv, y);", "x = ring(uv, y);");
-    statement("x = ring(y, uv);", "x = ring(uv, y);");
-    statement("a = texture(uv, tex).rgb;", "a = texture(tex, uv).rgb;");
-    statement("x = max(y);", "x = max(y, 0.0);");
-    statement("a = mix(a, b.xy, x);", "a = mix(a, b.xyz, x);");
-}
-
-#[test]
-fn a_fourth_component_is_opaque_and_a_point() {
-    statement("fragColor = a;", "fragColor = vec4(a, 1.0);");
-    statement("fragColor = x;", "fragColor = vec4(vec3(x), 1.0);");
-    statement("fragColor = vec4(a);", "fragColor = vec4(a, 1.0);");
-    statement("fragColor = mvp * a;", "fragColor = mvp * vec4(a, 1.0);");
-    statement("a = mvp * a;", "a = (mvp * vec4(a, 1.0)).xyz;");
-}
-
-#[test]
-fn what_cannot_be_written_to_is_copied_and_what_is_declared_twice_is_one() {
-    statement("const float k = 1.0; k += 2.0;", "float k = 1.0; k += 2.0;");
-    statement("a.xx = uv;", "a.xy = uv;");
-    statement(
-        "vec3 c = a * x; vec3 c = a * x; b = c;",
-        "vec3 c = a * x;  b = c;",
-    );
-    statement(
-        "vec3 c = a * x; vec3 c = b; b = c;",
-        "vec3 c = a * x; c = b; b = c;",
-    );
-    statement(
-        "vec3 c = a; float c = x; x = c;",
-        "vec3 c = a; float c2 = x; x = c2;",
-    );
-    let broken = format!("{HEAD}{BEFORE}time += 0.1;{AFTER}");
-    let fixed = mend("a.frag", &broken, &options(), &NoFiles, Allow::Unsafe);
-    assert!(
-        fixed.text.contains("float timeCopy = time;"),
-        "{}",
-        fixed.text
-    );
-    assert_eq!(judge(&fixed.text), Vec::<String>::new());
-}
-
-#[test]
-fn the_uses_of_a_variable_tell_whether_its_type_or_its_value_is_wrong() {
-    statement(
-        "int c = 1.5; x = c * 2.0; y = c;",
-        "float c = 1.5; x = c * 2.0; y = c;",
-    );
-    statement("int c = 2.0; i = c + 1;", "int c = 2; i = c + 1;");
-    let three = format!("{HEAD}{BEFORE}float c = 0; float d = max(c, 0); a = c;{AFTER}");
-    assert_eq!(judge(&three).len(), 3);
-}
-
-#[test]
-fn a_reserved_word_in_the_place_of_a_name_is_that_alone() {
-    for word in [
-        "typedef",
-        "enum",
-        "class",
-        "namespace",
-        "template",
-        "half",
-        "goto",
-        "using",
-    ] {
-        let code = format!("{HEAD}{BEFORE}float {word} = 1.0; x = {word};{AFTER}");
-        let errors = judge(&code);
-        assert_eq!(errors.len(), 1, "{word}: {errors:?}");
-        assert!(errors[0].contains("reserved"), "{errors:?}");
+/// The strings of a Rust file that hold words, tests left out.
+fn of_rust(path: &str, text: &str, found: &mut Vec<Text>) {
+    for (token, line) in without_tests(&tokens(text)) {
+        let Token::Text(text) = token else { continue };
+        let text = joined(text);
+        if text.split_whitespace().count() > 1 {
+            let place = format!("{path}:{line}");
+            found.push(Text { place, text });
+        }
     }
+}
+
+/// A string without its line breaks.
+fn joined(text: &str) -> String {
+    let mut lines = text.split("\\\n");
+    let first = lines.next().unwrap_or("").to_string();
+    lines.fold(first, |text, line| text + line.trim_start())
+}
+
+/// The comments that the help of a program is made from.
+fn of_help(path: &str, text: &str, found: &mut Vec<Text>) {
+    for (number, line) in text.lines().enumerate() {
+        if let Some(text) = line.trim().strip_prefix("/// ") {
+            found.push(Text {
+                place: format!("{path}:{}", number + 1),
+                text: text.to_string(),
+            });
+        }
+    }
+}
+
+/// The lines of a page outside its fences of code.
+fn of_page(path: &str, text: &str, found: &mut Vec<Text>) {
+    let mut fence: Option<&str> = None;
+    for (number, line) in text.lines().enumerate() {
+        if let Some(info) = line.trim_start().strip_prefix("```") {
+            fence = match fence {
+                None => Some(info),
+                Some(_) => None,
+            };
+        } else if fence.is_none() {
+            found.push(Text {
+                place: format!("{path}:{}", number + 1),
+                text: line.to_string(),
+            });
+        }
+    }
+}
+
+/// The strings of a script that hold words.
+fn of_script(path: &str, text: &str, found: &mut Vec<Text>) {
+    let strings = Regex::new(r#"'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*"|`[^`]*`"#).unwrap();
+    for (number, line) in text.lines().enumerate() {
+        if line.trim_start().starts_with("//") {
+            continue;
+        }
+        for string in strings.find_iter(line) {
+            if string.as_str().trim().contains(' ') {
+                found.push(Text {
+                    place: format!("{path}:{}", number + 1),
+                    text: string.as_str().to_string(),
+                });
+            }
+        }
+    }
+}
+
+/// Every text that a person reads.
+fn texts() -> Vec<Text> {
+    let mut found = Vec::new();
+    for (path, text) in files(&["src", "rules"], ".rs") {
+        if path.ends_with("tests.rs") {
+            continue;
+        }
+        of_rust(&path, &text, &mut found);
+        if path.starts_with("src/cli/") && path.ends_with("args.rs") {
+            of_help(&path, &text, &mut found);
+        }
+    }
+    for (path, text) in files(
+        &["src", "rules", "docs", "corpus", "editors", "benches"],
+        ".md",
+    ) {
+        of_page(&path, &text, &mut found);
+    }
+    for path in ["README.md", "CONTRIBUTING.md"] {
+        let text = fs::read_to_string(root().join(path)).unwrap();
+        of_page(path, &text, &mut found);
+    }
+    for (path, text) in files(&["src/port/player", "editors/vscode"], ".js") {
+        of_script(&path, &text, &mut found);
+    }
+    for (path, text) in files(&["src/ide"], ".txt") {
+        of_page(&path, &text, &mut found);
+    }
+    for (path, text) in files(&["editors"], "package.json") {
+        of_script(&path, &text, &mut found);
+    }
+    found
+}
+
+/// The refused words of a text.
+fn complaints(text: &str, refused: &[(Regex, &'static str)]) -> Vec<String> {
+    let mut text = text.to_string();
+    for allowed in ALLOWED {
+        text = text.replace(allowed, "");
+    }
+    let found = refused.iter().filter_map(|(regex, instead)| {
+        let hit = regex.find(&text)?;
+        Some(format!("`{}` -> {instead}", hit.as_str().trim()))
+    });
+    found.collect()
+}
+
+#[test]
+fn texts_have_no_refused_words() {
+    let refused = refused();
+    let mut problems = Vec::new();
+    for Text { place, text } in texts() {
+        for complaint in complaints(&text, &refused) {
+            problems.push(format!("{place}: {complaint}: {}", text.trim()));
+        }
+    }
+    let count = problems.len();
+    assert!(problems.is_empty(), "{count}:\n{}", problems.join("\n"));
+}
+
+/// What the pages and the corpus print: the titles, and the lines after them.
+fn printed() -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for (path, text) in files(&["rules"], ".md") {
+        let fences = text.split("```text\n").skip(1);
+        let printed = fences.filter_map(|f| f.split("\n```").next());
+        found.extend(printed.map(|p| (path.clone(), p.to_string())));
+    }
+    found.extend(files(&["corpus/mistakes", "corpus/pitfalls"], ".txt"));
+    found
+}
+
+#[test]
+fn titles_fit_into_a_line() {
+    let mut problems = Vec::new();
+    for (path, text) in printed() {
+        for line in text.lines() {
+            if let Some(title) = title_of(line)
+                && title.chars().count() > MOST_TITLE
+            {
+                problems.push(format!("{path}: {}: {title}", title.chars().count()));
+            }
+        }
+    }
+    problems.sort();
+    problems.dedup();
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+/// The title of a finding as it is printed.
+fn title_of(line: &str) -> Option<&str> {
+    let (head, title) = line.split_once("]: ")?;
+    let severity = head.split('[').next()?;
+    ["error", "warning", "info"]
+        .contains(&severity)
+        .then_some(title)
+}
+
+#[test]
+fn sentences_of_findings_are_short() {
+    let mut problems = Vec::new();
+    for (path, text) in printed() {
+        for line in text.lines() {
+            let Some((_, note)) = line.split_once(" = ") else {
+                continue;
+            };
+            for sentence in note.split(['.', ';', ':']) {
+                let words = sentence.split_whitespace().count();
+                if words > MOST_SENTENCE {
+                    problems.push(format!("{path}: {words} words: {note}"));
+                }
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+#[test]
+fn the_guards_find_what_they_refuse() {
+    let refused = refused();
+    for bad in [
+        "nothing declares `x`",
+        "the picture hangs on digits",
+        "a loop that runs in every turn",
+        "`int` cannot become `float` by itself",
+        "9 things were mended",
+        "a mistake in a whole shader",
+        "`cast` is no function",
+    ] {
+        assert!(!complaints(bad, &refused).is_empty(), "{bad}");
+    }
+    for good in [
+        "`x` is not declared",
+        "turn it off",
+        "there is no output",
+        "it turns off",
+    ] {
+        assert!(complaints(good, &refused).is_empty(), "{good}");
+    }
+    assert_eq!(title_of("error[a-b]: `x` is bad"), Some("`x` is bad"));
+    assert_eq!(title_of("  = note]: x"), None);
+    assert_eq!(joined("a \\\n    b"), "a b");
 }

@@ -1,5 +1,5 @@
-//! How fast shaders are run without a GPU: `cargo bench --bench exec` prints the numbers as one JSON
-//! object, which `benches/run` puts into its table. Each is the best of several runs.
+//! Speed of running shaders without a GPU: `cargo bench --bench exec` prints the numbers as one
+//! JSON object, which `benches/run` copies into its table. Each number is the best of several runs.
 
 mod voxel;
 
@@ -10,15 +10,15 @@ use shaderlint::ir::lower;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// The size that is thought of where findings are measured.
+/// Resolution that sampling assumes, in pixels.
 const SIZE: [u32; 2] = [1280, 720];
-/// The size of whole pictures.
+/// Resolution of complete frames, in pixels.
 const PICTURE: [u32; 2] = [640, 360];
 const TIME: f64 = 2.0;
-/// How long something is repeated.
+/// Minimum duration of one measurement, in seconds.
 const SECONDS: f64 = 0.5;
 
-/// The least milliseconds that something takes.
+/// Time of the fastest run, in milliseconds.
 fn best(mut work: impl FnMut()) -> f64 {
     let begin = Instant::now();
     let mut best = f64::INFINITY;
@@ -30,15 +30,19 @@ fn best(mut work: impl FnMut()) -> f64 {
     best
 }
 
-/// A template of the corpus, checked.
+/// Compiles a template of the corpus.
 fn checked(name: &str) -> Analysis {
     let path = format!(
         "{}/corpus/templates/{name}.glsl",
         env!("CARGO_MANIFEST_DIR")
     );
-    let text = std::fs::read_to_string(&path).expect("the template");
+    let text = std::fs::read_to_string(&path).expect("readable template");
     let report = analyze(&path, &text, &Options::default(), &NoFiles);
-    report.analyses.into_iter().next().expect("one shader")
+    report
+        .analyses
+        .into_iter()
+        .next()
+        .expect("exactly one shader")
 }
 
 fn scene(analysis: &Analysis, watch: Watch) -> Scene {
@@ -46,10 +50,10 @@ fn scene(analysis: &Analysis, watch: Watch) -> Scene {
         watch,
         ..CompileOptions::default()
     };
-    Scene::of(&analysis.program, None, analysis.module(), &options).expect("it can be run")
+    Scene::of(&analysis.program, None, analysis.module(), &options).expect("executable shader")
 }
 
-/// What is measured of a template.
+/// All measurements of a template.
 fn measured(name: &str) -> serde_json::Value {
     let analysis = checked(name);
     let (plain, watched) = (
@@ -65,7 +69,7 @@ fn measured(name: &str) -> serde_json::Value {
     };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let seen = draw(&watched.draw(PICTURE, &moment), cores)
-        .expect("it ends")
+        .expect("run within the fuel limit")
         .seen;
     let one = whole(&plain, 1);
     let pixels = f64::from(PICTURE[0] * PICTURE[1]);
@@ -83,13 +87,14 @@ fn measured(name: &str) -> serde_json::Value {
     })
 }
 
-/// The native version's time for a pixel on one core; it draws the same picture.
+/// Time per pixel of the native version on one core, after checking that it draws the same image.
 fn native() -> f64 {
     let time = TIME as f32;
     let own = || (0..PICTURE[1]).flat_map(|y| (0..PICTURE[0]).map(move |x| [x, y]));
     let analysis = checked("voxel");
     let scene = scene(&analysis, Watch::Nothing);
-    let drawn = draw(&scene.draw(PICTURE, &Moment::at(TIME)), 1).expect("it ends");
+    let drawn =
+        draw(&scene.draw(PICTURE, &Moment::at(TIME)), 1).expect("run within the fuel limit");
     let picture = Picture::of(&scene.code, &drawn, 0);
     let differs = own().zip(&picture.pixels).filter(|(at, known)| {
         let found = voxel::pixel(*at, PICTURE, time);

@@ -1,5 +1,4 @@
-//! `corpus/templates/voxel.glsl` in Rust, as one writes it by hand: one pixel after another, in floats
-//! of 32 bits.
+//! `corpus/templates/voxel.glsl` in hand-written Rust: one pixel at a time, in 32-bit floats.
 
 type Vec3 = [f32; 3];
 
@@ -43,12 +42,12 @@ fn mix(a: f32, b: f32, t: f32) -> f32 {
     a * (1.0 - t) + b * t
 }
 
-/// GLSL's `sign`, which is 0 of 0.
+/// GLSL's `sign`: `sign(0.0)` is 0.
 fn sign(x: f32) -> f32 {
     f32::from(u8::from(x > 0.0)) - f32::from(u8::from(x < 0.0))
 }
 
-/// GLSL's `step` of the lanes against those beside them: along which axis the next wall is.
+/// GLSL's `step` applied to neighbouring components: the axis of the next voxel boundary.
 fn next_axis(side: Vec3) -> Vec3 {
     let step = |edge: f32, x: f32| if x < edge { 0.0 } else { 1.0 };
     let [x, y, z] = side;
@@ -167,7 +166,7 @@ fn surface(material: i32, [u, v]: [f32; 2]) -> Vec3 {
     scale(color, 0.85 + 0.15 * checker)
 }
 
-/// The colour of a pixel, whose lower left corner is given.
+/// Colour of the pixel with the given lower left corner.
 pub fn pixel([x, y]: [u32; 2], size: [u32; 2], time: f32) -> Vec3 {
     let [width, height] = size.map(|side| side as f32);
     let screen = [

@@ -1,8 +1,8 @@
-//! Repetitions: whatever is repeated, eight times as much of it takes at most about eight times as long.
-//! It says which take longer, and then ends with exit code 1.
+//! Growth: eight times as much of a repeated text must take at most about eight times as long.
+//! Prints the patterns that take longer and then exits with code 1.
 //!
-//! `SHADERLINT_REPEATED` sets another size than that of the larger text here, in bytes: the larger, the
-//! milder a square is seen. `tests/hostile/repetitions.rs` counts what is asked for of the same texts.
+//! `SHADERLINT_REPEATED` sets the size of the larger text in bytes; larger texts detect weaker
+//! quadratic growth. `tests/hostile/repetitions.rs` counts allocations for the same texts.
 
 #[path = "../../tests/hostile/patterns.rs"]
 mod patterns;
@@ -14,25 +14,24 @@ use std::fs;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Bytes of the larger text; the smaller is an eighth of it.
+/// Size of the larger text in bytes; the smaller one has an eighth of it.
 const SIZE: usize = 12_000;
-/// Most that the work on the larger text may be, in times the work on the smaller done eight times:
-/// once is in line, eight times with the square.
+/// Maximum ratio of the time for the larger text to eight times the time for the smaller one: 1 is
+/// linear, 8 is quadratic.
 const MAX_GROWTH: u32 = 2;
-/// Work that is too little to be measured, whatever it is a multiple of.
+/// Times below this are not compared.
 const NEGLIGIBLE: Duration = Duration::from_millis(30);
-/// How often the work is measured before it counts as too much.
+/// Number of measurements before growth is reported.
 const TRIES: usize = 5;
 
-/// What this thread has worked so far: the time that it had a processor, where the system tells,
-/// so that it counts nothing what else the machine does.
+/// CPU time of this thread so far, if the system reports it, so that other processes do not count.
 fn worked() -> Option<Duration> {
     let text = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     let nanoseconds = text.split(' ').next()?.parse().ok()?;
     Some(Duration::from_nanos(nanoseconds))
 }
 
-/// The time of checking a text and printing what is found.
+/// Time to check a text and print the findings.
 fn work(text: &Input, options: &Options) -> Duration {
     let (before, start) = (worked(), Instant::now());
     report(text, options);
@@ -42,7 +41,7 @@ fn work(text: &Input, options: &Options) -> Duration {
     }
 }
 
-/// By how much the work on a repetition grows, where that is not in line with its length.
+/// The growth of a repetition, if it is more than linear.
 fn growth(texts: &[Input; 2], options: &Options) -> Option<String> {
     let [mut small, mut large] = [Duration::MAX; 2];
     for _ in 0..TRIES {
@@ -50,7 +49,7 @@ fn growth(texts: &[Input; 2], options: &Options) -> Option<String> {
         if large <= NEGLIGIBLE {
             return None;
         }
-        // The system tells in steps of some milliseconds.
+        // The system's clock has a resolution of some milliseconds.
         small = small.min((0..8).map(|_| work(&texts[0], options)).sum());
         if large <= small * MAX_GROWTH + NEGLIGIBLE {
             return None;

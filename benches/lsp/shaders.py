@@ -1,5 +1,5 @@
-"""Shaders of any length for measurements: noise, distance functions, loops, structs and macros as
-people write them. The same numbers give the same text."""
+"""Generates shaders of any length for measurements: noise, distance functions, loops, structs and
+macros in typical style. The same arguments always give the same text."""
 
 import random
 
@@ -110,7 +110,7 @@ LAST = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {{
 
 
 def numbers(source):
-    """Constants that differ from block to block."""
+    """Constants that differ between blocks."""
     return {
         "a": "%.4f" % source.uniform(0.1, 0.9),
         "b": "%.2f" % source.uniform(0.2, 0.8),
@@ -119,8 +119,8 @@ def numbers(source):
 
 
 def shader(lines, seed=1):
-    """A shader of about so many lines. The picture is made of a few of its functions, as in a file
-    that grew over the years; the rest is there all the same."""
+    """A shader of about this many lines. The image uses only a few of its functions, as in a file
+    that grew over the years; the rest is still compiled."""
     source = random.Random(seed)
     parts, count, number = [], 0, 0
     while count < lines - 20:

@@ -1,11 +1,11 @@
-// Houses in front of a low sun, whose fronts get no light.
+// Houses in front of a low sun: their fronts get no light.
 const vec3 ORIGIN = vec3(0.5, 1.5, -8.5);
 
 bool full(ivec3 c) {
     return c.y >= 0 && c.y < 2 + (c.x * c.x & 3) && c.z > 2 && c.z < 5 && (c.x & 1) == 0;
 }
 
-// The first full cell along a ray: how far away it is, and the side that the ray comes to.
+// The first solid cell along a ray: its distance, and the side that the ray hits.
 float castRay(vec3 origin, vec3 direction, int steps, out vec3 normal) {
     ivec3 cell = ivec3(floor(origin));
     ivec3 go = ivec3(sign(direction));

@@ -5,7 +5,7 @@ bool full(ivec3 c) {
     return c.y < 0 || c.y < 3 && (c.x & 3) == 0 && (c.z & 3) == 0;
 }
 
-// The first full cell along a ray: how far away it is, and the side that the ray comes to.
+// The first solid cell along a ray: its distance, and the side that the ray hits.
 float castRay(vec3 origin, vec3 direction, int steps, out vec3 normal) {
     ivec3 cell = ivec3(floor(origin));
     ivec3 go = ivec3(sign(direction));

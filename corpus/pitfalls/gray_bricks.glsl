@@ -1,4 +1,4 @@
-// Bricks whose colours are all but gray.
+// Bricks with colours that are almost gray.
 float hash(ivec2 p) {
     uint h = uint(p.x) * 1597334677u ^ uint(p.y) * 3812015801u;
     h = (h ^ (h >> 15u)) * 1103515245u;

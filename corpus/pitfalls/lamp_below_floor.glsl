@@ -1,4 +1,4 @@
-// The lamp lies below the floor: only the edge of the ball is lit.
+// The lamp is below the floor: only the edge of the ball is lit.
 const vec3 LAMP = vec3(0.0, -6.0, 2.0);
 
 float map(vec3 p) {

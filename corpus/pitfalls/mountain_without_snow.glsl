@@ -1,4 +1,4 @@
-// Mountains of 15, coloured as if they were 20 high.
+// Mountains 15 high, coloured as if they were 20 high.
 float ridge(vec2 p) {
     return 7.5 + 7.5 * sin(p.x * 0.7) * cos(p.y * 0.9);
 }

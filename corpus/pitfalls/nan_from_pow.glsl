@@ -1,4 +1,4 @@
-// A gamma correction of what may be negative.
+// Gamma correction of a value that may be negative.
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 uv = (2.0 * fragCoord - iResolution.xy) / iResolution.y;
     vec3 color = vec3(0.6, 0.4, 0.2) * (0.5 + sin(uv.x * 5.0 + iTime));

@@ -1,4 +1,4 @@
-// A march that ends before it comes to the sphere.
+// A march that ends before it reaches the sphere.
 float map(vec3 p) {
     return length(p) - 1.0;
 }

@@ -1,5 +1,5 @@
 //# Lengths
-//: refused 1 invalid-array: an array of no elements
+//: refused 1 invalid-array: an array without elements
 float a[0];
 //: refused 1 invalid-array: an array of a negative length
 float a[-1];
@@ -23,11 +23,11 @@ float a[int(max(2., 3.))];
 void f(const int n) { float a[n]; }
 //: accepted: a length by another array's length
 float a[2]; float b[a.length() + 1];
-//: refused 1 invalid-array: no length and no value
+//: refused 1 invalid-array: neither a size nor an initial value
 float a[];
-//: accepted: no length and a value
+//: accepted: no size, but an initial value
 float a[] = float[](1., 2.);
-//: refused 1 invalid-array, 100: no length in GLSL ES 1.00
+//: refused 1 invalid-array, 100: no size in GLSL ES 1.00
 float a[];
 //: refused 1 needs-webgl2, 100: an array with a value in GLSL ES 1.00
 float a[2] = float[2](1., 2.);
@@ -35,7 +35,7 @@ float a[2] = float[2](1., 2.);
 float a[2] = float[3](1., 2., 3.);
 //: refused 1 constructor-arguments: a constructor of another length than its arguments
 float a[2] = float[2](1., 2., 3.);
-//: refused 1 type-mismatch: a constructor of a type by brackets behind the name
+//: refused 1 type-mismatch: a constructor with the brackets after the name
 float a[2] = float(1., 2.);
 //: refused 1 invalid-array: arrays of arrays
 float a[2][3];
@@ -48,7 +48,7 @@ float[2] f() { return float[2](1., 2.); }
 void main() { float a = f()[1]; }
 //: refused 1 invalid-array, 100: a function that gives an array in GLSL ES 1.00
 float[2] f();
-//: refused 1 syntax-error: brackets behind a function's name
+//: refused 1 syntax-error: brackets after a function name
 float f()[2];
 //: refused 2 no-such-field: length as a member, not as a method
 float a[2];
@@ -70,7 +70,7 @@ void main() { int n = a.length(); }
 //: accepted: the last element
 float a[2];
 void main() { a[1] = 1.; }
-//: refused 2 index-out-of-range: one behind the last
+//: refused 2 index-out-of-range: one past the end
 float a[2];
 void main() { a[2] = 1.; }
 //: refused 2 index-out-of-range: one before the first
@@ -107,7 +107,7 @@ float a[2];
 void main() { a[] = 1.; }
 //: refused 1 invalid-index: an element of a number
 void main() { float a = 1.; a[0] = 1.; }
-//: accepted: arrays are assigned whole
+//: accepted: assignment of complete arrays
 float a[2], b[2];
 void main() { a = b; }
 //: refused 2 type-mismatch: arrays of different lengths are not assigned

@@ -1,4 +1,4 @@
-//# The instance of a block is no value
+//# The instance of a block is not a value
 //: refused 2 interface-block
 uniform B{float a;} b;
 void main() { b; }

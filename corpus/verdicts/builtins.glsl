@@ -27,9 +27,9 @@ uint a = abs(1u);
 float a = round(1.5) + roundEven(2.5) + trunc(1.5);
 //: refused 1 int-float-mix: a remainder of ints by the function
 int a = mod(5, 2);
-//: accepted: a fraction and its whole part
+//: accepted: the fractional and integer part of `modf`
 float a, b; void f() { a = modf(1.5, b); }
-//: refused 1 not-assignable: a whole part into a constant
+//: refused 1 not-assignable: the integer part of `modf` stored to a constant
 const float b = 1.; float f() { return modf(1.5, b); }
 //: accepted: the bits of a float
 int a = floatBitsToInt(1.); uint b = floatBitsToUint(1.); float c = intBitsToFloat(1);
@@ -99,7 +99,7 @@ in float a; float f() { return dFdx(a) + fwidth(a); }
 in float a; float f() { return dFdx(a); }
 //: refused 1 needs-webgl2, 100: a derivative in GLSL ES 1.00
 varying float a; float f() { return dFdx(a); }
-//: refused 4 needs-webgl2, 100: an extension that WebGL2 offers no shader: derivatives
+//: refused 4 needs-webgl2, 100: an extension that WebGL2 does not provide: derivatives
 #version 100
 #extension GL_OES_standard_derivatives : enable
 precision mediump float;
@@ -125,13 +125,13 @@ uniform sampler2D s; vec4 f() { return texture(s, vec2(0.), 1.); }
 uniform samplerCube s; vec4 f() { return texture(s, vec3(0.)); }
 //: accepted: a lookup in a shadow gives a number
 uniform highp sampler2DShadow s; float f() { return texture(s, vec3(0.)); }
-//: refused 1 vector-size: a lookup in a shadow gives no color
+//: refused 1 vector-size: a shadow lookup does not return a color
 uniform highp sampler2DShadow s; vec4 f() { return texture(s, vec3(0.)); }
-//: refused 1 argument-mismatch: a lookup in an array of shadows has no bias
+//: refused 1 argument-mismatch: a lookup in an array of shadow textures has no bias
 uniform highp sampler2DArrayShadow s; float f() { return texture(s, vec4(0.), 1.); }
 //: accepted: a lookup of ints
 uniform highp isampler2D s; ivec4 f() { return texture(s, vec2(0.)); }
-//: refused 1 int-float-mix: a lookup of ints gives no floats
+//: refused 1 int-float-mix: an integer lookup does not return floats
 uniform highp isampler2D s; vec4 f() { return texture(s, vec2(0.)); }
 //: accepted: a texel
 uniform sampler2D s; vec4 f() { return texelFetch(s, ivec2(0), 0); }
@@ -175,7 +175,7 @@ uniform sampler2D s; vec4 f() { return texture(s, vec2(0.)); }
 uniform sampler2D s; vec4 f() { return texture2DLod(s, vec2(0.), 0.); }
 //: accepted, 100 vertex: a level in a vertex shader of GLSL ES 1.00
 uniform sampler2D s; vec4 f() { return texture2DLod(s, vec2(0.), 0.); }
-//: refused 4 undeclared-name, 100: an extension that WebGL2 offers no shader: levels
+//: refused 4 undeclared-name, 100: an extension that WebGL2 does not provide: levels
 #version 100
 #extension GL_EXT_shader_texture_lod : enable
 precision mediump float;
@@ -195,7 +195,7 @@ void main() { gl_FragCoord.x = 1.; }
 void main() { gl_FragDepth = .5; gl_FragDepth += .1; }
 //: refused 1 needs-webgl2, 100: gl_FragDepth in GLSL ES 1.00
 void main() { gl_FragDepth = .5; }
-//: refused 4 undeclared-name, 100: an extension that WebGL2 offers no shader: depths
+//: refused 4 undeclared-name, 100: an extension that WebGL2 does not provide: depth
 #version 100
 #extension GL_EXT_frag_depth : enable
 precision mediump float;

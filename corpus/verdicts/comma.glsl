@@ -1,4 +1,4 @@
-//# An index behind a comma is not constant in GLSL ES 3.00
+//# An index after a comma is not constant in GLSL ES 3.00
 //: accepted
 uniform int i;
 void main() { int a[2]; a[(0,7)]; }
@@ -30,7 +30,7 @@ void main() { int a[2]; a[true?7:i]; }
 uniform int i;
 void main() { int a[2]; a[i>0?7:8]; }
 
-//# An index behind a comma that is out of range
+//# An index after a comma that is out of range
 //: refused 2 index-out-of-range
 uniform int i;
 void main() { int a[2]; a[(0,-1)]; }
@@ -126,7 +126,7 @@ void main() { int a[2]; a[7u]; }
 uniform int i;
 void main() { int a[2]; a[(0u,7u)]; }
 
-//# What is kept of `,` and `?:` where one side does nothing
+//# `,` and `?:` with a side without effects
 //: accepted
 struct S{float a[2];}; uniform S s;
 void main() { float y[s.a.length()]; }
@@ -483,7 +483,7 @@ void main() { (1,gl_FragColor)=vec4(1.); }
 varying vec4 v;
 void main() { (1,v)=vec4(1.); }
 
-//# What stands before a comma is dropped where it does nothing
+//# The left side of a comma is removed if it has no effects
 //: refused 3 invalid-index
 out vec4 o;
 uniform int i;

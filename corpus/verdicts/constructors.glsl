@@ -13,7 +13,7 @@ vec2 a = vec2(vec2(1.), 1.);
 vec2 a = vec2(vec4(1.));
 //: refused 1 constructor-arguments: a vector of a shorter one
 vec4 a = vec4(vec2(1.));
-//: refused 1 constructor-arguments: a vector of nothing
+//: refused 1 constructor-arguments: a vector without arguments
 vec2 a = vec2();
 //: accepted: a number of a vector
 float a = float(vec3(1.));
@@ -47,7 +47,7 @@ void main() { mat2x3(1.); }
 float a[2]; vec2 f() { return vec2(a); }
 //: refused 1 constructor-arguments: a vector of a struct
 struct S { float a; }; S s; vec2 f() { return vec2(s); }
-//: refused 2 void-value: a number of nothing
+//: refused 2 void-value: a scalar of a void value
 void f() {}
 void main() { float a = float(f()); }
 //: refused 2 not-a-variable: a number of a function
@@ -65,11 +65,11 @@ struct S { int a; }; S s = S(1, 2);
 struct S { float a; }; S s = S(1);
 //: refused 1 constructor-arguments: a struct of the components of its vector
 struct S { vec2 a; }; S s = S(1., 2.);
-//: refused 1 constructor-arguments: a struct of itself
+//: refused 1 constructor-arguments: a struct constructed from itself
 struct S { int a; }; S s = S(1); S t = S(s);
 //: accepted: a struct of an array
 struct S { int a[2]; }; S s = S(int[2](1, 2));
-//: refused 1 constructor-arguments: a struct of no members given
+//: refused 1 constructor-arguments: a struct without arguments
 struct S { int a; }; S s = S();
 //: refused 2 syntax-error: a struct without a name has no constructor
 struct { int a; } s;
@@ -88,10 +88,10 @@ void main() { float a[2] = float[n](1., 2.); }
 //: refused 2 constructor-arguments: a constructor of samplers
 uniform sampler2D s;
 void main() { sampler2D(s); }
-//: refused 1 syntax-error: a constructor of nothing
+//: refused 1 syntax-error: a constructor without arguments
 void main() { void(); }
 
-//# How many components a constructor takes
+//# The number of components that a constructor accepts
 //: refused 1 constructor-arguments
 void main() { vec2(vec3(1.)); vec3(vec2(1.),1); vec2(1.,2.,3.); }
 //: refused 1 constructor-arguments

@@ -1,4 +1,4 @@
-//# Loops that the browser takes for endless
+//# Loops that the browser considers infinite
 //: accepted
 uniform int i;
 void main() { while((true,true)){} }

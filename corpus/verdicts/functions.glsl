@@ -23,7 +23,7 @@ int f(int a) { return f(a); }
 //: refused 0 recursion: two functions that call each other
 void g(); void f() { g(); } void g() { f(); }
 void main() { f(); }
-//: accepted: overloads that call each other are no recursion
+//: accepted: overloads that call each other are not recursive
 float f(vec2 a) { return a.x; } float f(vec3 a) { return f(a.xy); }
 void main() { f(vec3(1.)); }
 //: refused 1 function-mismatch: overloads that differ in their result alone
@@ -65,7 +65,7 @@ struct f { int a; }; void f(int a) {}
 //: accepted: a local variable called like a function that it calls
 float f() { return 1.; }
 void main() { float f = f(); }
-//: refused 0 missing-main: no main, though it is declared
+//: refused 0 missing-main: main is declared but not defined
 void main();
 //: accepted: main with `void` for its parameters
 void main(void) {}
@@ -80,29 +80,29 @@ void f();
 void main() {} void f() { main(); }
 //: refused 0 missing-main: a variable called main
 int main;
-//: refused 1 stray-semicolon: a semicolon behind a function
+//: refused 1 stray-semicolon: a semicolon after a function
 void f() {};
 //: refused 1 stray-semicolon: a semicolon alone between declarations
 int a;; int b;
 
 //# Results
-//: refused 1 missing-return: a function that ends without its result
+//: refused 1 missing-return: a function that ends without returning a value
 int f() {}
 //: accepted: a result in one branch alone
 int f(bool a) { if (a) return 1; }
 //: refused 1 int-float-mix: a result of another type
 float f() { return 1; }
-//: refused 1 return-type: a result of a function that has none
+//: refused 1 return-type: a value returned from a void function
 void f() { return 1; }
-//: refused 1 return-type: a result that is nothing, of a function that has none
+//: refused 1 return-type: a void value returned from a void function
 void g() {} void f() { return g(); }
-//: refused 1 return-type: no result of a function that has one
+//: refused 1 return-type: `return` without a value
 int f() { return; }
-//: refused 1 missing-return: discard in the place of a result
+//: refused 1 missing-return: `discard` instead of a value
 int f() { discard; }
 //: refused 1 misplaced-jump, vertex: discard in a vertex shader
 void main() { discard; }
-//: accepted: statements behind the result
+//: accepted: statements after `return`
 int f() { return 1; int a; }
 //: accepted: return within a loop
 int f() { for (int i = 0; i < 2; i++) { return i; } }
@@ -140,10 +140,10 @@ void main() { f(1); }
 //: refused 2 not-a-function: a call of a variable
 int f;
 void main() { f(); }
-//: refused 2 void-value: nothing as an argument
+//: refused 2 void-value: a void value as an argument
 void f(int a) {} void g() {}
 void main() { f(g()); }
-//: refused 2 void-value: nothing as a value
+//: refused 2 void-value: a void value as a value
 void f() {} int a;
 void main() { a = f(); }
 //: refused 2 not-a-variable: a statement of a function's name

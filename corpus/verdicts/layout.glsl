@@ -3,9 +3,9 @@
 layout(location = 0) in vec4 a;
 //: accepted, vertex: a location twice, which linking refuses
 layout(location = 0) in vec4 a; layout(location = 0) in vec4 b;
-//: accepted, vertex: a matrix takes a location for each column, which linking refuses
+//: accepted, vertex: a matrix uses a location for each column; fails to link
 layout(location = 0) in mat2 a; layout(location = 1) in vec4 b;
-//: accepted, vertex: behind the columns of a matrix
+//: accepted, vertex: after the columns of a matrix
 layout(location = 0) in mat2 a; layout(location = 2) in vec4 b;
 //: refused 1 syntax-error, vertex: a negative location
 layout(location = -1) in vec4 a;
@@ -32,7 +32,7 @@ layout(location = 0) layout(location = 1) in vec4 a;
 layout() in vec4 a;
 //: refused 1 invalid-layout, vertex: a location of an output of a vertex shader
 layout(location = 0) out vec4 a;
-//: refused 1 invalid-qualifier, vertex: a layout behind the storage
+//: refused 1 invalid-qualifier, vertex: a layout after the storage qualifier
 in layout(location = 0) vec4 a;
 //: refused 1 invalid-qualifier, vertex: a precision before the layout
 highp layout(location = 0) in vec4 a;
@@ -67,7 +67,7 @@ layout(location = 0) out vec4 a; out vec4 b;
 layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;
 //: refused 1 output-location: two outputs at one location
 layout(location = 0) out vec4 a; layout(location = 0) out vec4 b;
-//: refused 1 output-location: an array of outputs takes a location for each
+//: refused 1 output-location: an array of outputs uses a location for each element
 layout(location = 0) out vec4 a[2]; layout(location = 1) out vec4 b;
 //: refused 1 output-location: an output beyond the buffers that there are
 layout(location = 8) out vec4 a;
@@ -93,7 +93,7 @@ void f() { gl_FragColor = vec4(1.); }
 void main() { gl_FragData[0] = vec4(1.); f(); }
 //: refused 1 needs-webgl2, 100: gl_FragData without an index
 void main() { gl_FragData = vec4(1.); }
-//: accepted, 100: gl_FragData as a whole
+//: accepted, 100: the complete array gl_FragData
 void f(vec4 a[1]) {}
 void main() { f(gl_FragData); }
 
@@ -110,7 +110,7 @@ void main() { vec4 c = B.a; }
 //: refused 2 invalid-index: an array of blocks by an index that is not constant
 uniform B { vec4 a; } b[2]; uniform int i;
 void main() { vec4 c = b[i].a; }
-//: refused 1 interface-block: an array of blocks of no length
+//: refused 1 interface-block: an array of blocks without a size
 uniform B { vec4 a; } b[];
 //: refused 1 invalid-array: an array of arrays of blocks
 uniform B { vec4 a; } b[2][2];
@@ -140,13 +140,13 @@ layout(packed) uniform B { vec4 a; }; layout(shared) uniform C { vec4 b; };
 uniform B { layout(std140) vec4 a; };
 //: accepted: rows of a member that is a matrix
 uniform B { layout(row_major) mat4 a; };
-//: accepted: a layout for all blocks behind it
+//: accepted: a layout for all following blocks
 layout(std140, column_major) uniform; uniform B { mat4 a; };
 //: refused 1 invalid-layout: a layout for all uniforms, with a location
 layout(location = 0) uniform;
 //: refused 1 invalid-layout: a layout for all inputs
 layout(std140) in;
-//: refused 1 invalid-layout: std140 of a uniform that is no block
+//: refused 1 invalid-layout: std140 on a uniform that is not a block
 layout(std140) uniform vec4 a;
 //: refused 1 invalid-layout: the binding of a block
 layout(binding = 0) uniform B { vec4 a; };

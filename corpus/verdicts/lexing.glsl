@@ -15,7 +15,7 @@ float a = 08e1;
 uint a = 0xAbCdU;
 //: refused 1 invalid-number: a hexadecimal prefix without a digit
 int a = 0x;
-//: refused 1 invalid-number: a letter that is no hexadecimal digit
+//: refused 1 invalid-number: a letter that is not a hexadecimal digit
 int a = 0xg;
 //: accepted: the largest hexadecimal number is the int of its bits, -1
 int a[0xFFFFFFFF + 3];
@@ -31,7 +31,7 @@ uint a = 4294967296u;
 int a = -2147483648;
 //: accepted: a float without digits before the point
 float a = .5;
-//: accepted: a float without digits behind the point
+//: accepted: a float without digits after the point
 float a = 5.;
 //: refused 1 syntax-error: a point alone
 float a = .;
@@ -45,11 +45,11 @@ float a = 1.0e;
 float a = 1.0e+;
 //: accepted: the suffix of a float in either case
 float a = 1.0f, b = 1.0F, c = 1e2f;
-//: refused 1 invalid-number: the suffix of a float behind an integer
+//: refused 1 invalid-number: a float suffix after an integer
 float a = 1f;
-//: refused 1 needs-webgl2, 100: GLSL ES 1.00 has no suffix of a float
+//: refused 1 needs-webgl2, 100: GLSL ES 1.00 has no float suffix
 float a = 1.0f;
-//: refused 1 needs-webgl2, 100: GLSL ES 1.00 has no suffix of an unsigned number
+//: refused 1 needs-webgl2, 100: GLSL ES 1.00 has no unsigned suffix
 int a = 1u;
 //: refused 1 invalid-number: the suffix of a double
 float a = 1.0lf;
@@ -59,7 +59,7 @@ uint a = 1uu;
 float a = 1e39;
 //: accepted: a float too small is zero
 float a = 1e-60;
-//: accepted: an exponent that no number holds
+//: accepted: an exponent out of range
 float a = 1e99999999999;
 //: refused 1 invalid-number: two points in a number
 float a = 1.2.3;
@@ -79,13 +79,13 @@ int a; // é
 int é;
 //: accepted: a backslash in a comment
 int a; // \ inside
-//: accepted: a line goes on behind a backslash
+//: accepted: a line continued after a backslash
 int a\
 b = 1;
 //: accepted: a continued comment hides the next line
 // comment \
 int a = b;
-//: accepted, 100: a line goes on behind a backslash in GLSL ES 1.00
+//: accepted, 100: a line continued after a backslash in GLSL ES 1.00
 int a = \
 1;
 //: refused 3 missing-main: a comment that never ends
@@ -98,9 +98,9 @@ int/**/a;
 i/**/nt a;
 //: refused 1 syntax-error: `*/` without a beginning
 int a; */
-//: accepted: `//` in a comment is nothing
+//: accepted: `//` in a comment has no effect
 /* // */ int a;
-//: refused 1 invalid-character: a character that GLSL has no use for
+//: refused 1 invalid-character: a character outside of the GLSL character set
 int a = 1 @ 2;
 //: refused 1 invalid-character: a dollar in a name
 int $a;
@@ -152,7 +152,7 @@ float output;
 float texture2D;
 //: accepted, 100: `texture` is a name like any other in GLSL ES 1.00
 float texture;
-//: accepted, 100: `layout` is no keyword in GLSL ES 1.00
+//: accepted, 100: `layout` is not a keyword in GLSL ES 1.00
 float layout;
 //: refused 1 reserved-word, 100: `switch` is reserved in GLSL ES 1.00
 float switch;
@@ -178,11 +178,11 @@ struct S { int this; };
 int patch;
 //: refused 1 reserved-word: `sample` is reserved
 int sample;
-//: accepted: `precise` is no word of GLSL ES 3.00
+//: accepted: `precise` is not a keyword of GLSL ES 3.00
 int precise;
-//: accepted: `buffer` is no word of GLSL ES 3.00
+//: accepted: `buffer` is not a keyword of GLSL ES 3.00
 int buffer;
-//: accepted: `shared` is no word of GLSL ES 3.00
+//: accepted: `shared` is not a keyword of GLSL ES 3.00
 int shared;
 //: refused 1 reserved-word: `atomic_uint` is reserved
 int atomic_uint;

@@ -59,7 +59,7 @@ void main() { x.s; }
 struct S{sampler2D s;float a;}; uniform S x;
 void main() { x.s,1; }
 
-//# Samplers and structs that hold them as statements, and behind a comma
+//# Samplers and structs with samplers as statements, and after a comma
 //: accepted
 struct S{sampler2D s;float a;}; uniform S x;
 void main() { 1,x.s; }

@@ -1,4 +1,4 @@
-//# What each operator takes
+//# Operand types of operators
 //: refused 1 type-mismatch: the remainder of floats
 float a = 5. % 2.;
 //: refused 1 int-float-mix: a remainder of an int and an unsigned number
@@ -31,7 +31,7 @@ uint a = -1u;
 bool a = true + false;
 //: refused 1 type-mismatch: vectors are not ordered
 bool a = vec2(1.) < vec2(2.);
-//: accepted: vectors are compared whole
+//: accepted: comparison of complete vectors
 bool a = vec2(1.) == vec2(2.);
 //: refused 1 vector-size: vectors of different sizes are compared
 bool a = vec2(1.) == vec3(2.);
@@ -105,22 +105,22 @@ void main() { a = b = 2; }
 //: accepted: an assignment as a condition
 bool a;
 void main() { if (a = true) {} }
-//: accepted: a vector takes a number by an operator
+//: accepted: a compound assignment of a scalar to a vector
 vec2 a;
 void main() { a += 1.; a *= 2.; }
-//: refused 2 vector-size: a number takes no vector by an operator
+//: refused 2 vector-size: a compound assignment of a vector to a scalar
 float a;
 void main() { a += vec2(1.); }
-//: refused 2 int-float-mix: an int takes a float by an operator
+//: refused 2 int-float-mix: a compound assignment of a float to an int
 int a;
 void main() { a += 1.; }
-//: accepted: an int takes an unsigned shift
+//: accepted: an int shifted by an unsigned amount
 int a;
 void main() { a <<= 1u; }
-//: accepted: a vector takes a matrix
+//: accepted: a vector multiplied by a matrix
 vec2 a;
 void main() { a *= mat2(1.); }
-//: refused 2 vector-size: a vector takes a matrix that changes its size
+//: refused 2 vector-size: a vector multiplied by a matrix that changes its size
 vec2 a;
 void main() { a *= mat2x3(1.); }
 //: accepted: a swizzle is counted up
@@ -141,7 +141,7 @@ void main() { a++; }
 //: refused 2 not-assignable: counting twice
 int a;
 void main() { a++++; }
-//: refused 2 not-assignable: counting before and behind
+//: refused 2 not-assignable: `++` before and after an operand
 int a;
 void main() { ++a++; }
 //: accepted: a minus before counting down
@@ -185,14 +185,14 @@ float[2] f(bool c) { return c ? float[2](1., 2.) : float[2](3., 4.); }
 //: refused 2 unsupported-operation: a choice between structs
 struct S { int a; };
 S f(bool c) { return c ? S(1) : S(2); }
-//: refused 2 unsupported-operation: a choice between nothing and nothing
+//: refused 2 unsupported-operation: `?:` with void operands
 void f() {}
 void main() { true ? f() : f(); }
 //: refused 1 condition-type: a choice by a vector
 vec2 a = bvec2(true) ? vec2(1.) : vec2(2.);
 //: refused 1 syntax-error: a choice without its second side
 int a = true ? 1;
-//: accepted: choices one behind the other
+//: accepted: chained `?:`
 int f(int a) { return a < 0 ? -1 : a > 0 ? 1 : 0; }
 //: accepted: an assignment in both sides of a choice
 int a, b;
@@ -204,7 +204,7 @@ void main() { true ? (a = 1) : (b = 1); }
 float f() { return (1, 2.); }
 //: refused 1 int-float-mix: a comma gives its right side alone
 int f() { return (1, 2.); }
-//: refused 2 unsupported-operation: a comma of nothing
+//: refused 2 unsupported-operation: a comma with void operands
 void f() {}
 void main() { f(), 1; }
 //: accepted: a comma at a global's value
@@ -213,7 +213,7 @@ int a = (1, 2);
 float a[2], b[2];
 void main() { a, b; }
 
-//# Which operands each operator takes
+//# Operands that each operator accepts
 //: refused 1 type-mismatch
 void main() { bool a; a++; }
 //: refused 1 type-mismatch

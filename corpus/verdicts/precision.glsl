@@ -94,7 +94,7 @@ precision highp float; precision lowp float;
 highp bool a;
 //: refused 1 invalid-qualifier: a vector of booleans with a precision
 lowp bvec2 a;
-//: refused 1 invalid-qualifier: nothing with a precision
+//: refused 1 invalid-qualifier: `void` with a precision
 highp void f() {}
 //: refused 1 invalid-qualifier: a struct with a precision
 struct S { float a; }; highp S a;
@@ -104,16 +104,16 @@ void f(in lowp float a, highp vec2 b) {}
 void main() { float a = highp float(1); }
 //: accepted: a precision in the condition of a loop
 void main() { for (highp int i = 0; i < 2; i++) {} }
-//: refused 1 syntax-error: a precision behind the type
+//: refused 1 syntax-error: a precision after the type
 float highp a;
-//: accepted: a precision behind const
+//: accepted: a precision after const
 const lowp float a = 1.;
 //: refused 1 invalid-qualifier: a precision before const
 lowp const float a = 1.;
 //: refused 1 redefinition: overloads that differ in precision alone
 void f(lowp float a) {} void f(highp float a) {}
 
-//# Precisions of what a function returns
+//# Precisions of return values
 //: refused 1 invalid-qualifier
 highp highp int f(){return 1;}
 //: refused 1 invalid-qualifier

@@ -39,10 +39,10 @@ void main() {}
 //: refused 1 bad-directive: GLSL ES 1.00 with the profile of the later ones
 #version 100 es
 void main() {}
-//: refused 1 bad-directive: something behind the version
+//: refused 1 bad-directive: text after the version
 #version 300 es 1
 void main() {}
-//: accepted: a comment behind the version
+//: accepted: a comment after the version
 #version 300 es // GLSL ES 3.00
 void main() {}
 
@@ -53,10 +53,10 @@ void main() {}
 //: refused 1 preprocessor-expression, 100: an unknown name in a condition of GLSL ES 1.00
 #if A
 #endif
-//: accepted: an unknown name behind what is true already
+//: accepted: an unknown name after a true operand
 #if 1 || A
 #endif
-//: accepted: an unknown name behind what is false already
+//: accepted: an unknown name after a false operand
 #if 0 && A
 #endif
 //: accepted: an unknown name that a closed branch asks for
@@ -80,17 +80,17 @@ int b = a;
 //: refused 1 preprocessor-expression: a condition without an expression
 #if
 #endif
-//: refused 2 bad-directive: words behind #endif
+//: refused 2 bad-directive: text after #endif
 #if 1
 #endif A
-//: refused 2 bad-directive: words behind #else
+//: refused 2 bad-directive: text after #else
 #if 1
 #else A
 #endif
-//: accepted: a comment behind #endif
+//: accepted: a comment after #endif
 #if 1
 #endif // A
-//: refused 1 bad-directive: words behind #ifdef's name
+//: refused 1 bad-directive: text after the name of #ifdef
 #ifdef A B
 #endif
 //: refused 1 bad-directive: #ifdef without a name
@@ -108,7 +108,7 @@ int b = a;
 //: refused 1 preprocessor-expression: a division by zero in a condition
 #if 1 / 0
 #endif
-//: accepted: a division by zero behind what is false already
+//: accepted: a division by zero after a false operand
 #if 0 && 1 / 0
 #endif
 //: accepted: a remainder by zero in a condition that is not asked for
@@ -134,7 +134,7 @@ int b = a;
 #else
 #else
 #endif
-//: refused 3 unbalanced-conditional: #elif behind #else
+//: refused 3 unbalanced-conditional: #elif after #else
 #if 1
 #else
 #elif 1
@@ -210,7 +210,7 @@ int a[__FILE__ + 1];
 #undef A
 //: refused 1 bad-directive: #undef without a name
 #undef
-//: refused 2 bad-directive: words behind #undef's name
+//: refused 2 bad-directive: text after the name of #undef
 #define A
 #undef A B
 //: accepted: a macro named like a keyword
@@ -241,7 +241,7 @@ int a = A(1, 2);
 //: accepted: an empty argument
 #define A(x) 1 x
 int a = A();
-//: accepted: no argument of a macro without parameters
+//: accepted: a macro without parameters, called without arguments
 #define A() 1
 int a = A();
 //: refused 2 macro-arguments: an argument of a macro without parameters
@@ -277,7 +277,7 @@ void main() { int b = A; }
 //: accepted: a macro is not expanded within itself
 #define a a
 int a = 1;
-//: refused 4 undeclared-name: two macros that stand for each other
+//: refused 4 undeclared-name: two macros that expand to each other
 #define a b
 #define b a
 int a = 1;
@@ -290,7 +290,7 @@ int a = A(A(A(1)));
 int f(int x) { return x; }
 //: refused 1 bad-directive: two parameters of one name
 #define A(x, x) x
-//: refused 1 bad-directive: a parameter that is no name
+//: refused 1 bad-directive: a parameter that is not a name
 #define A(1) 1
 //: refused 1 bad-directive: a list of parameters that does not end
 #define A(x
@@ -298,10 +298,10 @@ int f(int x) { return x; }
 #define 1 2
 //: refused 1 bad-directive: a definition without a name
 #define
-//: refused 2 token-paste: nothing joins names
+//: refused 2 token-paste: `##` is not supported
 #define A(x) x ## 1
 int A(a) = 1;
-//: refused 2 token-paste: nothing makes strings of names
+//: refused 2 token-paste: `#` is not supported
 #define A(x) #x
 int a = A(b);
 //: refused 2 faulty-macro: an operator is not put together from two macros
@@ -330,7 +330,7 @@ int a = A(1, 2);
 int a;
 //: refused 1 bad-directive: an unknown directive
 #unknown
-//: refused 1 token-paste: a number sign behind code
+//: refused 1 token-paste: `#` after code
 int a; #define A
 //: accepted: #pragma of whatever
 #pragma whatever at all
@@ -391,12 +391,12 @@ void main() {}
 #version 300 es
 #extension GL_OES_standard_derivatives : enable
 void main() {}
-//: refused 3 extension-placement: an extension behind the first declaration
+//: refused 3 extension-placement: an extension after the first declaration
 #version 300 es
 precision highp float;
 #extension GL_XX_nothing : warn
 void main() {}
-//: refused 3 extension-placement: an extension behind the first declaration of GLSL ES 1.00
+//: refused 3 extension-placement: an extension after the first declaration of GLSL ES 1.00
 #version 100
 precision highp float;
 #extension GL_OES_standard_derivatives : enable

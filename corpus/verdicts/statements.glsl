@@ -3,7 +3,7 @@
 void main() { int a; float a; }
 //: accepted: a variable again in an inner scope
 void main() { int a; { float a; } }
-//: refused 1 undeclared-name: a variable behind the end of its scope
+//: refused 1 undeclared-name: a variable used after its scope
 void main() { { int a; } a = 1; }
 //: refused 1 redefinition: a global twice
 int a; int a;
@@ -15,17 +15,17 @@ void f(int a) { { int a; } }
 void f(int a) { int a; }
 //: refused 1 redefinition: a loop's counter in its body
 void main() { for (int i = 0; i < 2; i++) { int i; } }
-//: refused 1 undeclared-name: a loop's counter behind it
+//: refused 1 undeclared-name: a loop counter used after the loop
 void main() { for (int i = 0; i < 2; i++) {} i = 1; }
 //: accepted: the counters of two loops
 void main() { for (int i = 0; i < 2; i++) {} for (int i = 0; i < 2; i++) {} }
-//: refused 1 undeclared-name: a variable of a condition behind its loop
+//: refused 1 undeclared-name: a variable of a condition used after its loop
 void main() { while (bool a = false) {} a = true; }
 //: refused 1 syntax-error: a variable in the condition of an `if`
 void main() { if (bool a = true) {} }
 //: refused 1 undeclared-name: a variable of a branch without braces in the other one
 void main() { if (true) int a = 1; else a = 2; }
-//: refused 1 undeclared-name: a variable of a branch without braces, behind it
+//: refused 1 undeclared-name: a variable of a branch without braces, used after it
 void main() { if (true) int a; a = 1; }
 //: accepted: a struct of an inner scope hides the outer one
 struct S { int a; };
@@ -45,7 +45,7 @@ vec4 gl_FragCoord;
 void main() { else {} }
 //: refused 1 foreign-syntax: an `if` without parentheses
 void main() { if true {} }
-//: refused 1 syntax-error: an `if` with nothing to ask
+//: refused 1 syntax-error: an `if` without a condition
 void main() { if () {} }
 //: accepted: an `if` with a semicolon for its statement
 void main() { if (true); else; }
@@ -61,7 +61,7 @@ void main() { do {} while (bool a = false); }
 void main() { do {} while (false) }
 //: accepted: a `do` without braces
 void main() { int a; do a++; while (a < 2); }
-//: accepted: a `for` of nothing, left by `break`
+//: accepted: an empty `for` header, exited by `break`
 void main() { for (;;) { break; } }
 //: refused 1 missing-semicolon: a `for` of one semicolon
 void main() { for (int i = 0; i < 2) {} }
@@ -107,7 +107,7 @@ void main() { } }
 int a; a = 1;
 //: refused 1 syntax-error: a call outside of functions
 void f() {} f();
-//: accepted: an expression that does nothing
+//: accepted: an expression without effects
 void main() { 1 + 2; }
 //: accepted: a declaration without a name
 void main() { float; }

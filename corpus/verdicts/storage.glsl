@@ -125,7 +125,7 @@ smooth flat in vec2 a;
 in smooth vec2 a;
 //: accepted: centroid before in
 centroid in vec2 a;
-//: refused 1 invalid-qualifier: centroid behind in
+//: refused 1 invalid-qualifier: centroid after in
 in centroid vec2 a;
 //: accepted: flat and centroid
 flat centroid in vec2 a;
@@ -200,7 +200,7 @@ invariant gl_Position;
 invariant gl_Position, gl_PointSize;
 //: refused 1 invalid-qualifier, vertex: invariant of an attribute
 in vec4 a; invariant a;
-//: refused 1 invalid-qualifier, vertex: invariant behind out
+//: refused 1 invalid-qualifier, vertex: invariant after out
 out invariant vec4 a;
 //: accepted, vertex: invariant before flat
 invariant flat out vec4 a;

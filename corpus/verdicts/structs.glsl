@@ -35,7 +35,7 @@ const struct S{float a;} f(){return S(1.);}
 //: refused 1 invalid-qualifier
 highp struct S{float a;} f(){return S(1.);}
 
-//# Declarations of types and nothing else, structs in declarations
+//# Declarations of types only, structs in declarations
 //: accepted
 void main() { highp float; }
 //: accepted
@@ -91,7 +91,7 @@ void main() { S s=S(int[2](1,2),int[2](1,2)); }
 //: refused 1 invalid-array
 struct S{int[2] a[2];};
 
-//# Qualifiers of a declaration that declares nothing
+//# Qualifiers of an empty declaration
 //: accepted
 struct S{float a;}; uniform S;
 //: accepted

@@ -1,4 +1,4 @@
-//# What a switch takes
+//# The selector of a switch
 //: refused 1 invalid-switch: a switch over a float
 void main() { switch (1.) { case 1.: break; } }
 //: refused 1 invalid-switch: a switch over a boolean
@@ -26,7 +26,7 @@ void main() { switch (a) { case b: break; } }
 //: refused 2 invalid-switch: a statement before the first label
 uniform int a;
 void main() { switch (a) { int b; case 1: break; } }
-//: refused 2 invalid-switch: nothing behind the last label
+//: refused 2 invalid-switch: no statement after the last label
 uniform int a;
 void main() { switch (a) { case 1: break; case 2: } }
 //: accepted: no label at all
@@ -57,7 +57,7 @@ void main() { switch (a) case 1: break; }
 //: accepted: a function that gives its result in every branch of a switch
 int f(int a) { switch (a) { case 1: return 1; default: return 2; } }
 
-//# Labels, and what stands behind the last
+//# Labels, and the text after the last one
 //: refused 2 invalid-switch
 uniform int i;
 void main() { switch(i){default: if(false){}} }

@@ -31,7 +31,7 @@ float a = vec2(1., 2.).y;
 vec2 a; float f() { return a + a.x; }
 //: accepted: a component of a sum in parentheses
 vec2 a; float f() { return (a + a).x; }
-//: refused 1 no-such-field: a member that there is not
+//: refused 1 no-such-field: an unknown member
 struct S { int a; }; S s; int f() { return s.b; }
 //: refused 1 no-such-field: a component of a struct
 struct S { vec2 a; }; S s; float f() { return s.x; }

@@ -1,13 +1,13 @@
 //# What a type may be used for
-//: refused 1 void-value: a variable of no type
+//: refused 1 void-value: a variable of type void
 void a;
-//: refused 1 void-value: an array of nothing
+//: refused 1 void-value: an array of void
 void f() { void a[2]; }
 //: refused 1 reserved-word: a type of desktop GLSL
 double a;
 //: refused 1 reserved-word: a sampler of desktop GLSL's rectangles
 uniform sampler2DRect s;
-//: refused 1 vector-size: a matrix of three columns and two rows is no matrix of two columns
+//: refused 1 vector-size: mat3x2 is not mat2x3
 mat3x2 a = mat2x3(1.);
 //: accepted: the square matrices have two names
 mat2x2 a = mat2(1.); mat3 b = mat3x3(1.); mat4x4 c = mat4(1.);
@@ -17,21 +17,21 @@ float a = 1;
 uint a = 1;
 //: refused 1 int-float-mix: an unsigned number does not become an int
 int a = 1u;
-//: refused 1 condition-type: a number is no condition
+//: refused 1 condition-type: a number as a condition
 void main() { if (1) {} }
-//: refused 1 condition-type: a vector of booleans is no condition
+//: refused 1 condition-type: a boolean vector as a condition
 void main() { if (bvec2(true)) {} }
 //: refused 1 vector-size: a float does not become a vector
 vec2 a = 1.;
-//: refused 1 int-float-mix: a vector of one kind is none of another
+//: refused 1 int-float-mix: vectors of different scalar types
 vec2 a = ivec2(1);
-//: refused 1 unknown-type: a vector of one component is no type
+//: refused 1 unknown-type: a vector with one component
 vec1 a;
 //: refused 1 redefinition: a variable that is called like its type's struct
 struct S { int a; } S;
-//: refused 1 unknown-type: a struct that holds itself
+//: refused 1 unknown-type: a struct that contains itself
 struct S { S s; };
-//: refused 1 unknown-type: a struct that holds an array of itself
+//: refused 1 unknown-type: a struct that contains an array of itself
 struct S { S s[2]; };
 //: refused 1 unknown-type: a struct that is used before it is declared
 S a; struct S { int a; };
@@ -47,7 +47,7 @@ struct S { const int a; };
 struct S { lowp int a; };
 //: refused 1 invalid-qualifier: a boolean member with a precision
 struct S { lowp bool a; };
-//: refused 1 void-value: a member of no type
+//: refused 1 void-value: a member of type void
 struct S { void a; };
 //: refused 1 invalid-struct: a member that declares a struct
 struct S { struct T { int a; } t; };
@@ -62,7 +62,7 @@ struct S { int a[]; };
 //: refused 2 type-mismatch: two structs of the same members are two types
 struct S { int a; }; struct T { int a; }; S s; 
 void main() { T t; s = t; }
-//: accepted: structs are compared whole
+//: accepted: comparison of complete structs
 struct S { int a; vec2 b; };
 void main() { S s, t; bool b = s == t; }
 //: refused 2 type-mismatch: structs are not ordered
@@ -77,7 +77,7 @@ void f(struct { int a; } s) {}
 struct A { int i; }; struct B { A i; }; struct C { B i; }; struct D { C i; }; struct E { D i; };
 
 //# Opaque types
-//: refused 1 sampler-restriction: a sampler that is no uniform
+//: refused 1 sampler-restriction: a sampler that is not a uniform
 sampler2D s;
 //: refused 1 sampler-restriction: a sampler as a local variable
 void main() { sampler2D s; }

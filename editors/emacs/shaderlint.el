@@ -1,7 +1,7 @@
-;;; shaderlint.el --- shaderlint's language server for Eglot  -*- lexical-binding: t -*-
+;;; shaderlint.el --- The shaderlint language server for Eglot  -*- lexical-binding: t -*-
 
-;; Load this file from init.el; M-x eglot in a buffer with a shader starts the server.  It goes by the
-;; name of the mode: glsl-mode is a package of its own, and glsl-ts-mode another.
+;; Load this file from init.el; M-x eglot in a shader buffer starts the server.  It requires one of the
+;; packages glsl-mode and glsl-ts-mode.
 
 ;;; Code:
 

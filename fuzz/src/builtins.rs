@@ -1,29 +1,30 @@
-//! A program for each built-in function, that computes it of random numbers, one for each pixel.
+//! One program per built-in function; it evaluates the function for random arguments, one set per
+//! pixel.
 
 use crate::compute::Computing;
 use std::f32::consts::PI;
 
-/// How far two machines may be apart.
+/// Maximum difference between two implementations.
 #[derive(Clone, Copy, Debug)]
 pub enum Bound {
-    /// Not at all.
+    /// The results must be identical.
     Exact,
-    /// In units in the last place.
+    /// In units in the last place (ULP).
     Units(f64),
-    /// In numbers.
+    /// Absolute difference.
     Absolute(f64),
-    /// `3 + 2 * |x|` units in the last place, where `x` is the power.
+    /// `3 + 2 * |x|` ULP, where `x` is the exponent.
     Power,
-    /// 3 units in the last place, or 2^-21.
+    /// 3 ULP or 2^-21, whichever is larger.
     Logarithm,
-    /// As a power of a logarithm.
+    /// Derived from the bounds of `exp2` and `log2`.
     PowerOfAny,
 }
 
-/// A call of `a`, `b` and `c`, which are floats from the range, or of `i` and `j`, which are of all
-/// bits.
+/// An expression in `a`, `b` and `c`, which are floats from the range, or in `i` and `j`, which are
+/// integers with random bits.
 pub struct Case {
-    /// What is computed: a float, or what is cast to an unsigned integer.
+    /// The evaluated expression: a float, or a value cast to `uint`.
     pub text: &'static str,
     range: [f32; 2],
     pub bound: Bound,
@@ -39,10 +40,10 @@ const fn case(text: &'static str, low: f32, high: f32, bound: Bound) -> Case {
 
 use Bound::{Absolute, Exact, Logarithm, Power, PowerOfAny, Units};
 
-/// 2^-11, and with a rounding in each of two machines a little more.
+/// 2^-11, plus a little for rounding in both implementations.
 const SINE: f64 = 1.1 / 2048.0;
 
-/// The bounds are those of the conformance suite, or of what a function is defined by.
+/// Bounds from the conformance suite, or from the definition of the function.
 pub const CASES: [Case; 82] = [
     case("sin(a)", -PI, PI, Absolute(SINE)),
     case("cos(a)", -PI, PI, Absolute(SINE)),
@@ -194,7 +195,7 @@ pub const CASES: [Case; 82] = [
 ];
 
 impl Case {
-    /// The program: it draws the result, `a` and `b`.
+    /// The program: it outputs the result, `a` and `b`.
     pub fn program(&self) -> Computing {
         let [low, high] = self.range;
         let text = self.text;
@@ -236,7 +237,7 @@ void main() {{
         }
     }
 
-    /// The bound as data: its kind and a number.
+    /// The bound as data: its type and a number.
     pub fn bound(&self) -> (&'static str, f64) {
         match self.bound {
             Exact => ("exact", 0.0),

@@ -1,4 +1,4 @@
-//! What editors ask, of texts that are being written.
+//! Requests of editors, on texts that are being edited.
 
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{NoFiles, Options};
@@ -11,23 +11,25 @@ use shaderlint::syntax::{Version, WordClass, classify};
 use shaderlint::text::{Span, apply_edits};
 use std::sync::Arc;
 
-/// How many places of a text are asked about.
+/// Number of positions of a text that are queried.
 const PLACES: usize = 5;
 
-/// Tokens and macro calls of a text that is asked about at places.
+/// Largest number of tokens and macro calls of a text that is queried at positions.
 const MOST_TOKENS: usize = 50_000;
 
-/// All questions at some places of a text; all answers lie in it, and what is renamed comes back.
+/// All queries at some positions of a text; all results must be inside the text, and a renaming
+/// must be reversible.
 pub fn answers(text: &str) {
     let options = Arc::new(Options::default());
     let document = Document::new("/a.glsl", text.into(), options, &NoFiles);
     whole(&document);
-    // What macros blow up takes long to read, and is read again for each name: `check` looks at that.
+    // Large macro expansions take long and are read again for each name: the target `check` covers
+    // them.
     let mut programs = document.report.analyses.iter().map(|a| &a.program);
     if programs.any(|program| program.size() > MOST_TOKENS) {
         return;
     }
-    // The places hang on the text, so that a failure comes again.
+    // The positions depend on the text, so that a failure is reproducible.
     let mut hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     });
@@ -41,7 +43,7 @@ pub fn answers(text: &str) {
     }
 }
 
-/// Whether a stretch lies in the text of a document.
+/// Whether a span is inside the text of a document.
 fn is_inside(document: &Document, span: Span) -> bool {
     document
         .text
@@ -124,7 +126,7 @@ fn at_place(document: &Document, at: u32) {
     renames(document, at);
 }
 
-/// Whether nothing speaks against a name: macros may have any, and members may begin with `gl_`.
+/// Whether a name is unrestricted: macros may have any name, and members may begin with `gl_`.
 fn is_free(name: &str) -> bool {
     let versions = [Version::Es100, Version::Es300];
     let is_plain = versions
@@ -133,7 +135,7 @@ fn is_free(name: &str) -> bool {
     is_plain && !name.starts_with("gl_") && !name.contains("__")
 }
 
-/// What is renamed is there as often, and its old name brings back the text.
+/// Renaming keeps the number of uses, and renaming back restores the text.
 fn renames(document: &Document, at: u32) {
     const NEW: &str = "renamedByFuzz";
     let Ok((span, old)) = may_rename(document, at) else {
@@ -144,7 +146,7 @@ fn renames(document: &Document, at: u32) {
         return;
     };
     let edits = &renaming.edits["/a.glsl"];
-    let text = apply_edits(&document.text, 0, edits).expect("edits that overlap");
+    let text = apply_edits(&document.text, 0, edits).expect("overlapping edits");
     let before = edits.iter().filter(|edit| edit.span.start < span.start);
     let shift: i64 = before
         .map(|edit| NEW.len() as i64 - i64::from(edit.span.len()))
@@ -157,7 +159,7 @@ fn renames(document: &Document, at: u32) {
     );
     let place = (i64::from(span.start) + shift) as u32;
     let back = rename(&[&now], &now, place, &old, &NoFiles);
-    // What was an error may be none any more: the old name was reserved, or there twice.
+    // An error may disappear: the old name was reserved or declared twice.
     let is_wrong = document
         .report
         .diagnostics
@@ -165,8 +167,8 @@ fn renames(document: &Document, at: u32) {
         .any(|d| d.severity == Severity::Error);
     let back = match back {
         Err(_) if is_wrong || !is_free(&old) => return,
-        back => back.expect("the way back"),
+        back => back.expect("rename back"),
     };
-    let text = apply_edits(&now.text, 0, &back.edits["/a.glsl"]).expect("edits that overlap");
-    assert_eq!(text, *document.text, "renamed and back");
+    let text = apply_edits(&now.text, 0, &back.edits["/a.glsl"]).expect("overlapping edits");
+    assert_eq!(text, *document.text, "rename and rename back");
 }

@@ -1,19 +1,19 @@
 //! `shaderlint-fuzz TARGET|all [--rounds N | --seconds N] [--seed S] [FILE]...`
 //! `shaderlint-fuzz write|pairs|drawn|builtins [--count N] [--seed S]`
 //!
-//! Breaks the shaders of the corpus and of the rules' pages in random ways and throws them at a
-//! target. A panic or an answer that asks for too much memory is a failure: its text is made as short
-//! as it can be, stored in `fuzz/failures/`, and the exit code is 1. A round is so many texts as the
-//! tests of this program throw, about as many as a target answers in two seconds. With files, those
-//! are thrown as they are. `write` prints the programs of N seeds, each with shaderlint's verdict, as
-//! JSON lines for `tests/browser/verdicts.js`, which asks Chromium.
+//! Mutates the shaders of the corpus and of the rules' pages at random and passes them to a target.
+//! A panic or excessive memory use is a failure: the text is minimised and stored in
+//! `fuzz/failures/`, and the exit code is 1. A round is the number of texts that the tests of this
+//! program use, about as many as a target processes in two seconds. Given files, it passes those
+//! unchanged. `write` prints the programs of N seeds, each with shaderlint's verdict, as JSON lines
+//! for `tests/browser/verdicts.js`, which compares them with Chromium.
 //!
 //! `shaderlint-fuzz pairs [--count N] [--seed S]` prints pairs of stages for a browser to link.
-//! `shaderlint-fuzz drawn [--count N] [--seed S]` prints programs with what the machine draws of them,
-//! for `tests/browser/drawn.js`, which draws them in Chromium; `builtins` prints those that compute
-//! the built-in functions of random numbers. `shaderlint-fuzz played FILE.json...` prints what the
-//! machine draws of exports, for `tests/browser/exports.js`, and `unsettled` which of their pixels other
-//! GPUs may draw otherwise.
+//! `shaderlint-fuzz drawn [--count N] [--seed S]` prints programs with the image drawn by the VM,
+//! for `tests/browser/drawn.js`, which draws them in Chromium; `builtins` prints the programs that
+//! evaluate built-in functions for random arguments. `shaderlint-fuzz played FILE.json...` prints
+//! what the VM draws for exports, for `tests/browser/exports.js`, and `unsettled` the pixels that
+//! other GPUs may draw differently.
 
 mod builtins;
 mod compute;
@@ -86,7 +86,7 @@ fn main() -> ExitCode {
         .collect();
     if chosen.is_empty() {
         eprintln!(
-            "there is no target `{name}`: lex, parse, check, link, fix, port, draw, programs, run, \
+            "unknown target `{name}`; expected lex, parse, check, link, fix, port, draw, programs, run, \
              metamorphic or all"
         );
         return ExitCode::from(2);
@@ -102,7 +102,7 @@ fn main() -> ExitCode {
     ExitCode::from(u8::from(!is_well))
 }
 
-/// Prints the programs of `count` seeds with what shaderlint says of them.
+/// Prints the programs of `count` seeds with shaderlint's verdicts.
 fn write(seed: u64, count: u64) -> ExitCode {
     for seed in seed..seed + count {
         let program = generate(seed);

@@ -1,5 +1,5 @@
-//! Changes of a program that must keep every bit of what it draws. Each is made of the tree, at
-//! places that are thrown.
+//! Transformations of a program that must preserve every bit of its output. They are built from the
+//! syntax tree, at random positions.
 
 use crate::mutate::Random;
 use shaderlint::engine::play::{Moment, Scene};
@@ -11,26 +11,26 @@ use shaderlint::syntax::ast::{
 };
 use shaderlint::text::{Edit, Role, Span, apply_edits};
 
-/// A change.
+/// A transformation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Change {
-    /// A statement stands again in a branch that is never taken, which no compiler knows.
+    /// Copies a statement into a branch that is never taken, which no compiler can prove.
     DeadBranch,
-    /// A loop of one turn goes around a statement.
+    /// Wraps a statement in a loop of one iteration.
     OneTurn,
-    /// Braces go around a statement.
+    /// Wraps a statement in braces.
     Block,
-    /// A variable or function has another name.
+    /// Renames a variable or function.
     Rename,
-    /// A value goes through a function that gives it back.
+    /// Passes a value through an identity function.
     Outline,
-    /// A function is called by another of its name.
+    /// Calls a function through a forwarding function.
     Forward,
-    /// Two statements, neither of which needs the other, change places.
+    /// Swaps two independent adjacent statements.
     Swap,
 }
 
-/// All changes.
+/// All transformations.
 pub const CHANGES: [Change; 7] = [
     Change::DeadBranch,
     Change::OneTurn,
@@ -41,14 +41,14 @@ pub const CHANGES: [Change; 7] = [
     Change::Swap,
 ];
 
-/// A whole fragment shader without errors.
+/// A complete fragment shader without errors.
 pub fn checked(text: &str) -> Option<Analysis> {
     let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
     let analysis = report.analyses.into_iter().next();
     analysis.filter(|a| !a.has_errors)
 }
 
-/// The text of a program with a change, made at one of the places where it can be made.
+/// The program after a transformation at one of the possible positions.
 pub fn changed(program: &Program, change: Change, random: &mut Random) -> Option<String> {
     let mut files = program.sources.files().iter();
     let file = files.find(|f| f.role == Role::User)?;
@@ -69,13 +69,13 @@ pub fn changed(program: &Program, change: Change, random: &mut Random) -> Option
     apply_edits(&file.text, file.base, edits).ok()
 }
 
-/// The text of the user.
+/// The source text of the user.
 struct User<'p> {
     program: &'p Program,
     file: Span,
 }
 
-/// Words that speak of a loop around them.
+/// Keywords that refer to the enclosing loop.
 const LOOSE: [&str; 2] = ["break", "continue"];
 
 impl<'p> User<'p> {
@@ -89,7 +89,7 @@ impl<'p> User<'p> {
         self.program.sources.text(span)
     }
 
-    /// What holds at no time, though no compiler knows it.
+    /// A condition that is always false, which no compiler can prove.
     fn never(&self) -> &'static str {
         match self.program.dialect {
             Dialect::ShaderToy(_) => "iFrame < -1",
@@ -97,7 +97,7 @@ impl<'p> User<'p> {
         }
     }
 
-    /// The statements of blocks, block by block.
+    /// The statements of each block.
     fn blocks(&self) -> Vec<Vec<&'p Stmt>> {
         let tree = &self.program.tree;
         let lists = tree.stmts.iter().filter_map(|stmt| match stmt.kind {
@@ -110,7 +110,7 @@ impl<'p> User<'p> {
             .collect()
     }
 
-    /// A change at each statement where it can be made.
+    /// A transformation of each statement that allows it.
     fn each(&self, change: impl Fn(&Stmt) -> Option<Vec<Edit>>) -> Vec<Vec<Edit>> {
         let all = self.blocks().into_iter().flatten();
         let plain = all.filter(|stmt| self.span(stmt.extent).is_some());
@@ -146,14 +146,14 @@ impl<'p> User<'p> {
         self.around(stmt, &head, " }")
     }
 
-    /// The tokens of something.
+    /// The tokens of a syntax node.
     fn words(&self, extent: Extent) -> Vec<&'p str> {
         let all = extent.first..=extent.last;
         let tokens = all.filter_map(|at| self.program.token(at));
         tokens.map(|token| self.text(token.span)).collect()
     }
 
-    /// All uses of each name that the user may choose.
+    /// All uses of each name that the user declares.
     fn renames(&self) -> Vec<Vec<Edit>> {
         let functions = self.functions().into_iter().map(|f| f.ident.name);
         let entries = ["main", "mainImage"].map(|name| self.program.names.get(name));
@@ -180,7 +180,7 @@ impl<'p> User<'p> {
             }
             let before = at.checked_sub(1).and_then(|at| tokens.get(at));
             let is_member = before.is_some_and(|t| self.text(t.span) == ".");
-            // Macros and members may share the name.
+            // Macros and members may have the same name.
             if !token.is_direct() || is_member {
                 return None;
             }
@@ -215,7 +215,7 @@ impl<'p> User<'p> {
         defined.copied().collect()
     }
 
-    /// Values that are stored or given back, each through a function.
+    /// Stored and returned values, each passed through a function.
     fn outlines(&self) -> Vec<Vec<Edit>> {
         let tree = &self.program.tree;
         let Some(first) = self
@@ -253,7 +253,7 @@ impl<'p> User<'p> {
         all.filter_map(|f| self.forward(f)).collect()
     }
 
-    /// A function under another name, and one that calls it.
+    /// A function under a new name, and a function that forwards to it.
     fn forward(&self, function: &FunctionDecl) -> Option<Vec<Edit>> {
         let tree = &self.program.tree;
         let header = self.text(self.span(function.header)?);
@@ -303,7 +303,7 @@ impl<'p> User<'p> {
         ])
     }
 
-    /// The variable that a statement writes, which does nothing else.
+    /// The variable that a statement writes, if that is its only effect.
     fn written(&self, stmt: &Stmt) -> Option<&'p str> {
         let words = self.words(stmt.extent);
         let calls = words.windows(2).filter(|pair| pair.last() == Some(&"("));
@@ -326,7 +326,7 @@ impl<'p> User<'p> {
         }
         match (stmt.kind, self.declarators(stmt)) {
             (StmtKind::Decl(_), [one]) => Some(self.program.names.text(one.ident.name)),
-            // Its name is the first, or stands behind a `++`.
+            // Its name is the first token, or follows a `++`.
             (StmtKind::Expr(_), _) if !words[..*write].contains(&"(") => {
                 let name = words.get(usize::from(*write == 0))?;
                 name.starts_with(char::is_alphabetic).then_some(*name)
@@ -336,7 +336,7 @@ impl<'p> User<'p> {
     }
 }
 
-/// What a program draws at some places of a picture, as bits; what was discarded is `None`.
+/// The output bits of a program at some pixels; `None` for a discarded pixel.
 pub fn bits(analysis: &Analysis, seeds: [f64; 4], parts: [f64; 4]) -> Result<Bits, String> {
     const SIZE: [u32; 2] = [64, 36];
     const QUADS: [[u32; 2]; 8] = [
@@ -369,10 +369,11 @@ pub fn bits(analysis: &Analysis, seeds: [f64; 4], parts: [f64; 4]) -> Result<Bit
         .collect())
 }
 
-/// By pixel.
+/// One entry per pixel.
 pub type Bits = Vec<Option<[u32; 4]>>;
 
-/// Each change keeps every bit of a program; how many could be made.
+/// Checks that each transformation preserves every bit of a program; returns how many were
+/// possible.
 pub fn keeps_every_bit(text: &str, changes: &[Change], random: &mut Random) -> usize {
     let Some(before) = checked(text) else {
         return 0;
@@ -388,11 +389,12 @@ pub fn keeps_every_bit(text: &str, changes: &[Change], random: &mut Random) -> u
         let Some(text) = changed(&before.program, *change, random) else {
             continue;
         };
-        let after = checked(&text).unwrap_or_else(|| panic!("{change:?} breaks it:\n{text}"));
+        let after =
+            checked(&text).unwrap_or_else(|| panic!("{change:?} introduces errors:\n{text}"));
         let bits_after = bits(&after, seeds, parts);
         assert!(
             bits_after.as_ref() == Ok(&bits_before),
-            "{change:?} changes the picture:\n{text}"
+            "{change:?} changes the image:\n{text}"
         );
         count += 1;
     }
@@ -404,9 +406,9 @@ mod tests {
     use super::*;
     use crate::compute::compute;
 
-    /// Programs with a change each.
+    /// Generated programs, with one transformation each.
     #[test]
-    fn changes_keep_every_bit_of_programs() {
+    fn changes_preserve_every_bit_of_programs() {
         let mut counts = [0; CHANGES.len()];
         for seed in 1..=350 {
             let at = seed as usize % CHANGES.len();
@@ -415,13 +417,13 @@ mod tests {
             counts[at] += keeps_every_bit(&text, &CHANGES[at..=at], &mut random);
         }
         for (change, count) in CHANGES.iter().zip(counts) {
-            assert!(count >= 35, "{change:?} was made {count} times");
+            assert!(count >= 35, "{change:?} was applied {count} times");
         }
     }
 
-    /// Floats, loops that march and textures too.
+    /// Floats, marching loops and textures, too.
     #[test]
-    fn changes_keep_every_bit_of_templates() {
+    fn changes_preserve_every_bit_of_templates() {
         for name in ["raymarching", "terrain", "voxel"] {
             let path = format!(
                 "{}/../corpus/templates/{name}.glsl",

@@ -1,20 +1,20 @@
-//! Breaks shaders: by tokens, so that what comes out is nearly right, and now and then by bytes.
+//! Mutates shaders: by tokens, so that the result is nearly valid, and sometimes by bytes.
 
 use shaderlint::syntax::tokenize;
 
-/// Longest text that is made, in bytes.
+/// Maximum length of a mutated text, in bytes.
 const MAX_TEXT: usize = 64 * 1024;
 
-/// Numbers that look random and depend on nothing but the seed (xorshift).
+/// Pseudorandom numbers that depend only on the seed (xorshift).
 pub struct Random(u64);
 
 impl Random {
-    /// The numbers of a seed.
+    /// The generator for a seed.
     pub fn new(seed: u64) -> Random {
         Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
 
-    /// A number below `limit`; 0 if the limit is 0.
+    /// A number less than `limit`; 0 if the limit is 0.
     pub fn below(&mut self, limit: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -27,7 +27,7 @@ impl Random {
     }
 }
 
-/// A text as its tokens, blanks and comments too.
+/// The tokens of a text, including white space and comments.
 pub fn split(text: &str) -> Vec<String> {
     let text_of = |start: u32, end: u32| text[start as usize..end as usize].to_string();
     let tokens = tokenize(text, 0);
@@ -37,7 +37,7 @@ pub fn split(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// A text made of one seed, or of two, with one to sixteen changes.
+/// A text made of one seed text, or of two, with 1 to 16 mutations.
 pub fn mutate(random: &mut Random, seeds: &[String]) -> String {
     let seed = |random: &mut Random| random.pick(seeds).map_or(Vec::new(), |s| split(s));
     let mut tokens = seed(random);

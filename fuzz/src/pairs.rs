@@ -1,6 +1,6 @@
-//! Makes pairs of stages: every kind of interface item, the same in both stages or differing in one
-//! aspect, used or not. Each is printed as a line of JSON with what shaderlint says, so that a
-//! browser can be asked the same: `{"id", "vertex", "fragment", "compiles", "links", "why"}`.
+//! Generates pairs of stages: every kind of interface item, identical in both stages or different
+//! in one aspect, used or not. Each pair is printed as a line of JSON with shaderlint's verdict, so
+//! that a browser can be compared: `{"id", "vertex", "fragment", "compiles", "links", "why"}`.
 
 use crate::mutate::Random;
 use shaderlint::diagnostic::Severity;
@@ -24,7 +24,7 @@ pub fn print(seed: u64, count: usize) {
     }
 }
 
-/// Whether both compile, and what keeps them from being linked.
+/// Whether both stages compile, and the link errors.
 pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
     let mut sources = Sources::new();
     let mut add = |name: &str, text: &str| sources.add(name, None, Role::User, text);
@@ -56,7 +56,7 @@ pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
     (true, found.into_iter().map(|d| d.message).collect())
 }
 
-/// What one stage declares and does.
+/// The declarations and the body of one stage.
 #[derive(Default)]
 struct Text {
     declarations: String,
@@ -101,7 +101,7 @@ fn pair(random: &mut Random) -> (String, String) {
     )
 }
 
-/// A declaration, by its words.
+/// A declaration, as its keywords and names.
 #[derive(Clone)]
 struct Words {
     invariant: bool,
@@ -110,7 +110,7 @@ struct Words {
     ty: String,
     name: String,
     array: usize,
-    /// The struct that is declared before: its name and members.
+    /// The struct declared before it: its name and members.
     record: Option<(String, Vec<Words>)>,
 }
 
@@ -134,7 +134,7 @@ impl Words {
         }
     }
 
-    /// A variable of a struct of its own; now and then that holds another struct.
+    /// Replaces the type by a new struct; sometimes that contains another struct.
     fn with_record(mut self, random: &mut Random, types: &[&str], depth: u32) -> Words {
         let members = (0..1 + random.below(3)).map(|i| {
             let member = Words::random(random, types, &format!("m{i}"));
@@ -151,7 +151,7 @@ impl Words {
         self
     }
 
-    /// Changes one thing.
+    /// Changes one aspect.
     fn change(&mut self, random: &mut Random, types: &[&str]) {
         match (random.below(8), &mut self.record) {
             (0 | 1, None) => self.ty = types[random.below(types.len())].to_string(),
@@ -360,7 +360,7 @@ fn block(random: &mut Random, number: usize, vertex: &mut Text, fragment: &mut T
             1 => (format!(" i{name}"), format!("i{name}.")),
             n => (format!(" i{name}[{n}]"), format!("i{name}[0].")),
         };
-        // Members of blocks without an instance are global: mostly each has a name of its own.
+        // Members of blocks without an instance name are global: usually each name is unique.
         let (fields, own) = if instance == 0 && random.below(6) > 0 {
             (
                 fields.replace(" m", &format!(" g{number}m")),

@@ -1,4 +1,4 @@
-//! Exports of ShaderToy, and what the machine draws of them, for a browser to draw them beside.
+//! ShaderToy exports and what the VM draws for them, for comparison with a browser.
 
 use serde_json::json;
 use shaderlint::engine::play::{Moment, Picture, PlayOptions, Played, Player};
@@ -6,21 +6,21 @@ use shaderlint::exec::{CompileOptions, Kind, Lean, Persona, Watch};
 use shaderlint::port::{Composed, Project, add_stand_ins};
 use std::{fs, thread};
 
-/// The size of a picture.
+/// Size of a frame, in pixels.
 const SIZE: [u32; 2] = [96, 54];
 
-/// The frames that are looked at.
+/// Numbers of the compared frames.
 const FRAMES: [u32; 2] = [0, 10];
 
-/// GPUs that are no more exact than they have to be.
+/// GPU profiles with the lowest precision that the standard allows.
 const INEXACT: [Persona; 3] = [
     Persona::Inexact(Lean::Out),
     Persona::Inexact(Lean::In),
     Persona::Inexact(Lean::Either),
 ];
 
-/// Prints the pictures of some frames of an export, row by row from the bottom, three bytes a pixel, and
-/// what went wrong with numbers on the way.
+/// Prints some frames of an export, row by row from the bottom, three bytes per pixel, and the
+/// numeric errors that occurred.
 pub fn print(file: &str) {
     let frames = read(file).and_then(|export| played(&export, Persona::Exact));
     let line = match frames {
@@ -39,8 +39,8 @@ pub fn print(file: &str) {
     println!("{line}");
 }
 
-/// Prints by frame and pixel of an export whether another GPU may draw it otherwise, by more than one
-/// 255th.
+/// Prints for each frame and pixel of an export whether another GPU may draw it differently, by
+/// more than 1/255.
 pub fn print_unsettled(file: &str) {
     let frames = read(file).and_then(|export| {
         let exact = played(&export, Persona::Exact)?;
@@ -62,7 +62,7 @@ pub fn print_unsettled(file: &str) {
     );
 }
 
-/// A project, put together.
+/// A project and its composed passes.
 type Export = (Project, Composed);
 
 fn read(file: &str) -> Result<Export, String> {
@@ -71,12 +71,12 @@ fn read(file: &str) -> Result<Export, String> {
     add_stand_ins(&mut project);
     let composed = project.resolve(file).map_err(|e| e.to_string())?;
     match composed.has_errors() {
-        true => Err("it has errors".to_string()),
+        true => Err("the shader has errors".to_string()),
         false => Ok((project, composed)),
     }
 }
 
-/// The frames as a GPU draws them.
+/// The frames as drawn by a GPU with this profile.
 fn played((project, composed): &Export, persona: Persona) -> Result<Vec<Played>, String> {
     let options = PlayOptions {
         size: SIZE,
@@ -94,7 +94,7 @@ fn played((project, composed): &Export, persona: Persona) -> Result<Vec<Played>,
     let mut player = Player::new(project, composed, &options).map_err(|p| p.to_string())?;
     let frames = FRAMES.into_iter().map(|frame| {
         let moment = Moment {
-            // Where the clock of the browser stands.
+            // The time that the browser's clock shows.
             date: [2000.0, 0.0, 1.0, 0.0],
             ..Moment::of_frame(frame)
         };
@@ -109,7 +109,7 @@ fn bytes(played: &Played) -> Vec<[u8; 3]> {
     pixels.map(|pixel| Picture::shown(*pixel)).collect()
 }
 
-/// What went wrong with numbers in the passes of a frame.
+/// The numeric errors in the passes of a frame.
 fn wrong(played: &Played) -> Vec<&'static str> {
     let numbers = played
         .passes

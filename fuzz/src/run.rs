@@ -1,4 +1,4 @@
-//! Programs of which every number is known, and what the machine draws of them.
+//! Programs with exactly known results, and what the VM draws for them.
 
 use crate::builtins::CASES;
 use crate::compute::{Computing, compute};
@@ -7,20 +7,20 @@ use shaderlint::engine::{Analysis, DialectChoice, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, compile, draw, sample};
 use shaderlint::lint::Settings;
 
-/// The size of a picture.
+/// Size of a program's image, in pixels.
 const SIZE: [u32; 2] = [8, 8];
 
-/// The size of a picture of a built-in function.
+/// Size of the image of a built-in function, in pixels.
 const LARGE: [u32; 2] = [64, 64];
 
-/// Bytes that running a shader may take: as many as all registers, and 1 MB for each of 32 uniforms.
+/// Memory limit for running a shader, in bytes: all registers, and 1 MB for each of 32 uniforms.
 const MEMORY: usize = 40 << 20;
 
-/// Instructions that a group of pixels may repeat.
+/// Limit of repeated instructions for a group of pixels.
 const FUEL: u64 = 2_000_000;
 
-/// Prints the programs of `count` seeds with their pictures, row by row from the bottom; a discarded
-/// pixel has zeros.
+/// Prints the programs of `count` seeds with their images, row by row from the bottom; a discarded
+/// pixel is zero.
 pub fn print(seed: u64, count: u64) {
     for seed in seed..seed + count {
         let program = compute(seed);
@@ -38,8 +38,8 @@ pub fn print(seed: u64, count: u64) {
     }
 }
 
-/// Prints a program for each built-in function, with its picture and how far from that another
-/// machine may be.
+/// Prints a program for each built-in function, with its image and the difference that is allowed
+/// for another implementation.
 pub fn print_builtins() {
     for case in &CASES {
         let program = case.program();
@@ -60,13 +60,13 @@ pub fn print_builtins() {
     }
 }
 
-/// What the machine draws.
+/// The image that the VM draws.
 pub fn picture(program: &Computing, size: [u32; 2]) -> Result<Vec<[u32; 4]>, String> {
     let options = Options::new(DialectChoice::Webgl2, Settings::of_rules(&[]));
     let report = analyze("a.frag", &program.text, &options, &NoFiles);
-    let analysis = report.analyses.first().ok_or("there is no shader")?;
+    let analysis = report.analyses.first().ok_or("no shader found")?;
     if analysis.has_errors {
-        return Err("it has errors".to_string());
+        return Err("the shader has errors".to_string());
     }
     let options = CompileOptions::default();
     let code = compile(&analysis.program, analysis.module(), &options).map_err(|r| r.what)?;
@@ -82,27 +82,28 @@ pub fn picture(program: &Computing, size: [u32; 2]) -> Result<Vec<[u32; 4]>, Str
         .collect())
 }
 
-/// What compiles draws the same bits in a whole picture, quad by quad, and while it is watched.
+/// Checks that a compiled shader draws the same bits as a complete frame, quad by quad, and with
+/// instrumentation.
 pub fn agrees_with_itself(text: &str) {
     let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
     for analysis in report.analyses.iter().filter(|a| !a.has_errors) {
         let run = |watch| agrees_by_quads(analysis, watch);
         if let (Some(plain), Some(watched)) = (run(Watch::Nothing), run(Watch::Numbers)) {
-            assert!(plain == watched, "other pixels while watched");
+            assert!(plain == watched, "different pixels with instrumentation");
         }
     }
 }
 
-/// By output and pixel the bits, and which pixels are covered.
+/// Bits by output and pixel, and which pixels are covered.
 type Pixels = (Vec<Vec<[u32; 4]>>, Vec<bool>);
 
-/// What a shader draws, whole and quad by quad; nothing where it is refused or takes too long.
+/// What a shader draws, as a frame and quad by quad; `None` if it is rejected or takes too long.
 fn agrees_by_quads(analysis: &Analysis, watch: Watch) -> Option<Pixels> {
     let options = CompileOptions {
         watch,
         ..CompileOptions::default()
     };
-    // What cannot be run is refused.
+    // Shaders that cannot be run are rejected.
     let scene = Scene::of(
         &analysis.program,
         analysis.host,
@@ -121,9 +122,9 @@ fn agrees_by_quads(analysis: &Analysis, watch: Watch) -> Option<Pixels> {
         for (lane, [x, y]) in quad.pixels.iter().enumerate() {
             let at = (y * SIZE[0] + x) as usize;
             let is_same = quad.covered[lane] == whole.covered[at];
-            assert!(is_same, "pixel {x}, {y} alone");
+            assert!(is_same, "single pixel {x}, {y}");
             for (quad, whole) in quad.outputs.iter().zip(&whole.outputs) {
-                assert!(quad[lane] == whole[at], "pixel {x}, {y} alone");
+                assert!(quad[lane] == whole[at], "single pixel {x}, {y}");
             }
         }
     }

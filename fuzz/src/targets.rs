@@ -1,4 +1,4 @@
-//! What the broken shaders are thrown at. A target panics where something is wrong.
+//! The fuzz targets. A target panics if something is wrong.
 
 use crate::metamorphic::{CHANGES, keeps_every_bit};
 use crate::mutate::{Random, split};
@@ -17,26 +17,26 @@ use shaderlint::semantic::Stage;
 use shaderlint::syntax::{ParseOptions, Search, parse, preprocess, tokenize};
 use shaderlint::text::{FileId, Role, Sources, apply_edits};
 
-/// Something to throw shaders at.
+/// A fuzz target.
 pub struct Target {
-    /// Its name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// What is thrown.
+    /// Source of its texts.
     pub texts: Texts,
-    /// How many texts are a round.
+    /// Number of texts in a round.
     pub round: u64,
-    /// Runs it.
+    /// Checks one text; panics on a failure.
     pub run: fn(&str),
 }
 
 /// Where texts come from.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Texts {
-    /// Shaders of the corpus and the pages, broken.
+    /// Mutated shaders of the corpus and the rules' pages.
     Broken,
-    /// Programs that are written for it.
+    /// Generated programs.
     Programs,
-    /// Programs of which every number is known.
+    /// Generated programs with exactly known results.
     Computing,
 }
 
@@ -124,7 +124,8 @@ fn sources(text: &str) -> (Sources, Vec<FileId>) {
     (sources, files)
 }
 
-/// Lexer and preprocessor: raw tokens put end to end are the text, and tokens stay in it.
+/// Lexer and preprocessor: the raw tokens concatenate to the text, and all tokens are inside the
+/// files.
 fn lex(text: &str) {
     let mut at = 0;
     for token in tokenize(text, 0) {
@@ -142,7 +143,7 @@ fn lex(text: &str) {
     }
 }
 
-/// The formatter: the compiler reads the same, and what is formatted stays as it is.
+/// The formatter: the formatted text compiles to the same result and is stable.
 fn format_twice(text: &str) {
     let styles = [
         Style::default(),
@@ -185,7 +186,7 @@ fn parse_only(text: &str) {
     for (i, expr) in tree.exprs.iter().enumerate() {
         assert!(
             expr.extent.first <= expr.extent.last,
-            "expression {i} is inside out"
+            "expression {i} ends before it starts"
         );
         assert!(
             (expr.extent.last as usize) < read.tokens.tokens.len(),
@@ -194,7 +195,7 @@ fn parse_only(text: &str) {
     }
 }
 
-/// Changes that must keep every bit, at places that hang on the text alone.
+/// Transformations that must preserve every bit, at positions that depend only on the text.
 fn metamorphic(text: &str) {
     let seed = text.bytes().fold(1, |seed: u64, byte| {
         seed.wrapping_mul(31).wrapping_add(u64::from(byte))
@@ -225,7 +226,7 @@ fn errors(text: &str) -> usize {
     all.filter(|d| d.severity == Severity::Error).count()
 }
 
-/// Everything up to what is printed, in every format.
+/// The complete check, with the output of every format.
 fn check_all(text: &str) {
     let Some(found) = judge(text) else { return };
     let has_errors = |d: &Diagnostic| d.severity == Severity::Error;
@@ -236,7 +237,7 @@ fn check_all(text: &str) {
         let file = found.sources.file_at(d.span.start);
         assert!(
             file.is_some_and(|f| f.role == Role::User),
-            "not in the user's text: {}",
+            "outside the user's text: {}",
             d.message
         );
     }
@@ -246,7 +247,7 @@ fn check_all(text: &str) {
         let written = reporter.file("shader.glsl", &found.sources, &found.diagnostics);
         assert!(
             written.is_ok() && reporter.finish().is_ok(),
-            "{format:?} cannot be written"
+            "cannot write {format:?}"
         );
         assert!(
             out.len() <= 1_000_000 + text.len() * 16,
@@ -256,8 +257,8 @@ fn check_all(text: &str) {
     }
 }
 
-/// What is accepted becomes a well-formed module, which can be printed. In a part, what is wrong may
-/// be the host's.
+/// An accepted shader becomes a well-formed module that can be printed. In a shader fragment,
+/// errors may be the host's.
 fn is_well_formed(text: &str) {
     let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
     let whole = |a: &&Analysis| a.wholeness == Wholeness::Whole && !a.has_errors;
@@ -268,14 +269,14 @@ fn is_well_formed(text: &str) {
     }
 }
 
-/// Fixes never bring errors.
+/// Fixes never introduce errors.
 fn fix(text: &str) {
     let Some(options) = all_rules() else { return };
     let before = errors(text);
     for allow in [Allow::Safe, Allow::Unsafe] {
         let fixed = mend("a.glsl", text, &options, &NoFiles, allow);
         let after = errors(&fixed.text);
-        // What an edit brings to light was there before.
+        // Errors that an edit uncovers were there before.
         assert!(
             before > 0 || after == 0,
             "{before} errors became {after}:\n{}",
@@ -284,7 +285,7 @@ fn fix(text: &str) {
     }
 }
 
-/// The converter; a text that starts like JSON is taken for an export.
+/// The converter; a text that starts like JSON is treated as an export.
 fn port(text: &str) {
     let project = if text.trim_start().starts_with(['{', '[']) {
         Project::from_json(text).ok()
@@ -302,13 +303,13 @@ fn port(text: &str) {
     let _ = glsl(&project, &composed);
 }
 
-/// Whether no error is reported of a shader.
+/// Whether no error is reported for a shader.
 pub fn is_accepted(text: &str, stage: Stage) -> bool {
     let name = match stage {
         Stage::Vertex => "a.vert",
         Stage::Fragment => "a.frag",
     };
-    // What stands there is all that the browser gets.
+    // The text is exactly what the browser gets.
     let choice = match text.contains("#version") {
         true => DialectChoice::Webgl2,
         false => DialectChoice::Webgl1,
@@ -321,18 +322,18 @@ pub fn is_accepted(text: &str, stage: Stage) -> bool {
         .any(|d| d.severity == Severity::Error)
 }
 
-/// The verdict hangs on the tokens alone, not on what stands between them, and rules and formats
-/// answer for what is nearly right too.
+/// The verdict depends only on the tokens, not on the white space between them, and rules and
+/// formats also handle nearly valid code.
 fn programs(text: &str) {
     for stage in [Stage::Vertex, Stage::Fragment] {
         let verdict = is_accepted(text, stage);
         let spread = is_accepted(&spread(text), stage);
-        assert_eq!(verdict, spread, "with other blanks");
+        assert_eq!(verdict, spread, "with different white space");
     }
     check_all(text);
 }
 
-/// A text with other blanks between its tokens; directives stay as they are.
+/// A text with different white space between its tokens; directives are unchanged.
 fn spread(text: &str) -> String {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {

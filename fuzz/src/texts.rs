@@ -1,9 +1,9 @@
-//! The shaders that are broken: those of the corpus, and those in the fences of the rules' pages.
+//! The shaders that are mutated: the corpus, and the code fences of the rules' pages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The shaders of the corpus, and those in the fences of the rules' pages.
+/// The shaders of the corpus and of the code fences of the rules' pages.
 pub fn seeds() -> Vec<String> {
     let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut paths = Vec::new();
@@ -22,7 +22,7 @@ pub fn seeds() -> Vec<String> {
     seeds
 }
 
-/// The cases of a file in `corpus/verdicts`. Any other file is one.
+/// The cases of a file in `corpus/verdicts`. Any other file is a single case.
 fn cases(text: &str) -> Vec<String> {
     let Some((head, rest)) = text.split_once("\n//: ") else {
         return vec![text.to_string()];

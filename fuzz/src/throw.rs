@@ -1,4 +1,4 @@
-//! Throws texts at targets, on a thread of the size that the programs have.
+//! Runs targets, on a thread with the same stack size as in the programs.
 
 use crate::compute::compute;
 use crate::counting::{Asked, Counting, asked};
@@ -16,48 +16,49 @@ use std::{fs, thread};
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// An answer that asks for more memory in all is a failure.
+/// A check that allocates more memory in total is a failure.
 const MAX_ASKED: Asked = Asked {
     times: 50_000_000,
     bytes: 8 << 30,
 };
-/// An answer that takes longer ends the process: nobody waits for it to end by itself.
+/// A check that takes longer ends the process: it cannot be interrupted.
 const HANGS: Duration = Duration::from_secs(600);
-/// How many texts are thrown to make one that fails shorter.
+/// Maximum number of runs for minimising a failing text.
 const MINIMISING: u32 = 2_000;
-/// The name of threads whose panics are failures that are told in another way.
+/// Name of the threads whose panics are reported as failures, not printed.
 const THROWING: &str = "throwing";
 
-/// How much is thrown at a target.
+/// How long a target is fuzzed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Length {
-    /// So many times the number of texts that a target has in a round.
+    /// A multiple of the target's number of texts in a round.
     Rounds(u64),
     /// Texts until the time is over.
     Time(Duration),
 }
 
-/// The text that is being thrown, and since when; the watchdog looks at it.
+/// The current text and its start time, for the watchdog.
 type Current = Arc<Mutex<(Instant, String)>>;
 
-/// Throws broken texts at a target until that is enough or one fails. Whether all went well.
+/// Runs a target on mutated texts until the length is reached or one fails. Returns whether all
+/// passed.
 pub fn fuzz(target: &Target, length: Length, seed: u64) -> bool {
     apart(|current| throw_all(target, length, seed, current))
 }
 
-/// Throws the text of a file. Whether it went well.
+/// Runs a target on the text of a file. Returns whether it passed.
 pub fn throw_file(target: &Target, file: &str) -> bool {
     let text = String::from_utf8_lossy(&fs::read(file).unwrap_or_default()).into_owned();
     let failure = apart(|current| throw(target, &text, current));
     println!(
         "{} {file}: {}",
         target.name,
-        failure.as_deref().unwrap_or("well")
+        failure.as_deref().unwrap_or("passed")
     );
     failure.is_none()
 }
 
-/// Does something on a thread whose panics print nothing, and which is watched.
+/// Runs a closure on a watched thread whose panics print nothing.
 fn apart<T: Send>(act: impl FnOnce(&Current) -> T + Send) -> T {
     static QUIET: Once = Once::new();
     QUIET.call_once(|| {
@@ -79,7 +80,7 @@ fn apart<T: Send>(act: impl FnOnce(&Current) -> T + Send) -> T {
     })
 }
 
-/// Ends the process when one text takes far too long.
+/// Ends the process if one text takes far too long.
 fn watch(current: Current) {
     thread::spawn(move || {
         loop {
@@ -87,7 +88,7 @@ fn watch(current: Current) {
             let Ok(now) = current.lock() else { return };
             if now.0.elapsed() > HANGS && !now.1.is_empty() {
                 println!(
-                    "a text of {} bytes hangs: {}",
+                    "timeout for a text of {} bytes: {}",
                     now.1.len(),
                     store("hang", &now.1)
                 );
@@ -125,7 +126,7 @@ fn throw_all(target: &Target, length: Length, seed: u64, current: &Current) -> b
         count += 1;
     }
     println!(
-        "{}: {count} texts of seed {seed} from {} shaders in {:.1} s, all well",
+        "{}: {count} texts of seed {seed} from {} shaders in {:.1} s, all passed",
         target.name,
         seeds.len(),
         start.elapsed().as_secs_f32()
@@ -133,7 +134,7 @@ fn throw_all(target: &Target, length: Length, seed: u64, current: &Current) -> b
     true
 }
 
-/// What went wrong with a text, if something did.
+/// The failure of a target on a text, if any.
 fn throw(target: &Target, text: &str, current: &Current) -> Option<String> {
     if let Ok(mut now) = current.lock() {
         *now = (Instant::now(), text.to_string());
@@ -144,7 +145,7 @@ fn throw(target: &Target, text: &str, current: &Current) -> Option<String> {
     }
     match outcome {
         Ok(()) if asked.times > MAX_ASKED.times || asked.bytes > MAX_ASKED.bytes => {
-            Some(format!("it asked for too much memory: {asked:?}"))
+            Some(format!("too much memory allocated: {asked:?}"))
         }
         Ok(()) => None,
         Err(panic) => {
@@ -155,7 +156,7 @@ fn throw(target: &Target, text: &str, current: &Current) -> Option<String> {
     }
 }
 
-/// Takes tokens away, halves first, as long as the text still fails.
+/// Removes tokens, halves first, as long as the text still fails.
 fn minimise(target: &Target, text: &str, current: &Current) -> String {
     let mut left = MINIMISING;
     let mut tokens = split(text);
@@ -176,7 +177,7 @@ fn minimise(target: &Target, text: &str, current: &Current) -> String {
     tokens.concat()
 }
 
-/// Keeps a failing text and gives its path.
+/// Stores a failing text and returns its path.
 fn store(name: &str, text: &str) -> String {
     let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |h, b| {
         (h ^ b as u64).wrapping_mul(0x100_0000_01b3)
@@ -195,7 +196,7 @@ mod tests {
     use super::*;
     use crate::targets::TARGETS;
 
-    /// Throws a round, the same in every run; `SHADERLINT_SEED` sets the seed of another.
+    /// Runs one round, the same in every run; `SHADERLINT_SEED` sets another seed.
     fn answers_all(name: &str) {
         let seed = std::env::var("SHADERLINT_SEED").map_or(1, |seed| seed.parse().unwrap());
         let target = TARGETS.iter().find(|t| t.name == name).unwrap();

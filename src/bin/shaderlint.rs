@@ -1,4 +1,4 @@
-//! The linter.
+//! The `shaderlint` program.
 
 fn main() -> std::process::ExitCode {
     shaderlint::cli::shaderlint()

@@ -1,4 +1,4 @@
-//! The converter.
+//! The `shaderport` program.
 
 fn main() -> std::process::ExitCode {
     shaderlint::cli::shaderport()

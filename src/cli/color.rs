@@ -1,4 +1,4 @@
-//! Whether to print in colour.
+//! Whether to use colours.
 
 use clap::ValueEnum;
 use std::io::{self, IsTerminal};
@@ -16,7 +16,7 @@ pub enum ColorChoice {
 }
 
 impl ColorChoice {
-    /// Whether to print in colour.
+    /// Whether to use colours, given the terminal and the environment variables.
     pub fn is_on(self) -> bool {
         let is_set = |name: &str| std::env::var_os(name).is_some_and(|v| !v.is_empty());
         match self {

@@ -1,4 +1,4 @@
-//! The files of the disk, for the engine.
+//! Implements [`Files`] for the file system.
 
 use crate::engine::{FileType, Files, LoadError, MAX_LOADED};
 use std::fs;
@@ -8,17 +8,17 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
-/// How long after a change another one may have the same time. Clocks of file systems tick about every
-/// ten milliseconds.
+/// Changes within this time may have the same modification time. Clocks of file systems tick about
+/// every ten milliseconds.
 const TICK: Duration = Duration::from_millis(100);
 
-/// The files of the disk.
+/// The file system.
 pub struct Disk {
     here: PathBuf,
 }
 
 impl Disk {
-    /// As the folder that the program runs in sees it.
+    /// Relative paths are resolved against the current folder.
     pub fn new() -> Disk {
         Disk {
             here: std::env::current_dir().unwrap_or_default(),
@@ -70,8 +70,8 @@ impl Files for Disk {
     }
 }
 
-/// The version of a file of `size` bytes. There is none while it could change again within the same
-/// tick of the file system's clock.
+/// The version of a file of `size` bytes. `None` while the file could change again with the same
+/// modification time.
 fn version_of(size: u64, modified: SystemTime, now: SystemTime) -> Option<u64> {
     if now.duration_since(modified).is_ok_and(|age| age < TICK) {
         return None;
@@ -81,7 +81,7 @@ fn version_of(size: u64, modified: SystemTime, now: SystemTime) -> Option<u64> {
     Some(hasher.finish())
 }
 
-/// A path as the system knows it: the folder that relative paths count from has no name in them.
+/// A path for the operating system, to which the current folder is `.` and not an empty path.
 fn named(path: &Path) -> &Path {
     match path.as_os_str().is_empty() {
         true => Path::new("."),

@@ -1,4 +1,4 @@
-//! Which command of `shaderlint` the arguments name.
+//! Runs the command that the arguments of `shaderlint` name.
 
 use super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::lint::{self, Command, LintArgs, explain, middle, reduce};
@@ -11,7 +11,7 @@ use crate::engine::config::schema;
 use clap::CommandFactory;
 use std::io::{self, Write};
 
-/// Does what the arguments ask for, and gives the exit code.
+/// Runs the command and returns the exit code.
 pub fn run(args: &LintArgs) -> u8 {
     let code = match (&args.command, &args.explain) {
         (Some(command), _) => run_command(command),
@@ -20,7 +20,7 @@ pub fn run(args: &LintArgs) -> u8 {
     };
     match code {
         Ok(code) => code,
-        // Whoever reads the output has had enough of it.
+        // The reader of the output closed it.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => FINDINGS,
         Err(error) => {
             complain(&error.to_string());
@@ -30,7 +30,7 @@ pub fn run(args: &LintArgs) -> u8 {
 }
 
 fn run_command(command: &Command) -> io::Result<u8> {
-    // Collected first, so that the libraries which print need not deal with closed pipes.
+    // Collected first, because the libraries that print panic on closed pipes.
     let mut text = Vec::new();
     match command {
         Command::Explain { name } => return explain::explain(name),

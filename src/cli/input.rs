@@ -1,4 +1,4 @@
-//! Finding and reading input files.
+//! Finds and reads input files.
 
 use super::config::{Configs, absolute};
 use crate::text::Content;
@@ -10,49 +10,49 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-/// Largest file that is read, in bytes.
+/// Size limit of input files in bytes.
 const MAX_FILE: u64 = 256 * 1024 * 1024;
 
-/// An input.
+/// An input file or standard input.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct InputFile {
-    /// How it is shown, with forward slashes.
+    /// Name in messages, with forward slashes.
     pub name: String,
-    /// Where to read it; `None` is standard input.
+    /// Path of the file; `None` is standard input.
     pub path: Option<PathBuf>,
-    /// Whether it was named itself, not found in a folder.
+    /// Whether it is named on the command line rather than found in a folder.
     pub is_explicit: bool,
-    /// What the configuration says of it.
+    /// Whether the configuration lists it as a shader.
     pub claim: Claim,
 }
 
-/// What paths name.
+/// The inputs that paths resolve to.
 pub struct Collected {
-    /// The inputs.
+    /// The inputs, without duplicates.
     pub inputs: Vec<InputFile>,
-    /// What is wrong with the paths, a line each.
+    /// Messages about paths that cannot be read.
     pub problems: Vec<String>,
-    /// What of the folders is not read.
+    /// Files and folders that were skipped.
     pub passed_over: PassedOver,
 }
 
-/// What of the folders is not read.
+/// Files and folders that were skipped.
 #[derive(Default)]
 pub struct PassedOver {
-    /// Files that the configuration leaves out.
+    /// Files that the configuration excludes.
     pub excluded: Vec<String>,
-    /// Folders of what programs have put there.
+    /// Folders of dependencies and build output.
     pub folders: Vec<String>,
-    /// Scripts that programs have written, each with how that is known.
+    /// Generated scripts, each with the evidence.
     pub made: Vec<(String, &'static str)>,
-    /// How many files have other endings.
+    /// Number of files with other extensions.
     pub others: usize,
-    /// Some of those endings.
+    /// Some of these extensions.
     pub endings: BTreeSet<String>,
 }
 
 impl PassedOver {
-    /// Most endings that are kept.
+    /// Maximum number of extensions that are kept.
     const MAX_ENDINGS: usize = 12;
 
     fn add(&mut self, path: &Path) {
@@ -63,14 +63,14 @@ impl PassedOver {
         self.others += 1;
         let ending = path.extension().and_then(|e| e.to_str());
         if self.endings.len() < PassedOver::MAX_ENDINGS {
-            let ending = ending.map_or("no ending".to_string(), |e| format!(".{e}"));
+            let ending = ending.map_or("no extension".to_string(), |e| format!(".{e}"));
             self.endings.insert(ending);
         }
     }
 }
 
-/// The inputs that `paths` name. Folders are searched, in the order of names, leaving out what
-/// `.gitignore` and the configuration leave out, and what others have built.
+/// The inputs that `paths` resolve to. Folders are searched in order of names, without files that
+/// `.gitignore` or the configuration excludes, and without build output.
 pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -> Collected {
     let mut inputs = Vec::new();
     let mut problems = Vec::new();
@@ -99,7 +99,7 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -
                 });
             }
         } else {
-            problems.push(format!("{}: there is no such file or folder", shown(path)));
+            problems.push(format!("{}: no such file or folder", shown(path)));
         }
     }
     let mut seen = std::collections::HashSet::new();
@@ -162,11 +162,10 @@ fn folder(
     found
 }
 
-/// Folders that programs fill, whatever git says of them.
+/// Folders of dependencies and build output, which are skipped even if git tracks them.
 const BUILT: [&str; 2] = ["node_modules", "dist"];
 
-/// How it is known that a script found in a folder was written by a program, unless the configuration
-/// names it.
+/// The evidence that a script found in a folder is generated; `None` if the configuration lists it.
 fn made_by_a_program(path: &Path, claim: Claim) -> Option<&'static str> {
     if claim == Claim::Shader || !is_script(&path.to_string_lossy()) {
         return None;
@@ -176,7 +175,7 @@ fn made_by_a_program(path: &Path, claim: Claim) -> Option<&'static str> {
     made(&String::from_utf8_lossy(&bytes))
 }
 
-/// Whether the configuration names a file as one to check.
+/// Whether the configuration lists a file as a shader.
 fn claim(path: &Path, configs: &Configs) -> Claim {
     match configs.config(path) {
         Ok(Some(config)) if config.names(&absolute(path)) => Claim::Shader,
@@ -184,8 +183,8 @@ fn claim(path: &Path, configs: &Configs) -> Claim {
     }
 }
 
-/// Whether a file found in a folder is to be checked. Where its configuration cannot be read, that is
-/// told when it is checked.
+/// Whether a file found in a folder is checked. Errors in its configuration are reported when it is
+/// checked.
 fn is_taken(path: &Path, configs: &Configs) -> bool {
     let is_known = is_searched(&path.to_string_lossy());
     match configs.config(path) {
@@ -194,7 +193,7 @@ fn is_taken(path: &Path, configs: &Configs) -> bool {
     }
 }
 
-/// A path as it is shown: with forward slashes, and without `./` in front.
+/// A path for messages: with forward slashes, and without a leading `./`.
 fn shown(path: &Path) -> String {
     let text = path.to_string_lossy().replace('\\', "/");
     text.strip_prefix("./").map(str::to_string).unwrap_or(text)
@@ -206,7 +205,9 @@ pub fn read(input: &InputFile) -> Result<Content, String> {
         Some(path) => {
             let size = fs::metadata(path).map_err(|e| e.to_string())?.len();
             if size > MAX_FILE {
-                return Err(format!("the file has {size} bytes; {MAX_FILE} are allowed"));
+                return Err(format!(
+                    "the file has {size} bytes; the limit is {MAX_FILE}"
+                ));
             }
             fs::read(path).map_err(|e| e.to_string())?
         }

@@ -1,8 +1,8 @@
-//! The commands: arguments, files, exit codes; and the language server. The only place that touches
-//! the outside.
+//! The command-line programs and the language server: arguments, files, exit codes. The only module
+//! that accesses the file system, the environment and the standard streams.
 #![expect(
     clippy::disallowed_methods,
-    reason = "what the rest of the house may not touch is touched here"
+    reason = "this module implements file access for the others"
 )]
 
 mod color;
@@ -47,7 +47,7 @@ fn with_stack(program: fn() -> u8) -> ExitCode {
         Ok(Ok(code)) => ExitCode::from(code),
         Ok(Err(_)) => ExitCode::from(FAILED),
         Err(error) => {
-            eprintln!("error: no thread can be started: {error}");
+            eprintln!("error: cannot start a thread: {error}");
             ExitCode::from(FAILED)
         }
     }

@@ -1,21 +1,20 @@
-//! Writing files: whole or not at all, and never over another without being told to; and what would
-//! be written, as a diff.
+//! Writes files atomically, without overwriting by default; and renders changes as a diff.
 
 use similar::TextDiff;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Whether a file may take the place of another.
+/// Whether an existing file may be replaced.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Overwrite {
-    /// No.
+    /// An existing file is an error.
     Never,
-    /// Yes.
+    /// An existing file is replaced.
     Allowed,
 }
 
-/// Writes a file. The folder is made where it is missing.
+/// Writes a file atomically, and creates missing folders.
 pub fn write(path: &Path, content: &[u8], overwrite: Overwrite) -> io::Result<()> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -34,9 +33,8 @@ pub fn write(path: &Path, content: &[u8], overwrite: Overwrite) -> io::Result<()
     Ok(())
 }
 
-/// Puts new content in the place of a file, which keeps its permissions and, as far as that is
-/// allowed, its owner. Nothing is written where the file may not be written to, or does not hold
-/// `old` any more. A link stays a link: the file that it leads to is replaced.
+/// Replaces the content of a file, which keeps its permissions and, if allowed, its owner. Fails if
+/// the file is read-only or no longer contains `old`. Follows symbolic links.
 pub fn replace(path: &Path, old: &[u8], new: &[u8]) -> io::Result<()> {
     let path = fs::canonicalize(path)?;
     let metadata = fs::metadata(&path)?;
@@ -51,13 +49,13 @@ pub fn replace(path: &Path, old: &[u8], new: &[u8]) -> io::Result<()> {
     keep_owner(&metadata, file.path());
     file.as_file().set_permissions(metadata.permissions())?;
     if fs::read(&path)? != old {
-        return Err(io::Error::other("the file has changed meanwhile"));
+        return Err(io::Error::other("the file changed in the meantime"));
     }
     file.persist(&path)?;
     Ok(())
 }
 
-/// Gives a file the owner of another, where this process may do so.
+/// Copies the owner of a file, if this process may do so.
 #[cfg(unix)]
 fn keep_owner(of: &fs::Metadata, file: &Path) {
     use std::os::unix::fs::{MetadataExt, chown};
@@ -67,7 +65,7 @@ fn keep_owner(of: &fs::Metadata, file: &Path) {
 #[cfg(not(unix))]
 fn keep_owner(_of: &fs::Metadata, _file: &Path) {}
 
-/// Temporary files are for their owner alone; what is written is for everybody to read.
+/// Makes a file readable for everybody; temporary files are private to their owner.
 #[cfg(unix)]
 fn readable(file: &fs::File) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
@@ -79,7 +77,7 @@ fn readable(_file: &fs::File) -> io::Result<()> {
     Ok(())
 }
 
-/// The way from an old text to a new one, as `diff -u` writes it.
+/// A unified diff, as `diff -u` writes it.
 pub fn diff(name: &str, old: &str, new: &str) -> String {
     TextDiff::from_lines(old, new)
         .unified_diff()
@@ -97,7 +95,7 @@ mod tests {
         let path = folder.path().join("a.glsl");
         fs::write(&path, "new").unwrap();
         let error = replace(&path, b"old", b"fixed").unwrap_err();
-        assert_eq!(error.to_string(), "the file has changed meanwhile");
+        assert_eq!(error.to_string(), "the file changed in the meantime");
         assert_eq!(fs::read(&path).unwrap(), b"new");
         replace(&path, b"new", b"fixed").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"fixed");

@@ -1,21 +1,21 @@
-//! Several things done at a time, and told in their order.
+//! Runs work in parallel and delivers the results in order.
 
 use std::collections::BTreeMap;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 
-/// Stack of a thread that reads shaders, in bytes. What nests is bounded, so that this is enough in
-/// debug builds too; what a system gives by itself differs, down to 1 MB.
+/// Stack size in bytes of threads that parse shaders. Nesting is limited, so this suffices in debug
+/// builds too; system defaults are as low as 1 MB.
 pub const STACK: usize = 16 << 20;
 
-/// How many things are done at a time.
+/// Number of threads.
 pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Does the work of all numbers below `count`, and tells what came of it in their order, each as soon
-/// as those before it are told.
+/// Runs `work` for all numbers below `count`, and passes each result to `tell` in order, as soon as
+/// the results before it were passed.
 pub fn in_order<T: Send>(
     count: usize,
     work: &(impl Fn(usize) -> T + Sync),

@@ -1,4 +1,4 @@
-//! Waiting for files to change.
+//! Waits until files change.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,16 +6,16 @@ use std::path::PathBuf;
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
-/// How often files are looked at. Asking the file system works on every one of them, network and
-/// container mounts included, where change events do not arrive.
+/// Polling interval. Polling works on every file system; network and container mounts do not
+/// deliver change events.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// Sizes and times of files, by which a change is seen.
+/// Sizes and modification times of files, to detect changes.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Stamp(BTreeMap<PathBuf, (u64, Option<SystemTime>)>);
 
 impl Stamp {
-    /// What is to be seen of some files now; a file that is not there has no part in it.
+    /// The current state of some files; missing files are left out.
     pub fn of(files: impl IntoIterator<Item = PathBuf>) -> Stamp {
         let seen = files.into_iter().filter_map(|path| {
             let data = fs::metadata(&path).ok()?;
@@ -24,7 +24,7 @@ impl Stamp {
         Stamp(seen.collect())
     }
 
-    /// The same with files of which nothing was known, as they are now.
+    /// Adds the current state of files that are not included yet.
     pub fn with(mut self, files: impl IntoIterator<Item = PathBuf>) -> Stamp {
         for (path, seen) in Stamp::of(files).0 {
             self.0.entry(path).or_insert(seen);
@@ -33,8 +33,8 @@ impl Stamp {
     }
 }
 
-/// Returns when a look at the files differs from the one before, and has stopped to change: editors
-/// write in several steps, and the last look decides.
+/// Returns when the files differ from `before` and have stopped changing, because editors write in
+/// several steps.
 pub fn wait(mut before: Stamp, look: impl Fn() -> Stamp) {
     while look() == before {
         sleep(PAUSE);

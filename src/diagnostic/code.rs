@@ -1,60 +1,60 @@
-//! The kinds of all compile errors, in one table: the name of each, and what code has to know of it
-//! where it decides something. Each has a page in `rules/errors/`.
+//! Table of all compile errors: the name of each kind and the properties that code depends on. Each
+//! kind has a page in `rules/errors/`.
 
-/// How sure an error of some kind is in a part of a shader, which a host completes.
+/// How reliable an error of this kind is in a shader fragment, which a host completes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Certainty {
-    /// It holds between what the part declares.
+    /// Certain if everything involved is declared in the fragment itself.
     Meaning,
-    /// It holds where no word that may be a macro stands near.
+    /// Certain unless an identifier nearby may be a macro of the host.
     Syntax,
-    /// A host may repair it: something is missing, stands in the wrong place, or only one version
-    /// has it.
+    /// Not certain: the host may resolve it, because something is missing or misplaced, or because
+    /// only one version has it.
     Never,
 }
 
-/// What a shader lacks by an error of some kind, and its host may have.
+/// What the shader lacks if this error occurs, and a host may provide.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Lack {
     /// A variable, function or type.
     Name,
-    /// A precision, or another version of the language.
+    /// A default precision, or another version of the language.
     Setting,
-    /// The declaration of its outputs.
+    /// A declaration of the fragment outputs.
     Output,
 }
 
-/// What else decides something about errors of a kind.
+/// Further properties of error kinds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Facet {
-    /// It is reported where a shader ends too early, wherever it stands.
+    /// Also reported where a shader ends too early, whatever its position.
     EndsEarly,
-    /// The parser or the preprocessor reports it, which judge all that they read.
+    /// Reported by the parser or preprocessor, which check all code that they read.
     Reads,
-    /// It moves what stands where, to the end of the file.
+    /// Invalidates what follows, up to the end of the file.
     Moves,
-    /// It is an error of a directive.
+    /// An error in a preprocessor directive.
     Directive,
-    /// The grammar does not fit, which one token may repair.
+    /// A grammar error that a one-token correction may fix.
     Grammar,
-    /// It may come of a form of another language.
+    /// May be caused by a construct of another language.
     ForeignForm,
-    /// It is about what is declared, not about what is done with it.
+    /// Concerns a declaration rather than a use.
     Declares,
-    /// GLSL of desktops takes it.
+    /// Valid in desktop GLSL.
     Desktop,
 }
 
 /// A kind of compile error.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ErrorKind {
-    /// Its name, which is also that of its page.
+    /// Name of the error, also the name of its page.
     pub name: &'static str,
-    /// How sure it is in a part of a shader.
+    /// How reliable it is in a shader fragment.
     pub certainty: Certainty,
-    /// What the shader lacks.
+    /// What the shader lacks, if anything.
     pub lacks: Option<Lack>,
-    /// A bit for each facet.
+    /// One bit per [`Facet`].
     facets: u8,
 }
 
@@ -88,7 +88,7 @@ impl ErrorKind {
         self
     }
 
-    /// Whether it has a facet.
+    /// Whether it has this property.
     pub const fn has(self, facet: Facet) -> bool {
         self.facets & 1 << facet as u8 != 0
     }
@@ -115,63 +115,63 @@ errors! {
     INVALID_ENCODING = "invalid-encoding";
     /// `1f`, `08`, `1.0.0`, a number over 32 bits.
     INVALID_NUMBER = "invalid-number", syntax;
-    /// A word that the language keeps for itself, used as a name.
+    /// A reserved word or keyword used as a name.
     RESERVED_WORD = "reserved-word", meaning, is(Facet::ForeignForm), is(Facet::Desktop);
     /// `/*` without `*/`.
     UNTERMINATED_COMMENT = "unterminated-comment", syntax, is(Facet::EndsEarly), is(Facet::Reads), is(Facet::Moves);
 
     // The preprocessor.
-    /// A directive that does not exist or is not well formed.
+    /// An unknown or malformed directive.
     BAD_DIRECTIVE = "bad-directive", meaning, is(Facet::Reads), is(Facet::Directive);
     /// Something before `#version`.
     VERSION_PLACEMENT = "version-placement";
-    /// A version other than 100 and 300 es.
+    /// A version other than `100` and `300 es`.
     UNSUPPORTED_VERSION = "unsupported-version";
-    /// `#extension` behind code.
+    /// `#extension` after code.
     EXTENSION_PLACEMENT = "extension-placement";
-    /// An extension that WebGL2 does not have, required.
+    /// `require` of an extension that WebGL2 does not have.
     UNKNOWN_EXTENSION = "unknown-extension";
     /// `#error`.
     ERROR_DIRECTIVE = "error-directive";
-    /// An `#if` expression without a value.
+    /// An `#if` expression that cannot be evaluated.
     PREPROCESSOR_EXPRESSION = "preprocessor-expression", is(Facet::Directive);
-    /// `#if` without `#endif`, or the other way round.
+    /// `#if` without `#endif`, or the reverse.
     UNBALANCED_CONDITIONAL = "unbalanced-conditional", meaning, is(Facet::EndsEarly), is(Facet::Reads), is(Facet::Moves), is(Facet::Directive);
-    /// A macro defined again with another meaning.
+    /// A macro redefined with a different definition.
     MACRO_REDEFINITION = "macro-redefinition", meaning, is(Facet::Declares);
-    /// A macro name that the language keeps for itself.
+    /// A reserved macro name.
     RESERVED_MACRO = "reserved-macro";
     /// A macro call with too few or too many arguments, or without its `)`.
     MACRO_ARGUMENTS = "macro-arguments", meaning, is(Facet::Reads);
     /// `#` or `##` in a macro that is used.
     TOKEN_PASTE = "token-paste";
-    /// A macro whose definition makes its uses fail.
+    /// A macro definition that causes errors at its uses.
     FAULTY_MACRO = "faulty-macro", syntax;
-    /// Macros that expand to more than the browser takes.
+    /// Macros that expand to more than the browser accepts.
     MACRO_BUDGET = "macro-budget", is(Facet::Moves);
 
     // Syntax.
-    /// A token that cannot stand where it does.
+    /// An unexpected token.
     SYNTAX_ERROR = "syntax-error", syntax, is(Facet::Reads), is(Facet::ForeignForm), is(Facet::Grammar);
     /// A statement without its `;`.
     MISSING_SEMICOLON = "missing-semicolon", syntax, is(Facet::Reads), is(Facet::ForeignForm), is(Facet::Grammar);
-    /// `(`, `[` or `{` without its partner.
+    /// `(`, `[` or `{` without its counterpart, or the reverse.
     UNCLOSED_DELIMITER = "unclosed-delimiter", syntax, is(Facet::EndsEarly), is(Facet::Reads), is(Facet::ForeignForm), is(Facet::Grammar);
     /// `;` at global scope.
     STRAY_SEMICOLON = "stray-semicolon", is(Facet::Reads);
     /// `{1.0, 2.0}` as an initializer.
     INITIALIZER_LIST = "initializer-list", syntax;
-    /// A C or C++ habit that GLSL does not have.
+    /// A construct of another language.
     FOREIGN_SYNTAX = "foreign-syntax", syntax, is(Facet::ForeignForm);
 
     // Names and declarations.
-    /// A name that nothing declares.
+    /// An undeclared name.
     UNDECLARED_NAME = "undeclared-name", lacks(Lack::Name);
     /// `fragCoord` where only `gl_FragCoord` exists.
     FRAGCOORD_IN_MAIN = "fragcoord-in-main";
     /// A function used before its declaration.
     USE_BEFORE_DECLARATION = "use-before-declaration";
-    /// A type that nothing declares.
+    /// An undeclared type.
     UNKNOWN_TYPE = "unknown-type", lacks(Lack::Name);
     /// A name declared twice in one scope.
     REDEFINITION = "redefinition", meaning, is(Facet::Declares);
@@ -187,9 +187,9 @@ errors! {
     MISSING_MAIN = "missing-main", is(Facet::EndsEarly);
     /// `mainImage` without a `main` that calls it.
     UNWRAPPED_MAINIMAGE = "unwrapped-mainimage", is(Facet::EndsEarly);
-    /// `mainImage` or its kin with other parameters than the player's.
+    /// `mainImage` or another ShaderToy entry function with the wrong signature.
     MAINIMAGE_SIGNATURE = "mainimage-signature";
-    /// Code of GLSL ES 1.00 in a shader of 3.00.
+    /// GLSL ES 1.00 code in a GLSL ES 3.00 shader.
     LEGACY_GLSL = "legacy-glsl", is(Facet::Desktop);
     /// A function without a `return`.
     MISSING_RETURN = "missing-return", meaning, is(Facet::Declares);
@@ -197,91 +197,91 @@ errors! {
     UNDEFINED_FUNCTION = "undefined-function", is(Facet::EndsEarly);
     /// A function that calls itself.
     RECURSION = "recursion";
-    /// A declaration of a function that does not fit another one.
+    /// A function declaration that does not match an earlier one.
     FUNCTION_MISMATCH = "function-mismatch", meaning, is(Facet::Declares);
     /// A function declared inside a function.
     LOCAL_FUNCTION = "local-function", syntax, is(Facet::Reads), is(Facet::ForeignForm);
-    /// A parameter that cannot be declared so.
+    /// An invalid parameter declaration.
     INVALID_PARAMETER = "invalid-parameter", meaning, is(Facet::Declares);
-    /// Qualifiers that cannot stand together or here.
+    /// A qualifier that is not allowed here or conflicts with another.
     INVALID_QUALIFIER = "invalid-qualifier";
-    /// A `layout(...)` that cannot stand here.
+    /// A `layout(...)` that is not allowed here.
     INVALID_LAYOUT = "invalid-layout";
-    /// Fragment outputs whose locations clash or are missing.
+    /// Fragment outputs with missing or conflicting locations.
     OUTPUT_LOCATION = "output-location", lacks(Lack::Output);
-    /// An input or output of a type that cannot be one.
+    /// An input or output of a type that is not allowed.
     INTERFACE_TYPE = "interface-type";
-    /// An interface block that cannot be declared so.
+    /// An invalid interface block.
     INTERFACE_BLOCK = "interface-block";
-    /// A struct that cannot be declared so.
+    /// An invalid struct declaration.
     INVALID_STRUCT = "invalid-struct", meaning, is(Facet::Declares);
-    /// An array that cannot be declared so.
+    /// An invalid array declaration.
     INVALID_ARRAY = "invalid-array", meaning;
     /// `void` as the type of a value.
     VOID_VALUE = "void-value", meaning;
     /// A constant without a value, or with one that is not constant.
     NOT_CONSTANT = "not-constant", is(Facet::Desktop);
-    /// A sampler where none may stand.
+    /// A constant without an initializer or with one that is not constant.
     SAMPLER_RESTRICTION = "sampler-restriction", meaning;
 
     // Types.
     /// `int` and `float` mixed.
     INT_FLOAT_MIX = "int-float-mix", meaning, is(Facet::Desktop);
-    /// Vectors or matrices of sizes that do not fit.
+    /// Vectors or matrices with incompatible sizes.
     VECTOR_SIZE = "vector-size", meaning;
-    /// Any other two types that do not fit.
+    /// Any other incompatible types.
     TYPE_MISMATCH = "type-mismatch", meaning;
-    /// A condition that is no `bool`.
+    /// A condition that is not a `bool`.
     CONDITION_TYPE = "condition-type", meaning;
-    /// A constructor with arguments that do not fit.
+    /// A constructor with invalid arguments.
     CONSTRUCTOR_ARGUMENTS = "constructor-arguments", meaning;
-    /// A call that fits no overload.
+    /// A call that matches no overload.
     ARGUMENT_MISMATCH = "argument-mismatch", meaning;
-    /// A call of something that is no function.
+    /// A call of something that is not a function.
     NOT_A_FUNCTION = "not-a-function";
     /// A function or type used as a variable.
     NOT_A_VARIABLE = "not-a-variable", meaning;
-    /// `return` of another type than the function's.
+    /// `return` of a value of the wrong type.
     RETURN_TYPE = "return-type", meaning;
     /// A component that the vector does not have.
     SWIZZLE_OUT_OF_RANGE = "swizzle-out-of-range", meaning;
-    /// Letters that are no components.
+    /// A swizzle with letters that are not components.
     INVALID_SWIZZLE = "invalid-swizzle", meaning;
     /// A member that the struct does not have.
     NO_SUCH_FIELD = "no-such-field", meaning;
-    /// `[...]` that does not fit.
+    /// An index that is not an integer, or on a type without elements.
     INVALID_INDEX = "invalid-index", meaning;
     /// An index outside the array, vector or matrix.
     INDEX_OUT_OF_RANGE = "index-out-of-range", meaning;
     /// An assignment to something that cannot be assigned to.
     NOT_ASSIGNABLE = "not-assignable", meaning;
-    /// `length`, `mix` and their kin on integers.
+    /// `length`, `mix` and other float functions on integers.
     INTEGER_LENGTH = "integer-length", meaning;
     /// An operation that WebGL2 does not have for this type.
     UNSUPPORTED_OPERATION = "unsupported-operation", meaning;
 
     // Statements.
-    /// A `switch` or its labels wrong.
+    /// An invalid `switch` statement or label.
     INVALID_SWITCH = "invalid-switch", meaning;
-    /// `break`, `continue`, `discard` or `return` where it cannot stand.
+    /// `break`, `continue` or `discard` where it is not allowed.
     MISPLACED_JUMP = "misplaced-jump";
     /// A loop that never ends.
     INFINITE_LOOP = "infinite-loop";
 
     // Both stages together.
-    /// Stages of two versions of the language.
+    /// Stages with different versions of the language.
     LINK_VERSION = "link-version";
-    /// What the fragment shader reads, and the vertex shader does not give, or not so.
+    /// A fragment input without a matching vertex output.
     LINK_VARYING = "link-varying";
-    /// A uniform that both stages declare differently.
+    /// A uniform with different declarations in the two stages.
     LINK_UNIFORM = "link-uniform";
-    /// A uniform block that both stages declare differently.
+    /// A uniform block with different declarations in the two stages.
     LINK_BLOCK = "link-block";
-    /// Attributes without a place, or at one place.
+    /// Attributes without a free location, or with the same one.
     LINK_ATTRIBUTE = "link-attribute";
 
     // Limits and versions.
-    /// More than the browser takes.
+    /// A limit of the browser's compiler is exceeded.
     BROWSER_LIMIT = "browser-limit";
     /// Something that GLSL ES 1.00 does not have.
     NEEDS_WEBGL2 = "needs-webgl2", lacks(Lack::Setting);

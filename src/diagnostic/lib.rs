@@ -1,4 +1,4 @@
-//! What shaderlint has to say, as data: no colour, no line numbers, no output format.
+//! Findings as data, independent of colour, line numbers and output format.
 
 mod code;
 
@@ -7,19 +7,19 @@ pub use code::{Certainty, ERRORS, ErrorKind, Facet, Lack, error};
 use shaderlint_text::{Edit, Span};
 use std::sync::Arc;
 
-/// How bad a finding is.
+/// Severity of a finding.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Severity {
-    /// Worth knowing.
+    /// Useful to know.
     Info,
-    /// The shader compiles, but it is probably not what was meant.
+    /// The shader compiles but probably does not do what was intended.
     Warning,
-    /// The browser's WebGL2 compiler refuses the shader.
+    /// The browser's WebGL2 compiler rejects the shader.
     Error,
 }
 
 impl Severity {
-    /// The word that every output format prints.
+    /// The word used in every output format.
     pub const fn name(self) -> &'static str {
         match self {
             Severity::Info => "info",
@@ -29,26 +29,26 @@ impl Severity {
     }
 }
 
-/// A remark on a place that explains the finding.
+/// An annotation of a source span.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Label {
-    /// The place.
+    /// The annotated span.
     pub span: Span,
-    /// The remark, lower case and without a full stop.
+    /// Text of the annotation: lower case, no full stop.
     pub message: String,
 }
 
-/// Whether a fix may be applied without a look.
+/// Whether a fix can be applied without review.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Applicability {
-    /// Keeps what the shader draws, or makes a shader compile in the only way that fits.
+    /// Keeps the output of the shader, or is the only way to make it compile.
     Safe,
-    /// Probably what is meant, but the picture may change.
+    /// Probably intended, but the output may change.
     Unsafe,
 }
 
 impl Applicability {
-    /// The word that the machine formats print.
+    /// The word used in machine-readable formats.
     pub const fn name(self) -> &'static str {
         match self {
             Applicability::Safe => "safe",
@@ -57,19 +57,19 @@ impl Applicability {
     }
 }
 
-/// A way to mend the finding. Its edits never overlap.
+/// A fix for a finding. Its edits never overlap.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fix {
-    /// What it does, as an order: "write `1.0`".
+    /// What it does, as an imperative: "use `1.0`".
     pub title: String,
-    /// Whether it may be applied unseen.
+    /// Whether it can be applied without review.
     pub applicability: Applicability,
-    /// The edits, all of which belong together.
+    /// The edits; they must be applied together.
     pub edits: Vec<Edit>,
 }
 
 impl Fix {
-    /// A fix that may be applied unseen.
+    /// A fix that can be applied without review.
     pub fn safe(title: impl Into<String>, edits: Vec<Edit>) -> Fix {
         Fix {
             title: title.into(),
@@ -78,7 +78,7 @@ impl Fix {
         }
     }
 
-    /// A fix that wants a look.
+    /// A fix that needs review.
     pub fn suggestion(title: impl Into<String>, edits: Vec<Edit>) -> Fix {
         Fix {
             title: title.into(),
@@ -88,7 +88,7 @@ impl Fix {
     }
 }
 
-/// One macro call that the code at fault came through.
+/// A macro call that produced the code in question.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MacroUse {
     /// Name of the macro.
@@ -99,37 +99,37 @@ pub struct MacroUse {
     pub definition: Span,
 }
 
-/// Which pages explain a finding's name.
+/// Where a finding is documented.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Origin {
-    /// The compiler refuses the code; `rules/errors/NAME.md`.
+    /// A compile error; `rules/errors/NAME.md`.
     Compiler,
-    /// A lint rule found it; `rules/NAME.md`.
+    /// A lint rule; `rules/NAME.md`.
     Rule,
-    /// Who prints the findings speaks of what is left out; `README.md`.
+    /// A message of the report itself about omitted findings; `README.md`.
     Report,
 }
 
-/// What an error of the syntax is about, for code that asks: messages are for people alone.
+/// What a syntax error is about, for use by code; messages are for people only.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Subject {
-    /// Nothing that anybody asks for.
+    /// Anything else.
     #[default]
     Other,
-    /// A `}` that is missing.
+    /// A missing `}`.
     MissingClose,
-    /// A brace that stands in the wrong place, or a `{` that is missing.
+    /// A misplaced brace, or a missing `{`.
     Brace,
-    /// A statement outside functions.
+    /// A statement outside a function.
     OuterStatement,
-    /// The head of a function without its type.
+    /// A function header without a return type.
     UntypedFunction,
-    /// Blanks or comments before `#version`.
+    /// Whitespace or comments before `#version`.
     BlankFront,
 }
 
 impl Subject {
-    /// Whether it is about braces, which move what stands where.
+    /// Whether it is about braces, which affect the structure of the following code.
     pub const fn is_brace(self) -> bool {
         matches!(self, Subject::MissingClose | Subject::Brace)
     }
@@ -138,43 +138,44 @@ impl Subject {
 /// One finding.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {
-    /// Name of the finding, which is also the name of its page.
+    /// Name of the rule or error, also the name of its page.
     pub rule: &'static str,
-    /// What kind of compile error it is, for code that decides; `None` of rules.
+    /// Kind of compile error, for use by code; `None` for lint rules.
     pub kind: Option<ErrorKind>,
-    /// Whether the compiler or a lint rule speaks.
+    /// Whether it is from the compiler, a lint rule or the report.
     pub origin: Origin,
-    /// How bad it is.
+    /// Info, warning or error.
     pub severity: Severity,
-    /// What is wrong: lower case, no full stop, names in backticks.
+    /// Title: what is wrong, in lower case, without a full stop, names in backticks.
     pub message: String,
-    /// What an error of the syntax is about.
+    /// What a syntax error is about.
     pub subject: Subject,
-    /// Where.
+    /// Primary span.
     pub span: Span,
-    /// A short remark printed right under the place; may be empty.
+    /// Annotation of the primary span; may be empty.
     pub label: String,
-    /// Other places that explain it.
+    /// Secondary spans with annotations.
     pub labels: Vec<Label>,
-    /// Why it is wrong.
+    /// Explanations: the rule of the language, or evidence.
     pub notes: Vec<String>,
-    /// What to write instead, in words and code.
+    /// Suggestions, in words and code.
     pub help: Vec<String>,
-    /// The macro calls that the code came through, innermost first.
+    /// The macro calls that produced the code, innermost first.
     pub macros: Vec<MacroUse>,
-    /// How to mend it.
+    /// How to fix it automatically.
     pub fix: Option<Fix>,
-    /// Of a part of a shader: the hosts that are thought to complete it.
+    /// For a shader fragment: the hosts assumed to complete it.
     pub part: Option<Arc<[String]>>,
 }
 
 impl Diagnostic {
-    /// A compile error; `kind` is one of [`error`].
+    /// Creates a compile error; `kind` is one of [`error`].
     pub fn error(kind: ErrorKind, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic::of(kind, Severity::Error, span, message)
     }
 
-    /// What is said of code that may be a compile error; `kind` is one of [`error`].
+    /// Creates a finding of any severity about a possible compile error; `kind` is one of
+    /// [`error`].
     pub fn of(
         kind: ErrorKind,
         severity: Severity,
@@ -188,7 +189,7 @@ impl Diagnostic {
         }
     }
 
-    /// A finding with all that is not optional.
+    /// Creates a finding with the required fields.
     pub fn new(
         rule: &'static str,
         origin: Origin,
@@ -219,34 +220,34 @@ impl Diagnostic {
         self.kind == Some(kind)
     }
 
-    /// Whether it is an error of a kind with this facet.
+    /// Whether it is an error of a kind with this property.
     pub fn has(&self, facet: Facet) -> bool {
         self.kind.is_some_and(|kind| kind.has(facet))
     }
 
-    /// How sure it is in a part of a shader.
+    /// How reliable it is in a shader fragment.
     pub fn certainty(&self) -> Certainty {
         self.kind.map_or(Certainty::Never, |kind| kind.certainty)
     }
 
-    /// What the shader lacks, if that is the error.
+    /// What the shader lacks, if this error says so.
     pub fn lacks(&self) -> Option<Lack> {
         self.kind?.lacks
     }
 
-    /// Says what an error of the syntax is about.
+    /// Sets what a syntax error is about.
     pub fn about(mut self, subject: Subject) -> Diagnostic {
         self.subject = subject;
         self
     }
 
-    /// Sets the remark under the place itself.
+    /// Sets the annotation of the primary span.
     pub fn mark(mut self, message: impl Into<String>) -> Diagnostic {
         self.label = message.into();
         self
     }
 
-    /// Points at another place.
+    /// Adds an annotated secondary span.
     pub fn label(mut self, span: Span, message: impl Into<String>) -> Diagnostic {
         self.labels.push(Label {
             span,
@@ -255,25 +256,25 @@ impl Diagnostic {
         self
     }
 
-    /// Says why.
+    /// Adds an explanation.
     pub fn note(mut self, note: impl Into<String>) -> Diagnostic {
         self.notes.push(note.into());
         self
     }
 
-    /// Says what to write instead.
+    /// Adds a suggestion.
     pub fn help(mut self, help: impl Into<String>) -> Diagnostic {
         self.help.push(help.into());
         self
     }
 
-    /// Adds the fix, if there is one.
+    /// Sets the fix, if there is one.
     pub fn fix(mut self, fix: impl Into<Option<Fix>>) -> Diagnostic {
         self.fix = fix.into();
         self
     }
 
-    /// Path of the page that explains it, from the top of the repository.
+    /// Path of the documentation page, relative to the repository root.
     pub fn page(&self) -> String {
         match self.origin {
             Origin::Compiler => format!("rules/errors/{}.md", self.rule),

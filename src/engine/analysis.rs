@@ -1,4 +1,4 @@
-//! A checked shader that outlives the call that checked it: what editors and runs keep.
+//! A checked shader that outlives the check, for editors and sample runs.
 
 use shaderlint_host::Preset;
 use shaderlint_ir::Module;
@@ -7,22 +7,22 @@ use shaderlint_semantic::{Checked, Program, Wholeness};
 use shaderlint_text::Sources;
 use std::sync::Arc;
 
-/// A checked shader, and what else is found out of it, each when it is first asked for. It owns all
-/// that it speaks of; threads can share it.
+/// A checked shader with further analyses, each computed on first use. It owns its data and can be
+/// shared between threads.
 pub struct Analysis {
-    /// What the shader means.
+    /// The checked program.
     pub program: Arc<Program>,
-    /// How much of a shader it is.
+    /// Whether it is a complete shader or a fragment.
     pub wholeness: Wholeness,
-    /// Whether the browser would refuse it as it stands.
+    /// Whether the browser would reject it.
     pub has_errors: bool,
-    /// Who runs it, as the user says or the text asks for.
+    /// The host that runs it, set by the user or detected.
     pub host: Option<&'static Preset>,
     known: Arc<Known>,
 }
 
 impl Analysis {
-    /// `known` is what the rules have found out already.
+    /// `known` holds the analyses that the rules have computed already.
     pub(super) fn new(
         checked: Checked,
         has_errors: bool,
@@ -38,17 +38,17 @@ impl Analysis {
         }
     }
 
-    /// The texts that its places point into.
+    /// The source texts that its spans refer to.
     pub fn sources(&self) -> &Arc<Sources> {
         &self.program.sources
     }
 
-    /// The shader in the middle form.
+    /// The IR of the shader.
     pub fn module(&self) -> &Arc<Module> {
         self.known.module(&self.program)
     }
 
-    /// What the shader does. Whatever was asked for before is still known.
+    /// The facts about the shader. Analyses are computed once.
     pub fn facts(&self) -> Facts<'_> {
         Facts::of(&self.program, &self.known)
     }

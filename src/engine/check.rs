@@ -1,5 +1,4 @@
-//! What is wrong with one shader of an input: it is checked, its host looked for where it lacks
-//! something, and rules run over it.
+//! Checks one shader of an input: resolves its host if something is missing, and runs the rules.
 
 use super::analysis::Analysis;
 use super::host::Hosts;
@@ -24,19 +23,18 @@ use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// What was found in the shaders of a file.
+/// The findings about the shaders of a file.
 #[derive(Default)]
 pub struct PartFindings {
-    /// What is wrong with them.
+    /// The findings.
     pub diagnostics: Vec<Diagnostic>,
-    /// The comments that allow a finding.
+    /// The suppression comments.
     pub allows: Allows,
-    /// The names that their hosts have to declare.
+    /// Names that hosts have to declare.
     pub unresolved: Unresolved,
 }
 
-/// Finds what is to be said of a shader, and says what was looked at; of one with errors also what
-/// was judged at all.
+/// Checks a shader. For a shader with errors, also returns what was checked.
 pub fn check_part(
     sources: &mut Arc<Sources>,
     part: &mut Part,
@@ -59,7 +57,7 @@ pub fn check_part(
         &mut found.allows,
         &mut found.diagnostics,
     )?;
-    // A host that takes no GLSL of desktops refuses it, as WebGL does.
+    // A host that does not accept desktop GLSL rejects it, as WebGL does.
     if let Some(host) = part.host.filter(|h| !h.composes || h.runs_desktop()) {
         let mut own = found.diagnostics.split_off(before);
         hosted::leave_repaired(sources, (part, host), &mut own);
@@ -76,12 +74,12 @@ pub fn check_part(
     Some(told)
 }
 
-/// Who runs a shader: what it was read for, or else what the user says.
+/// The host that runs a shader: detected, or set by the user.
 fn host_of(part: &Part, options: &Options) -> Option<&'static Preset> {
     part.host.or(options.host.preset)
 }
 
-/// Checks a shader. Where it lacks something, its host is looked for first.
+/// Checks a shader. If something is missing, its host is resolved first.
 fn understand(
     sources: &mut Arc<Sources>,
     part: &mut Part,
@@ -115,7 +113,7 @@ fn understand(
     part.readings.check(sources, part.infer_channels)
 }
 
-/// Runs the rules over a shader that was checked, and gathers what is to be said.
+/// Runs the rules over a checked shader and collects the findings.
 fn tell_part(
     sources: &Sources,
     part: &Part,
@@ -134,7 +132,7 @@ fn tell_part(
         for d in misplaced.filter(|d| d.subject == Subject::BlankFront) {
             d.severity = Severity::Warning;
             d.notes
-                .push("unless the text is trimmed before it is compiled".to_string());
+                .push("valid if the text is trimmed before it is compiled".to_string());
         }
     }
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
@@ -143,7 +141,7 @@ fn tell_part(
     let (unrun, left_out) = run_rules(part, (checked, found), options, allows, diagnostics);
     keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
     if wholeness != Wholeness::Whole {
-        // The program around a part knows its names.
+        // The program around a shader fragment depends on its names.
         let names = checked.diagnostics.iter_mut();
         let renamed = names.filter(|d| d.is(error::RESERVED_WORD));
         renamed.for_each(|d| ask_first(std::slice::from_mut(d)));
@@ -182,8 +180,8 @@ fn tell_part(
     Some((shader, judged))
 }
 
-/// Keeps what is wrong in an excerpt that a text shows: values that do not fit. It may be cut anywhere,
-/// list prototypes, or declare anew what the text has shown before.
+/// Keeps the errors of an excerpt that hold out of context, such as type errors. An excerpt may be
+/// cut anywhere, list prototypes, or repeat earlier declarations.
 fn keep_of_excerpt(diagnostics: &mut Vec<Diagnostic>) {
     diagnostics.retain(|d| {
         d.severity != Severity::Error
@@ -195,8 +193,8 @@ fn keep_of_excerpt(diagnostics: &mut Vec<Diagnostic>) {
     errors.for_each(|d| d.severity = Severity::Warning);
 }
 
-/// Runs the rules over a shader. Says where they did not run, and how many of their findings are too
-/// many.
+/// Runs the rules over a shader. Returns where they did not run, and the number of findings dropped
+/// because there are too many.
 fn run_rules(
     part: &Part,
     (checked, known): (&Checked, &Arc<Known>),
@@ -206,8 +204,8 @@ fn run_rules(
 ) -> (Unrun, usize) {
     let wholeness = checked.wholeness;
     let open = &checked.open;
-    // Where more is open than names, no rule knows enough; where names are, the functions without them
-    // are known.
+    // If only names are unknown, the functions that do not use them can be checked; otherwise no
+    // rule has enough information.
     let is_known = !open.is_any || open.is_names_only;
     let is_example = part.readings.is_shown() && !part.readings.has_version();
     if !is_known || is_example || wholeness == Wholeness::Excerpt {
@@ -232,7 +230,7 @@ fn run_rules(
     if let Unrun::Functions { broken, .. } = &unrun {
         allows.excuse(broken);
     }
-    // What a typo was meant to be is no second finding for that it is not used.
+    // A declaration that was misspelt where it is used is not reported as unused.
     let fixes = errors.iter().filter_map(|d| d.fix.as_ref());
     let meant: BTreeSet<&str> = fixes
         .flat_map(|f| &f.edits)
@@ -241,7 +239,7 @@ fn run_rules(
     let sources = &program.sources;
     found.retain(|d| sources.is_user(d.span.start) && !meant.contains(sources.text(d.span)));
     if wholeness != Wholeness::Whole {
-        // What a host makes of it is not known well enough to write anything unasked.
+        // The code that a host adds is unknown, so no fix is applied without being asked for.
         ask_first(&mut found);
     }
     found.sort_by_key(|d| (d.span.start, d.span.end));
@@ -251,13 +249,14 @@ fn run_rules(
     (unrun, left_out)
 }
 
-/// Keeps what is wrong even if the hosts give other names, or are not the ones that were guessed.
+/// Drops findings that depend on names of hosts that were only guessed.
 fn keep_under_hosts(sources: &Sources, readings: &Readings, diagnostics: &mut Vec<Diagnostic>) {
     if readings.renames {
         diagnostics.retain(|d| !d.is(error::RESERVED_WORD));
     }
     if readings.is_guessed && !readings.needs_300() {
-        // Where only the project speaks for a host, the text may go by another way, as GLSL ES 1.00.
+        // If a host is known only from packages, the text may be compiled as GLSL ES 1.00 by other
+        // means.
         diagnostics.retain(|d| {
             let word = classify(sources.text(d.span), Version::Es100);
             let is_free = d.is(error::RESERVED_WORD) && word == WordClass::Plain;
@@ -266,10 +265,10 @@ fn keep_under_hosts(sources: &Sources, readings: &Readings, diagnostics: &mut Ve
     }
 }
 
-/// Most findings of the rules in one shader; whoever mends these sees the next.
+/// Maximum number of rule findings in one shader; more are reported after these are fixed.
 const MAX_FINDINGS: usize = 500;
 
-/// Makes all fixes such that a person decides.
+/// Makes all fixes unsafe, so that a person decides.
 pub fn ask_first(diagnostics: &mut [Diagnostic]) {
     for fix in diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {
         fix.applicability = Applicability::Unsafe;

@@ -1,4 +1,4 @@
-//! From the text of one file to what is said of it.
+//! Checks the text of one file.
 
 use super::analysis::Analysis;
 use super::check::{PartFindings, ask_first, check_part};
@@ -20,60 +20,60 @@ use shaderlint_text::{Encoding, FileId, Role, Sources, Span};
 use std::fmt;
 use std::sync::Arc;
 
-/// What is said of one text.
+/// The result of checking a text.
 #[derive(Default)]
 pub struct Report {
-    /// The texts that they point into.
+    /// The source texts that findings refer to.
     pub sources: Arc<Sources>,
-    /// The findings, in the order of the text.
+    /// The findings in source order.
     pub diagnostics: Vec<Diagnostic>,
-    /// The file of the input itself; `None` for an export, whose passes are files of their own.
+    /// The input file; `None` for an export, whose passes are separate files.
     pub file: Option<FileId>,
-    /// What was read as shaders.
+    /// The shaders of the file.
     pub shaders: Vec<Shader>,
-    /// Findings of the rules that are not kept, since there are too many.
+    /// Number of findings dropped because there are too many.
     pub left_out: usize,
-    /// Why nothing was judged, where that is so.
+    /// Why the file was not checked.
     pub unread: Option<Unread>,
-    /// What is known of the shaders, where [`analyze`](super::analyze) was asked.
+    /// The analyses of the shaders, if [`analyze`](super::analyze) was called.
     pub analyses: Vec<Analysis>,
-    /// The shaders inside the file, where it is a page, a script or a text.
+    /// The embedded shaders of a page, script or document.
     pub(super) embedded: Vec<Embedded>,
-    /// Whether the file holds shaders and is none itself.
+    /// Whether the file contains embedded shaders.
     pub(super) holds_others: bool,
-    /// Where the code of the passes is written, where it is an export.
+    /// Positions of the code of passes in an export.
     pub(super) export: Option<Written>,
-    /// What was judged, where there are errors.
+    /// What was checked, if there are errors.
     pub(super) judged: Option<Judged>,
 }
 
 impl Report {
-    /// Whether other files are read with this one.
+    /// Whether the file includes other files.
     pub fn includes(&self) -> bool {
         let users = self.sources.files().iter().filter(|f| f.role == Role::User);
         self.file.is_some() && users.count() > 1
     }
 
-    /// Whether the file holds shaders and is none itself.
+    /// Whether the file contains embedded shaders.
     pub fn holds_shaders(&self) -> bool {
         self.holds_others
     }
 
-    /// Whether a finding's fix can be written into the file.
+    /// Whether the fix of a finding can be written to the file.
     pub fn can_apply(&self, diagnostic: &Diagnostic) -> bool {
         let fix = diagnostic.fix.as_ref();
         fix.is_some_and(|fix| fix.edits.iter().all(|e| self.edit_of_input(e).is_some()))
     }
 }
 
-/// Why a text is not judged.
+/// Why a text was not checked.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Unread {
-    /// It is nothing that is read.
+    /// It is not a kind of file that is checked.
     Skipped(Decision),
-    /// It should be a ShaderToy export, but something is wrong with it.
+    /// It is an invalid ShaderToy export.
     Export(ProjectError),
-    /// It is too large to be addressed.
+    /// The text exceeds the address space of 4 GiB.
     TooLarge,
 }
 
@@ -87,7 +87,7 @@ impl fmt::Display for Unread {
     }
 }
 
-/// Judges a text as its bytes were written.
+/// Checks a text that was decoded from an encoding.
 pub(super) fn judge(name: &str, text: &str, encoding: Encoding, world: World) -> Report {
     let judged = try_judge(name, text, encoding, world);
     judged.unwrap_or_else(|unread| Report {
@@ -116,7 +116,7 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     let may_link = partner.is_some() || input.embedded.len() > 1;
     let keep = match kind {
         FileKind::Holds(DocumentLanguage::Markdown) => world.keep,
-        // Shaders that may be linked are not checked again for it.
+        // Programs are kept for linking, so that they are not checked again.
         _ if may_link => Keep::Programs,
         _ => world.keep,
     };
@@ -169,7 +169,7 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
     Ok(report)
 }
 
-/// What is said of the shaders of a file.
+/// The findings about the shaders of a file.
 #[derive(Default)]
 struct ToldFindings {
     found: PartFindings,
@@ -253,7 +253,7 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Spli
     Ok(input)
 }
 
-/// What becomes of JSON that is no project: any that does not speak of passes is passed over.
+/// JSON that is not an export is skipped, unless it mentions render passes.
 fn no_project(error: ProjectError, text: &str) -> Unread {
     let is_meant = text.contains("\"renderpass\"");
     match error {
@@ -263,7 +263,7 @@ fn no_project(error: ProjectError, text: &str) -> Unread {
     }
 }
 
-/// What is wrong with a shader file that holds no text to be judged.
+/// The finding about a shader file that has no readable text.
 fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
     let error = |kind, message| Some(Diagnostic::error(kind, Span::at(0), message));
     match encoding {
@@ -271,9 +271,9 @@ fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
             error::INVALID_ENCODING,
             "the file is UTF-16; save it as UTF-8",
         ),
-        Encoding::Binary => error(error::INVALID_ENCODING, "the file is no text"),
+        Encoding::Binary => error(error::INVALID_ENCODING, "the file is not a text file"),
         _ if !text.trim().is_empty() => None,
-        // Others may include it, as a place for something.
+        // Other files may include an empty file as a placeholder.
         _ => error(error::MISSING_MAIN, "the file is empty").map(|d| Diagnostic {
             severity: Severity::Warning,
             ..d
@@ -281,8 +281,8 @@ fn unreadable(text: &str, encoding: Encoding) -> Option<Diagnostic> {
     }
 }
 
-/// Reports bytes that are no UTF-8, at this offset of the file, where nothing else is said of
-/// them: a comment may hold them.
+/// Reports invalid UTF-8 at an offset of the file, unless another finding is at the same position.
+/// Comments may contain invalid bytes.
 fn report_damage(input: &SplitInput, offset: u32, diagnostics: &mut Vec<Diagnostic>) {
     let Some(file) = input.file.and_then(|id| input.sources.file(id)) else {
         return;
@@ -293,9 +293,9 @@ fn report_damage(input: &SplitInput, offset: u32, diagnostics: &mut Vec<Diagnost
     }
     let span = Span::new(start, start + '\u{fffd}'.len_utf8() as u32);
     let kind = error::INVALID_ENCODING;
-    let message = "the file is not UTF-8 from here on";
+    let message = "invalid UTF-8";
     diagnostics.push(
         Diagnostic::of(kind, Severity::Warning, span, message)
-            .note("a browser reads U+FFFD in the place of such bytes"),
+            .note("browsers replace invalid bytes with U+FFFD"),
     );
 }

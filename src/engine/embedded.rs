@@ -1,4 +1,4 @@
-//! Shaders inside pages, scripts and texts.
+//! Shaders embedded in pages, scripts and documents.
 
 use super::foreign;
 use super::front::front;
@@ -19,10 +19,10 @@ use shaderlint_text::{FileId, Role};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Most declarations of an excerpt, or of a chapter, that are told apart.
+/// Maximum number of scopes in an excerpt, and of declarations in a chapter.
 const MAX_SCOPES: usize = 100;
 
-/// Makes the shaders of a file. `None` where they are too large.
+/// Adds the embedded shaders of a file. `None` if they are too large.
 pub(super) fn parts(
     input: &mut SplitInput,
     name: &str,
@@ -33,12 +33,12 @@ pub(super) fn parts(
 ) -> Option<()> {
     let options = world.options;
     let mut all = std::mem::take(&mut input.embedded);
-    // A text speaks of many programs.
+    // A document shows code of several programs.
     let embedder = match language {
         DocumentLanguage::Markdown => Embedder::default(),
         DocumentLanguage::Html | DocumentLanguage::Script | DocumentLanguage::Component => {
             let own = Embedder::of(text);
-            // What stands before a shader only matters where that is a blank.
+            // What scripts do with leading white space only matters for shaders that start with it.
             let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
             match all.iter().any(starts_blank) {
                 true => Embedder {
@@ -53,7 +53,7 @@ pub(super) fn parts(
         all.iter_mut().for_each(Embedded::trim_start);
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
-    // A script that holds a `#version` may put it before any of its shaders.
+    // A script that contains `#version` may write it before any of its shaders.
     let is_compiled = embedder.hands_over && !text.contains("#version");
     let mut known = Known::default();
     for embedded in &all {
@@ -82,18 +82,18 @@ pub(super) fn parts(
     Some(())
 }
 
-/// What is known of the file around a shader.
+/// What is known about the file around a shader.
 #[derive(Clone, Copy)]
 struct Around {
     embedder: Embedder,
-    /// Whether it speaks of GLSL ES 3.00 only.
+    /// Whether it uses only GLSL ES 3.00.
     is_300: bool,
-    /// Whether it compiles its shaders itself, as they are.
+    /// Whether it compiles its shaders itself, unchanged.
     is_compiled: bool,
 }
 
-/// Whether the shaders of a text speak of GLSL ES 3.00, or of ShaderToy, and none of 1.00: then its
-/// excerpts are of that version too.
+/// Whether shaders of a document use GLSL ES 3.00 or ShaderToy, and none uses 1.00. Then its
+/// excerpts have that version too.
 fn speaks_of_300(all: &[Embedded]) -> bool {
     let shadertoy = shadertoy();
     let words = shadertoy.map_or(&[][..], |p| p.words.as_slice());
@@ -155,8 +155,8 @@ fn part(
     })
 }
 
-/// Makes a shader of an excerpt: its functions and directives, then its statements in a function.
-/// Each declaration opens a scope of its own, since texts show the same name in several ways.
+/// Completes an excerpt: its functions and directives, then its statements in a function. Each
+/// declaration opens a new scope, because documents repeat names.
 fn excerpt(
     input: &mut SplitInput,
     file: FileId,
@@ -204,11 +204,11 @@ fn excerpt(
     Some(globals)
 }
 
-/// The variables that the excerpts of a chapter have declared so far.
+/// The variables that excerpts of a chapter have declared so far.
 #[derive(Default)]
 struct Known {
     chapter: u32,
-    /// By name: the type, or `None` where the text shows several.
+    /// By name: the type, or `None` if the document declares several.
     types: BTreeMap<String, Option<String>>,
 }
 
@@ -220,7 +220,7 @@ impl Known {
         }
     }
 
-    /// Notes what a declaration declares.
+    /// Records a declaration.
     fn declare(&mut self, code: &str) {
         let Some((ty, rest)) = code.split_once(char::is_whitespace) else {
             return;
@@ -248,7 +248,7 @@ impl Known {
     }
 }
 
-/// Turns a fix that would not be the same in the outer language into words.
+/// Replaces a fix that cannot be written in the surrounding language with a help.
 pub fn tell_fix(diagnostic: &mut Diagnostic) {
     let Some(fix) = diagnostic.fix.take() else {
         return;
@@ -256,7 +256,7 @@ pub fn tell_fix(diagnostic: &mut Diagnostic) {
     if fix.applicability == Applicability::Safe || diagnostic.help.is_empty() {
         let is_version = diagnostic.is(error::VERSION_PLACEMENT);
         diagnostic.help.push(if is_version {
-            "start the string right with `#version`".to_string()
+            "start the string with `#version`".to_string()
         } else {
             fix.title
         });

@@ -1,20 +1,20 @@
-//! Fixes of the passes of an export, as edits of the JSON text that holds them.
+//! Maps positions and fixes in passes of an export to its JSON text.
 
 use shaderlint_diagnostic::{Diagnostic, Fix};
 use shaderlint_port::{Composed, Project};
 use shaderlint_text::json::{JsonString, strings_in};
 use shaderlint_text::{Edit, FileId, Sources, Span};
 
-/// Where the code of the passes is written.
+/// The positions of the code of passes in the JSON text.
 #[derive(Default)]
 pub struct Written {
-    /// By the text that holds the code of a pass.
+    /// By text of a pass: the JSON string that contains it.
     codes: Vec<(FileId, JsonString)>,
 }
 
 impl Written {
-    /// Looks for the code of the passes in the text of an export. What is not found there just as it
-    /// was read is not written.
+    /// Finds the code of the passes in the JSON text. Code that is not found exactly as parsed
+    /// cannot be edited.
     pub fn of(text: &str, project: &Project, composed: &Composed) -> Written {
         let found = strings_in(text, "renderpass", "code").unwrap_or_default();
         let ids = (0..composed.sources.files().len()).map(|i| FileId(i as u32));
@@ -39,12 +39,12 @@ impl Written {
         Some((string, Span::new(place.start, place.end)))
     }
 
-    /// A stretch of a pass as one of the JSON text.
+    /// A span in a pass as a span in the JSON text.
     pub fn in_json(&self, sources: &Sources, span: Span) -> Option<Span> {
         Some(self.span(sources, span)?.1)
     }
 
-    /// The address of what is written at an offset of the JSON text.
+    /// The address of an offset in the JSON text.
     pub fn address(&self, sources: &Sources, offset: u32) -> Option<u32> {
         let mut codes = self.codes.iter();
         let (id, code) = codes.find(|(_, code)| {
@@ -54,7 +54,7 @@ impl Written {
         Some(sources.file(*id)?.base + code.value_at(offset)?)
     }
 
-    /// A finding as one of the JSON text: its place, and its fix.
+    /// A finding with its span and fix in the JSON text.
     pub fn finding(&self, sources: &Sources, diagnostic: Diagnostic) -> Diagnostic {
         let place = self.span(sources, diagnostic.span);
         let span = place.map_or(Span::at(0), |(_, span)| span);
@@ -72,13 +72,13 @@ impl Written {
         }
     }
 
-    /// Stretches of passes as stretches of the JSON text.
+    /// Spans in passes as spans in the JSON text.
     pub fn spans(&self, sources: &Sources, spans: &[Span]) -> Vec<Span> {
         let place = |span: &Span| self.in_json(sources, *span);
         spans.iter().filter_map(place).collect()
     }
 
-    /// An edit of a pass as one of the JSON text.
+    /// An edit of a pass as an edit of the JSON text.
     pub fn edit(&self, sources: &Sources, edit: &Edit) -> Option<Edit> {
         let (string, span) = self.span(sources, edit.span)?;
         let first = string

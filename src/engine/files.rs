@@ -1,4 +1,4 @@
-//! The files around a text, as the engine sees them: whoever holds it says where they lie.
+//! Access to files, provided by the caller of the engine.
 
 use super::path::plain;
 use std::collections::BTreeMap;
@@ -6,72 +6,72 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Largest file that [`Files::load`] should give, in bytes.
+/// Size limit of [`Files::load`] in bytes.
 pub const MAX_LOADED: u64 = 4 * 1024 * 1024;
 
-/// Files by their paths: a disk, the buffers of an editor, a map. Relative paths count from
+/// Files by path: a disk, the buffers of an editor, a map. Relative paths are resolved against
 /// [`Files::here`].
 pub trait Files: Sync {
-    /// The text of a file.
+    /// Reads a file.
     ///
     /// # Errors
-    /// Where there is none, or where it cannot be read.
+    /// If there is no such file, or it cannot be read.
     fn load(&self, path: &Path) -> Result<Arc<str>, LoadError>;
 
-    /// What lies at a path.
+    /// The type of the entry at a path.
     fn entry(&self, path: &Path) -> Option<FileType>;
 
     /// The names in a folder, in any order.
     fn names(&self, folder: &Path) -> Vec<String>;
 
-    /// The folder that relative paths count from.
+    /// The folder that relative paths are resolved against.
     fn here(&self) -> &Path;
 
-    /// A path from the root, without `..` and without links; `None` where nothing lies there.
+    /// The absolute path without `..` and symbolic links; `None` if there is no entry.
     fn real(&self, path: &Path) -> Option<PathBuf> {
         self.entry(path).map(|_| plain(&self.here().join(path)))
     }
 
-    /// A number that is another one whenever the text of a file is, or the names in a folder are;
-    /// `None` where that is not known, so that nothing is kept of it.
+    /// A number that changes whenever the text of a file, or the names in a folder, change; `None`
+    /// if unknown, which disables caching.
     fn version(&self, _path: &Path) -> Option<u64> {
         None
     }
 }
 
-/// What lies at a path.
+/// The type of a directory entry.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FileType {
-    /// A file.
+    /// A regular file.
     File,
     /// A folder.
     Folder,
 }
 
-/// Why a file is not loaded.
+/// Why a file cannot be loaded.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LoadError {
-    /// There is none.
+    /// There is no such file.
     NotFound,
-    /// It has more than [`MAX_LOADED`] bytes.
+    /// The file has more than [`MAX_LOADED`] bytes.
     TooLarge,
-    /// It cannot be read, or is not UTF-8.
+    /// The file cannot be read, or is not UTF-8.
     Unreadable,
 }
 
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            LoadError::NotFound => "there is no such file",
+            LoadError::NotFound => "file not found",
             LoadError::TooLarge => "the file is too large",
-            LoadError::Unreadable => "the file cannot be read",
+            LoadError::Unreadable => "cannot read the file",
         })
     }
 }
 
 impl std::error::Error for LoadError {}
 
-/// No file at all: the text stands alone.
+/// A file system without files, for texts on their own.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct NoFiles;
 
@@ -93,7 +93,7 @@ impl Files for NoFiles {
     }
 }
 
-/// Files by their paths from the root, like `/shaders/noise.glsl`.
+/// Files by absolute path, such as `/shaders/noise.glsl`.
 impl Files for BTreeMap<PathBuf, Arc<str>> {
     fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
         let text = self.get(&plain(&self.here().join(path)));

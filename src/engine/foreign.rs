@@ -1,5 +1,5 @@
-//! Shaders in languages that WebGL does not compile: GLSL for OpenGL and Vulkan, HLSL, Metal, WGSL.
-//! One thing is said of each, and nothing is mended unasked.
+//! Shaders in languages that WebGL cannot compile: desktop GLSL, HLSL, Metal, WGSL. Each gets one
+//! finding without a fix.
 
 use super::input::SplitInput;
 use super::options::{Desktop, Options};
@@ -8,18 +8,17 @@ use shaderlint_text::embed::Embedded;
 use shaderlint_text::kind::{Decision, Evidence, Tongue, reason};
 use shaderlint_text::{FileId, Span};
 
-/// Whether a shader is checked as what it is to become.
+/// Whether desktop GLSL is checked as GLSL ES 3.00.
 pub fn is_ported(tongue: Tongue, options: &Options) -> bool {
     tongue == Tongue::Desktop && options.desktop == Desktop::Port
 }
 
-/// Whether a text is a shader for desktops of which it is said that WebGL does not compile it, unless
-/// a known host runs it.
+/// Whether a text is desktop GLSL that is reported, unless a known host runs it.
 pub(super) fn is_reported(text: &str, options: &Options) -> bool {
     options.desktop == Desktop::Report && Evidence::of(text).foreign() == Some(Tongue::Desktop)
 }
 
-/// Says what is to be said of a file.
+/// Reports a file in another language.
 pub(super) fn whole(
     input: &mut SplitInput,
     file: FileId,
@@ -34,8 +33,8 @@ pub(super) fn whole(
     Some(())
 }
 
-/// Says what is to be said of a shader inside a file, if it is such a one. Gives whether it is, so
-/// that nothing else is said.
+/// Reports an embedded shader in another language. Returns whether it is one, so that it is not
+/// checked further.
 pub(super) fn inside(
     input: &mut SplitInput,
     file: FileId,
@@ -66,15 +65,15 @@ fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -
         let line = line.split("/*").next().unwrap_or("").trim_end();
         let start = base + start as u32;
         let span = Span::new(start, start + line.len() as u32);
-        let message = format!("WebGL2 has no GLSL version {}", version.number);
+        let message = format!("`#version {}` is not supported by WebGL2", version.number);
         return Diagnostic::error(kind, span, message)
-            .note("this is GLSL for OpenGL or Vulkan; nothing else is said of it")
-            .help("`desktop = \"port\"` in shaderlint.toml checks it as GLSL ES 3.00, `desktop = \"skip\"` passes it over");
+            .note("desktop GLSL for OpenGL or Vulkan is not checked further")
+            .help("set `desktop = \"port\"` in shaderlint.toml to check it as GLSL ES 3.00, or `desktop = \"skip\"` to skip it");
     }
     let sign = evidence.first_sign(tongue).unwrap_or(0..0);
     let span = Span::new(base + sign.start as u32, base + sign.end as u32);
-    let message = format!("this shader is {tongue}, which WebGL does not compile");
+    let message = format!("WebGL does not support {tongue}");
     Diagnostic::of(kind, Severity::Info, span, message)
-        .note(format!("{why}; nothing else is said of it"))
-        .help("`desktop = \"skip\"` in shaderlint.toml passes it over")
+        .note(format!("{why}; it is not checked further"))
+        .help("set `desktop = \"skip\"` in shaderlint.toml to skip it")
 }

@@ -1,4 +1,4 @@
-//! The formatter for every kind of file: a shader, an export of ShaderToy, shaders inside others.
+//! Formats the shaders of every kind of file: shaders, ShaderToy exports, and embedded shaders.
 
 use shaderlint_format::{
     Lines, Style, TextExtent, Unformatted, counts_lines, format as format_code,
@@ -9,19 +9,19 @@ use shaderlint_text::json::{JsonString, strings_in};
 use shaderlint_text::kind::{Claim, Decision, Evidence, FileKind, Tongue, decide};
 use shaderlint_text::{Edit, Span};
 
-/// What formatting a file comes to.
+/// The result of formatting a file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Formatting {
-    /// What changes, in the order of the text. Spans count from its start.
+    /// The edits in source order, with spans relative to the start of the file.
     pub edits: Vec<Edit>,
-    /// The shaders that are left as they are, and why.
+    /// Shaders that were not formatted, and why.
     pub left: Vec<Unformatted>,
 }
 
 /// Formats the shaders of a file.
 ///
 /// # Errors
-/// Where the file holds no shader, with how that is known.
+/// If the file contains no shader, with the reason.
 pub fn format(name: &str, text: &str, claim: Claim, style: &Style) -> Result<Formatting, Decision> {
     let decision = decide(name, text, claim);
     let mut formatting = Formatting::default();
@@ -37,7 +37,7 @@ pub fn format(name: &str, text: &str, claim: Claim, style: &Style) -> Result<For
     Ok(formatting)
 }
 
-/// What stands before the text of some files.
+/// Byte order mark at the start of a file.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 impl Formatting {
@@ -77,7 +77,8 @@ impl Formatting {
                     }
                 });
                 let edits: Vec<Edit> = edits.collect();
-                // All or nothing: what the language around it would read otherwise is left.
+                // A shader is skipped completely if the surrounding language would change the
+                // meaning of an edit.
                 if edits.iter().all(|e| embedded.admits(text, e)) {
                     self.edits.extend(edits);
                 }
@@ -91,7 +92,7 @@ impl Formatting {
 
     fn export(&mut self, text: &str, style: &Style) {
         let codes = strings_in(text, "renderpass", "code").unwrap_or_default();
-        // A macro of one pass may ask for the number of a line of another.
+        // A macro of one pass may use the line number of another.
         let lines = match codes.iter().any(|(_, code)| counts_lines(&code.value)) {
             true => Lines::Kept,
             false => Lines::Free,
@@ -116,8 +117,8 @@ impl Formatting {
     }
 }
 
-/// The part of an edit that is left where a program puts something into a gap, like `${noise}`: that
-/// stays, and the line behind it is set.
+/// The remainder of an edit around an interpolation such as `${noise}`, which is kept: only the
+/// line after it is indented.
 fn indentation_behind(text: &str, edit: &Edit) -> Option<Edit> {
     let gap = text.get(edit.span.start as usize..edit.span.end as usize)?;
     let (_, was) = gap.rsplit_once('\n')?;
@@ -137,7 +138,7 @@ fn moved(edit: Edit, by: u32) -> Edit {
     }
 }
 
-/// An edit of a text as one of the string that holds it.
+/// An edit of a text as an edit of the JSON string that contains it.
 fn in_json(edit: &Edit, code: &JsonString) -> Option<Edit> {
     let place = code.place(edit.span.start as usize, edit.span.end as usize)?;
     Some(Edit::replace(
@@ -212,6 +213,6 @@ mod tests {
             panic!("one bracket")
         };
         assert_eq!(left.span, Span::new(22, 23));
-        assert_eq!(left.message, "this bracket is never closed");
+        assert_eq!(left.message, "unclosed bracket");
     }
 }

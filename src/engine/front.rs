@@ -1,4 +1,4 @@
-//! What stands before a shader when the browser reads it: a page that trims hands over trimmed text.
+//! White space before the `#version` of a shader: scripts may trim the text before they compile it.
 
 use super::host::imports;
 use super::path::plain;
@@ -6,11 +6,11 @@ use super::world::World;
 use shaderlint_text::embed::{Embedder, Front};
 use std::path::Path;
 
-/// Most scripts of a page that are looked into.
+/// Maximum number of scripts of a page that are read.
 const MAX_SCRIPTS: usize = 16;
 
-/// What a page or script does with the blanks before its shaders: it says so itself, or one of the
-/// scripts that it loads does.
+/// What a page or script does with white space before its shaders, according to itself or to a
+/// script that it loads.
 pub fn front(name: &str, text: &str, own: Embedder, world: World) -> Front {
     if own.front != Front::Unknown {
         return own.front;
@@ -24,7 +24,7 @@ pub fn front(name: &str, text: &str, own: Embedder, world: World) -> Front {
         let script = world.files.load(&path).ok()?;
         Some(Embedder::of(&script).front)
     });
-    // Helpers read the shader, and others compile it.
+    // Helper scripts read the shader, others compile it.
     let all: Vec<Front> = told.collect();
     match (all.contains(&Front::Trimmed), all.contains(&Front::Kept)) {
         (true, _) => Front::Trimmed,

@@ -1,5 +1,5 @@
-//! Which hosts may complete a text: by the names that it lacks, by what the script around it imports,
-//! and by the packages of its project.
+//! Detects the hosts that may complete a text: by the names that it lacks, by imports of the
+//! surrounding script, and by the packages of its project.
 
 use super::files::Files;
 use super::path::plain;
@@ -13,18 +13,17 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Largest `package.json` that is read, in bytes.
+/// Size limit of `package.json` in bytes.
 const MAX_FILE: usize = 1024 * 1024;
-/// Most folders above a file that are looked into.
+/// Maximum number of parent folders that are searched.
 const MAX_FOLDERS: usize = 16;
-/// Longest path of an import, in bytes.
+/// Maximum length of an import path in bytes.
 const MAX_PATH: usize = 300;
-/// Most hosts that one text is read for.
+/// Maximum number of hosts that a text is checked for.
 const MAX_HOSTS: usize = 4;
 
-/// The names of the package that a file belongs to and of those that it uses.
-/// `package.json` is looked for in the folder of the file and in those above, up to the top of the
-/// repository.
+/// The names of the package that contains a file and of its dependencies. `package.json` is
+/// searched in the folder of the file and its parents, up to the root of the repository.
 fn packages(name: &str, world: World) -> Arc<BTreeSet<String>> {
     let file = plain(&world.files.here().join(name));
     let folder = file.parent().unwrap_or(Path::new(""));
@@ -41,7 +40,7 @@ fn packages(name: &str, world: World) -> Arc<BTreeSet<String>> {
     })
 }
 
-/// The name of a package and those of what it depends on.
+/// The names of a package and of its dependencies.
 fn names_in(files: &dyn Files, file: &Path) -> Vec<String> {
     let text = files.load(file).ok();
     let Some(text) = text.filter(|t| t.len() <= MAX_FILE) else {
@@ -57,22 +56,22 @@ fn names_in(files: &dyn Files, file: &Path) -> Vec<String> {
     name.map(str::to_string).into_iter().chain(used).collect()
 }
 
-/// Where the hosts of the texts of one file are looked for.
+/// Detects the hosts for the texts of one file.
 pub struct Hosts<'a> {
     name: &'a str,
-    /// The page or script that holds the texts.
+    /// The page or script that contains the texts.
     script: Option<Arc<str>>,
-    /// How often each word is used in the script, by its hash, once that was asked.
+    /// How often each word appears in the script, by hash; computed on first use.
     counts: OnceCell<FxHashMap<u64, usize>>,
     world: World<'a>,
-    /// The hosts that the script uses, once they were looked for.
+    /// The hosts that the script imports; computed on first use.
     imported: OnceCell<Vec<&'static Preset>>,
-    /// The hosts among the packages of the project, once they were looked for.
+    /// The hosts among the packages of the project; computed on first use.
     installed: OnceCell<Vec<&'static Preset>>,
 }
 
 impl<'a> Hosts<'a> {
-    /// Of a file of a name, which may be a script or page.
+    /// For a file with this name, which may be a script or page.
     pub fn new(name: &'a str, script: Option<Arc<str>>, world: World<'a>) -> Hosts<'a> {
         Hosts {
             name,
@@ -84,9 +83,9 @@ impl<'a> Hosts<'a> {
         }
     }
 
-    /// The hosts that may complete a text which lacks some names: those that alone have one of them,
-    /// else those that the script uses and those of the project.
-    /// Tells, too, whether the names say it.
+    /// The hosts that may complete a text that lacks some names: hosts that alone declare one of
+    /// them, otherwise those of the script and of the project. The flag says whether the names
+    /// determined the hosts.
     pub fn of(
         &self,
         lacking: &BTreeSet<String>,
@@ -108,23 +107,23 @@ impl<'a> Hosts<'a> {
         (some(&mut imported.chain(others).copied()), false)
     }
 
-    /// The name of the file.
+    /// The path of the file.
     pub fn name(&self) -> &'a str {
         self.name
     }
 
-    /// What its texts are judged with.
+    /// The environment of the check.
     pub fn world(&self) -> World<'a> {
         self.world
     }
 
-    /// The page or script that holds the texts; empty where they are files.
+    /// The page or script that contains the texts; empty for shader files.
     pub fn script(&self) -> &str {
         self.script.as_deref().unwrap_or("")
     }
 
-    /// Whether a word is used outside of a text that uses it so often: in the script around the text,
-    /// or in another file of the repository.
+    /// Whether a word is used outside of a text that uses it `count` times: in the surrounding
+    /// script, or in another file of the repository.
     pub fn is_used_outside(&self, word: &str, count: usize) -> bool {
         let counts = self.counts.get_or_init(|| counts(self.script()));
         if counts.get(&hash(word)).is_some_and(|all| *all > count) {
@@ -133,12 +132,12 @@ impl<'a> Hosts<'a> {
         let files = self.world.files;
         let file = plain(&files.here().join(self.name));
         let (is_beside, is_all) = self.world.options.memo.is_beside(word, &file, files);
-        // What was not read may declare it.
+        // Files that were not read may declare it.
         is_beside || !is_all
     }
 
-    /// Whether no host is seen that may write `#version` before a text, and no program of its repository
-    /// does.
+    /// Whether no host is known that may write `#version` before a text, and no program in the
+    /// repository does.
     pub fn adds_no_version(&self) -> bool {
         let files = self.world.files;
         let file = plain(&files.here().join(self.name));
@@ -167,14 +166,14 @@ impl<'a> Hosts<'a> {
     }
 }
 
-/// The package of a path that is imported: `three` of `three/addons/x.js`.
+/// The package of an import path: `three` for `three/addons/x.js`.
 fn package_of(path: &str) -> &str {
     let parts = if path.starts_with('@') { 2 } else { 1 };
     let end = path.match_indices('/').nth(parts - 1);
     end.and_then(|(at, _)| path.get(..at)).unwrap_or(path)
 }
 
-/// What a script imports or requires.
+/// The paths that a script imports or requires.
 pub fn imports(script: &str) -> Vec<&str> {
     let mut found = Vec::new();
     for word in ["from", "import", "require"] {

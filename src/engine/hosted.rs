@@ -1,5 +1,5 @@
-//! Texts of known hosts that WebGL does not compile as they stand: each is checked as what it becomes,
-//! which is what the port makes of it.
+//! Shaders of known hosts that WebGL cannot compile as they are: each is checked as composed for
+//! its host, in the same way as the port does it.
 
 use super::host::Hosts;
 use super::input::SplitInput;
@@ -20,19 +20,19 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Longest text that is tried unasked as one of a host that composes shaders, in bytes.
+/// Size limit in bytes of texts that are tested for composing hosts without being asked to.
 const MAX_TRIED: usize = 200_000;
-/// Most texts beside one that it is made of.
+/// Maximum number of other texts that a shader is composed from.
 const MAX_TEXTS: usize = 256;
 
-/// Whether the user says that a host runs a text which is a pass of ShaderToy by what it holds.
+/// Whether the user names a host for a text that looks like a ShaderToy pass.
 pub(super) fn is_pass_of_another(text: &str, options: &Options) -> bool {
     let host = options.host.preset;
     host.is_some_and(|host| calls_entry(host) && !host.composes) && guess(text).is_shadertoy()
 }
 
-/// Makes a part of a shader that a known host runs, which is a file or lies in one at an offset: of
-/// what it becomes there. Gives whether there is such a host.
+/// Adds a shader of a known host, which is a file or starts at an offset in one, composed for its
+/// host. Returns whether there is such a host.
 pub(super) fn part(
     input: &mut SplitInput,
     name: &str,
@@ -40,7 +40,7 @@ pub(super) fn part(
     text: &str,
     world: World,
 ) -> Option<bool> {
-    // One that a user wrote runs GLSL of desktops only where it says so.
+    // A host that the user describes runs desktop GLSL only if it says so.
     let takes = |host: &&Preset| {
         let is_pass = is_pass_of_another(text, world.options);
         is_pass || !host.name.is_empty() || host.runs_desktop()
@@ -59,8 +59,8 @@ pub(super) fn part(
     Some(true)
 }
 
-/// Reads a shader that lacks something as what its host makes of it, where the user names a host that
-/// composes shaders or the text shows one. Gives what is said of it then.
+/// Reads a shader that lacks something as composed by its host, if the user names a composing host
+/// or the text shows one. Returns the checked shader.
 pub(super) fn compose(
     sources: &mut Arc<Sources>,
     part: &mut Part,
@@ -69,7 +69,7 @@ pub(super) fn compose(
 ) -> Option<Checked> {
     let given = given_composer(options);
     let is_open = options.dialect == DialectChoice::Auto && options.host.preset.is_none();
-    // What has a version needs none of them.
+    // A text with `#version` needs none of them.
     if given.is_none() && (!is_open || part.readings.has_version()) {
         return None;
     }
@@ -79,14 +79,14 @@ pub(super) fn compose(
     }
     let found = beside(hosts.name(), &text, given, hosts.world())?;
     let host = found.recognised.host;
-    // Nothing is known of what is missing, neither whether another host has it.
+    // What is missing is unknown, so that another host may declare it.
     if !found.is_sure() && part.readings.has_missing() {
         return None;
     }
     let is_vertex = found.completion.stage == Stage::Vertex;
     let told = guess(&text);
     let has_entry = told.has_main || told.is_shadertoy() || is_body(&text);
-    // Where there is nothing to call, no end is put behind.
+    // Without an entry function, no `main` is appended.
     let is_misread = !has_entry && !found.completion.behind.is_empty();
     if !host.composes || is_misread || part.readings.is_vertex() && !is_vertex {
         return None;
@@ -98,11 +98,11 @@ pub(super) fn compose(
         .diagnostics
         .iter()
         .any(|d| d.is(error::MISSING_MAIN));
-    // Names alone may be those of a host that is not known.
+    // The names may belong to an unknown host.
     if !found.is_sure() && checked.has_errors() {
         return None;
     }
-    // What is missing may declare what is unknown.
+    // Missing files may declare the unknown names.
     let is_open = part.readings.has_missing();
     let checked = match lacks_main || is_open {
         true => {
@@ -116,12 +116,12 @@ pub(super) fn compose(
     Some(checked)
 }
 
-/// The host that the user names, where it composes shaders.
+/// The host that the user names, if it composes shaders.
 pub(super) fn given_composer(options: &Options) -> Option<&'static Preset> {
     options.host.preset.filter(|host| host.composes)
 }
 
-/// All that a user wrote of a part, and its pieces in order, with what they include.
+/// The user's text of a shader fragment, and its files in order, with includes.
 fn own_text(sources: &Sources, part: &Part) -> Option<(String, Vec<FileId>)> {
     let is_own = |id: &FileId| sources.code(*id).is_some_and(|c| c.role == Role::User);
     let pieces: Vec<FileId> = part
@@ -135,9 +135,9 @@ fn own_text(sources: &Sources, part: &Part) -> Option<(String, Vec<FileId>)> {
     Some((codes.map(|c| c.text).collect(), pieces))
 }
 
-/// What a user wrote of a part, before its host changed anything.
+/// The user's text of a shader fragment, before its host changed it.
 fn text_before(sources: &Sources, part: &Part) -> Option<String> {
-    // What was changed lies between two pieces of one file.
+    // Changed text is between two pieces of the same file.
     let mut stretches: Vec<(FileId, Range<u32>)> = Vec::new();
     for id in &part.reading()?.files {
         let Some(code) = sources.code(*id).filter(|c| c.role == Role::User) else {
@@ -158,7 +158,7 @@ fn text_before(sources: &Sources, part: &Part) -> Option<String> {
     )
 }
 
-/// What a host makes of a text, with those beside it that it asks for.
+/// The text that a host composes, with other texts that it refers to.
 fn beside(name: &str, text: &str, given: Option<&'static Preset>, world: World) -> Option<Hosted> {
     let path = Path::new(name);
     let title = path.file_stem().map_or("".into(), |s| s.to_string_lossy());
@@ -179,8 +179,8 @@ fn beside(name: &str, text: &str, given: Option<&'static Preset>, world: World) 
     }
 }
 
-/// Leaves out what GLSL of desktops takes and the port puts right unasked: conversions, words, and
-/// all of it where nothing is wrong any more behind that.
+/// Drops findings about desktop GLSL that the port repairs silently: implicit conversions,
+/// keywords, or everything if the repaired text has no errors.
 pub(super) fn leave_repaired(
     sources: &Sources,
     (part, host): (&Part, &'static Preset),
@@ -201,7 +201,7 @@ pub(super) fn leave_repaired(
     }
 }
 
-/// Whether the port's repairs make a shader of a host one that compiles.
+/// Whether the repairs of the port make a shader of a host compile.
 fn is_repaired(host: &'static Preset, text: &str) -> Option<bool> {
     let mut project = Project::draft("", text, Some(host)).ok()?;
     let composed = project.resolve("").ok()?;
@@ -209,8 +209,8 @@ fn is_repaired(host: &'static Preset, text: &str) -> Option<bool> {
     Some(!project.resolve("").ok()?.has_errors())
 }
 
-/// The pieces of a text with what goes around them and the changes in them. What is a comment there
-/// has the same length here, so that places stay.
+/// The files of a text with the host's additions and changes. Changed text is replaced by comments
+/// of the same length, so that positions stay valid.
 fn reading(sources: &mut Sources, pieces: &[FileId], found: &Hosted) -> Option<Reading> {
     let completion = &found.completion;
     let mut files = Vec::new();
@@ -240,7 +240,7 @@ fn reading(sources: &mut Sources, pieces: &[FileId], found: &Hosted) -> Option<R
     })
 }
 
-/// Adds a piece that stands at an offset of a file, with the changes in it.
+/// Adds a file that starts at an offset, with the changes in it.
 fn put(
     sources: &mut Sources,
     (file, start): (FileId, usize),

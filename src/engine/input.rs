@@ -1,4 +1,4 @@
-//! An input, split into shaders.
+//! An input file, split into shaders.
 
 use super::export::Written;
 use super::include::Hushed;
@@ -8,21 +8,21 @@ use shaderlint_text::embed::Embedded;
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
-/// An input, split into shaders.
+/// An input file, split into shaders.
 #[derive(Default)]
 pub struct SplitInput {
-    /// The texts.
+    /// The source texts.
     pub sources: Arc<Sources>,
-    /// Its shaders.
+    /// The shaders.
     pub parts: Vec<Part>,
-    /// The file of the input itself; `None` for an export.
+    /// The input file; `None` for an export.
     pub file: Option<FileId>,
-    /// The shaders inside it, where it is a page, a script or a text.
+    /// The embedded shaders of a page, script or document.
     pub embedded: Vec<Embedded>,
-    /// What is wrong before any shader is read.
+    /// Findings about the file itself.
     pub problems: Vec<Diagnostic>,
-    /// Where the code of the passes is written, where it is an export.
+    /// Positions of the code of passes in an export.
     pub export: Option<Written>,
-    /// Files whose findings are not told here.
+    /// Files whose findings are not reported here.
     pub hushed: Hushed,
 }

@@ -1,8 +1,8 @@
-//! The one way in: from the text of a file to what is to be said of it.
+//! The linting engine: checks the text of a file and returns findings.
 //!
-//! A text is *whole* or a *part* by evidence; a host completes a part. What a shader includes, what
-//! holds it (a page, a script, an export) and how it is configured is dealt with here, so that every
-//! front only reads files and prints.
+//! A text is a complete shader or a shader fragment, which a host completes. The engine resolves
+//! includes, containers (pages, scripts, exports) and configurations, so that front ends only read
+//! files and print findings.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod analysis;
@@ -54,8 +54,8 @@ pub use verify::{Original, Verified, equal, verify};
 use shaderlint_text::{Content, Encoding};
 use world::{Keep, World};
 
-/// Finds what is to be said of a text. `name` is its path, whose ending tells what it may be and
-/// whose folder the files around it are looked for in.
+/// Checks a text. `name` is its path: the extension selects the kind of file, and includes are
+/// resolved in its folder.
 ///
 /// ```
 /// use shaderlint_engine::{NoFiles, Options, check};
@@ -74,8 +74,7 @@ pub fn check(name: &str, text: &str, options: &Options, files: &dyn Files) -> Re
     document::judge(name, text, Encoding::Utf8, world)
 }
 
-/// Finds what is to be said of the bytes of a file, once they were decoded: how they were written is
-/// a part of it.
+/// Checks the decoded bytes of a file. The encoding may be a finding.
 pub fn check_content(
     name: &str,
     content: &Content,
@@ -86,8 +85,7 @@ pub fn check_content(
     document::judge(name, &content.text, content.encoding, world)
 }
 
-/// Finds what is to be said of a text, and keeps what is known of its shaders for further questions:
-/// [`Report::analyses`].
+/// Checks a text and keeps the analyses of its shaders in [`Report::analyses`].
 pub fn analyze(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
     let world = World {
         keep: Keep::Programs,

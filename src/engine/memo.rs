@@ -1,4 +1,4 @@
-//! What is kept of the files around a text, so that each is read once in a run.
+//! A cache of files and folders, so that each is read once per run.
 
 use super::files::Files;
 use super::include::passes::Passes;
@@ -8,30 +8,31 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 
-/// What earlier checks have read of files. Options that are cloned share it.
+/// Contents of files that earlier checks have read. Cloned options share it.
 #[derive(Default, Debug)]
 pub struct Memo {
-    /// By path without links: the version of the file that was read.
+    /// By real path: the cached version and the file.
     texts: Mutex<HashMap<PathBuf, (u64, Arc<IncludedFile>)>>,
-    /// By folder: the version of its names that was read, and the passes of ShaderToy among them.
+    /// By folder: the cached version and the ShaderToy passes in it.
     passes: Mutex<HashMap<PathBuf, (u64, Arc<Passes>)>>,
-    /// By folder, the packages of its project.
+    /// By folder: the packages of its project.
     packages: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
-    /// By folder: the top of its repository.
+    /// By folder: the root of its repository.
     tops: Mutex<HashMap<PathBuf, Arc<PathBuf>>>,
-    /// By the top of a repository: the words of its code.
+    /// By root of a repository: the words in its code.
     words: Mutex<HashMap<PathBuf, Arc<OnceLock<RepositoryWords>>>>,
 }
 
 impl Memo {
-    /// What stands in a file, read anew where it has changed.
+    /// A file, read again if it has changed.
     pub(super) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
         of_version(&self.texts, files, real, || {
             Some(IncludedFile::new(files.load(real).ok()?))
         })
     }
 
-    /// The files of a folder that are called like passes, listed anew where names have come or gone.
+    /// The files in a folder that are named like passes, listed again if files were added or
+    /// removed.
     pub(super) fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
         let found = of_version(&self.passes, files, folder, || {
             Some(Passes::inside(files, folder))
@@ -39,7 +40,7 @@ impl Memo {
         found.unwrap_or_default()
     }
 
-    /// The packages of a folder's project, which `find` looks for.
+    /// The packages of a folder's project; `find` computes them.
     pub(super) fn packages(
         &self,
         folder: &Path,
@@ -48,15 +49,15 @@ impl Memo {
         kept(&self.packages, folder, find)
     }
 
-    /// Whether a word appears in another file of the repository of this one, and whether all of its
-    /// files were read for that.
+    /// Whether a word appears in another file of the repository, and whether all of its files were
+    /// read.
     pub(super) fn is_beside(&self, word: &str, file: &Path, files: &dyn Files) -> (bool, bool) {
         self.of_repository(file, files, |words| {
             (words.is_beside(word, file), words.is_all)
         })
     }
 
-    /// Whether a program of the repository may write `#version` before the shaders of others.
+    /// Whether a program in the repository may write `#version` before shaders.
     pub(super) fn adds_version(&self, file: &Path, files: &dyn Files) -> bool {
         self.of_repository(file, files, |words| words.adds_version || !words.is_all)
     }
@@ -74,14 +75,15 @@ impl Memo {
     }
 }
 
-/// What is known of a file or folder as it is now. Nothing is kept where its version is not known.
+/// A cached value for the current version of a file or folder. Nothing is cached if the version is
+/// unknown.
 fn of_version<T>(
     known: &Mutex<HashMap<PathBuf, (u64, Arc<T>)>>,
     files: &dyn Files,
     path: &Path,
     find: impl FnOnce() -> Option<T>,
 ) -> Option<Arc<T>> {
-    // Asked first: what changes while it is read is read again.
+    // Determined first, so that later changes invalidate the value.
     let version = files.version(path);
     if let (Some(now), Some((then, kept))) = (version, lock(known).get(path))
         && now == *then
@@ -95,7 +97,7 @@ fn of_version<T>(
     Some(found)
 }
 
-/// What is known of a folder, found out where it is not known yet.
+/// A cached value of a folder, computed on first use.
 fn kept<T>(
     known: &Mutex<HashMap<PathBuf, Arc<T>>>,
     folder: &Path,

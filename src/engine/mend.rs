@@ -1,4 +1,4 @@
-//! What fixes make of a text, each round judged anew, and how many findings they mend.
+//! Applies fixes to a text in rounds, checking it again after each, and counts fixable findings.
 
 use super::document::{Report, judge};
 use super::files::Files;
@@ -12,11 +12,11 @@ use shaderlint_semantic::{Dialect, Pass, Program, Wholeness};
 use shaderlint_text::{Encoding, Span};
 use std::sync::Arc;
 
-/// How many instructions may be run to compare the pictures of a text.
+/// Number of instructions that may run to compare images of a text.
 const FUEL: u64 = 250_000_000;
 
-/// Mends what can be mended in a text, judging it anew after each round. Fixes that should keep the
-/// picture are applied where it stays, as far as it can be drawn here.
+/// Applies the fixes of a text, checking it again after each round. Safe fixes are verified by
+/// comparing the images, as far as they can be drawn.
 pub fn mend(name: &str, text: &str, options: &Options, files: &dyn Files, allow: Allow) -> Fixed {
     let world = World {
         keep: Keep::Programs,
@@ -28,7 +28,7 @@ pub fn mend(name: &str, text: &str, options: &Options, files: &dyn Files, allow:
     fix(text, allow, |text| look(name, text, world), compare)
 }
 
-/// What is known of the pictures of a text after fixes.
+/// Whether fixes keep the images of a text, as far as that can be verified.
 fn pictures(before: &[Shown], after: &[Shown], fuel: &mut u64) -> Proof {
     if before.len() != after.len() {
         return Proof::Unknown;
@@ -44,7 +44,7 @@ fn pictures(before: &[Shown], after: &[Shown], fuel: &mut u64) -> Proof {
     all.max().unwrap_or(Proof::Unknown)
 }
 
-/// What is known of the picture of a shader after fixes.
+/// Whether fixes keep the image of a shader.
 fn picture(before: &Program, after: &Program, fuel: &mut u64) -> Proof {
     match equal(before, after, fuel) {
         Ok(Equality::Proved) => Proof::SameCode,
@@ -54,7 +54,7 @@ fn picture(before: &Program, after: &Program, fuel: &mut u64) -> Proof {
     }
 }
 
-/// Whether the compiler reads the same in both.
+/// Whether both programs have the same tokens.
 fn is_unchanged(before: &Program, after: &Program) -> bool {
     let texts = |program: &Program| {
         let tokens = program.tokens.tokens.iter();
@@ -70,7 +70,7 @@ fn look(name: &str, text: &str, world: World) -> Option<Look> {
     if report.unread.is_some() {
         return None;
     }
-    // What was not asked for is seen, and not mended.
+    // Rules that are not selected are checked, but not fixed.
     let others = report.diagnostics.iter_mut();
     others
         .filter(|d| !world.options.settings.reports(d.rule))
@@ -79,7 +79,7 @@ fn look(name: &str, text: &str, world: World) -> Option<Look> {
 }
 
 impl Report {
-    /// The findings as those of the text of the input, for the fix engine.
+    /// The findings with positions in the input text, for the fix engine.
     fn look(&self, text: &str) -> Option<Look> {
         let shaders = self.analyses.iter().map(|analysis| Shown {
             program: Arc::clone(&analysis.program),
@@ -108,8 +108,8 @@ impl Report {
         })
     }
 
-    /// Says of the findings whose fixes were left alone that they were. Their places are those of
-    /// [`Fixed::left`], in the text that this report is of.
+    /// Marks findings whose fixes were not applied. `left` has their positions as in
+    /// [`Fixed::left`], in the text of this report.
     pub fn leave_alone(&mut self, left: &[Diagnostic]) {
         let base = self.file.and_then(|id| self.sources.file(id));
         let base = base.map_or(0, |file| file.base);
@@ -123,33 +123,33 @@ impl Report {
             if !left.iter().any(is_it) {
                 continue;
             }
-            // Nobody has an answer: it is told, and offered no more.
+            // The fix would change the image: it is mentioned, but not offered.
             if let Some(fix) = found.fix.take() {
                 found.notes.push(format!(
-                    "left alone since the picture would change: {}",
+                    "not fixed because the image would change: {}",
                     fix.title
                 ));
             }
         }
     }
 
-    /// How many tokens and macro calls were read.
+    /// Number of tokens and macro calls.
     fn size(&self) -> usize {
         self.shaders.iter().map(|s| s.size).sum()
     }
 }
 
-/// How many findings can be fixed.
+/// The number of findings that can be fixed.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Offer {
-    /// Found with a fix that keeps the picture. Mending them may bring others to light.
+    /// Findings with a safe fix. Applying them may reveal more.
     pub safe: usize,
-    /// Found with a fix that has to be asked for.
+    /// Findings with an unsafe fix.
     pub others: usize,
 }
 
 impl Offer {
-    /// Those that findings hold as they stand.
+    /// Counts the fixes in a report.
     pub fn of(report: &Report) -> Offer {
         let of = |applicability: Applicability| {
             let mendable = report.diagnostics.iter().filter(|d| {
@@ -172,7 +172,7 @@ mod tests {
     use shaderlint_diagnostic::{Fix, Origin, Severity};
     use shaderlint_text::{Edit, Role};
 
-    /// A fix that another rule could offer for the numbers of a text, as one that keeps the picture.
+    /// Adds safe fixes that replace one number with another.
     fn offer_fix(report: &mut Report, number: &str, other: &str) {
         let users = report.sources.files().iter();
         let users = users.filter(|file| file.role == Role::User);
@@ -188,7 +188,7 @@ mod tests {
         }
     }
 
-    /// A text in which `0.5` may be written `0.6`, wrongly, and `2.5` `25e-1`.
+    /// A report in which `0.5` has the wrong fix `0.6`, and `2.5` the right fix `25e-1`.
     fn judged(name: &str, text: &str, options: &Options) -> Report {
         let world = World {
             keep: Keep::Programs,
@@ -201,7 +201,7 @@ mod tests {
         report
     }
 
-    /// The wrong fix is left alone, and said to be; the right one is written.
+    /// The wrong fix is rejected with a note; the right one is applied.
     fn check(name: &str, text: &str, proof: Proof) {
         let options = Options::default();
         let mut fuel = FUEL;
@@ -218,7 +218,7 @@ mod tests {
         report.leave_alone(&fixed.left);
         let left = report.diagnostics.iter().find(|d| d.message == "0.5");
         let left = left.unwrap_or_else(|| panic!("{name}"));
-        let note = "left alone since the picture would change: write `0.6`";
+        let note = "not fixed because the image would change: write `0.6`";
         assert_eq!(
             (left.fix.is_none(), left.notes.as_slice()),
             (true, &[note.to_string()][..])
@@ -246,7 +246,7 @@ mod tests {
         let toy = "void mainImage(out vec4 c, in vec2 p) \
                    { c = vec4(max(0.5, fract(p.x * 0.1)), 2.5, iTime, 1); }\n";
         check("a.glsl", toy, Proof::SameCode);
-        // What passes share is drawn by each of them.
+        // Common code is drawn by each pass.
         let shared = "float f(float x) { return max(0.5, fract(x * 0.1)); }";
         let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x), 2.5, iTime, 1); }";
         let sound = "vec2 mainSound(int n, float t) { return vec2(sin(t * f(t) * 2.5)); }";
@@ -258,7 +258,7 @@ mod tests {
         }
     }
 
-    /// What cannot be drawn is mended as far as nothing else speaks against it.
+    /// Fixes of fragments that cannot be drawn are applied unverified.
     #[test]
     fn what_is_not_drawn_is_mended_all_the_same() {
         let part = "float f(float x) { return max(0.5, x); }\n";

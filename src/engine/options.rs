@@ -1,4 +1,4 @@
-//! How a text is judged: what it is written for, what completes it, where its files are found.
+//! The options of a check: dialect, rules, host, includes.
 
 use super::memo::Memo;
 use shaderlint_host::{Preset, kept};
@@ -9,36 +9,36 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// How a text is judged.
+/// The options of a check.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// What its shaders are written for.
+    /// Dialect of the shaders.
     pub dialect: DialectChoice,
-    /// Which rules run.
+    /// Levels and options of the rules.
     pub settings: Arc<Settings>,
-    /// What the host declares.
+    /// Names that the host declares.
     pub host: HostNames,
-    /// Where `#include` finds its files.
+    /// How includes are resolved.
     pub includes: Includes,
-    /// The files that are checked in the same run: what is wrong between two of them is told once.
+    /// The files of the same run: link errors between two of them are reported once.
     pub checked: Arc<BTreeSet<String>>,
-    /// What is said of shaders for OpenGL, Vulkan and others.
+    /// How desktop GLSL and other languages are treated.
     pub desktop: Desktop,
-    /// What the user says of the file.
+    /// Whether the configuration lists the file as a shader.
     pub claim: Claim,
-    /// What earlier checks have read of other files.
+    /// Cache of other files.
     pub memo: Arc<Memo>,
 }
 
 impl Default for Options {
-    /// The rules that run by default, on what the text itself tells.
+    /// The default rules and an automatic dialect.
     fn default() -> Options {
         Options::new(DialectChoice::default(), Settings::of_rules(RULES))
     }
 }
 
 impl Options {
-    /// A text that stands alone.
+    /// Options for a text on its own, without host and includes.
     pub fn new(dialect: DialectChoice, settings: Settings) -> Options {
         Options {
             dialect,
@@ -53,48 +53,48 @@ impl Options {
     }
 }
 
-/// Where `#include` finds its files.
+/// How includes are resolved.
 #[derive(Clone, Default, Debug)]
 pub struct Includes {
-    /// The folder that no include may leave, from the root and without links; empty where any file
-    /// may be included.
+    /// The absolute folder that includes may not leave, without symbolic links; empty for no limit.
     pub root: PathBuf,
-    /// What a leading `/` may stand for, the nearest first.
+    /// Folders that a leading `/` may refer to, nearest first.
     pub tops: Vec<PathBuf>,
-    /// The folders that are searched behind that of the file: `include_roots` of the configuration.
+    /// Folders that are searched after the folder of the file: `include_roots` of the
+    /// configuration.
     pub roots: Vec<PathBuf>,
 }
 
-/// What the user says a shader is written for.
+/// The dialect of shaders.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum DialectChoice {
-    /// What the text tells.
+    /// Detected from the code.
     #[default]
     Auto,
-    /// A pass of ShaderToy.
+    /// ShaderToy passes.
     Shadertoy,
-    /// A shader of WebGL2, GLSL ES 3.00.
+    /// WebGL2 shaders in GLSL ES 3.00.
     Webgl2,
-    /// A shader of WebGL1, GLSL ES 1.00.
+    /// WebGL1 shaders in GLSL ES 1.00.
     Webgl1,
 }
 
-/// What declares names for a shader, besides the shader itself.
+/// Declarations that are added to a shader.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct HostNames {
     /// The host that completes the shaders.
     pub preset: Option<&'static Preset>,
-    /// The file in which the user describes a host, as the configuration names it.
+    /// The file that describes a host, as written in the configuration.
     pub prelude: Option<String>,
-    /// Further uniforms.
+    /// Additional uniforms.
     pub uniforms: Vec<HostUniform>,
 }
 
 impl HostNames {
-    /// Puts what the user says of a host behind the preset.
+    /// Adds a host that the user describes to the preset.
     pub fn describe(&mut self, own: Preset) {
         let described = match self.preset {
             Some(preset) => own.over(preset),
@@ -104,27 +104,27 @@ impl HostNames {
     }
 }
 
-/// A uniform that the host declares, unless the shader does it itself.
+/// A uniform that the host declares, unless the shader does.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct HostUniform {
-    /// Its name.
+    /// Identifier of the uniform.
     pub name: String,
-    /// Its type without an array's size, `vec4`.
+    /// Type without array size, such as `vec4`.
     pub ty: String,
-    /// How many there are, where it is an array.
+    /// Array size; `None` if it is not an array.
     pub size: Option<u32>,
 }
 
-/// What is said of shaders that WebGL does not compile.
+/// How shaders in languages that WebGL cannot compile are treated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 #[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum Desktop {
-    /// That WebGL does not compile them.
+    /// Report one finding for each.
     #[default]
     Report,
-    /// Nothing.
+    /// Skip them.
     Skip,
-    /// Those in GLSL are checked as what they are to become, GLSL ES 3.00.
+    /// Check desktop GLSL as GLSL ES 3.00, and report other languages.
     Port,
 }

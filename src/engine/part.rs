@@ -14,19 +14,19 @@ use std::collections::BTreeSet;
 
 /// One shader of an input.
 pub struct Part {
-    /// The ways to read it.
+    /// The possible readings of the text.
     pub readings: Readings,
-    /// Whether its channels may be of any type.
+    /// Whether the types of its channels are inferred.
     pub infer_channels: bool,
-    /// The page or script around it.
+    /// The page or script that contains it.
     pub embedder: Embedder,
-    /// By channel: whether its texture has mipmaps, where that is known.
+    /// By channel: whether its texture has mipmaps; `None` if unknown.
     pub mipmapped: [Option<bool>; 4],
-    /// What it includes and is not found.
+    /// Includes that were not found.
     pub missing: Vec<MissingInclude>,
-    /// Who runs it, where it is checked as what its host makes of it.
+    /// The host that composes the shader, if the composed text is what is checked.
     pub host: Option<&'static Preset>,
-    /// What came of checking it, where that is kept.
+    /// The checked shader, if it is kept.
     pub analysis: Option<Analysis>,
 }
 
@@ -49,7 +49,7 @@ impl Part {
         }
     }
 
-    /// A shader with all that its host puts around it.
+    /// A shader with everything that its host adds.
     pub fn hosted(readings: Readings, host: &'static Preset) -> Part {
         Part {
             readings,
@@ -62,7 +62,7 @@ impl Part {
         }
     }
 
-    /// The likeliest way to read it.
+    /// The most likely reading.
     pub fn reading(&self) -> Option<&Reading> {
         self.readings.all.first()
     }
@@ -74,33 +74,33 @@ impl Part {
     }
 }
 
-/// What was read as one shader, and how far rules looked at it.
+/// One shader of a file, and how far rules checked it.
 #[derive(Clone, Debug)]
 pub struct Shader {
-    /// Its last file.
+    /// The last of its files.
     pub file: Option<FileId>,
-    /// The stage.
+    /// Vertex or fragment stage.
     pub stage: Stage,
-    /// How many tokens and macro calls it has.
+    /// Number of tokens and macro calls.
     pub size: usize,
-    /// Who runs it.
+    /// ShaderToy pass or WebGL shader.
     pub dialect: Dialect,
-    /// The version of the language.
+    /// GLSL version.
     pub version: Version,
-    /// How much of it is at hand.
+    /// Whether it is a complete shader or a fragment.
     pub wholeness: Wholeness,
-    /// Where no rule looked.
+    /// Where rules did not run.
     pub unrun: Unrun,
-    /// Whether the browser would refuse it as it stands.
+    /// Whether the browser would reject it.
     pub has_errors: bool,
-    /// Findings of the rules that are not kept, since there are too many.
+    /// Number of findings dropped because there are too many.
     pub left_out: usize,
-    /// What its host has to declare.
+    /// Names that its host has to declare.
     pub holes: BTreeSet<String>,
-    /// The hosts that are thought to complete it.
+    /// The hosts that may complete it.
     pub hosts: Vec<String>,
-    /// Who runs it, where it was checked as what its host makes of it.
+    /// The host that composes the shader, if the composed text was checked.
     pub host: Option<&'static Preset>,
-    /// What it includes and is not found.
+    /// Includes that were not found.
     pub missing: Vec<MissingInclude>,
 }

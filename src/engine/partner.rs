@@ -1,5 +1,4 @@
-//! Vertex and fragment shaders that belong together: which they are, and what keeps them from being
-//! linked.
+//! Pairs vertex and fragment shaders, and reports link errors.
 
 use super::analysis::Analysis;
 use super::input::SplitInput;
@@ -19,12 +18,13 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 use std::sync::Arc;
 
-/// How often, on the average, the text of a page is linked: shaders may belong to several programs.
+/// How often the text of a page is linked on average at most: shaders may belong to several
+/// programs.
 const MAX_SHARED: usize = 16;
-/// Most uniforms of a page that are told to be unknown.
+/// Maximum number of unknown uniforms that are reported for a page.
 const MAX_LACKING: usize = 100;
 
-/// The words in names of files that tell the stage, and those of the other stage.
+/// The parts of file names that denote the stages.
 const WORDS: [(&str, &str); 8] = [
     ("vert", "frag"),
     ("vertex", "fragment"),
@@ -36,7 +36,7 @@ const WORDS: [(&str, &str); 8] = [
     ("VERT", "FRAG"),
 ];
 
-/// The file with the other stage: its name and text.
+/// The name and text of the file with the other stage.
 fn find(name: &str, world: World) -> Option<(String, Arc<str>)> {
     let (other, stage) = counterpart(name)?;
     if stage == Stage::Vertex && world.options.checked.contains(&other) {
@@ -46,7 +46,7 @@ fn find(name: &str, world: World) -> Option<(String, Arc<str>)> {
     Some((other, text))
 }
 
-/// The name that the other stage's file has, and the stage of this one.
+/// The file name of the other stage, and the stage of this file.
 fn counterpart(name: &str) -> Option<(String, Stage)> {
     let (folder, file) = match name.rfind('/') {
         Some(slash) => name.split_at(slash + 1),
@@ -56,7 +56,7 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
         Some(stem) => (stem, ".glsl"),
         None => (file, ""),
     };
-    // Without `.glsl` the word is the ending itself.
+    // Without `.glsl`, the word is the extension itself.
     let is_apart = |c: char, word: &str| match ending {
         "" => c == '.',
         _ => {
@@ -94,14 +94,14 @@ pub(super) fn load(input: &mut SplitInput, name: &str, world: World) -> Option<P
         Arc::make_mut(&mut input.sources).add(name.as_str(), None, Role::User, text.clone())?;
     let made = shader_part(input, &name, file, &text, world);
     let other = (input.parts.len() > 1).then(|| input.parts.pop()).flatten();
-    // What is wrong with that file is told of that file.
+    // Errors in the other file are reported when that file is checked.
     let is_well = input.problems.len() == problems;
     input.problems.truncate(problems);
     made?;
     other.filter(|o| is_well && may_be_linked(o) && o.reading().is_some_and(|r| r.stage != stage))
 }
 
-/// Whether a shader file is one stage of a program, as far as its text shows.
+/// Whether a shader file may be one stage of a program.
 fn may_be_linked(part: &Part) -> bool {
     let is_whole = matches!(
         part.readings.standing,
@@ -110,7 +110,7 @@ fn may_be_linked(part: &Part) -> bool {
     is_whole && part.may_be_program()
 }
 
-/// Finds what keeps the shaders of an input from being linked, each with its partner.
+/// Links the shaders of an input, each with its partner, and reports errors.
 pub(super) fn check(
     input: &SplitInput,
     partner: Option<&Part>,
@@ -131,7 +131,7 @@ pub(super) fn check(
         return;
     };
     let parts = programs(input, file.base);
-    // Texts show pieces of many programs.
+    // A document shows fragments of several programs.
     let only = match language {
         DocumentLanguage::Markdown => return,
         _ if parts.iter().all(Option::is_some) => pair(&parts, &mut (0..parts.len())),
@@ -171,7 +171,7 @@ pub(super) fn check(
     }
 }
 
-/// By shader of a page: the part that it was made to, where it may be one of a program.
+/// By embedded shader of a page: its shader, if it may be a stage of a program.
 fn programs(input: &SplitInput, base: u32) -> Vec<Option<&Part>> {
     let by_start = input.parts.iter().flat_map(|part| {
         let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
@@ -186,7 +186,7 @@ fn programs(input: &SplitInput, base: u32) -> Vec<Option<&Part>> {
     input.embedded.iter().map(of).collect()
 }
 
-/// The vertex and the fragment shader among some, where there is one of each.
+/// The vertex and the fragment shader, if there is one of each.
 fn pair(
     parts: &[Option<&Part>],
     members: &mut dyn Iterator<Item = usize>,
@@ -204,8 +204,7 @@ fn pair(
     Some((vertex?, fragment?))
 }
 
-/// Links two shaders of which one is a vertex shader and one a fragment shader. `more` looks at them
-/// where they are whole and without errors.
+/// Links a vertex and a fragment shader. `more` is called if both are complete and without errors.
 fn link_parts(
     sources: &Arc<Sources>,
     one: &Part,
@@ -217,7 +216,7 @@ fn link_parts(
         Some(Stage::Vertex) => (one, other),
         _ => (other, one),
     };
-    // Parts may be read as several versions; the host makes one of both stages.
+    // Fragments may have several versions; a host uses the same version for both stages.
     let mut fragments = None;
     for (of_vertex, own) in programs_of(sources, vertex) {
         let all = || programs_of(sources, fragment).collect::<Vec<_>>();
@@ -230,7 +229,7 @@ fn link_parts(
             if of_vertex.program.version == of_fragment.program.version || has_versions {
                 let found = link(&of_vertex.program, &of_fragment.program);
                 let is_known = !of_vertex.lacks_names && !of_fragment.lacks_names;
-                // What is never written may be so by a name that is not declared.
+                // A name that is not declared may assign a varying.
                 diagnostics.extend(found.into_iter().filter(|d| is_known || is_error(d)));
                 if is_known {
                     more(&of_vertex.program, &of_fragment.program);
@@ -245,8 +244,7 @@ fn is_error(d: &Diagnostic) -> bool {
     d.severity == Severity::Error
 }
 
-/// Whether an error keeps its shader from being linked: a name that is not declared changes nothing of
-/// what the stages hand on.
+/// Whether an error prevents linking: undeclared names do not affect the interface between stages.
 fn keeps_from_linking(d: &Diagnostic) -> bool {
     is_error(d) && !d.is(error::UNDECLARED_NAME)
 }
@@ -258,7 +256,7 @@ struct LinkedStage {
     lacks_names: bool,
 }
 
-/// A shader in each way to read it in which it is all at hand and has no errors but unknown names.
+/// The readings of a shader in which it is complete and has no errors except unknown names.
 fn programs_of<'p>(
     sources: &'p Arc<Sources>,
     part: &'p Part,
@@ -267,7 +265,7 @@ fn programs_of<'p>(
     let readings = readings.into_iter().flatten().enumerate();
     let is_closed = part.missing.is_empty() && !part.readings.has_gaps();
     readings.filter_map(move |(index, reading)| {
-        // What was checked whole was read in the first way.
+        // A complete shader was checked in its first reading.
         let is_checked = |a: &&Analysis| index == 0 && a.wholeness == Wholeness::Whole;
         let checked = part.analysis.as_ref().filter(is_checked);
         let stage = match checked.filter(|a| !a.has_errors) {
@@ -302,7 +300,7 @@ fn programs_of<'p>(
     })
 }
 
-/// A uniform that a page asks for and its shaders lack.
+/// A uniform that a page sets and its shaders do not declare.
 struct Lacking {
     asked: Asked,
     near: Option<String>,
@@ -311,7 +309,7 @@ struct Lacking {
 fn lacking(vertex: &Program, fragment: &Program, asked: Vec<Asked>) -> Vec<Lacking> {
     let mut uniforms: BTreeSet<&str> = BTreeSet::new();
     for program in [vertex, fragment] {
-        // Text that is left out may declare more.
+        // Inactive code may declare more.
         let is_user = |span: &Span| program.sources.is_user(span.start);
         if program.tokens.inactive.iter().any(is_user) {
             return Vec::new();
@@ -348,11 +346,11 @@ fn report_lacking(lacking: Lacking, base: u32, settings: &Settings) -> Option<Di
     let (start, end) = (asked.range.start as u32, asked.range.end as u32);
     let span = Span::new(base + start, base + end);
     let message = format!(
-        "no shader of this file declares the uniform `{}`",
+        "no shader in this file declares the uniform `{}`",
         asked.name
     );
     let d = Diagnostic::new(rule.name, Origin::Rule, severity, span, message)
-        .note("the program has no place for it: what is set there goes nowhere");
+        .note("the program has no location for it, so setting it has no effect");
     Some(match near {
         Some(near) => d.help(format!("did you mean `{near}`?")),
         None => d,

@@ -1,8 +1,8 @@
-//! Paths, told apart without asking for files.
+//! Lexical operations on paths, without access to files.
 
 use std::path::{Component, Path, PathBuf};
 
-/// A path from the root without `.` and `..`.
+/// Resolves `.` and `..` in an absolute path.
 pub fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for part in path.components() {
@@ -17,7 +17,7 @@ pub fn plain(path: &Path) -> PathBuf {
     plain
 }
 
-/// A path without `.` and, as far as it goes, without `..`.
+/// Resolves `.` and, as far as possible, `..` in a relative path.
 pub fn tidy(path: &Path) -> PathBuf {
     let mut tidied = PathBuf::new();
     for part in path.components() {

@@ -1,12 +1,12 @@
-//! Places of shaders as places of the text that holds them, and the other way.
+//! Maps positions in shaders to positions in the file that contains them, and back.
 
 use super::analysis::Analysis;
 use super::document::Report;
 use shaderlint_text::{Edit, Span};
 
 impl Report {
-    /// The address of what stands at an offset of the text of the input; `None` in an export outside
-    /// of the code of its passes.
+    /// The address of an offset in the input; `None` in an export outside of the code of its
+    /// passes.
     pub fn address(&self, offset: u32) -> Option<u32> {
         if let Some(export) = &self.export {
             return export.address(&self.sources, offset);
@@ -15,7 +15,7 @@ impl Report {
         (offset <= file.span().len()).then(|| file.base + offset)
     }
 
-    /// A stretch as one of the text of the input; `None` where it belongs to another file.
+    /// A span in the input; `None` if it belongs to another file.
     pub fn in_input(&self, span: Span) -> Option<Span> {
         if let Some(export) = &self.export {
             return export.in_json(&self.sources, span);
@@ -25,8 +25,8 @@ impl Report {
         is_inside.then(|| Span::new(span.start - file.start, span.end - file.start))
     }
 
-    /// An edit as one of the text of the input; `None` where it belongs to another file, and where
-    /// the language around the shader would read it otherwise.
+    /// An edit of the input; `None` if it belongs to another file, or if the surrounding language
+    /// would change its meaning.
     pub fn edit_of_input(&self, edit: &Edit) -> Option<Edit> {
         if let Some(export) = &self.export {
             return export.edit(&self.sources, edit);
@@ -41,8 +41,8 @@ impl Report {
         is_admitted.then_some(edit)
     }
 
-    /// What is known of the shader whose code stands at an address: of the pass or stage itself where
-    /// others read the same text before theirs.
+    /// The analysis of the shader that contains an address. Text that other shaders include belongs
+    /// to its own pass or stage.
     pub fn analysis_at(&self, address: u32) -> Option<&Analysis> {
         let code = self.sources.code_at(address)?;
         let end = code.base + code.text.len() as u32;
@@ -50,7 +50,7 @@ impl Report {
             let last = analysis.program.tokens.tokens.last();
             last.is_some_and(|token| token.span.start == end)
         };
-        // What passes share is no shader of its own: the first of them speaks for it.
+        // Common code is not a shader of its own: the first pass that includes it is used.
         let reads = |analysis: &&Analysis| {
             let mut tokens = analysis.program.tokens.tokens.iter();
             tokens.any(|token| {

@@ -1,4 +1,4 @@
-//! What hosts put before a text, and where it goes.
+//! The declarations that hosts add to a text.
 
 use super::options::{HostUniform, Options};
 use shaderlint_host::{Preset, declared_in};
@@ -6,8 +6,8 @@ use shaderlint_syntax::{Lexer, RawKind, TokenKind as T};
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 
-/// What a host puts before a text, without what the text declares itself: hosts of other releases
-/// have fewer names, and texts repeat declarations.
+/// The declarations that a host adds, without names that the text declares itself: other releases
+/// of a host declare fewer names, and texts may repeat declarations.
 pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
     let own = PreludeNames::of(code);
     let mut text = String::new();
@@ -26,7 +26,7 @@ pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
     text
 }
 
-/// What a text declares outside of functions.
+/// The names that a text declares outside of functions.
 #[derive(Default)]
 struct PreludeNames<'t> {
     names: BTreeSet<&'t str>,
@@ -71,7 +71,7 @@ impl<'t> PreludeNames<'t> {
         }
     }
 
-    /// Notes a name that follows a word and is followed by what ends a declarator.
+    /// Records a name if it is followed by the end of a declarator.
     fn note(&mut self, before: Option<&str>, name: Option<&'t str>) {
         if before.is_some() {
             self.names.extend(name);
@@ -79,7 +79,7 @@ impl<'t> PreludeNames<'t> {
     }
 }
 
-/// Puts what the host declares where it belongs: before the text, but behind `#version`.
+/// Inserts the declarations of the host before the text, but after `#version`.
 pub fn with_host(
     sources: &mut Sources,
     header: Option<String>,
@@ -99,7 +99,7 @@ pub fn with_host(
     Some(files)
 }
 
-/// Declares the host's uniforms, without those that the shader declares itself.
+/// The declarations of the host's uniforms, without those that the shader declares itself.
 fn declarations(sources: &Sources, own: &[FileId], uniforms: &[HostUniform]) -> String {
     let texts = || own.iter().filter_map(|id| Some(sources.code(*id)?.text));
     let mut text = String::new();
@@ -135,7 +135,7 @@ fn declares(code: &str, name: &str) -> bool {
     }
 }
 
-/// Puts a prelude behind the line with `#version`, or in front where there is none.
+/// Inserts declarations after the line with `#version`, or at the start if there is none.
 pub fn behind_version(
     sources: &mut Sources,
     own: Vec<FileId>,
@@ -160,7 +160,7 @@ pub fn behind_version(
     Some(files)
 }
 
-/// Where the line behind `#version` starts.
+/// The start of the line after `#version`.
 fn version_end(text: &str) -> Option<usize> {
     let mut lexer = Lexer::new(text, 0);
     let mut after_hash = false;

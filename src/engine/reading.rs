@@ -1,5 +1,5 @@
-//! How a text is read: as a whole shader, or as a part that a host completes, in each way in which
-//! it may do so.
+//! The possible readings of a text: as a complete shader, or as a shader fragment in each way in
+//! which a host may complete it.
 
 use super::options::{DialectChoice, Options};
 use super::prelude::{behind_version, prelude, with_host};
@@ -18,84 +18,84 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// One way to read a text.
+/// One reading of a text.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// What is compiled, in order.
+    /// The files to compile, in order.
     pub files: Vec<FileId>,
-    /// The stage.
+    /// Vertex or fragment stage.
     pub stage: Stage,
-    /// Who runs it.
+    /// ShaderToy pass or WebGL shader.
     pub dialect: Dialect,
 }
 
-/// How much of a shader a text holds, before it is looked at closely.
+/// How complete a text is, before it is checked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Standing {
-    /// All of it.
+    /// Complete.
     Whole,
-    /// All of it, unless it uses what it does not declare.
+    /// Complete, unless it uses names that it does not declare.
     Complete,
-    /// All of it, unless it is right only where a host writes `#version 300 es` before it.
+    /// Complete, but only valid if a host writes `#version 300 es` before it.
     Unversioned,
-    /// A part that a host completes.
+    /// A shader fragment that a host completes.
     Part,
-    /// A part in which something is left out.
+    /// A shader fragment with omissions.
     Excerpt,
 }
 
-/// A text that is to be read, and what is known of it.
+/// A text and what is known about it before it is parsed.
 #[derive(Clone, Debug)]
 pub struct InputText {
-    /// What is compiled of it, with what it includes.
+    /// The files to compile, with includes.
     pub files: Vec<FileId>,
-    /// The stage, where something around the text tells it.
+    /// The stage, if the context determines it.
     pub stage: Option<Stage>,
-    /// Where it stands.
+    /// The context of the text.
     pub surroundings: Surroundings,
-    /// Whether a host is seen that puts something in.
+    /// Whether a host is known to insert code.
     pub is_open: bool,
-    /// Whether the script around the text hands it to the browser as it is.
+    /// Whether the surrounding script compiles the text unchanged.
     pub is_compiled: bool,
-    /// Whether what stands around the text says that it is GLSL ES 3.00.
+    /// Whether the context is in GLSL ES 3.00.
     pub is_300: bool,
-    /// Whether something is left out inside.
+    /// Whether code is omitted inside.
     pub has_holes: bool,
 }
 
-/// Where a text stands.
+/// The context of a text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Surroundings {
-    /// In a file of a stage, which is mostly compiled as it stands.
+    /// A file with the extension of a stage, which is usually compiled unchanged.
     StageFile,
-    /// In a file of any GLSL.
+    /// A file with the extension of GLSL in general.
     File,
-    /// In the file that goes with ShaderToy passes of its folder.
+    /// The Common file of ShaderToy passes in its folder.
     CommonFile,
-    /// In an element of a page.
+    /// An element of a page.
     Element,
-    /// In a string of a script, which may put more around it.
+    /// A string in a script, which may add code.
     Literal,
-    /// In a text that shows it.
+    /// Documentation that shows code.
     Shown,
 }
 
-/// A text and the ways to read it.
+/// A text and its possible readings.
 #[derive(Clone, Debug)]
 pub struct Readings {
-    /// The likeliest comes first.
+    /// The readings, most likely first.
     pub all: Vec<Reading>,
-    /// How much of a shader the text holds.
+    /// How complete the text is.
     pub standing: Standing,
-    /// The hosts that are thought to complete it.
+    /// The hosts that may complete it.
     pub hosts: Vec<String>,
-    /// Whether a host gives other names to what the text declares.
+    /// Whether a host renames what the text declares.
     pub renames: bool,
-    /// Whether the hosts are only those that the script or the project uses.
+    /// Whether the hosts are known only from imports or packages.
     pub is_guessed: bool,
-    /// Whether the hosts declare nothing else.
+    /// Whether the list of names that the hosts declare is complete.
     pub are_hosts_complete: bool,
-    /// Names that the hosts declare depending on what is drawn, as their files write them.
+    /// Patterns of names that the hosts declare depending on the object that is drawn.
     pub declared_at_times: Vec<String>,
     text: InputText,
     told: Guess,
@@ -103,7 +103,7 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// One reading of a shader that is all at hand.
+    /// The only reading of a complete shader.
     pub fn whole(reading: Reading) -> Readings {
         Readings {
             text: InputText {
@@ -127,19 +127,18 @@ impl Readings {
         }
     }
 
-    /// Finds out how a text is to be read, of which this is known by its words. `None` where the
-    /// address space is full.
+    /// Determines the readings of a text. `None` if the address space is full.
     pub fn of(
         sources: &mut Sources,
         (code, mut told): (&str, Guess),
         text: InputText,
         options: &Options,
     ) -> Option<Readings> {
-        // What the text includes is a part of it, and found includes are no directives any more.
+        // Included text is part of the text, and resolved includes are not directives any more.
         let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
         if let Some(all) = &joined {
             told = guess(all);
-            // Directives were followed, so that what is missing is known.
+            // Includes were resolved, so missing files are known.
             told.is_completed = false;
         }
         let code = joined.as_deref().unwrap_or(code);
@@ -189,24 +188,24 @@ impl Readings {
         self.told.kind == Some(GuessedKind::Versioned)
     }
 
-    /// Whether the text may be cut anywhere: scripts put shaders together of such pieces.
+    /// Whether the text may start or end anywhere: scripts concatenate such pieces.
     fn is_piece(&self) -> bool {
         self.text.surroundings == Surroundings::Literal && !self.has_version()
     }
 
-    /// Whether the text itself needs GLSL ES 3.00.
+    /// Whether the text requires GLSL ES 3.00.
     pub fn needs_300(&self) -> bool {
         self.needs_300 || self.told.is_300
     }
 
-    /// Whether a page or script hands the text over, which may change it before.
+    /// Whether a page or script passes the text on, and may change it before.
     pub fn is_handed_over(&self) -> bool {
         let around = self.text.surroundings;
         matches!(around, Surroundings::Element | Surroundings::Literal)
     }
 
-    /// Whether an error says that a text lacks what its host may have. One that is compiled as it is gets
-    /// no other version.
+    /// Whether an error is about a name that the host may declare. Text that is compiled unchanged
+    /// gets no other version.
     fn may_lack(&self, d: &Diagnostic) -> bool {
         match d.lacks() {
             Some(Lack::Name) => true,
@@ -215,8 +214,8 @@ impl Readings {
         }
     }
 
-    /// Where the text has the first word of GLSL ES 3.00, if it is to be compiled as it is and lacks the
-    /// `#version` for that.
+    /// The range of the first token that requires GLSL ES 3.00, if the text is compiled unchanged
+    /// and lacks `#version`.
     pub fn lacks_version(&self, code: &str) -> Option<Range<usize>> {
         let is_whole = self.told.has_main && !self.has_gaps() && !self.is_shown();
         let is_lacking = is_whole && self.hosts.is_empty() && !self.has_version();
@@ -224,32 +223,32 @@ impl Readings {
         is_lacking.then(|| first_of_300(code)).flatten()
     }
 
-    /// Whether the script around the text hands it to the browser as it is.
+    /// Whether the surrounding script compiles the text unchanged.
     pub fn is_compiled(&self) -> bool {
         self.text.is_compiled
     }
 
-    /// Whether the text has an entry of its own.
+    /// Whether the text defines an entry function.
     pub fn holds_entry(&self) -> bool {
         self.told.has_main
     }
 
-    /// Whether somebody shows the text, and nobody compiles it.
+    /// Whether the text is documentation, which is not compiled.
     pub fn is_shown(&self) -> bool {
         self.text.surroundings == Surroundings::Shown
     }
 
-    /// Whether the text is a vertex shader by its words or by its place.
+    /// Whether the text is a vertex shader, by its content or its context.
     pub fn is_vertex(&self) -> bool {
         self.text.stage.or(self.told.stage) == Some(Stage::Vertex)
     }
 
-    /// Whether something that is put into the text is not at hand.
+    /// Whether an included file is missing.
     pub fn has_missing(&self) -> bool {
         self.text.is_open || self.text.has_holes
     }
 
-    /// Takes the text for a part of what a host composes.
+    /// Treats the text as a fragment of a shader that a host composes.
     pub fn open(&mut self, host: &Preset, is_open: bool) {
         self.standing = Standing::Part;
         self.hosts.push(host.title.clone());
@@ -257,7 +256,7 @@ impl Readings {
         self.text.is_open = is_open;
     }
 
-    /// Whether something is put into the text, or beside it, that is not at hand.
+    /// Whether code is inserted, or missing, that is unknown.
     pub fn has_gaps(&self) -> bool {
         self.text.is_open
             || self.text.has_holes
@@ -265,18 +264,18 @@ impl Readings {
             || self.standing == Standing::Excerpt
     }
 
-    /// Whether ShaderToy's player runs the text.
+    /// Whether the text is a ShaderToy pass.
     pub fn is_shadertoy(&self) -> bool {
         self.all.first().is_some_and(|r| r.dialect.is_shadertoy())
     }
 
-    /// Whether a host takes texts like this one.
+    /// Whether a host accepts texts like this one.
     pub fn may_host(&self, preset: &Preset) -> bool {
         let takes_any = matches!(preset.version, HostVersion::Own | HostVersion::Any);
         !self.has_version() || takes_any || preset.takes_version
     }
 
-    /// Reads the text as one that one of these hosts completes.
+    /// Adds the readings as completed by these hosts.
     pub fn host(
         &mut self,
         sources: &mut Sources,
@@ -300,7 +299,7 @@ impl Readings {
         Some(())
     }
 
-    /// Adds the readings of a part, completed by a host or by an unknown one.
+    /// Adds the readings of a shader fragment, completed by a host or by an unknown one.
     fn complete(
         &mut self,
         sources: &mut Sources,
@@ -334,14 +333,14 @@ impl Readings {
         Some(())
     }
 
-    /// The versions and stages that a part may be compiled as, the likeliest first.
+    /// The versions and stages that a shader fragment may be compiled as, most likely first.
     fn ways(&self, preset: Option<&Preset>) -> Vec<(Version, Stage)> {
         let versions: &[Version] = match (preset.map(|p| p.version), self.told.kind) {
             (_, Some(GuessedKind::Versioned)) if self.told.is_300 => &[Version::Es300],
             (_, Some(GuessedKind::Versioned)) => &[Version::Es100],
             (Some(HostVersion::Es100), _) => &[Version::Es100],
             (Some(HostVersion::Es300), _) => &[Version::Es300],
-            // Such a host turns one into the other.
+            // Such a host converts one version to the other.
             (Some(HostVersion::Any), Some(GuessedKind::WebGl1)) => {
                 &[Version::Es100, Version::Es300]
             }
@@ -359,7 +358,7 @@ impl Readings {
         all.flatten().collect()
     }
 
-    /// The reading of a text that nobody completes, but for ShaderToy's player.
+    /// The reading of a text that no host completes, except for ShaderToy.
     fn as_it_stands(
         &self,
         sources: &mut Sources,
@@ -383,7 +382,7 @@ impl Readings {
         })
     }
 
-    /// Puts the statements of a part into a function, as its host does.
+    /// Puts statements into a function, as their host does.
     fn put_in_function(&mut self, sources: &mut Sources) -> Option<()> {
         let open = sources.add("", None, Role::Prelude, "void part_of_a_function() {\n")?;
         let close = sources.add("", None, Role::Prelude, "\n}\n")?;
@@ -392,7 +391,7 @@ impl Readings {
         Some(())
     }
 
-    /// Checks the text in the ways in which it may be read.
+    /// Checks the text in all readings, and returns the best result.
     pub fn check<'u>(&'u self, sources: &'u Arc<Sources>, infer_channels: bool) -> Option<Checked> {
         let wholeness = match self.standing {
             Standing::Whole | Standing::Complete | Standing::Unversioned => Wholeness::Whole,
@@ -413,7 +412,7 @@ impl Readings {
         if wholeness == Wholeness::Whole {
             let (first, others) = all.split_first()?;
             let checked = analyze_within(&unit(first, wholeness), &mut search);
-            // What the text itself defines, however badly, no host has to.
+            // Macros of the text itself are not names that a host has to declare.
             let code = OnceCell::new();
             let is_macro = |name: &str| {
                 let code = code.get_or_init(|| code_of(sources, &first.files));
@@ -431,7 +430,7 @@ impl Readings {
                         let with_version = analyze_within(&unit(r, wholeness), search);
                         Some(with_version.diagnostics.iter().filter(is_left).count())
                     };
-                    // Whether less is wrong behind a `#version 300 es`.
+                    // Whether there are fewer errors with `#version 300 es`.
                     let tokens = checked.program.size();
                     let other = others.first();
                     search.fewest((wrong, 0), tokens, other, left).is_none()
@@ -455,7 +454,7 @@ impl Readings {
 }
 
 impl Readings {
-    /// Keeps the names that are unknown in each of the readings but the first, in which they are.
+    /// Keeps those names that are unknown in all readings.
     pub fn confirm(
         &self,
         sources: &Arc<Sources>,
@@ -474,7 +473,7 @@ impl Readings {
     }
 }
 
-/// The names that a text lacks, where it lacks some or something is wrong with it.
+/// The names that a text lacks; `None` if it is complete and without errors.
 pub fn lacking(checked: &Checked) -> Option<BTreeSet<String>> {
     let Checked {
         program,
@@ -492,14 +491,14 @@ pub fn lacking(checked: &Checked) -> Option<BTreeSet<String>> {
     Some(open.names.iter().cloned().chain(undeclared).collect())
 }
 
-/// All that users wrote of some files.
+/// The user's text in some files, concatenated.
 pub fn code_of(sources: &Sources, files: &[FileId]) -> String {
     let codes = files.iter().filter_map(|id| sources.code(*id));
     let own = codes.filter(|c| c.role == Role::User);
     own.map(|c| c.text).collect::<Vec<_>>().join("\n")
 }
 
-/// What a text is written for.
+/// The kind of a text: what it is written for.
 fn kind_of(
     told: &Guess,
     text: &InputText,
@@ -517,7 +516,7 @@ fn kind_of(
         }
         DialectChoice::Webgl2 => Some(GuessedKind::WebGl2),
         DialectChoice::Auto => match told.kind {
-            // What a stage's file holds is compiled as it stands: without `#version` it is 1.00.
+            // The file of a stage is compiled unchanged: without `#version` it is GLSL ES 1.00.
             Some(GuessedKind::WebGl2)
                 if text.surroundings == Surroundings::StageFile && !**needs_300 =>
             {
@@ -531,7 +530,7 @@ fn kind_of(
     }
 }
 
-/// How much of a shader a text holds, by what it shows.
+/// How complete a text is, by its content.
 fn standing(
     kind: Option<GuessedKind>,
     told: &Guess,
@@ -547,7 +546,7 @@ fn standing(
     match kind {
         _ if choice != DialectChoice::Auto => Standing::Whole,
         _ if text.is_open || told.is_completed => Standing::Part,
-        // A literal with nothing but the head of a shader is put together with others.
+        // A literal that contains only the head of a shader is concatenated with others.
         Some(GuessedKind::Versioned) if is_literal && !has_main(code) => Standing::Part,
         Some(_) if text.surroundings == Surroundings::Shown => Standing::Complete,
         Some(kind) if kind.is_whole() => Standing::Whole,

@@ -1,4 +1,4 @@
-//! The errors of a project that have one answer, mended in all of its passes.
+//! Repairs the errors of a project that have only one possible fix, in all passes.
 
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_lint::{Allow, Look, fix, without_pictures};
@@ -6,28 +6,28 @@ use shaderlint_port::{Composed, Project, add_repairs, compose};
 use shaderlint_text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
 
-/// What is put between the texts of a project to make one of them. Sources have an address between
-/// two files, so that places in the whole differ from addresses by the start of the first file only.
+/// Separates the texts of a project that are joined to one. Sources leave one address between two
+/// files, so offsets in the joined text differ from addresses only by the start of the first file.
 const BETWEEN: char = '\0';
 
-/// What was repaired.
+/// The repairs of a project.
 #[derive(Default)]
 pub struct Repairs {
-    /// The texts as they were, for the places of `done`.
+    /// The original texts, which the spans of `done` refer to.
     pub before: Sources,
-    /// What was done, as findings that say how.
+    /// The repairs as findings.
     pub done: Vec<Diagnostic>,
-    /// The texts after it, in the order of `before`.
+    /// The repaired texts, in the order of `before`.
     after: Vec<String>,
 }
 
 impl Repairs {
-    /// Whether there was nothing to repair.
+    /// Whether nothing was repaired.
     pub fn is_empty(&self) -> bool {
         self.done.is_empty()
     }
 
-    /// The texts that were changed, as they were, each with what became of it.
+    /// The original texts that were changed, each with the repaired one.
     pub fn changed(&self) -> impl Iterator<Item = (&SourceFile, &str)> {
         let pairs = self.before.files().iter().zip(&self.after);
         let pairs = pairs.map(|(before, after)| (before, after.as_str()));
@@ -35,7 +35,7 @@ impl Repairs {
     }
 }
 
-/// Repairs the passes of a project. `path` is the file that the user gave.
+/// Repairs the passes of a project. `path` is the input file.
 pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<Repairs> {
     let files: Vec<&SourceFile> = users(composed).collect();
     let owners = owners(composed);
@@ -45,7 +45,7 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
         true => look(composed, text),
         false => look(&renewed(project, &owners, path, text)?, text),
     };
-    // What does not compile has no picture.
+    // Code that does not compile has no image to compare.
     let fixed = fix(&whole, Allow::Safe, look, without_pictures);
     let mut repairs = Repairs::default();
     for file in &files {
@@ -54,7 +54,7 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
             .before
             .add(path, part, Role::User, file.text.clone())?;
     }
-    // The first of these texts starts at address 0: offsets in the whole are addresses.
+    // The first text starts at address 0: offsets in the joined text are addresses.
     repairs.done = fixed.applied.into_iter().map(told).collect();
     repairs.done.sort_by_key(|d| d.span);
     repairs.after = fixed.text.split(BETWEEN).map(str::to_string).collect();
@@ -62,7 +62,7 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
     Some(repairs)
 }
 
-/// Repairs a WebGL1 shader that was given the first line of a WebGL2 one; `text` is what it was.
+/// Repairs a WebGL1 shader to which `#version 300 es` was added; `text` is the original.
 pub fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repairs> {
     let composed = compose(draft, path)?;
     let mut repairs = repair(draft, &composed, path)?;
@@ -79,11 +79,13 @@ pub fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repa
         Span::at(0),
         "repaired: add `#version 300 es`",
     );
-    repairs.done.insert(0, version.note("this is WebGL1 code"));
+    repairs
+        .done
+        .insert(0, version.note("this is a WebGL1 shader"));
     Some(repairs)
 }
 
-/// How many errors of a project a repair would mend.
+/// The number of errors that a repair would fix.
 pub fn repairable(composed: &Composed) -> usize {
     let has_fix = |d: &&Diagnostic| d.fix.as_ref().is_some_and(|f| Allow::Safe.permits(f));
     errors(composed).0.iter().filter(has_fix).count()
@@ -97,7 +99,7 @@ fn users(composed: &Composed) -> impl Iterator<Item = &SourceFile> {
         .filter(|f| f.role == Role::User)
 }
 
-/// The pass of each text of the user.
+/// The pass of each text.
 fn owners(composed: &Composed) -> Vec<usize> {
     let files = users(composed);
     files
@@ -105,7 +107,7 @@ fn owners(composed: &Composed) -> Vec<usize> {
         .collect()
 }
 
-/// Puts the parts of one text into the passes.
+/// Splits a joined text and stores the parts in the passes.
 fn put(project: &mut Project, owners: &[usize], whole: &str) -> Option<()> {
     let parts: Vec<&str> = whole.split(BETWEEN).collect();
     if parts.len() != owners.len() {
@@ -120,14 +122,14 @@ fn put(project: &mut Project, owners: &[usize], whole: &str) -> Option<()> {
     Some(())
 }
 
-/// A project with other texts.
+/// A copy of the project with other texts, composed again.
 fn renewed(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<Composed> {
     let mut project = project.clone();
     put(&mut project, owners, whole)?;
     compose(&project, path)
 }
 
-/// What is wrong with a project, whose texts make up this one.
+/// The errors of a project, with positions in the joined text.
 fn look(composed: &Composed, whole: &str) -> Option<Look> {
     let first = users(composed).next()?.base;
     let span = Span::new(first, first + whole.len() as u32);
@@ -141,7 +143,7 @@ fn look(composed: &Composed, whole: &str) -> Option<Look> {
     })
 }
 
-/// The errors of all passes, with their repairs, and how many tokens and macro calls the passes have.
+/// The errors of all passes with their repairs, and the number of tokens and macro calls.
 fn errors(composed: &Composed) -> (Vec<Diagnostic>, usize) {
     let mut found: Vec<Diagnostic> = Vec::new();
     let mut size = 0;
@@ -163,7 +165,7 @@ fn errors(composed: &Composed) -> (Vec<Diagnostic>, usize) {
     (found, size)
 }
 
-/// One error of two passes, in what they have in common: its repair is one for both.
+/// Merges an error that two passes report in common code: both share one repair.
 fn join(known: &mut Diagnostic, other: Diagnostic) {
     let (Some(fix), Some(other)) = (&mut known.fix, other.fix) else {
         return;
@@ -179,7 +181,7 @@ fn join(known: &mut Diagnostic, other: Diagnostic) {
     }
 }
 
-/// An error that was mended, as the news of it.
+/// The info about an error that was repaired.
 fn told(error: Diagnostic) -> Diagnostic {
     let how = error.fix.map_or(String::new(), |f| f.title);
     let message = format!("repaired: {how}");

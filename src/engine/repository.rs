@@ -1,4 +1,4 @@
-//! The words of a repository: whether any of its other files names a thing.
+//! The words of a repository: whether another of its files contains a name.
 
 use super::files::{FileType, Files};
 use super::path::plain;
@@ -8,20 +8,20 @@ use std::collections::{HashMap, VecDeque};
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::{Path, PathBuf};
 
-/// Most files that are read.
+/// Maximum number of files that are read.
 const MAX_FILES: usize = 20_000;
-/// Most bytes that are read.
+/// Maximum number of bytes that are read.
 const MAX_BYTES: usize = 64 * 1024 * 1024;
-/// Most names of files and folders that are looked at.
+/// Maximum number of file and folder names that are visited.
 const MAX_NAMES: usize = 100_000;
-/// Most folders above a file that may be the top of its repository.
+/// Maximum number of parent folders that are searched for the root of the repository.
 const MAX_ABOVE: usize = 32;
 
-/// Extensions of files of GLSL.
+/// Extensions of GLSL files.
 const GLSL: &[&str] = &[
     "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "geom", "comp", "tesc", "tese",
 ];
-/// Extensions of other files that may declare a name of a shader: the languages of programs that
+/// Extensions of other files that may declare names for a shader: languages of programs that
 /// complete shaders.
 const CODE: &[&str] = &[
     "fx", "inc", "js", "mjs", "cjs", "jsx", "ts", "mts", "cts", "tsx", "vue", "svelte", "astro",
@@ -29,7 +29,7 @@ const CODE: &[&str] = &[
     "java", "kt", "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
 ];
 
-/// In place of a file: a word appears in more than one.
+/// Stands for several files that contain a word.
 const SEVERAL: u32 = u32::MAX;
 
 /// What the programs of a repository do with shaders.
@@ -40,21 +40,21 @@ struct Programs {
     hold_version: bool,
 }
 
-/// The words of the code of a repository.
+/// The words in the code of a repository.
 #[derive(Default)]
 pub struct RepositoryWords {
-    /// By the hash of the word the file that it appears in, or [`SEVERAL`].
+    /// By hash of a word: the file that contains it, or [`SEVERAL`].
     words: HashMap<u64, u32, BuildHasherDefault<HashedBefore>>,
     files: FxHashMap<PathBuf, u32>,
-    /// Whether all of the code was read.
+    /// Whether all code was read.
     pub is_all: bool,
-    /// Whether a program may write `#version` before the shaders: it holds one, or leaves to a library
-    /// what the browser compiles.
+    /// Whether a program may write `#version` before shaders: it contains `#version`, or passes
+    /// shaders to a library.
     pub adds_version: bool,
 }
 
 impl RepositoryWords {
-    /// Reads the code under a folder, but for packages of others and what was built.
+    /// Reads the code under a folder, except for dependencies and build output.
     pub fn under(root: &Path, files: &dyn Files) -> RepositoryWords {
         let mut found = RepositoryWords {
             is_all: true,
@@ -92,7 +92,7 @@ impl RepositoryWords {
         found
     }
 
-    /// Reads a file, and tells how long it is.
+    /// Reads a file and returns its length in bytes.
     fn read(&mut self, path: PathBuf, programs: &mut Programs, files: &dyn Files) -> usize {
         let Ok(text) = files.load(&path) else {
             return 0;
@@ -114,7 +114,7 @@ impl RepositoryWords {
         text.len()
     }
 
-    /// Whether a word appears in another file than this one.
+    /// Whether a word appears in a file other than this one.
     pub fn is_beside(&self, word: &str, file: &Path) -> bool {
         match self.words.get(&hash(word)) {
             None => false,
@@ -130,8 +130,8 @@ impl std::fmt::Debug for RepositoryWords {
     }
 }
 
-/// The top of the repository that a file belongs to: where its version control is, else its package,
-/// else the folder that everything is asked from, where the file is in it.
+/// The root of the repository that contains a file: the folder with version control, otherwise the
+/// package, otherwise the current folder if it contains the file.
 pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
     let folder = file.parent().unwrap_or(Path::new(""));
     let above = || folder.ancestors().take(MAX_ABOVE);
@@ -145,14 +145,14 @@ pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
     }
 }
 
-/// Whether a folder holds what others wrote, or what was built of the source beside it.
+/// Whether a folder contains dependencies, or build output next to its source.
 fn is_passed_over(name: &str, has_source: bool) -> bool {
     name.starts_with('.')
         || matches!(name, "node_modules" | "target" | "__pycache__")
         || has_source && matches!(name, "dist" | "build" | "out")
 }
 
-/// The bytes that make up words, a bit each.
+/// The bytes that words consist of, as a bit set.
 const IN_WORD: u128 = {
     let mut bits = 1 << b'_';
     let mut byte = 0;
@@ -163,7 +163,7 @@ const IN_WORD: u128 = {
     bits
 };
 
-/// The identifiers of a text, and all that looks like one. Letters that are not ASCII stand between words.
+/// The identifiers of a text and similar words. Letters outside of ASCII separate words.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     let in_word = |&byte: &u8| byte < 128 && IN_WORD >> byte & 1 == 1;
     let mut at = 0;
@@ -178,7 +178,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     std::iter::from_fn(next).filter(|word| word.len() > 1)
 }
 
-/// The hasher of what is a hash already.
+/// A hasher for keys that are hashes already.
 #[derive(Default)]
 struct HashedBefore(u64);
 
@@ -196,7 +196,7 @@ impl Hasher for HashedBefore {
     }
 }
 
-/// How often each word of a text is used, by its hash.
+/// How often each word of a text appears, by hash.
 pub fn counts(text: &str) -> FxHashMap<u64, usize> {
     let mut found = FxHashMap::default();
     for word in words(text) {
@@ -205,7 +205,7 @@ pub fn counts(text: &str) -> FxHashMap<u64, usize> {
     found
 }
 
-/// The number that stands for a word.
+/// The hash of a word.
 pub fn hash(word: &str) -> u64 {
     let mut hasher = FxHasher::default();
     hasher.write(word.as_bytes());

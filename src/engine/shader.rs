@@ -1,4 +1,4 @@
-//! A shader that is a file of its own.
+//! A shader in a file of its own.
 
 use super::include::{is_common, spread};
 use super::input::SplitInput;
@@ -12,7 +12,7 @@ use shaderlint_text::embed::{Embedder, mask};
 use shaderlint_text::kind::ending;
 use std::sync::Arc;
 
-/// Makes the one shader of a shader file. `None` where it is too large.
+/// Reads the shader of a shader file. `None` if it is too large.
 pub(super) fn shader_part(
     input: &mut SplitInput,
     name: &str,
@@ -78,8 +78,8 @@ pub(super) fn shader_part(
     Some(())
 }
 
-/// Whether a program may fill holes in a shader file. In a text that shows itself to be whole only
-/// what has no meaning in GLSL and two ends is one.
+/// Whether a program may fill holes in a shader file. If the text is evidently complete, only holes
+/// that are not valid GLSL and have both delimiters count.
 fn may_be_template(text: &str, told: &Guess, options: &Options) -> bool {
     let is_whole = told.kind.is_some_and(GuessedKind::is_whole);
     let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));

@@ -1,21 +1,22 @@
-//! Typos, by the words of a text alone: which name that it declares another one was meant to be.
+//! Detects typos lexically: suggests the declared name that a word is closest to.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::{Lexer, RawKind, Version, WordClass, classify};
 
-/// Shortest name of which another one may be a typo, in bytes: in shorter ones each letter counts.
+/// Minimum length in bytes of names that are compared; in shorter names each letter matters.
 const SHORTEST: usize = 4;
-/// Most letters of a name that has to be right but for one edit; longer ones may have two.
+/// Maximum number of letters of names that may differ by one edit only; longer ones may differ by
+/// two.
 const MOST_OF_ONE: usize = 9;
 
-/// The names of a text.
+/// The words of a text.
 pub struct Vocabulary<'t> {
     counts: FxHashMap<&'t str, usize>,
     declared: FxHashSet<&'t str>,
 }
 
 impl<'t> Vocabulary<'t> {
-    /// Reads a text, comments left out.
+    /// Collects the words of a text, without comments.
     pub fn of(code: &'t str) -> Vocabulary<'t> {
         let mut found = Vocabulary {
             counts: FxHashMap::default(),
@@ -35,12 +36,12 @@ impl<'t> Vocabulary<'t> {
         found
     }
 
-    /// How often a word is used.
+    /// How often a word appears.
     pub fn count(&self, word: &str) -> usize {
         self.counts.get(word).copied().unwrap_or(0)
     }
 
-    /// The declared name that a word looks most like, if it looks like a typo of it.
+    /// The declared name that is closest to a word, if the word looks like a typo of it.
     pub fn nearest(&self, word: &str) -> Option<&'t str> {
         let near = self.declared.iter().copied().filter(|n| is_typo(word, n));
         let by_distance = near.map(|n| (strsim::damerau_levenshtein(n, word), n));
@@ -48,8 +49,8 @@ impl<'t> Vocabulary<'t> {
     }
 }
 
-/// Whether a name looks like a typo of another: within one edit, or two where it is long. Case does
-/// not count. Numbers and the first letter tell names apart on purpose: `uv1` and `uv2`, `normal` and
+/// Whether a name looks like a typo of another: within one edit, or two if it is long, ignoring
+/// case. Digits and first letters distinguish names on purpose: `uv1` and `uv2`, `normal` and
 /// `vNormal`.
 pub fn is_typo(word: &str, name: &str) -> bool {
     if word.len().max(name.len()) < SHORTEST || word == name {
@@ -65,7 +66,7 @@ pub fn is_typo(word: &str, name: &str) -> bool {
         let of_kind = |c: &char| c.is_ascii_digit() == digits;
         w.chars().filter(of_kind).collect()
     };
-    // Names that differ by their number alone are those of two things.
+    // Names that differ in their number are different names.
     let is_other_number =
         part(&word, false) == part(&name, false) && part(&word, true) != part(&name, true);
     let first_two = |w: &str| -> Vec<char> { w.chars().take(2).collect() };
@@ -77,8 +78,8 @@ pub fn is_typo(word: &str, name: &str) -> bool {
         && strsim::damerau_levenshtein(&word, &name) <= limit
 }
 
-/// The words of a text that may be variables, with their offsets: no members, no words of directives,
-/// of the language, or of its functions.
+/// The words of a text that may be variables, with their offsets: no members, directives, keywords
+/// or built-in functions.
 pub fn variables(code: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let mut before = ' ';
@@ -103,7 +104,7 @@ pub fn variables(code: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The tokens of a text with their offsets: words, marks and ends of lines.
+/// The tokens of a text with their offsets: words, punctuation and line breaks.
 struct Tokens<'t> {
     code: &'t str,
     lexer: Lexer<'t>,

@@ -1,8 +1,8 @@
-//! How severe it is that a name is not declared in a text which a host may complete.
+//! The severity of undeclared names in texts that a host may complete.
 //!
-//! A text is complete where nobody can add to it: then an unknown name is an error. In an open text
-//! it is a warning where it looks like a typo and the repository has it nowhere else; all others are
-//! listed in one info for the file.
+//! A text is complete if no host can add to it: then an undeclared name is an error. In an open
+//! text it is a warning if it looks like a typo and appears nowhere else in the repository; all
+//! others are listed in one info per file.
 
 use super::host::Hosts;
 use super::part::Part;
@@ -16,18 +16,18 @@ use std::cell::LazyCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// Most names that an info lists.
+/// Maximum number of names that an info lists.
 const MAX_LISTED: usize = 12;
 
-/// The names of a file that its hosts have to declare, each once, with their first uses.
+/// The names that the hosts of a file have to declare, and the first use.
 #[derive(Default)]
 pub struct Unresolved {
     first: Option<Span>,
     names: BTreeSet<String>,
 }
 
-/// Adds the unknown names of a shader to what was found in it, where they are mistakes, and to
-/// `unresolved` where they are not sure to be any.
+/// Adds undeclared names to the diagnostics of a shader if they are mistakes, and to `unresolved`
+/// if a host may declare them.
 pub fn judge(
     sources: &Arc<Sources>,
     part: &Part,
@@ -47,7 +47,7 @@ pub fn judge(
         return;
     }
     let mut unknown = checked.open.unknown.clone();
-    // What a program puts in has no name here.
+    // Interpolated names are unknown.
     unknown.retain(|d| {
         let word = sources.text(d.span);
         is_word(word) && !matches_any(&part.readings.declared_at_times, word)
@@ -82,14 +82,14 @@ fn sort(diagnostics: &mut [Diagnostic]) {
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
 }
 
-/// What may be added to a text.
+/// What a host may add to a text.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Openness {
-    /// Nothing.
+    /// No declarations.
     Complete,
-    /// Nothing that is known of: it has an entry, and all but one of its names are declared.
+    /// Nothing that is known: it has an entry function, and declares all names except one.
     Closed,
-    /// Anything.
+    /// Any declarations.
     Open,
 }
 
@@ -103,7 +103,7 @@ impl Openness {
             true => part.embedder.hands_over,
             false => readings.are_hosts_complete,
         };
-        // A text that lacks nothing but what it misspells asks for no host.
+        // A text in which all undeclared names are typos needs no host.
         if is_known || unknown.iter().all(is_typo) {
             Openness::Complete
         } else if unknown.len() == 1 {
@@ -114,8 +114,8 @@ impl Openness {
     }
 }
 
-/// Looks for what a name was meant to be where the checker has found nothing: what it is declared by
-/// may be in code that could not be read.
+/// Suggests a declared name if the checker found none: the declaration may be in code that was not
+/// parsed.
 fn suggest(d: &mut Diagnostic, word: &str, vocabulary: &Vocabulary) {
     if d.fix.is_none() && d.labels.is_empty() {
         d.fix = vocabulary.nearest(word).map(|near| meant(d.span, near));
@@ -127,7 +127,7 @@ fn meant(span: Span, near: &str) -> Fix {
     Fix::suggestion(format!("did you mean `{near}`?"), edits)
 }
 
-/// Reports the typos in groups of `#if` that are left out here and that the host may take.
+/// Reports typos in inactive `#if` groups that the host may activate.
 fn report_inactive(checked: &mut Checked, vocabulary: &Vocabulary, hosts: &Hosts) {
     let program = &checked.program;
     let (sources, tokens) = (&program.sources, &program.tokens);
@@ -161,15 +161,14 @@ fn is_word(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// Whether a name looks like a typo of one that is declared, or is declared after all, but not where it
-/// is used.
+/// Whether a name looks like a typo of a declared name, or is declared but not visible.
 fn is_near(d: &Diagnostic, word: &str) -> bool {
     let near = d.fix.as_ref().and_then(|f| f.edits.first());
     !d.labels.is_empty() || near.is_some_and(|edit| is_typo(word, &edit.text))
 }
 
 impl Unresolved {
-    /// What there is to report about them.
+    /// The info about these names.
     pub fn report(self) -> Option<Diagnostic> {
         let count = self.names.len();
         let listed: Vec<String> = self
@@ -180,14 +179,17 @@ impl Unresolved {
             .collect();
         let more = count - listed.len();
         let message = match (self.names.first()?, more) {
-            (name, _) if count == 1 => format!("`{name}` is not declared here"),
-            (_, 0) => format!("{count} names are not declared here: {}", listed.join(", ")),
+            (name, _) if count == 1 => format!("`{name}` is not declared in this file"),
+            (_, 0) => format!(
+                "{count} names are not declared in this file: {}",
+                listed.join(", ")
+            ),
             (_, more) => format!(
-                "{count} names are not declared here: {} and {more} more",
+                "{count} names are not declared in this file: {} and {more} more",
                 listed.join(", ")
             ),
         };
         let d = Diagnostic::of(error::UNDECLARED_NAME, Severity::Info, self.first?, message);
-        Some(d.note("the host that completes this text has to declare them"))
+        Some(d.note("names that a shader fragment does not declare must be declared by its host"))
     }
 }

@@ -1,5 +1,5 @@
-//! Whether what was written of a project draws what the project draws: it is read back as who uses it
-//! would read it, and each pass is compared with its original.
+//! Verifies that the output of a port draws the same as the project: the output is read back, and
+//! each pass is compared with its original.
 
 use super::play::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
@@ -14,35 +14,34 @@ use shaderlint_port::{Composed, File, PassUnit, Project, Target, bindings, glsl}
 use shaderlint_semantic::{Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
 
-/// How many instructions may be run to compare a pass.
+/// Number of instructions that may run to compare a pass.
 const FUEL: u64 = 4_000_000_000;
 
-/// What is known of a pass.
+/// The verification result of one pass.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Verified {
-    /// What the user calls it.
+    /// Title of the pass.
     pub pass: String,
-    /// What it is compared with.
+    /// What the pass is compared with.
     pub original: Original,
-    /// How it compares with its original; else why that is not known.
+    /// The result of the comparison, or why it was not possible.
     pub outcome: Result<Equality, String>,
 }
 
-/// What a pass that is to be written is compared with.
+/// What a pass of the output is compared with.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Original {
-    /// What the user gave.
+    /// The user's code.
     Given,
-    /// What a repair made of that, as no browser compiles it.
+    /// The repaired code, because the user's code does not compile.
     Repaired,
 }
 
-/// Compares what is to be written with the project that it is made of, pass by pass. Where that was
-/// repaired, `given` is what it was before, put together: a pass that drew something then must draw
-/// it still.
+/// Compares the output with the project, pass by pass. If the project was repaired, `given` is the
+/// project before: passes that compiled before must still draw the same.
 ///
 /// # Errors
-/// Why what is written cannot be read back.
+/// If the output cannot be read back.
 pub fn verify(
     project: &Project,
     composed: &Composed,
@@ -58,7 +57,7 @@ pub fn verify(
     }
     if made.len() != units.len() {
         return Err(format!(
-            "{} passes are written, and there are {}",
+            "the output has {} passes, the project has {}",
             made.len(),
             units.len()
         ));
@@ -74,7 +73,7 @@ pub fn verify(
             None => (Original::Given, composed.analysis(unit)),
         };
         let outcome = match analysis.has_errors() {
-            true => Err("it does not compile".to_string()),
+            true => Err("the shader does not compile".to_string()),
             false => compare(&analysis.program, &text),
         };
         Verified {
@@ -86,12 +85,12 @@ pub fn verify(
     Ok(all.collect())
 }
 
-/// The passes of a project that are drawn or heard.
+/// The passes of a project that produce images or sound.
 fn drawn_units(composed: &Composed) -> impl Iterator<Item = &PassUnit> {
     composed.units.iter().filter(|u| u.kind != Pass::Common)
 }
 
-/// Compares a shader with the text that it became.
+/// Compares a shader with its text in the output.
 fn compare(before: &Program, text: &str) -> Result<Equality, String> {
     let name = match before.stage {
         Stage::Vertex => "pass.vert",
@@ -100,18 +99,17 @@ fn compare(before: &Program, text: &str) -> Result<Equality, String> {
     let report = analyze(name, text, &Options::default(), &NoFiles);
     let after = report.analyses.first();
     let after = after.filter(|a| !a.has_errors);
-    let after = after.ok_or("what was written does not compile")?;
+    let after = after.ok_or("the output does not compile")?;
     equal(before, &after.program, &mut FUEL.clone())
 }
 
-/// Compares two shaders at moments that differ in time and mouse; vertex shaders with a vertex in
-/// place of each pixel. `fuel` is how many instructions may be run for it, and what is left of them
-/// afterwards.
+/// Compares two shaders in frames that differ in time and mouse. Vertex shaders run one vertex per
+/// pixel. `fuel` is the number of instructions that may run, and is reduced by those that ran.
 ///
 /// # Errors
-/// What of them cannot be run, or that they have not the same varyings.
+/// If a shader cannot be run, or the varyings differ.
 pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equality, String> {
-    // Both get what the names mean in the original.
+    // Both use the bindings of the original.
     let scene = |program: &Program| {
         let options = CompileOptions::default();
         let scene = Scene::bound(program, &lower(program), bindings(before, None), &options);
@@ -123,9 +121,9 @@ pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equali
         let all = scene.code.outputs.iter();
         all.map(|output| output.name.clone()).collect()
     };
-    // A fragment shader finds varyings by name.
+    // Varyings of fragment shaders are matched by name.
     if stage == Stage::Vertex && outputs(&before) != outputs(&after) {
-        return Err("its varyings have other names, or another order".to_string());
+        return Err("the varyings differ in name or order".to_string());
     }
     let noise = Noise::new();
     let draws = |number| [&before, &after].map(|scene| noise.draw(scene, number));
@@ -133,15 +131,15 @@ pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equali
     let is_large = |output: &OutputSlot| output.lanes() < output.scalars();
     match found {
         Equality::Seen { .. } if before.code.outputs.iter().any(is_large) => {
-            Err("of an output as large as one of its, only four numbers are compared".to_string())
+            Err("an output has more than four components, which are not all compared".to_string())
         }
         found => Ok(found),
     }
 }
 
-/// The moment with a number.
+/// The frame with a number.
 fn moment(number: usize) -> Moment {
-    // Each twice as late as the one before it.
+    // Times double from frame to frame.
     let mut moment = Moment::at(0.35 * ((1_u64 << number.min(20)) - 1) as f64);
     let at = [40.0 + 70.0 * number as f64, 300.0 - 33.0 * number as f64];
     moment.mouse = match number % 3 {
@@ -153,7 +151,7 @@ fn moment(number: usize) -> Moment {
     moment
 }
 
-/// Textures and numbers that look as if thrown, for all that a shader is given by nobody.
+/// Pseudorandom textures and values for inputs that the player does not set.
 struct Noise {
     flat: Option<Arc<Image>>,
     volume: Option<Arc<Image>>,
@@ -188,7 +186,7 @@ impl Noise {
         }
     }
 
-    /// A draw of a moment. What nothing sets gets numbers by its name.
+    /// A draw of a frame. Uniforms that are not set get values derived from their name.
     fn draw<'s>(&self, scene: &'s Scene, number: usize) -> Draw<'s> {
         let mut draw = scene.draw(COMPARED_SIZE, &moment(number));
         for name in scene.zeros() {
@@ -230,13 +228,13 @@ impl Noise {
     }
 }
 
-/// Inputs that every pixel has by itself.
+/// Built-in inputs of fragment shaders.
 const PIXEL_INPUTS: [&str; 3] = ["gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"];
-/// How many pixels a row of the compared picture has.
+/// Number of pixels in a row of the compared image.
 const ROW: f32 = COMPARED_SIZE[0] as f32;
 
-/// Slopes of an input that nobody sets, by its name: from -1 to 3 somewhere, and no steeper than twice
-/// that over the picture.
+/// Planes for an input that is not set, derived from its name: from -1 to 3 at some point, with a
+/// slope of at most twice that over the image.
 fn thrown(name: &str, seed: u32, count: u32) -> Vec<[f32; 3]> {
     let seed = by_name(name, seed);
     let number = |n: u32| (hash(seed.wrapping_add(n)) % 1000) as f32 / 250.0 - 1.0;
@@ -244,13 +242,13 @@ fn thrown(name: &str, seed: u32, count: u32) -> Vec<[f32; 3]> {
     (0..count).map(|n| plane(3 * n)).collect()
 }
 
-/// A number that a name has.
+/// A hash of a name.
 fn by_name(name: &str, seed: u32) -> u32 {
     let bytes = name.bytes().map(u32::from);
     bytes.fold(seed, |known, byte| hash(known ^ byte))
 }
 
-/// What a page or a module holds.
+/// The JSON that a page or module contains.
 #[derive(Deserialize)]
 struct HeldCode {
     files: Vec<HeldFile>,
@@ -268,20 +266,20 @@ struct HeldPass {
     files: Vec<usize>,
 }
 
-/// The shaders of what is to be written, in the order of the passes, of which there are so many.
+/// The shaders in the output, in the order of the `count` passes.
 fn read_back(target: Target, files: &[File], count: usize) -> Result<Vec<String>, String> {
     let texts = files
         .iter()
         .filter_map(|f| Some((f, std::str::from_utf8(&f.content).ok()?)));
     match target {
         Target::Glsl => {
-            // Behind them come those of the other stage.
+            // The shaders of the other stage follow.
             let own = texts.take(count);
             Ok(own.map(|(_, text)| text.to_string()).collect())
         }
         Target::Json => {
             let mut texts = texts;
-            let (_, text) = texts.next_back().ok_or("nothing is written")?;
+            let (_, text) = texts.next_back().ok_or("the output is empty")?;
             let mut project = Project::from_json(text).map_err(|e| e.to_string())?;
             let composed = project.resolve("").map_err(|e| e.to_string())?;
             let passes = glsl(&project, &composed);
@@ -289,17 +287,17 @@ fn read_back(target: Target, files: &[File], count: usize) -> Result<Vec<String>
         }
         Target::Html | Target::Module | Target::Three | Target::React => {
             let held = texts.filter_map(|(_, text)| held(text)).next();
-            let held = held.ok_or("the project is not found in what is written")?;
+            let held = held.ok_or("the output does not contain the project")?;
             Ok(held.passes.iter().map(|pass| held.joined(pass)).collect())
         }
         #[cfg(feature = "naga")]
         Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
-            Err("shaders in other languages are not read back".to_string())
+            Err("output in this language cannot be verified".to_string())
         }
     }
 }
 
-/// The project that stands in a page or a module.
+/// The project in a page or a module.
 fn held(text: &str) -> Option<HeldCode> {
     let starts = ["id=\"project\">", "const PROJECT = "];
     let (_, rest) = starts.iter().find_map(|start| text.split_once(start))?;
@@ -308,8 +306,8 @@ fn held(text: &str) -> Option<HeldCode> {
 }
 
 impl HeldCode {
-    /// The texts of a pass as the player joins them: behind every text of the user but the last
-    /// comes a line break.
+    /// The text of a pass as the player joins it: a line break follows every file of the user
+    /// except the last.
     fn joined(&self, pass: &HeldPass) -> String {
         let mut text = String::new();
         for (n, file) in pass.files.iter().enumerate() {
@@ -339,13 +337,13 @@ mod tests {
         assert!(expected(&found), "{found:?}\n{after}");
     }
 
-    /// Compares a vertex shader with what it became.
+    /// Compares a vertex shader with its text in the output.
     fn compare_vertices(before: &str, after: &str) -> Result<Equality, String> {
         let report = analyze("pass.vert", before, &Options::default(), &NoFiles);
         compare(&report.analyses.first().unwrap().program, after)
     }
 
-    /// Varyings are found by name, and every vertex counts.
+    /// Varyings are matched by name, and all vertices are compared.
     #[test]
     fn vertex_shaders_are_compared() {
         let text = "#version 300 es\nin vec3 at; out vec2 place; uniform mat4 m;\n\
@@ -365,7 +363,7 @@ mod tests {
             matches!(found, Ok(Equality::Differs { .. }))
         });
         check(&text.replace("place", "position"), Result::is_err);
-        // By number, and not for each alike.
+        // Depends on the number of the vertex.
         let text = "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID % 7); }\n";
         let found = compare_vertices(text, &text.replace("% 7", "% 14 % 7"));
         assert!(matches!(found, Ok(Equality::Seen { .. })), "{found:?}");
@@ -373,7 +371,7 @@ mod tests {
         assert!(matches!(found, Ok(Equality::Differs { .. })), "{found:?}");
     }
 
-    /// Another name, another way, another picture, and no shader.
+    /// Renamed variables, other operations, other images, and invalid shaders.
     #[test]
     fn what_became_of_a_shader_is_compared() {
         check(&BEFORE.replace("c;", "d;").replace("c =", "d ="), |found| {

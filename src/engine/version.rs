@@ -1,4 +1,4 @@
-//! A shader of GLSL ES 3.00 without its `#version`, which a browser reads as GLSL ES 1.00.
+//! GLSL ES 3.00 shaders without `#version`, which browsers compile as GLSL ES 1.00.
 
 use super::host::Hosts;
 use super::part::Part;
@@ -7,8 +7,8 @@ use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_semantic::{Checked, Wholeness};
 use shaderlint_text::{Edit, Role, Sources, Span};
 
-/// What is wrong where a shader needs GLSL ES 3.00 and nothing writes `#version` before it: an error
-/// where it is seen to be compiled as it is, a warning in a file that nobody is known to complete.
+/// Reports a shader that requires GLSL ES 3.00 but has no `#version`: an error if it is compiled
+/// unchanged, a warning in a file that no known host completes.
 pub fn missing(
     sources: &Sources,
     part: &Part,
@@ -22,7 +22,7 @@ pub fn missing(
     let own = |id: &&_| sources.code(**id).is_some_and(|c| c.role == Role::User);
     let first = sources.code(*files.iter().find(own)?)?;
     let at = part.readings.lacks_version(first.text)?;
-    // What it includes is judged with it, and may lack as much.
+    // Included files may require GLSL ES 3.00 as well.
     let is_alone = code_of(sources, files).len() == first.text.len();
     let severity = match part.readings.is_compiled() {
         true => Severity::Error,
@@ -33,10 +33,10 @@ pub fn missing(
     };
     let word = first.text.get(at.clone())?;
     let span = Span::new(first.base + at.start as u32, first.base + at.end as u32);
-    let message = format!("`{word}` needs GLSL ES 3.00, but there is no `#version 300 es`");
+    let message = format!("`{word}` requires GLSL ES 3.00, but `#version 300 es` is missing");
     let edit = Edit::insert(first.base, "#version 300 es\n");
     let d = Diagnostic::of(error::NEEDS_WEBGL2, severity, span, message)
-        .note("without `#version`, a shader is GLSL ES 1.00 (section 3.4)");
+        .note("a shader without `#version` is GLSL ES 1.00 (section 3.4)");
     let title = "add `#version 300 es` as the first line";
     Some(d.fix(Some(Fix::suggestion(title, vec![edit]))))
 }

@@ -1,30 +1,30 @@
-//! What a text is judged with.
+//! The environment of a check: options and files.
 
 use super::files::Files;
 use super::options::Options;
 
-/// Whether what is known of a shader is kept.
+/// What is kept of a checked shader.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Keep {
-    /// Only what is said of it.
+    /// The findings only.
     Findings,
-    /// All of it.
+    /// The checked program too.
     Programs,
 }
 
-/// What a text is judged with.
+/// The environment of a check.
 #[derive(Clone, Copy)]
 pub struct World<'a> {
-    /// How.
+    /// The options of the check.
     pub options: &'a Options,
-    /// The files around it.
+    /// Access to other files.
     pub files: &'a dyn Files,
-    /// What is kept of it.
+    /// What is kept of checked shaders.
     pub keep: Keep,
 }
 
 impl<'a> World<'a> {
-    /// Of what only the findings are kept.
+    /// An environment that keeps findings only.
     pub fn new(options: &'a Options, files: &'a dyn Files) -> World<'a> {
         World {
             options,

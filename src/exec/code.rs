@@ -1,73 +1,75 @@
-//! Register code: what the machine runs.
+//! The bytecode that the VM executes: a register machine over 32 pixels.
 
 use super::compile::options::Lean;
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
 
-/// Number of a register.
+/// Index of a register.
 pub(super) type Reg = u16;
 
-/// How many registers there can be.
+/// Maximum number of registers.
 pub(super) const MAX_REGISTERS: usize = 1 << 16;
 
-/// Number of a mask that is kept aside.
+/// Index of a saved execution mask.
 pub(super) type Slot = u16;
 
-/// The mask that is empty at all times.
+/// The mask slot that is always empty.
 pub(super) const EMPTY: Slot = 0;
 
 /// Index of an instruction.
 pub(super) type Target = u32;
 
-/// A shader as register code, with what it takes and gives.
+/// A compiled shader, with its interface.
 #[derive(Default, Debug)]
 pub struct Code {
-    /// The uniforms, each scalar, vector, matrix or array of these by itself.
+    /// The uniforms; structs are split into members, which are scalars, vectors, matrices or arrays
+    /// of these.
     pub uniforms: Vec<UniformSlot>,
-    /// The samplers.
+    /// The samplers, one per array element.
     pub samplers: Vec<SamplerSlot>,
-    /// What differs from pixel to pixel.
+    /// The inputs, which vary per pixel.
     pub inputs: Vec<InputSlot>,
-    /// What the shader gives for each pixel.
+    /// The outputs, per pixel.
     pub outputs: Vec<OutputSlot>,
-    /// Runs once for all pixels: what depends on constants and uniforms alone.
+    /// The uniform prologue: hoisted code that depends only on constants and uniforms, run once per
+    /// draw.
     pub(super) prologue: Vec<Instr>,
-    /// Runs for each group of pixels.
+    /// The code that runs for each group of 32 pixels.
     pub(super) body: Vec<Instr>,
-    /// How many registers it works with.
+    /// The number of registers.
     pub(super) registers: usize,
-    /// Registers that hold the same bits at all times.
+    /// Registers with constant bits.
     pub(super) constants: Vec<(Reg, u32)>,
-    /// What lies in the memory behind the uniforms: large constants.
+    /// Large constants, stored in memory after the uniforms.
     pub(super) tables: Vec<u32>,
-    /// How many words the uniforms take.
+    /// The number of memory words that the uniforms occupy.
     pub(super) uniform_words: u32,
-    /// Where elements with computed numbers lie.
+    /// The register or memory ranges of dynamic indexing.
     pub(super) arrays: Vec<ArraySite>,
-    /// Lookups in textures.
+    /// The operands of texture lookups.
     pub(super) lookups: Vec<LookupSite>,
-    /// How many masks are kept aside.
+    /// The number of mask slots.
     pub(super) slots: u32,
-    /// By number that [`Instr::Enter`] and its like name: the loop.
+    /// The loops referenced by [`Instr::Enter`] and the other loop instructions.
     pub(super) loops: Vec<LoopId>,
-    /// By number that [`Instr::Branch`] names: the condition's construct.
+    /// The conditional constructs referenced by [`Instr::Branch`].
     pub(super) branches: Vec<Provenance>,
-    /// By number that [`Instr::Spend`] names: the function, and the functions that called it.
+    /// The call paths referenced by [`Instr::Spend`].
     pub(super) calls: Vec<CallPath>,
-    /// By number that [`Look`] names: what is checked.
+    /// The check sites referenced by [`Look`].
     pub(super) checks: Vec<CheckSite>,
-    /// By number that [`Comparison`] names: the operation.
+    /// The comparisons referenced by [`Comparison`].
     pub(super) compared: Vec<OpId>,
-    /// By number that [`Instr::Compare`] names: what is compared.
+    /// The operands of [`Instr::Compare`].
     pub(super) comparisons: Vec<Comparison>,
-    /// By number that [`Instr::Check`] names: where it is looked at.
+    /// The operands of [`Instr::Check`].
     pub(super) looks: Vec<Look>,
 }
 
 impl Code {
-    /// How many bytes it takes to run it in one thread, itself and what it is given included;
-    /// textures and what is watched apart.
+    /// The memory in bytes that one thread needs to run the code: code, registers, uniforms and
+    /// inputs, without textures and statistics.
     pub fn bytes(&self) -> usize {
         let instructions = self.prologue.len() + self.body.len();
         let words = self.registers * LANES + self.uniform_words as usize + self.tables.len();
@@ -76,61 +78,62 @@ impl Code {
     }
 }
 
-/// A uniform without members.
+/// A uniform that is not a struct.
 #[derive(Clone, PartialEq, Debug)]
 pub struct UniformSlot {
-    /// As `getUniformLocation` takes it: `lights[1].position`, `Block.member`; an array without its
-    /// brackets.
+    /// The name as in `getUniformLocation`: `lights[1].position`, `Block.member`. Arrays have no
+    /// `[0]`.
     pub name: String,
-    /// Its type.
+    /// The type.
     pub ty: Type,
-    /// Where its scalars begin in the memory.
+    /// The first word in memory.
     pub(super) at: u32,
 }
 
-/// A sampler.
+/// A sampler, or one element of an array of samplers.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SamplerSlot {
-    /// As `getUniformLocation` takes it, elements of arrays one by one.
+    /// The name as in `getUniformLocation`.
     pub name: String,
-    /// What it looks up.
+    /// The sampler type.
     pub sampler: Sampler,
 }
 
-/// An input of the stage, or an `in` parameter of an entry that a host calls.
+/// An input of the stage, or an `in` parameter of an entry point called by a host.
 #[derive(Clone, PartialEq, Debug)]
 pub struct InputSlot {
-    /// Its name.
+    /// The name of the variable.
     pub name: String,
-    /// Its type.
+    /// The type.
     pub ty: Type,
-    /// Its registers.
+    /// One register per scalar.
     pub(super) regs: Vec<Reg>,
 }
 
-/// An output of the stage, or an `out` parameter of an entry that a host calls, or what it returns.
+/// An output of the stage, an `out` parameter of an entry point called by a host, or its return
+/// value.
 #[derive(Clone, PartialEq, Debug)]
 pub struct OutputSlot {
-    /// Its name; empty for what the entry returns.
+    /// The name of the variable; empty for the return value.
     pub name: String,
-    /// Its type.
+    /// The type.
     pub ty: Type,
-    /// Its registers.
+    /// One register per scalar.
     pub(super) regs: Vec<Reg>,
 }
 
 impl OutputSlot {
-    /// How many numbers of a pixel it holds, at most four.
+    /// The number of components stored per pixel, at most four.
     pub fn lanes(&self) -> usize {
         self.ty.element().components().min(4) as usize
     }
 
-    /// How many numbers it has.
+    /// The number of scalars, including all array elements.
     pub fn scalars(&self) -> usize {
         self.regs.len()
     }
 
-    /// The number that bits of it stand for.
+    /// Converts the bits of a component to a number.
     pub fn number(&self, bits: u32) -> f32 {
         match self.ty.scalar_kind().unwrap_or(Scalar::Float) {
             Scalar::Float => f32::from_bits(bits),
@@ -141,112 +144,112 @@ impl OutputSlot {
     }
 }
 
-/// Where elements with computed numbers lie.
+/// The range of a dynamically indexed access.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct ArraySite {
-    /// The first register, or word of the memory.
+    /// The first register or memory word.
     pub base: u32,
-    /// How many of them may be meant from there on.
+    /// The number of registers or words that may be accessed.
     pub len: u32,
 }
 
-/// A lookup in a texture.
+/// The operands of a texture lookup.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct LookupSite {
-    /// Number of the sampler.
+    /// Index of the sampler.
     pub sampler: u16,
-    /// What is asked.
+    /// The kind of lookup.
     pub query: LookupQuery,
-    /// Coordinates, those of a projection divided already, the layer last; a texel's for `Fetch`.
+    /// The coordinates, after projection, with the layer last; texel coordinates for `Fetch`.
     pub coordinates: Vec<Reg>,
-    /// What a depth is compared with.
+    /// The depth reference of a shadow sampler.
     pub reference: Option<Reg>,
-    /// Bias, level, or gradients: those along x, then those along y.
+    /// The bias, the level, or the gradients (all components of x, then of y).
     pub level: Vec<Reg>,
-    /// The constant offset, in texels.
+    /// The constant offset in texels.
     pub offset: [i32; 3],
-    /// Where the answer goes: four registers, or as many as the size has numbers.
+    /// The result: four registers, or one per component of a size.
     pub results: Vec<Reg>,
 }
 
-/// What a lookup asks.
+/// The kind of a lookup.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LookupQuery {
-    /// The level follows from the neighbours.
+    /// The level is computed from implicit derivatives.
     Implicit,
-    /// The level is given.
+    /// The level is explicit.
     Explicit,
-    /// The gradients are given.
+    /// The gradients are explicit.
     Gradient,
-    /// One texel.
+    /// `texelFetch`
     Fetch,
-    /// How large a level is.
+    /// `textureSize`
     Size,
 }
 
-/// A function, and who called it.
+/// A function with its call path.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CallPath {
-    /// The function; `None` for the initial values of globals.
+    /// The function; `None` for global initialisers.
     pub function: Option<FunctionRef>,
-    /// The path of its caller.
+    /// The path of the caller.
     pub caller: Option<u32>,
 }
 
-/// A result that is looked at.
+/// The operands of [`Instr::Check`].
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Look {
-    /// Number of the site, one for all calls of its function.
+    /// Index of the check site, shared by all inlined copies of the operation.
     pub site: u32,
-    /// What the operation gave.
+    /// The result of the operation.
     pub result: Reg,
-    /// What it worked on.
+    /// Its operands.
     pub operands: Vec<Reg>,
 }
 
-/// A comparison that is looked at.
+/// The operands of [`Instr::Compare`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Comparison {
-    /// Number of the operation, one for all calls of its function.
+    /// Index of the comparison, shared by all inlined copies of the operation.
     pub site: u32,
-    /// What it gave.
+    /// The result of the comparison.
     pub result: Reg,
-    /// What it compared.
+    /// The left operand.
     pub left: Reg,
-    /// With what.
+    /// The right operand.
     pub right: Reg,
-    /// As which kind of number.
+    /// The type of the operands.
     pub scalar: Scalar,
 }
 
-/// What is checked, for all calls of a function.
+/// A check, shared by all inlined copies of the operation.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CheckSite {
-    /// The operation.
+    /// The checked operation.
     pub op: OpId,
-    /// What is looked for.
+    /// The fault that is checked for.
     pub checked: Checked,
 }
 
-/// What is looked for in the result of an operation.
+/// The fault that a check detects.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Checked {
-    /// A NaN or an infinity that no operand is.
+    /// A NaN or infinity that none of the operands is.
     Float,
-    /// The same, and a divisor that is zero.
+    /// The same, or a zero divisor.
     Quotient,
-    /// A divisor that is zero, of a kind.
+    /// A zero divisor of this type.
     Divisor(Scalar),
-    /// A number that is not below the second operand.
+    /// An index not less than the second operand.
     Index,
-    /// Operands of a kind for which the result is undefined.
+    /// Operands of this type for which the result is undefined.
     Operands(Undefined, Scalar),
-    /// Neighbours that do not take part, so that there is nothing to take a derivative from.
+    /// Inactive neighbours in the quad, so that the derivative is undefined.
     Neighbours,
 }
 
 impl Checked {
-    /// What the operands are.
+    /// The type of the operands.
     pub const fn scalar(self) -> Scalar {
         match self {
             Checked::Float | Checked::Quotient | Checked::Neighbours => Scalar::Float,
@@ -256,114 +259,115 @@ impl Checked {
     }
 }
 
-/// An instruction. The first register is the one that is written; operands follow.
+/// An instruction. The destination register comes first, followed by the operands.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Instr {
-    /// All lanes.
+    /// Copies all lanes.
     Move(Reg, Reg),
-    /// Lanes that take part.
+    /// Copies the active lanes.
     MoveActive(Reg, Reg),
     One(F1, Reg, Reg),
     Two(F2, Reg, Reg, Reg),
     Three(F3, Reg, Reg, Reg, Reg),
-    /// One word of the memory, in all lanes.
+    /// Loads a word of memory into all lanes.
     Word(Reg, u32),
-    /// The register of a site whose number is computed.
+    /// Loads from a dynamically indexed register.
     Gather {
         to: Reg,
         index: Reg,
         site: u32,
     },
-    /// Into the register of a site whose number is computed, in lanes that take part.
+    /// Stores to a dynamically indexed register, in the active lanes.
     Scatter {
         from: Reg,
         index: Reg,
         site: u32,
     },
-    /// The word of a site whose number is computed.
+    /// Loads from a dynamically indexed memory word.
     Table {
         to: Reg,
         index: Reg,
         site: u32,
     },
-    /// Asks a texture.
+    /// Texture lookup.
     Lookup(u32),
 
-    /// Lanes that take part and where this holds; the others are kept aside. Jumps where none are
-    /// left.
+    /// Saves the active lanes where the condition is false and disables them. Jumps if no lane is
+    /// active.
     If {
         condition: Reg,
         others: Slot,
         to: Target,
     },
-    /// Changes place with those kept aside. Jumps where none are left.
+    /// Swaps the active lanes with the saved ones. Jumps if no lane is active.
     Else {
         others: Slot,
         to: Target,
     },
-    /// Those kept aside take part again.
+    /// Reactivates the saved lanes.
     EndIf {
         others: Slot,
     },
-    /// Keeps aside who comes here.
+    /// Saves the execution mask.
     Keep(Slot),
-    /// Nobody is kept here.
+    /// Clears a mask slot.
     Clear(Slot),
-    /// Lanes where this holds, whether they take part or not, are kept here.
+    /// Sets a mask slot to the lanes, active or not, where the register is true.
     Mark(Slot, Reg),
-    /// Those who came take part again, unless they left otherwise, or are gone.
+    /// Restores the mask `came`, without the lanes in `left` and `others` and without discarded
+    /// lanes.
     Restore {
         came: Slot,
         left: Slot,
         others: Slot,
     },
-    /// Only lanes where this holds go on. Jumps where none are left.
+    /// Disables the lanes where the condition is false. Jumps if no lane is active.
     While {
         condition: Reg,
         to: Target,
     },
-    /// Those who wait here take part again.
+    /// Reactivates the lanes in a mask slot and clears it.
     Resume(Slot),
-    /// All who take part wait here, and nobody goes on.
+    /// Moves all active lanes to a mask slot and disables them.
     Wait(Slot),
-    /// Of those who wait, the ones that are marked take part, too. Jumps where none take part.
+    /// Activates the marked ones of the waiting lanes. Jumps if no lane is active.
     Case {
         waiting: Slot,
         marked: Slot,
         to: Target,
     },
-    /// Nobody goes on.
+    /// Disables all lanes.
     Halt,
-    /// Who takes part is gone.
+    /// Discards the active lanes.
     Discard,
-    /// Jumps where none take part.
+    /// Jumps if no lane is active.
     SkipIfNone(Target),
-    /// Jumps back; it costs as much as what is run again.
+    /// Jumps backwards. The repeated instructions are charged as fuel.
     Back(Target),
 
-    /// A loop begins.
+    /// Statistics: a loop is entered.
     Enter(u32),
-    /// A turn of a loop begins.
+    /// Statistics: an iteration starts.
     Turn(u32),
-    /// Lanes that take part and where this does not hold have exhausted a loop.
+    /// Statistics: the condition of a loop is false for some active lanes.
     Exhaust(u32, Reg),
-    /// A loop has ended.
+    /// Statistics: a loop is left.
     Leave(u32),
-    /// Which lanes take a branch.
+    /// Statistics: how many active lanes take each side of a branch.
     Branch(u32, Reg),
-    /// What lanes that take part have to pay.
+    /// Statistics: charges the active lanes for operations.
     Spend {
         cost: u32,
-        /// Number of the path of calls that leads here.
+        /// Index of the call path.
         by: u32,
     },
-    /// Looks at a result.
+    /// Checks a result for faults.
     Check(u32),
-    /// Looks at a comparison.
+    /// Records the operands of a comparison.
     Compare(u32),
 }
 
-/// Instructions with one operand.
+/// Unary operations.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub(super) enum F1 {
@@ -373,15 +377,15 @@ pub(super) enum F1 {
     IntNegate, IntAbs, IntSign, Not,
     FloatOfInt, FloatOfUint, IntOfFloat, UintOfFloat,
     HalfLow, HalfHigh, SnormLow, SnormHigh, UnormLow, UnormHigh,
-    /// The difference to the neighbour on the right.
+    /// Difference to the pixel on the right (`dFdx`).
     DifferenceX,
-    /// The difference to the neighbour above.
+    /// Difference to the pixel above (`dFdy`).
     DifferenceY,
-    /// The nearest number of 16 bits.
+    /// Rounds to half precision (16 bits).
     Half,
 }
 
-/// Instructions with two operands.
+/// Binary operations.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub(super) enum F2 {
@@ -392,34 +396,34 @@ pub(super) enum F2 {
     And, Or, Xor, ShiftLeft, ShiftRight, ShiftRightUnsigned,
     IntMin, IntMax, UintMin, UintMax,
     PackHalf, PackSnorm, PackUnorm,
-    /// The first operand, off by as much as a GPU may be for the second.
+    /// The first operand with the maximum error that a GPU may have for the second operand.
     Off(Inexact, Lean),
 }
 
-/// What a GPU need not compute exactly.
+/// The operations that a GPU may compute inexactly.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Inexact {
-    /// `/`, and `sqrt`
+    /// `/` and `sqrt`
     Quotient,
     /// `inversesqrt`
     InverseRoot,
-    /// `exp`, `exp2`
+    /// `exp` and `exp2`
     Exponential,
-    /// `log`, `log2`
+    /// `log` and `log2`
     Logarithm,
-    /// `sin`, `cos`
+    /// `sin` and `cos`
     Sine,
-    /// `atan`, `asin`, `acos`
+    /// `atan`, `asin` and `acos`
     ArcTangent,
 }
 
-/// Instructions with three operands.
+/// Ternary operations.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub(super) enum F3 {
-    /// The product of the first two, rounded, and the third.
+    /// The rounded product of the first two operands plus the third (no fused multiply-add).
     MultiplyAdd,
-    /// The second where the first is true, else the third.
+    /// The second operand where the first is true, else the third.
     Select,
     Mix, Smoothstep,
 }

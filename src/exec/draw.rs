@@ -1,45 +1,45 @@
-//! A draw: register code with its uniforms, textures and inputs, over a rectangle of pixels.
+//! A draw call: bytecode with uniforms, textures and inputs, over a rectangle of pixels.
 
 use super::code::{Code, InputSlot, UniformSlot};
 use super::image::Texture;
 use shaderlint_semantic::Scalar;
 
-/// Operations of one pixel after which a run stops, unless it is told otherwise.
+/// Default fuel per group of pixels.
 const FUEL: u64 = 50_000_000;
 
-/// What a shader is run with.
+/// The state of a draw call.
 pub struct Draw<'c> {
-    /// The shader.
+    /// The compiled shader.
     pub code: &'c Code,
-    /// The size of the picture in pixels.
+    /// Width and height of the image in pixels.
     pub size: [u32; 2],
-    /// How many instructions each group of pixels may run more than once.
+    /// Fuel: the number of instructions that each group of pixels may execute more than once.
     pub fuel: u64,
-    /// How many instructions all groups of one thread may run together.
+    /// The number of instructions that all groups of one thread may execute together.
     pub budget: u64,
-    /// Uniforms, then large constants.
+    /// The uniforms, followed by the large constants.
     pub(super) memory: Vec<u32>,
-    /// By sampler.
+    /// The bound textures, by sampler.
     pub(super) textures: Vec<Option<Texture>>,
-    /// By input, by scalar.
+    /// The planes of each scalar, by input.
     pub(super) inputs: Vec<Vec<Plane>>,
 }
 
-/// What an input is at each pixel: a number, and how it grows to the right and up.
+/// A linear input: the value at `gl_FragCoord` 0, and its increments per pixel to the right and up.
 type Plane = [f32; 3];
 
-/// Why a run ended before its end.
+/// Why a run was aborted.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Stop {
-    /// A group of pixels took all the operations that it may take, or that were left.
+    /// A group of pixels used up its fuel, or the thread its budget.
     OutOfFuel {
-        /// The first of its pixels.
+        /// The first pixel of the group.
         pixel: [u32; 2],
     },
 }
 
 impl<'c> Draw<'c> {
-    /// A draw with all uniforms zero and no textures.
+    /// A draw call with all uniforms zero and no textures.
     pub fn new(code: &'c Code, size: [u32; 2]) -> Draw<'c> {
         let mut memory = vec![0; code.uniform_words as usize];
         memory.extend_from_slice(&code.tables);
@@ -64,9 +64,9 @@ impl<'c> Draw<'c> {
         }
     }
 
-    /// Sets a uniform: its scalars, those of a matrix column by column, those of an array element by
-    /// element; `name[i]` sets the elements from that one on. Whether there is such a uniform with
-    /// that many scalars.
+    /// Sets a uniform to `scalars`, with matrices in column-major order and array elements in
+    /// sequence; `name[i]` sets the elements from index `i` on. Returns whether the uniform exists
+    /// and has this many scalars.
     pub fn set(&mut self, name: &str, scalars: &[f64]) -> bool {
         let (base, first) = match name.strip_suffix(']').and_then(|n| n.rsplit_once('[')) {
             Some((base, number)) => (base, number.parse::<usize>().ok()),
@@ -105,7 +105,7 @@ impl<'c> Draw<'c> {
         true
     }
 
-    /// The uniforms that hold something else than in another draw of the same code.
+    /// The uniforms whose values differ from those of another draw call of the same code.
     pub fn differences(&self, other: &Draw<'_>) -> impl Iterator<Item = &'c UniformSlot> {
         let words = |draw: &[u32], slot: &UniformSlot| {
             let count = slot.ty.element().components() * slot.ty.array.max(1);
@@ -116,7 +116,7 @@ impl<'c> Draw<'c> {
         slots.filter(move |slot| words(&self.memory, slot) != words(&other.memory, slot))
     }
 
-    /// Sets what a sampler looks up. Whether there is such a sampler, which can look this up.
+    /// Binds a texture to a sampler. Returns whether the sampler exists and its type fits.
     pub fn bind(&mut self, name: &str, texture: Texture) -> bool {
         let mut found = false;
         for (slot, place) in self.code.samplers.iter().zip(&mut self.textures) {
@@ -128,8 +128,8 @@ impl<'c> Draw<'c> {
         found
     }
 
-    /// Sets what an input is at each pixel: by scalar a number, and how it grows with each pixel to
-    /// the right and up, from `gl_FragCoord` 0. Whether there is such an input.
+    /// Sets an input, one plane per scalar: the value at `gl_FragCoord` 0, and the increments per
+    /// pixel to the right and up. Returns whether the input exists.
     pub fn input(&mut self, name: &str, planes: &[Plane]) -> bool {
         let mut slots = self.code.inputs.iter().zip(&mut self.inputs);
         match slots.find(|(slot, _)| slot.name == name) {

@@ -1,41 +1,41 @@
-//! Whether two shaders draw the same picture: the same register code proves it; else both are run and
-//! every bit is compared.
+//! Equality of two shaders: identical bytecode proves that they draw the same image; otherwise both
+//! are run and their outputs compared bit by bit.
 
 use super::code::Code;
 use super::draw::{Draw, Stop};
 use super::render::{Sampled, quads_all_over, sample};
 
-/// How many moments are compared.
+/// Number of frames compared.
 const MOMENTS: usize = 8;
-/// How many quads of each.
+/// Number of quads sampled per frame.
 const QUADS: usize = 288;
-/// The size of the picture in which shaders are compared.
+/// Width and height of the image in which shaders are compared.
 pub const COMPARED_SIZE: [u32; 2] = [640, 360];
 
-/// What is known of two shaders.
+/// The result of a comparison of two shaders.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Equality {
-    /// The register code is the same, so that every picture is.
+    /// The bytecode is identical, so all images are.
     Proved,
-    /// As many pixels have the same bits.
+    /// All sampled pixels are identical.
     Seen {
-        /// How many were compared.
+        /// The number of pixels compared.
         pixels: u64,
     },
-    /// This pixel has not.
+    /// A pixel differs.
     Differs {
-        /// `gl_FragCoord.xy`, less the half.
+        /// `gl_FragCoord.xy` minus 0.5.
         pixel: [u32; 2],
-        /// Number of the moment.
+        /// Index of the frame, from 0.
         moment: usize,
     },
-    /// One of them takes too long to be compared.
+    /// Not enough fuel to compare a single frame.
     TooLong,
 }
 
-/// Compares two shaders. `draws` makes a draw of either at a moment, which are numbered from 0: with
-/// the same uniforms, textures and inputs, over a picture of [`COMPARED_SIZE`]. `fuel` is how many
-/// instructions may be run for it, and what is left of them afterwards.
+/// Compares two shaders. `draws` makes the draw calls of both at a frame (0, 1, ...), with equal
+/// uniforms, textures and inputs, over an image of [`COMPARED_SIZE`]. `fuel` is the number of
+/// instructions that may be executed; the remaining fuel is written back.
 pub fn equality<'c>(
     [a, b]: [&'c Code; 2],
     fuel: &mut u64,
@@ -62,7 +62,7 @@ pub fn equality<'c>(
     }
 }
 
-/// Runs quads with the fuel that is left.
+/// Samples quads with the remaining fuel.
 fn run(mut draw: Draw<'_>, quads: &[[u32; 2]], fuel: &mut u64) -> Result<Sampled, Stop> {
     draw.budget = *fuel;
     let sampled = sample(&draw, quads);
@@ -85,8 +85,8 @@ fn first_difference(a: &Sampled, b: &Sampled) -> Option<[u32; 2]> {
 }
 
 impl Code {
-    /// Whether it is the same code for the same uniforms and samplers. Names of inputs of the stage
-    /// count, those of outputs do not.
+    /// Whether the bytecode is identical for the same uniforms and samplers. Names of stage inputs
+    /// must match, names of outputs need not.
     fn is_same(&self, other: &Code) -> bool {
         self.body == other.body
             && self.prologue == other.prologue

@@ -1,6 +1,6 @@
-//! Results as far off as a GPU may be (VK-GL-CTS, glsBuiltinPrecisionTests): a quotient by 2.5 units
-//! in the last place, `inversesqrt` by 2, `exp` by 3 + 2|x|, `log` by 3, sines by 2^-11 within -pi to
-//! pi and by |x| * 2^-12 outside, arc tangents by 4096.
+//! Results with the maximum error that a GPU may have (VK-GL-CTS, glsBuiltinPrecisionTests): 2.5
+//! ULP for division, 2 ULP for `inversesqrt`, 3 + 2|x| ULP for `exp`, 3 ULP for `log`, 2^-11 for
+//! sines within -pi to pi and |x| * 2^-12 outside, 4096 ULP for arc tangents.
 
 use super::code::Inexact;
 use super::compile::options::Lean;
@@ -11,10 +11,10 @@ use wide::{f32x8, i32x8};
 /// All bits set.
 const ALL: f32x8 = f32x8::new([f32::from_bits(u32::MAX); 8]);
 
-/// A unit in the last place of a number between 1 and 2.
+/// One ULP (unit in the last place) of a number between 1 and 2.
 const UNIT: f32 = 1.0 / 8_388_608.0;
 
-/// A result, off by all that is allowed for its operand.
+/// A result with the maximum permitted error for its operand.
 #[inline]
 pub(super) fn off(what: Inexact, lean: Lean, result: f32x8, operand: f32x8) -> f32x8 {
     let size = operand.abs();
@@ -22,7 +22,7 @@ pub(super) fn off(what: Inexact, lean: Lean, result: f32x8, operand: f32x8) -> f
         Lean::Out => f32x8::ONE,
         Lean::In => -f32x8::ONE,
         Lean::Either => {
-            // The upper bits of a product with an odd number look as if thrown.
+            // Multiplicative hash: the top bits of the product are pseudo-random.
             let thrown = of_floats(result) * i32x8::splat(0x9e37_79b1_u32 as i32);
             let sign = thrown & i32x8::splat(i32::MIN);
             floats(sign | of_floats(f32x8::ONE))
@@ -48,7 +48,7 @@ pub(super) fn off(what: Inexact, lean: Lean, result: f32x8, operand: f32x8) -> f
         }
         Inexact::ArcTangent => units(f32x8::splat(4096.0)),
     };
-    // What is exact in every case stays: zero, and what is no number.
+    // Always exact: zero, NaN and infinity.
     let is_usual = (result.simd_eq(f32x8::ZERO) | result.is_nan() | result.is_inf()) ^ ALL;
     let keeps_zero = !matches!(what, Inexact::Sine);
     match keeps_zero {

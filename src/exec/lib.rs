@@ -1,9 +1,9 @@
-//! Shaders are run here, without a GPU: the middle form becomes register code, which a machine runs
-//! for 32 pixels at a time, eight quads of 2x2 neighbours, as a GPU does.
+//! Runs shaders without a GPU: the IR is compiled to bytecode, which a SIMD virtual machine
+//! executes for 32 pixels at a time, eight quads of 2x2 neighbours, as a GPU does.
 //!
-//! A result is the same on every machine: arithmetic is that of IEEE 754, functions are computed the
-//! same way everywhere, and what bounds a run is counted in operations, never in time. What cannot be
-//! run is refused by name.
+//! Results are deterministic and do not depend on the host: arithmetic follows IEEE 754, built-in
+//! functions are computed by the same code everywhere, and runs are limited by fuel (counted
+//! operations), not by time. Constructs that cannot be run are refused with a reason.
 
 mod code;
 mod compile;

@@ -1,4 +1,4 @@
-//! What a draw gives: all of its pixels, or some of them.
+//! Renders a draw call: the whole image, or sampled quads of it.
 
 use super::code::Code;
 use super::draw::{Draw, Stop};
@@ -8,44 +8,45 @@ use super::seen::Seen;
 use shaderlint_math::hash;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// What a draw gave. Rows of pixels begin at the bottom, as `gl_FragCoord` counts.
+/// A rendered image. Rows are ordered bottom to top, like `gl_FragCoord`.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    /// The size in pixels.
+    /// Width and height in pixels.
     pub size: [u32; 2],
-    /// By output, by pixel: its scalars as bits, the first four of them.
+    /// By output and pixel: the first four scalars, as bits.
     pub outputs: Vec<Vec<[u32; 4]>>,
-    /// By pixel: whether it was drawn, and not discarded.
+    /// By pixel: whether it was drawn and not discarded.
     pub covered: Vec<bool>,
-    /// By pixel: how many operations it took part in.
+    /// By pixel: the number of operations in which it was active.
     pub cost: Vec<u32>,
-    /// By pixel: how many operations its group of 8x4 pixels took, those counted once that several
-    /// took part in.
+    /// By pixel: the number of operations that its group of 8x4 pixels executed; an operation
+    /// counts once, however many pixels are active.
     pub ran: Vec<u32>,
-    /// By pixel: how many turns of loops it made, where these are watched.
+    /// By pixel: the number of loop iterations, if the shader was compiled with
+    /// [`Watch::Flow`](crate::Watch::Flow).
     pub turns: Vec<u32>,
-    /// What was seen on the way.
+    /// The statistics of the run.
     pub seen: Seen,
 }
 
-/// What was run of a picture: four pixels for each quad, in the order of lanes.
+/// Sampled pixels: four per quad, in lane order.
 #[derive(Clone, Debug)]
 pub struct Sampled {
-    /// The pixels.
+    /// The coordinates of each pixel.
     pub pixels: Vec<[u32; 2]>,
-    /// By output, by pixel: its scalars as bits, the first four of them.
+    /// By output and pixel: the first four scalars, as bits.
     pub outputs: Vec<Vec<[u32; 4]>>,
-    /// By pixel: whether it was drawn, and not discarded.
+    /// By pixel: whether it was drawn and not discarded.
     pub covered: Vec<bool>,
-    /// By pixel: how many operations it took part in.
+    /// By pixel: the number of operations in which it was active.
     pub cost: Vec<u32>,
-    /// How many instructions were run.
+    /// The number of instructions executed.
     pub spent: u64,
-    /// What was seen on the way.
+    /// The statistics of the run.
     pub seen: Seen,
 }
 
-/// The pixels of some quads, given by their lower left ones.
+/// The tile of up to eight quads, given by their lower left pixels.
 fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     let mut tile = Tile {
         pixels: [[0; 2]; LANES],
@@ -53,7 +54,7 @@ fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     };
     for (lane, pixel) in tile.pixels.iter_mut().enumerate() {
         let (right, up) = (lane as u32 & 1, lane as u32 >> 1 & 1);
-        // What is left over helps as the last quad does.
+        // Unused lanes duplicate the last quad as helper lanes.
         let quad = quads.get(lane / 4);
         let [x, y] = quad.or(quads.last()).copied().unwrap_or_default();
         *pixel = [x + right, y + up];
@@ -65,9 +66,9 @@ fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     tile
 }
 
-/// At most so many quads of a picture, by their lower left pixels: spread evenly, and in no line.
-/// Those that the machine runs together are neighbours, which go the same ways more often. Other seeds
-/// give other places.
+/// Up to `count` quads of an image, by their lower left pixels: spread evenly by jittered
+/// (stratified) sampling. Quads that share a tile are neighbours, so that they diverge less. `seed`
+/// varies the positions.
 pub fn quads_all_over([width, height]: [u32; 2], count: usize, seed: u32) -> Vec<[u32; 2]> {
     let cells = (count.max(1) as f64 * f64::from(width) / f64::from(height.max(1))).sqrt();
     let across = (cells.round() as u32).clamp(1, (width / 2).max(1));
@@ -97,7 +98,7 @@ fn quads_of(size: [u32; 2], number: u32) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// What a machine gave for pixels, in the order in which they were asked for.
+/// The results of a thread, in the order of the requested pixels.
 #[derive(Default)]
 struct Given {
     pixels: Vec<[u32; 2]>,
@@ -116,7 +117,7 @@ impl Given {
         }
     }
 
-    /// Takes over the wanted pixels of a tile.
+    /// Copies the wanted pixels of a tile.
     fn take(&mut self, machine: &Machine<'_>, code: &Code, tile: &Tile, covered: u32) {
         let wanted = (0..LANES).filter(|lane| tile.wanted >> lane & 1 == 1);
         let (cost, turns) = (machine.watched.cost(), machine.watched.turns());
@@ -139,10 +140,10 @@ impl Given {
     }
 }
 
-/// Draws all pixels, with this many threads.
+/// Renders all pixels with `threads` threads.
 ///
 /// # Errors
-/// Why the run ended before its end.
+/// Why the run was aborted.
 pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
     let size = draw.size;
     let count = size.iter().map(|n| *n as usize).product();
@@ -186,7 +187,7 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
 }
 
 impl Drawn {
-    /// Operations of a pixel, in the mean.
+    /// Operations per pixel, on average.
     pub fn mean_cost(&self) -> f64 {
         let sum: u64 = self.cost.iter().copied().map(u64::from).sum();
         sum as f64 / self.cost.len().max(1) as f64
@@ -197,7 +198,7 @@ impl Drawn {
         self.cost.iter().copied().max().unwrap_or(0)
     }
 
-    /// Puts pixels where they belong.
+    /// Copies pixels to their positions in the image.
     fn place(&mut self, given: &Given) {
         for (n, [x, y]) in given.pixels.iter().enumerate() {
             let at = *y as usize * self.size[0] as usize + *x as usize;
@@ -218,10 +219,10 @@ fn put<T: Copy>(all: &mut [T], at: usize, value: Option<&T>) {
     }
 }
 
-/// Runs the quads whose lower left pixels, of even coordinates, are given.
+/// Runs some quads, given by their lower left pixels, which have even coordinates.
 ///
 /// # Errors
-/// Why the run ended before its end.
+/// Why the run was aborted.
 pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
     let mut machine = Machine::new(draw);
     let mut given = Given::of(draw.code);

@@ -1,47 +1,47 @@
-//! A register: one scalar of 32 pixels.
+//! A VM register: one scalar for each of 32 pixels.
 //!
-//! Lanes `4q` to `4q + 3` are a quad of neighbours: left and right of the lower row, then of the
-//! upper one, as `gl_FragCoord` counts. A register holds bits; an operation reads them as floats or
-//! as integers. A truth value has all bits set or none.
+//! Lanes `4q` to `4q + 3` are a quad: left and right of the lower row, then of the upper row, as in
+//! `gl_FragCoord`. A register holds bits; operations interpret them as floats or integers. `true`
+//! has all bits set, `false` none.
 
 use wide::{f32x8, i32x8, u32x8};
 
-/// How many pixels run at a time.
+/// Number of lanes: pixels executed at a time.
 pub const LANES: usize = 32;
 
-/// How many vectors of eight lanes make a register.
+/// Number of SIMD vectors of eight lanes per register.
 pub(super) const PARTS: usize = LANES / 8;
 
-/// One scalar of each pixel, as bits.
+/// One scalar per lane, as bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row(pub [i32x8; PARTS]);
 
-/// Eight lanes, read as floats.
+/// Reinterprets eight lanes as floats.
 #[inline(always)]
 pub(super) fn floats(bits: i32x8) -> f32x8 {
     bytemuck::cast(bits)
 }
 
-/// Eight lanes, read as unsigned integers.
+/// Reinterprets eight lanes as unsigned integers.
 #[inline(always)]
 pub(super) fn unsigned(bits: i32x8) -> u32x8 {
     bytemuck::cast(bits)
 }
 
-/// The bits of eight floats.
+/// Reinterprets eight floats as bits.
 #[inline(always)]
 pub(super) fn of_floats(values: f32x8) -> i32x8 {
     bytemuck::cast(values)
 }
 
-/// The bits of eight unsigned integers.
+/// Reinterprets eight unsigned integers as bits.
 #[inline(always)]
 pub(super) fn of_unsigned(values: u32x8) -> i32x8 {
     bytemuck::cast(values)
 }
 
 impl Row {
-    /// No bit set: zero of every type, and `false`.
+    /// All bits clear: zero of every type, and `false`.
     pub const ZERO: Row = Row([i32x8::ZERO; PARTS]);
 
     /// The same bits in every lane.
@@ -49,27 +49,27 @@ impl Row {
         Row([i32x8::splat(bits as i32); PARTS])
     }
 
-    /// Lane by lane.
+    /// A register from the bits of each lane.
     pub fn of_bits(bits: [u32; LANES]) -> Row {
         Row(bytemuck::cast(bits))
     }
 
-    /// Lane by lane.
+    /// The bits of each lane.
     pub fn bits(self) -> [u32; LANES] {
         bytemuck::cast(self.0)
     }
 
-    /// Lane by lane, read as floats.
+    /// Each lane as a float.
     pub fn floats(self) -> [f32; LANES] {
         bytemuck::cast(self.0)
     }
 
-    /// Lane by lane.
+    /// A register from the float of each lane.
     pub fn of_floats(values: [f32; LANES]) -> Row {
         Row(bytemuck::cast(values))
     }
 
-    /// One bit for each lane whose highest bit is set: the lanes where a truth value is true.
+    /// A bit mask of the lanes whose highest bit is set, i.e. where a boolean is true.
     #[inline(always)]
     pub fn mask(self) -> u32 {
         let mut mask = 0;

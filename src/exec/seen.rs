@@ -1,135 +1,135 @@
-//! What was seen in a run: facts about the pixels that ran, and of no others.
+//! Statistics of a run: facts about the pixels that were executed, not about others.
 
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::FunctionRef;
 
-/// What was seen.
+/// The statistics of a run.
 #[derive(Clone, Default, Debug)]
 pub struct Seen {
-    /// How many pixels ran.
+    /// The number of pixels executed.
     pub pixels: u64,
-    /// Operations of lanes, those of pixels that did not take part not counted.
+    /// Operations summed over pixels, without inactive lanes.
     pub operations: u64,
-    /// By loop of the module that ran.
+    /// One entry per loop that was executed.
     pub loops: Vec<LoopSeen>,
-    /// By `if` of the module that ran, each source construct once.
+    /// One entry per `if` or `?:` that was executed.
     pub branches: Vec<BranchSeen>,
-    /// What each function cost that runs, the initial values of globals first.
+    /// The cost of each function that was executed; global initialisers come first.
     pub functions: Vec<FunctionSeen>,
-    /// Numbers that went wrong, the first of each operation; by the time at which they did.
+    /// Numeric faults, the first occurrence per operation, in order of occurrence.
     pub numbers: Vec<NumberSeen>,
-    /// The operations at which numbers are watched that any pixel came to.
+    /// The checked operations that at least one pixel executed.
     pub watched: Vec<WatchedSeen>,
-    /// The comparisons of two scalars by `<`, `<=`, `>`, `>=`, and by `step` and `smoothstep` of what is
-    /// past the first edge, that any pixel came to.
+    /// The scalar comparisons (`<`, `<=`, `>`, `>=`, `step` and the lower edge of `smoothstep`)
+    /// that at least one pixel executed.
     pub compared: Vec<ComparedSeen>,
 }
 
-/// What was seen of a comparison.
+/// The statistics of a comparison.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ComparedSeen {
-    /// The comparison.
+    /// The comparison, or the call of `step` or `smoothstep`.
     pub op: OpId,
-    /// How often it held.
+    /// How often it was true.
     pub held: u64,
-    /// How often it did not.
+    /// How often it was false.
     pub failed: u64,
-    /// The least and the largest number on its left; a NaN is neither.
+    /// Minimum and maximum of the left operand, NaN excluded.
     pub left: [f64; 2],
-    /// On its right.
+    /// Minimum and maximum of the right operand.
     pub right: [f64; 2],
 }
 
-/// An operation at which numbers are watched.
+/// A checked operation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WatchedSeen {
     /// The operation.
     pub op: OpId,
-    /// What may go wrong there; an operation may be here more than once.
+    /// The fault that is checked for; an operation may have several entries.
     pub kind: Kind,
-    /// How often pixels came to it.
+    /// How often pixels executed it.
     pub visits: u64,
 }
 
-/// What was seen of a loop.
+/// The statistics of a loop.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LoopSeen {
     /// The loop.
     pub id: LoopId,
-    /// Pixels that entered it at least once.
+    /// The number of pixels that entered it at least once.
     pub pixels: u64,
-    /// How often pixels entered it.
+    /// How often it was entered, summed over pixels.
     pub entries: u64,
-    /// Turns in all.
+    /// The number of iterations, summed over pixels.
     pub turns: u64,
-    /// The most turns of one entry.
+    /// Maximum number of iterations of one entry.
     pub most: u32,
-    /// Entries that ended because the condition was false, and by no jump.
+    /// The number of entries that ended because the condition was false, not by a jump.
     pub exhausted: u64,
-    /// Pixels of which at least one entry ended so.
+    /// The number of pixels with at least one such entry.
     pub exhausted_pixels: u64,
-    /// How many pixels had this many turns at most in one entry, by number of turns; what lies above
-    /// the last is counted there.
+    /// The number of pixels by their maximum iterations per entry; the last bucket also counts all
+    /// above.
     pub histogram: Vec<u32>,
 }
 
-/// What a function cost, in operations of lanes.
+/// The cost of a function, in operations summed over pixels.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FunctionSeen {
-    /// The function; `None` for the initial values of globals.
+    /// The function; `None` for global initialisers.
     pub function: Option<FunctionRef>,
-    /// What it did itself.
+    /// Operations of its own code.
     pub own: u64,
-    /// That, and what the functions did that it called.
+    /// Operations including the functions that it calls.
     pub whole: u64,
 }
 
-/// What was seen of a condition.
+/// The statistics of a condition.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BranchSeen {
     /// The `if` or `?:`.
     pub at: Provenance,
-    /// How often pixels came here and it held.
+    /// How often it was true, summed over pixels.
     pub taken: u64,
-    /// How often pixels came here and it did not.
+    /// How often it was false, summed over pixels.
     pub skipped: u64,
 }
 
-/// What can go wrong with a number.
+/// The kinds of numeric faults.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Kind {
-    /// No operand was a NaN, the result is.
+    /// The result is NaN, although no operand is.
     Nan,
-    /// No operand was infinite or a NaN, the result is.
+    /// The result is infinite, although no operand is infinite or NaN.
     Infinite,
-    /// A division by zero, of whatever type.
+    /// A division by zero, of any type.
     DivisionByZero,
-    /// An index outside of its array, matrix or vector.
+    /// An index outside an array, matrix or vector.
     OutOfRange,
     /// Operands for which the specification leaves the result undefined: `pow` of a negative base,
-    /// `log` of what is not positive, a shift by more bits than there are, a derivative that a neighbour
-    /// has no part in.
+    /// `log` of a non-positive number, a shift by the bit width or more, a derivative with inactive
+    /// neighbours.
     Undefined,
 }
 
-/// A number that went wrong.
+/// A numeric fault.
 #[derive(Clone, PartialEq, Debug)]
 pub struct NumberSeen {
-    /// What went wrong.
+    /// The kind of fault.
     pub kind: Kind,
-    /// The operation that made it.
+    /// The operation that caused it.
     pub op: OpId,
-    /// How often pixels met it.
+    /// How often it occurred, summed over pixels.
     pub times: u64,
-    /// The first of them.
+    /// The first occurrence.
     pub witness: Witness,
 }
 
-/// The pixel of a finding, and what its operation worked on.
+/// The pixel of an occurrence, with the operands.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Witness {
-    /// `gl_FragCoord.xy`, less the half.
+    /// `gl_FragCoord.xy` minus 0.5.
     pub pixel: [u32; 2],
-    /// The operands as numbers.
+    /// The operands, converted to numbers.
     pub operands: Vec<f64>,
 }

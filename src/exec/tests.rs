@@ -1,5 +1,5 @@
-//! What shaders compute, pixel by pixel; that pixels do not depend on who runs beside them; and that
-//! every run ends.
+//! Tests of the VM: results per pixel, independence of pixels that run side by side, and
+//! termination.
 
 use super::{
     COMPARED_SIZE, Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop,
@@ -9,7 +9,7 @@ use shaderlint_ir::lower;
 use shaderlint_semantic::analyze_fragment;
 use std::collections::BTreeSet;
 
-/// What every shader here starts with, on one line.
+/// The declarations of every shader here, on one line.
 const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
                     uniform int n; uniform float x; uniform vec3 v; uniform mat3 m; \
                     uniform float a[4]; struct S { float a; vec2 b; };\n";
@@ -44,14 +44,14 @@ fn row(code: &str, width: u32) -> Vec<[f32; 4]> {
     pixels.map(|p| p.map(f32::from_bits)).collect()
 }
 
-/// Compares what an expression of four components is.
+/// Checks the value of an expression with four components.
 #[track_caller]
 fn check(expression: &str, expected: [f32; 4]) {
     let code = format!("{HEAD}void main() {{ color = {expression}; }}");
     assert_eq!(row(&code, 1), [expected], "{expression}");
 }
 
-/// Compares the first component that statements leave in the pixels `p` of a row of eight.
+/// Checks the first component that the statements produce in the pixels `p` of a row of eight.
 #[track_caller]
 fn check_row(functions: &str, statements: &str, expected: [f32; 8]) {
     let main = format!("void main() {{ int p = int(gl_FragCoord.x); {statements} }}");
@@ -60,7 +60,7 @@ fn check_row(functions: &str, statements: &str, expected: [f32; 8]) {
     assert_eq!(found, expected, "{statements}");
 }
 
-/// What an early `return` leaves in an `out` parameter stands, whatever others write there later.
+/// An early `return` fixes the value of an `out` parameter, whatever other lanes write later.
 #[test]
 fn who_left_early_gives_back_what_was_there() {
     let functions = "void f(int p, out float y) { if (p < 3) { y = 1.0; return; } y = 2.0; }
@@ -77,7 +77,7 @@ fn who_left_early_gives_back_what_was_there() {
     );
 }
 
-/// What only changes the order or the type of numbers keeps them, whatever is written there later.
+/// Swizzles and conversions keep their value, whatever is written to the variable later.
 #[test]
 fn what_was_turned_stays() {
     check_row(
@@ -206,7 +206,7 @@ fn control_flow() {
     );
 }
 
-/// A lane that has left a construct keeps what it had.
+/// Inactive lanes keep their values.
 #[test]
 fn lanes_that_are_away() {
     check_row(
@@ -219,7 +219,7 @@ fn lanes_that_are_away() {
         "int i = 0; while (true) { i += 1; if (i >= p) break; } color = vec4(i);",
         [1., 1., 2., 3., 4., 5., 6., 7.],
     );
-    // A name for the value of a variable that changes meanwhile.
+    // An alias of a variable that changes later.
     check_row(
         "",
         "int s = p; int old = s; for (int i = 0; i < 2; i++) { s += old; old = s; } color = vec4(old * 100 + s);",
@@ -254,7 +254,7 @@ fn arrays() {
         "vec3 w = v; w[p % 3] = 9.0; color = vec4(w.x + w.y * 10.0 + w.z * 100.0);",
         [329., 391., 921., 329., 391., 921., 329., 391.],
     );
-    // The browser takes the nearest element.
+    // The browser clamps the index.
     check_row(
         "",
         "color = vec4(a[p - 2]);",
@@ -281,7 +281,7 @@ fn neighbours() {
         [1., 1., 5., 5., 9., 9., 13., 13.],
     );
     check_row("", "color = vec4(fwidth(gl_FragCoord.y * 3.0));", [3.; 8]);
-    // A quad has one derivative, that of its first pixel.
+    // A quad shares one derivative, that of its first pixel.
     let area = "gl_FragCoord.x * gl_FragCoord.y";
     let one = format!("{HEAD}void main() {{ color = vec4(dFdx({area}), dFdy({area}), 0, 0); }}");
     let one = drawn(&one, [2, 2]).outputs.swap_remove(0);
@@ -294,7 +294,7 @@ fn neighbours() {
     assert_eq!(drawn(&discard, [4, 1]).covered, [false, false, true, true]);
 }
 
-/// Pixels of a shader with loops, calls, branches and derivatives.
+/// A shader with loops, calls, branches and derivatives.
 const BUSY: &str = "float map(vec3 p) { return length(p) - 1.0 + 0.1 * sin(8.0 * p.x); }
     float march(vec3 o, vec3 d) {
         float t = 0.0;
@@ -309,7 +309,7 @@ const BUSY: &str = "float map(vec3 p) { return length(p) - 1.0 + 0.1 * sin(8.0 *
         color = vec4(c, t);
     }";
 
-/// Eight quads together give what each gives alone, and one thread what two give.
+/// Eight quads give the same results together as alone, and two threads the same as one.
 #[test]
 fn quads_do_not_depend_on_each_other() {
     let code = compiled(&format!("{HEAD}{BUSY}"), &CompileOptions::default());
@@ -328,7 +328,7 @@ fn quads_do_not_depend_on_each_other() {
     }
 }
 
-/// Watching does not change what is drawn.
+/// Statistics do not change the image.
 #[test]
 fn watching_changes_nothing() {
     let text = format!("{HEAD}{BUSY}");
@@ -371,7 +371,7 @@ fn loops_are_counted() {
         panic!("{seen:?}")
     };
     assert_eq!((only.pixels, only.entries, only.most), (8, 8, 5));
-    // Pixels 5, 6 and 7 break never.
+    // Pixels 5, 6 and 7 never break.
     assert_eq!((only.exhausted, only.exhausted_pixels), (3, 3));
     assert_eq!(only.turns, 1 + 2 + 3 + 4 + 5 + 5 + 5 + 5);
     assert_eq!(only.histogram, [0, 1, 1, 1, 1, 4]);
@@ -408,7 +408,7 @@ fn branches_and_numbers_are_seen() {
     assert_eq!((compared.left, compared.right), ([0.0, 7.0], [2.0, 2.0]));
 }
 
-/// Operands for which the specification leaves the result undefined are found, whatever is computed.
+/// Operands with undefined results are found, whatever the VM computes for them.
 #[test]
 fn undefined_results_are_seen() {
     let first = |statements: &str| {
@@ -437,12 +437,12 @@ fn undefined_results_are_seen() {
     assert_eq!(of("int(q * 2e9)"), [(5, 0, vec![-4e9])]);
     assert_eq!(of("log(0.0 * inversesqrt(q * 0.0))").len(), 1);
     assert_eq!(of("dFdx(q)"), []);
-    // Of the quad of the pixels 2 and 3, only the first takes part.
+    // In the quad of pixels 2 and 3, only the first is active.
     let branch = "float q = float(p); color = vec4(0); if (p < 3) color.x = fwidth(q);";
     assert_eq!(first(branch), [(1, 2, vec![2.0])]);
 }
 
-/// Faults are seen alike by both who look for them.
+/// `Watch::Faults` and `Watch::Numbers` find the same faults.
 #[test]
 fn faults_need_not_look_at_every_number() {
     let statements = "float q = float(p) - 2.0; if (p > 2) q = -q; \
@@ -461,7 +461,7 @@ fn faults_need_not_look_at_every_number() {
     assert_eq!((compared.len(), &compared), (1, &all.compared));
 }
 
-/// A draw knows which of its uniforms another has set otherwise.
+/// A draw call lists the uniforms that differ from another one.
 #[test]
 fn draws_differ_in_uniforms() {
     let text = format!("{HEAD}void main() {{ color = vec4(x, v[1], a[n], m[0][0]); }}");
@@ -474,8 +474,8 @@ fn draws_differ_in_uniforms() {
     assert_eq!(names, ["a", "x"]);
 }
 
-/// A GPU that is no more exact than it has to be draws a noise of sines otherwise, and a plain
-/// gradient hardly.
+/// A GPU with the maximum permitted error draws sine noise differently, and a plain gradient almost
+/// identically.
 #[test]
 fn personas_differ_where_gpus_do() {
     let picture = |expression: &str, persona: Persona| {
@@ -506,7 +506,7 @@ fn personas_differ_where_gpus_do() {
     assert_eq!(most(plain, Persona::Mobile), 0.0);
 }
 
-/// Names, order of declarations and helpers do not change the code; another number does.
+/// Names, declaration order and helper functions do not change the bytecode; a constant does.
 #[test]
 fn the_same_code_is_the_same_picture() {
     let code = |text: &str| compiled(&format!("{HEAD}{text}"), &CompileOptions::default());
@@ -553,7 +553,7 @@ fn what_is_too_large_is_refused() {
     let refusal = compile(&analysis.program, &module, &CompileOptions::default());
     assert_eq!(
         refusal.unwrap_err().what,
-        "a value of more than 32,768 scalars"
+        "a value with more than 32,768 scalars"
     );
 }
 
@@ -582,7 +582,7 @@ fn functions_cost_what_they_do_wherever_they_are_called() {
         let sum: u64 = seen.functions.iter().map(|f| f.own).sum();
         assert_eq!(sum, seen.operations);
         assert_eq!(globals.own + main.whole, seen.operations);
-        // All 64 pixels call `f`, and 16 of them `g` and through it `f` again.
+        // All 64 pixels call `f`; 16 of them call `g`, which calls `f` again.
         assert_eq!(f.own, 5 * (g.whole - g.own));
         let paid = |x: usize| (drawn.cost[x], drawn.ran[x]);
         let (branch, all) = paid(0);

@@ -1,33 +1,33 @@
-//! Who calls whom.
+//! The call graph and the call sites of user-defined functions.
 
 use shaderlint_ir::{Module, OpId, OpKind, Provenance};
 use shaderlint_semantic::{CallGraph, FunctionRef};
 use shaderlint_syntax::ast::ExprId;
 
-/// A call of one of the shader's functions.
+/// A call of a user-defined function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct CallSite {
-    /// The function that calls; `None` at global scope.
+    /// The calling function; `None` at global scope.
     pub caller: Option<FunctionRef>,
-    /// The function that is called.
+    /// The called function.
     pub callee: FunctionRef,
-    /// The call.
+    /// The `Call` operation.
     pub op: OpId,
-    /// The expression that it comes from.
+    /// The call expression in the source.
     pub expr: ExprId,
 }
 
-/// The calls of a shader's functions, by who is called and by who calls.
+/// All call sites of a shader, indexed by callee and by caller.
 #[derive(Default, Debug)]
 pub struct Calls {
-    /// In the order of evaluation.
+    /// In evaluation order.
     all: Vec<CallSite>,
-    /// Its calls have the indexes of `all`.
+    /// Call numbers in the graph are indices into `all`.
     graph: CallGraph,
 }
 
 impl Calls {
-    /// The calls in a shader.
+    /// Collects the call sites of a module.
     pub fn of(module: &Module) -> Calls {
         let mut bodies: Vec<_> = (0..)
             .map(FunctionRef)
@@ -60,12 +60,12 @@ impl Calls {
         }
     }
 
-    /// Who calls whom, whichever call it is.
+    /// The call graph, without individual call sites.
     pub fn graph(&self) -> &CallGraph {
         &self.graph
     }
 
-    /// All calls, in the order of evaluation.
+    /// All call sites, in evaluation order.
     pub fn all(&self) -> &[CallSite] {
         &self.all
     }
@@ -74,12 +74,12 @@ impl Calls {
         numbers.iter().filter_map(|&i| self.all.get(i as usize))
     }
 
-    /// The calls of a function.
+    /// The call sites that call `callee`.
     pub fn calls_of(&self, callee: FunctionRef) -> impl Iterator<Item = &CallSite> {
         self.pick(self.graph.calls_of(callee))
     }
 
-    /// The calls in a function.
+    /// The call sites inside `caller`.
     pub fn calls_by(&self, caller: FunctionRef) -> impl Iterator<Item = &CallSite> {
         self.pick(self.graph.calls_by(caller))
     }

@@ -1,4 +1,4 @@
-//! What expressions and functions do besides giving a value.
+//! Side effects of expressions and functions.
 
 use super::calls::Calls;
 use super::writes::{Writes, is_temporary};
@@ -6,27 +6,27 @@ use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, Step};
 use shaderlint_semantic::{FunctionRef, Program, Structure};
 use shaderlint_syntax::ast::ExprId;
 
-/// What a call of a function does besides giving a value.
+/// The side effects of one function.
 #[derive(Clone, Copy, Default, Debug)]
 struct Summary {
-    /// Whether it gives values back through parameters.
+    /// Whether it has `out` or `inout` parameters.
     gives_back: bool,
-    /// Whether it writes to what outlives it, or ends the shader, wherever it does so.
+    /// Whether it, or a function that it calls, writes to globals or outputs or executes `discard`.
     acts: bool,
-    /// Whether it touches what may hold something else at another call.
+    /// Whether it accesses state that may change between calls: mutable globals or outputs.
     depends: bool,
 }
 
-/// Which expressions and functions do something that is seen elsewhere.
+/// The expressions and functions with side effects.
 #[derive(Default, Debug)]
 pub struct Effects {
-    /// By expression, its operands included.
+    /// By expression, including the effects of its operands.
     exprs: Vec<bool>,
     functions: Vec<Summary>,
 }
 
 impl Effects {
-    /// Finds the effects in a shader.
+    /// Computes the side effects of all expressions and functions.
     pub fn of(
         program: &Program,
         module: &Module,
@@ -68,7 +68,7 @@ impl Effects {
         effects
     }
 
-    /// An expression does something, and so does each that it is an operand of.
+    /// Marks an expression and all expressions around it.
     fn add(&mut self, structure: &Structure, expr: ExprId) {
         let mut at = Some(expr);
         while let Some(expr) = at
@@ -79,7 +79,7 @@ impl Effects {
         }
     }
 
-    /// What nobody knows may do anything.
+    /// The summary of a function; a function that is not known may do anything.
     fn summary(&self, function: FunctionRef) -> Summary {
         let unknown = Summary {
             gives_back: true,
@@ -90,20 +90,19 @@ impl Effects {
         found.copied().unwrap_or(unknown)
     }
 
-    /// Whether an expression does more than have a value.
+    /// Whether an expression has side effects, its operands included.
     pub fn has(&self, expr: ExprId) -> bool {
         self.exprs.get(expr.0 as usize).is_none_or(|e| *e)
     }
 
-    /// Whether a function gives the same answer to the same arguments wherever it is called, and
-    /// changes nothing.
+    /// Whether a function is pure: equal arguments give equal results, and nothing is written.
     pub fn is_pure(&self, function: FunctionRef) -> bool {
         let found = self.summary(function);
         !found.depends && !found.gives_back
     }
 }
 
-/// What a function does by itself.
+/// The effects of a function's own code, without those of the functions that it calls.
 fn summary(module: &Module, writes: &Writes, id: FunctionRef) -> Summary {
     let mut found = Summary::default();
     let Some((function, body)) = module.function(id).and_then(|f| Some((f, f.body?))) else {

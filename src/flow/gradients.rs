@@ -1,32 +1,33 @@
-//! Calls that take derivatives between neighbouring pixels, and the code that parts the pixels.
+//! Calls with implicit derivatives in non-uniform control flow.
 
 use super::calls::Calls;
 use super::uniformity::{ControlId, Uniformity, Varying};
 use shaderlint_ir::{LoopId, Module, OpId, OpKind};
 use shaderlint_semantic::{BuiltinId, FunctionRef};
 
-/// A call that compares neighbouring pixels, in code that not all of them run.
+/// A call with implicit derivatives in non-uniform control flow, where they are undefined.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {
-    /// The call.
+    /// The `Builtin` operation.
     pub call: OpId,
-    /// The built-in function.
+    /// The called built-in function.
     pub function: BuiltinId,
-    /// What parts the pixels.
+    /// The cause of the divergence.
     pub parted: Parted,
 }
 
-/// What parts neighbouring pixels.
+/// The cause of divergence around a call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Parted {
-    /// A loop that some leave before others; the call stands in it, or in a function that is called
-    /// from it.
+    /// A loop that pixels exit at different iterations, around the call or around a call of its
+    /// function.
     Loop(LoopId),
-    /// A branch, or a return before.
+    /// A divergent branch, or an earlier `return`, `break` or `continue` that only some pixels
+    /// execute.
     Branch(ControlId),
 }
 
-/// The calls that take derivatives where the pixels may have parted, in the order of evaluation.
+/// All calls with implicit derivatives in non-uniform control flow, in evaluation order.
 pub fn gradients<'a>(
     module: &Module,
     calls: &Calls,
@@ -41,7 +42,7 @@ pub fn gradients<'a>(
             _ => None,
         })
         .peekable();
-    // What differs is found only for those that ask.
+    // Uniformity is computed only if a call needs derivatives.
     if taken.peek().is_none() {
         return Vec::new();
     }
@@ -49,7 +50,8 @@ pub fn gradients<'a>(
     let mut found = Vec::new();
     let mut looped: Option<Vec<Option<LoopId>>> = None;
     for (call, function, operands) in taken {
-        // What is the same everywhere has no slope; a sampler always is.
+        // Derivatives of uniform values are zero wherever they are taken. Samplers are always
+        // uniform.
         let mut operands = module.operands(operands).iter();
         if !uniformity.is_divergent(call)
             || !operands.any(|o| uniformity.varies(Varying::Value(*o)))
@@ -73,12 +75,12 @@ pub fn gradients<'a>(
     found
 }
 
-/// The innermost loop around code that some pixels leave before others.
+/// The innermost loop around a control that pixels exit at different iterations.
 fn loop_around(uniformity: &Uniformity, control: ControlId) -> Option<LoopId> {
     let mut at = uniformity.control(control)?.looped;
     while let Some(looped) = at {
         let turns = uniformity.turns(looped)?;
-        // A loop that only some pixels reach is not yet one that they leave apart.
+        // Entering a loop divergently is not enough: pixels must exit it at different iterations.
         let parting = uniformity.control(turns.inside)?.parting;
         if parting.is_some_and(|p| uniformity.varies(Varying::Parting(p))) {
             return Some(looped);
@@ -88,7 +90,7 @@ fn loop_around(uniformity: &Uniformity, control: ControlId) -> Option<LoopId> {
     None
 }
 
-/// By function: a loop that pixels leave apart from which it is called, directly or not.
+/// By function: a loop with divergent exit from which it is called, directly or indirectly.
 fn called_from(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<Option<LoopId>> {
     let mut from: Vec<Option<LoopId>> = vec![None; module.functions.len()];
     let around = |op| loop_around(uniformity, uniformity.control_of(op)?);
@@ -96,7 +98,8 @@ fn called_from(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<O
     let mut todo: Vec<(FunctionRef, LoopId)> = looped
         .filter_map(|call| Some((call.callee, around(call.op)?)))
         .collect();
-    // A loop of its own is nearer than that of a caller, so the calls in loops come first.
+    // Breadth-first from the calls in loops, so that a nearer loop is found before that of a
+    // caller.
     let mut done = 0;
     while let Some(&(function, looped)) = todo.get(done) {
         done += 1;

@@ -1,4 +1,5 @@
-//! Where a value jumps between neighbouring pixels, so that its slope means nothing there.
+//! Discontinuities: values that jump between neighbouring pixels, so that their derivatives are
+//! meaningless there.
 
 use super::ranges::Query;
 use super::trace::{Start, trace};
@@ -6,16 +7,17 @@ use super::uniformity::{Uniformity, Varying};
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::BuiltinId;
 
-/// A function whose result jumps.
+/// A call of a built-in function that is discontinuous.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Jump {
-    /// The call of it.
+    /// The `Builtin` operation.
     pub call: OpId,
-    /// The function.
+    /// The called built-in function.
     pub function: BuiltinId,
 }
 
-/// What makes a lane jump, if sums and products carry it there, and nothing makes it whole again.
+/// The discontinuous call that a component depends on through sums and products only. `None` where
+/// other terms may cancel the jump.
 pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> Option<Jump> {
     let Query { module, defs, .. } = ranges;
     let mut found: Vec<Jump> = Vec::new();
@@ -45,7 +47,7 @@ pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> 
             }
         }
     });
-    // What rounding takes away other terms may give back, as in `floor(p) + smooth(p - floor(p))`.
+    // Other terms may cancel the jumps of rounding, as in `floor(p) + smooth(p - floor(p))`.
     let is_rounded = found.iter().any(|j| rounds(j.function));
     let is_whole = is_rounded && (is_mixed || found.iter().any(|j| !rounds(j.function)));
     found
@@ -53,7 +55,7 @@ pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> 
         .find(|j| !is_whole || j.function == BuiltinId::Atan)
 }
 
-/// Whether the arguments stay within one period.
+/// Whether the arguments stay within one continuous piece of the function.
 fn is_within(ranges: Query, function: BuiltinId, operands: &[OpId], lane: u32) -> bool {
     let of = |position: usize| {
         let op = *operands.get(position)?;
@@ -66,7 +68,7 @@ fn is_within(ranges: Query, function: BuiltinId, operands: &[OpId], lane: u32) -
     };
     let Some(x) = of(0) else { return false };
     match (function, of(1)) {
-        // The seam lies where `y` changes its sign on the left.
+        // `atan(y, x)` has its branch cut where `y` changes sign at negative `x`.
         (BuiltinId::Atan, Some(right)) => {
             right.lo.value >= 0.0 || x.lo.value > 0.0 || x.hi.value < 0.0
         }

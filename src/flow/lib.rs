@@ -1,5 +1,6 @@
-//! What a shader does, asked of its middle form: each analysis is a short file, made once when it is
-//! asked for and never changed.
+//! Dataflow and control-flow analyses over the IR: call graph, reaching definitions, definite
+//! assignment, liveness, value ranges, uniformity, loop bounds and static cost. Each analysis is
+//! computed on demand, once, and is immutable afterwards.
 
 mod calls;
 pub mod defs;

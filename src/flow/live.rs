@@ -1,29 +1,29 @@
-//! Which writes are ever read.
+//! Liveness: the definitions that reach a read.
 
 use super::defs::{Def, DefId, Defs, Slot};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{Module, OpId, OpKind, Root};
 use shaderlint_semantic::VariableId;
 
-/// How far behind a call stands what it gives back.
+/// Operations after a call that are searched for the stores of its `out` parameters.
 const MAX_BEHIND: usize = 64;
 
-/// The definitions of a shader that some read sees.
+/// The live definitions of a shader: those that reach a read.
 #[derive(Default, Debug)]
 pub struct Live {
-    /// By definition: whether a read sees it, through whatever ways come together.
+    /// By definition: whether it reaches a read, directly or through merges.
     seen: Vec<bool>,
-    /// The slots whose value from before the function a read sees.
+    /// The slots whose value on function entry reaches a read.
     entries: FxHashSet<Slot>,
-    /// By value that is stored: whether a read sees it where it is stored.
+    /// By stored value: whether one of its stores reaches a read.
     stored: FxHashMap<OpId, bool>,
-    /// The lanes of stored values that a read sees.
+    /// The components of stored values that reach a read.
     lanes: FxHashSet<(OpId, u32)>,
     is_complete: bool,
 }
 
 impl Live {
-    /// Follows all reads of a shader back.
+    /// Computes liveness backwards from all loads.
     pub fn of(module: &Module, defs: &Defs) -> Live {
         let mut live = Live {
             seen: vec![false; defs.len() as usize],
@@ -65,12 +65,13 @@ impl Live {
         live
     }
 
-    /// Whether no read sees a value in any place where it is stored.
+    /// Whether every store of a value is dead.
     pub fn is_lost(&self, value: OpId) -> bool {
         self.is_complete && self.stored.get(&value) == Some(&false)
     }
 
-    /// Whether the caller makes use of a lane of what a call leaves in the parameter with a number.
+    /// Whether the caller may read a component of what a call writes back to the parameter at an
+    /// index.
     pub fn is_taken(&self, module: &Module, call: OpId, position: usize, lane: u32) -> bool {
         let behind = (call.0 + 1..module.ops.len() as u32).map(OpId);
         let mut behind = behind.take(MAX_BEHIND);
@@ -85,7 +86,8 @@ impl Live {
             OpKind::Store(place, stored) if stored == value => Some(module.place(place)),
             _ => None,
         });
-        // What outlives the function, and elements, of which it is not known which are read.
+        // Variables that outlive the function may be read elsewhere, and elements of arrays are not
+        // told apart.
         let is_own = target.is_some_and(|place| {
             let variable = module.variable(place.variable);
             variable.is_some_and(|v| {
@@ -95,7 +97,8 @@ impl Live {
         !is_own || self.lanes.contains(&(value, lane))
     }
 
-    /// Whether no read sees what a variable of so many lanes held when its function began.
+    /// Whether the value of a variable on function entry is never read. The variable has `lanes`
+    /// slots.
     pub fn is_unseen(&self, defs: &Defs, variable: VariableId, lanes: u32) -> bool {
         let mut slots = (0..lanes).map(|lane| defs.slot(variable, lane));
         self.is_complete && !slots.any(|slot| self.entries.contains(&slot))

@@ -1,13 +1,13 @@
-//! Whether two operations give the same value.
+//! Equality of values: whether two operations always compute the same result.
 
 use super::defs::Defs;
 use shaderlint_ir::{Module, OpId, OpKind};
 
-/// How many operations are looked at for one question.
+/// Maximum number of operations compared per query.
 const BUDGET: u32 = 48;
 
-/// Whether two operations give the same value wherever both have run, as far as a short look at the
-/// definitions tells.
+/// Whether two operations compute the same value wherever both have run. Compares expression trees
+/// up to a depth; `false` where that does not prove it.
 pub fn is_same(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
     let mut left = BUDGET;
     same(module, defs, a, b, &mut left)
@@ -63,7 +63,8 @@ fn all(
     a.len() == b.len() && a.iter().zip(b).all(|(x, y)| both(*x, *y))
 }
 
-/// Whether two loads see the same definitions in all lanes; elements of an array share theirs.
+/// Whether the same definitions reach two loads in all components. Elements of an array are not
+/// told apart.
 fn is_same_load(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
     let (OpKind::Load(place), OpKind::Load(other)) = (module.op(a).kind, module.op(b).kind) else {
         return false;
@@ -72,7 +73,7 @@ fn is_same_load(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
     let lanes = defs.lanes_of(a);
     let sees = |op, lane| defs.copied_from(module, defs.seen(op, lane));
     let known = |lane| defs.get(sees(a, lane)) != super::defs::Def::Unknown;
-    // The length follows from the components.
+    // The length is determined by the components, so it is not compared.
     let components = module.ty(a).components().max(1).min(lanes);
     let is_one = (0..components).all(|lane| known(lane) && sees(a, lane) == sees(b, lane));
     let path = module.path(place);

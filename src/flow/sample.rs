@@ -1,10 +1,10 @@
-//! Shaders for the tests of the analyses.
+//! Shaders for the unit tests of the analyses.
 
 use shaderlint_semantic::{Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
-/// A ShaderToy image pass that is checked and has no errors.
+/// Checks the code of a ShaderToy image pass and asserts that it has no errors.
 pub(super) fn checked(code: &str) -> Checked {
     let mut sources = Sources::default();
     let prelude = Pass::Image.host().prelude([None; 4]);

@@ -1,25 +1,25 @@
-//! Back from a lane of a value to what it was made of: through variables, swizzles, constructors and
-//! the parameters of functions.
+//! Traces a component of a value back to its origins: through variables, swizzles, constructors and
+//! function parameters.
 
 use super::defs::{Def, DefId, Defs};
 use shaderlint_ir::{Module, OpId, OpKind};
 use shaderlint_semantic::VariableId;
 
-/// How many steps are taken for one question.
+/// Maximum number of steps per query.
 const BUDGET: u32 = 64;
 
-/// Where the way back from a lane ends, which is where the lane starts.
+/// An origin of a component, where tracing ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Start {
-    /// At an operation that makes the lane.
+    /// Computed by an operation.
     Made(OpId, u32),
-    /// At what a lane of a variable holds from the start, as uniforms and inputs do.
+    /// The initial value of a variable, as of a uniform or an input.
     Given(VariableId, u32),
 }
 
-/// Calls `visit` with everything that a lane may be, copies taken back; where `visit` says so, with
-/// what that was made of too: the same lane of each operand, or all that there is of a scalar.
-/// Gives back whether all of it was seen.
+/// Calls `visit` with every origin of a component, copies followed. Where `visit` returns `true`,
+/// tracing goes on through the operands: to their component with the same index, or to the whole of
+/// a scalar. Returns whether all origins were visited within the budget.
 pub fn trace(
     module: &Module,
     defs: &Defs,
@@ -48,7 +48,7 @@ pub fn trace(
     trail.todo.is_empty()
 }
 
-/// What one lane alone is, copies taken back; `None` where it may be one of several.
+/// The only origin of a component, copies followed; `None` where there may be several.
 pub fn origin(module: &Module, defs: &Defs, op: OpId, lane: u32) -> Option<Start> {
     let (mut first, mut count) = (None, 0);
     let is_all = trace(module, defs, (op, lane), |origin| {

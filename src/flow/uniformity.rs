@@ -1,10 +1,11 @@
-//! What differs from pixel to pixel, and where control flow parts because of it.
+//! Uniformity analysis: which values differ between pixels, and where control flow diverges.
 //!
-//! The GPU takes derivatives between neighbouring pixels, which must run the same code for it
-//! (GLSL ES 3.00 sections 8.8 and 8.9). This finds the code that only some of them may run. What
-//! differs spreads along a graph of values, variables and controls, made in one walk over the
-//! module; the order of assignments does not count, so that it may call too much different, never
-//! too little.
+//! Derivatives are computed between neighbouring pixels, which must all execute the call (GLSL ES
+//! 3.00 sections 8.8 and 8.9). This analysis finds non-uniform control flow: code that only some of
+//! the pixels may execute. Divergence propagates along a dependence graph of values, variables and
+//! controls, which one walk over the module builds. The graph is flow-insensitive: the order of
+//! assignments is ignored, so that the result is conservative (it may contain false positives, but
+//! no false negatives).
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
@@ -15,54 +16,54 @@ use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::StmtId;
 
-/// Index of a control: code that is run by the same pixels.
+/// Index of a [`Control`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct ControlId(pub u32);
 
-/// Index of a parting.
+/// Index of a [`Parting`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct PartingId(pub u32);
 
-/// Code that is run by the same pixels.
+/// A maximal piece of code that is executed by one set of pixels.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Control {
-    /// The control around it; `None` for a function's body.
+    /// The enclosing control; `None` for the body of a function.
     pub outer: Option<ControlId>,
-    /// What parts its pixels from those of the control around it.
+    /// What makes its pixels diverge from those of the enclosing control.
     pub parting: Option<PartingId>,
-    /// The function.
+    /// The function that contains it; `None` at global scope.
     pub function: Option<FunctionRef>,
     /// The innermost loop around it.
     pub looped: Option<LoopId>,
 }
 
-/// What parts some pixels from others: a condition, or a way out that only some take.
+/// A point of divergence: a condition, or an early exit that only some pixels take.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Parting {
-    /// The jump with which some leave.
+    /// The `break`, `continue` or `return` of an early exit.
     pub left_at: Option<StmtId>,
 }
 
-/// Something that may differ from pixel to pixel.
+/// Something that may differ between pixels.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Varying {
-    /// The value of an operation.
+    /// The result of an operation.
     Value(OpId),
-    /// What a variable holds.
+    /// The contents of a variable.
     Variable(VariableId),
-    /// What a function gives back.
+    /// The return value of a function.
     Returned(FunctionRef),
-    /// Whether code runs.
+    /// Whether a piece of code is executed.
     Control(ControlId),
-    /// Whether pixels that come here together go on together.
+    /// Whether pixels that reach this point together diverge there.
     Parting(PartingId),
 }
 
-/// What differs from pixel to pixel.
+/// The non-uniform values and control flow of a shader.
 #[derive(Default, Debug)]
 pub struct Uniformity {
     first: Firsts,
-    /// By node: what made it differ; itself for a source.
+    /// By node: the node that made it non-uniform; the node itself for a source.
     from: Vec<Option<u32>>,
     controls: Vec<Control>,
     partings: Vec<Parting>,
@@ -72,17 +73,17 @@ pub struct Uniformity {
     loops: Vec<Turns>,
 }
 
-/// The pixels of a loop.
+/// The controls inside and around a loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Turns {
-    /// Its turns.
+    /// The control of one iteration.
     pub inside: ControlId,
-    /// The code that it stands in.
+    /// The control of the code around the loop.
     pub outside: ControlId,
 }
 
-/// Nodes are numbered: operations, variables, functions, then controls and partings in turn. These
-/// are the first of each.
+/// Node numbering: operations, variables, functions, then controls and partings interleaved. This
+/// holds the first number of each group.
 #[derive(Clone, Copy, Default, Debug)]
 struct Firsts {
     variable: u32,
@@ -90,18 +91,18 @@ struct Firsts {
     control: u32,
 }
 
-/// How far the code around a write is followed to the declaration; behind that, whatever parts the
-/// pixels counts.
+/// How many levels of controls are followed outwards from a write to the declaration; beyond that
+/// any divergence counts.
 const MAX_OUTWARDS: usize = 32;
 
 impl Uniformity {
-    /// Follows what differs through a shader whose pixels start at its entry.
+    /// Propagates non-uniformity from the inputs that differ between pixels.
     pub fn of(module: &Module) -> Uniformity {
         Uniformity::spread(module, |_| sources(module).map(Varying::Variable).collect())
     }
 
-    /// Follows through a shader what hangs on other things than the pixel: those that `sources`
-    /// names, which is shown the shader's controls. What may hang on them "varies" in the answers.
+    /// Propagates dependence on any sources instead of the pixel: `sources` returns them and
+    /// receives the controls of the shader. In the result, "varies" means "may depend on a source".
     pub fn spread(
         module: &Module,
         sources: impl FnOnce(&Uniformity) -> Vec<Varying>,
@@ -131,7 +132,7 @@ impl Uniformity {
             control_of,
             loops,
         };
-        // First come, first served: the ways back are the shortest.
+        // Breadth-first, so that the paths back to a source are shortest.
         let mut todo: Vec<u32> = Vec::new();
         for source in sources(&uniformity) {
             let node = uniformity.node(source);
@@ -147,38 +148,38 @@ impl Uniformity {
         uniformity
     }
 
-    /// Whether something may differ from pixel to pixel.
+    /// Whether something may differ between pixels.
     pub fn varies(&self, what: Varying) -> bool {
         self.origin_of(self.node(what)).is_some()
     }
 
-    /// Whether only some pixels may run an operation.
+    /// Whether an operation may be executed by only some of the pixels.
     pub fn is_divergent(&self, op: OpId) -> bool {
         let control = self.control_of(op);
         control.is_some_and(|c| self.varies(Varying::Control(c)))
     }
 
-    /// The code that an operation belongs to.
+    /// The control that contains an operation.
     pub fn control_of(&self, op: OpId) -> Option<ControlId> {
         self.control_of.get(op.0 as usize).copied()
     }
 
-    /// A control, if the number is this shader's.
+    /// A control; `None` if the id belongs to another shader.
     pub fn control(&self, id: ControlId) -> Option<&Control> {
         self.controls.get(id.0 as usize)
     }
 
-    /// A parting, if the number is this shader's.
+    /// A point of divergence; `None` if the id belongs to another shader.
     pub fn parting(&self, id: PartingId) -> Option<&Parting> {
         self.partings.get(id.0 as usize)
     }
 
-    /// The pixels of a loop.
+    /// The controls inside and around a loop.
     pub fn turns(&self, id: LoopId) -> Option<&Turns> {
         self.loops.get(id.0 as usize)
     }
 
-    /// Why something differs: itself, then each time what made it so, down to the source.
+    /// Why something is non-uniform: the node itself, followed by its causes, down to a source.
     pub fn why(&self, what: Varying) -> impl Iterator<Item = Varying> {
         let first = Some(self.node(what)).filter(|n| self.origin_of(*n).is_some());
         let way = std::iter::successors(first, |n| self.origin_of(*n).filter(|f| f != n));
@@ -230,7 +231,7 @@ impl Firsts {
     }
 }
 
-/// What differs from the start: what is interpolated, and the place that the entry is given.
+/// The sources of non-uniformity: interpolated inputs, and the parameters of the entry point.
 fn sources(module: &Module) -> impl Iterator<Item = VariableId> {
     let numbered = module.variables.iter().zip(0..);
     let found = numbered.filter(|(v, _)| match v.root {
@@ -241,8 +242,8 @@ fn sources(module: &Module) -> impl Iterator<Item = VariableId> {
     found.map(|(_, i)| VariableId(i))
 }
 
-/// How pixels leave a region before its end: what parts those that leave from the others that
-/// came in.
+/// The early exits of a region, by kind: each is the divergence between the pixels that leave and
+/// the others.
 #[derive(Clone, Copy, Default)]
 struct Leaves {
     returns: Option<PartingId>,
@@ -250,21 +251,22 @@ struct Leaves {
     continues: Option<PartingId>,
 }
 
-/// The walk that makes the graph.
+/// The walk that builds the dependence graph.
 struct Walk<'m> {
     module: &'m Module,
     first: Firsts,
-    /// From a node to one that differs where it does.
+    /// Dependences: if the first node is non-uniform, so is the second.
     edges: Vec<(u32, u32)>,
     controls: Vec<Control>,
-    /// That of what is being walked.
+    /// The control of the code being walked.
     control: ControlId,
     partings: Vec<Parting>,
     control_of: Vec<ControlId>,
     loops: Vec<Turns>,
     /// By function: the control of its body.
     bodies: Vec<ControlId>,
-    /// Where a local is declared: what is written there is the same for all that have it.
+    /// The control that declares a local: a write there is executed by all pixels that have the
+    /// variable.
     declared_in: FxHashMap<VariableId, ControlId>,
 }
 
@@ -290,7 +292,7 @@ impl<'m> Visit<'m> for Walk<'m> {
     fn region(&mut self, region: Region) -> Leaves {
         let outer = self.control;
         let mut leaves = Leaves::default();
-        // What parts those that are still here from those that came in.
+        // The divergence between the pixels still here and those that entered the region.
         let mut since: Option<PartingId> = None;
         for step in self.module.steps(region) {
             let left = self.step(step);
@@ -302,7 +304,7 @@ impl<'m> Visit<'m> for Walk<'m> {
             self.join(&mut way, left.breaks);
             self.join(&mut way, left.continues);
             if way.is_some() {
-                // Behind it are those that did not leave.
+                // Code after an early exit is executed by the pixels that did not leave.
                 self.control = self.add_control(Some(self.control), way);
                 since = way;
             }
@@ -373,7 +375,7 @@ impl<'m> Visit<'m> for Walk<'m> {
         leaves
     }
 
-    /// Those that leave a loop part from those that stay in it; behind it they meet again.
+    /// Pixels that exit a loop diverge from those that stay in it, and reconverge after it.
     fn looped(&mut self, id: LoopId, looped: &'m Loop) -> Leaves {
         let control = self.control;
         let parting = self.add_parting(None, looped.condition.map(Varying::Value));
@@ -452,7 +454,7 @@ impl<'m> Walk<'m> {
             bodies: Vec::new(),
             declared_in: FxHashMap::default(),
         };
-        // What runs before the entry is run by all.
+        // Global initialisers are executed by all pixels.
         walk.add_control(None, None);
         for (i, function) in module.functions.iter().enumerate() {
             let body = walk.add_control(None, None);
@@ -489,7 +491,8 @@ impl<'m> Walk<'m> {
         id
     }
 
-    /// Code in which only those are that are in `outer`, and of them only some where `parting` says.
+    /// Adds code executed by the pixels of `outer`, or only by those that take one side of
+    /// `parting`.
     fn add_control(&mut self, outer: Option<ControlId>, parting: Option<PartingId>) -> ControlId {
         let id = ControlId(self.controls.len() as u32);
         let around = outer.and_then(|o| self.controls.get(o.0 as usize)).copied();
@@ -506,7 +509,7 @@ impl<'m> Walk<'m> {
         id
     }
 
-    /// Brings ways out together.
+    /// Combines the early exits of two paths.
     fn join(&mut self, known: &mut Option<PartingId>, more: Option<PartingId>) {
         match (*known, more) {
             (Some(known), Some(more)) => {
@@ -523,7 +526,7 @@ impl<'m> Walk<'m> {
         self.join(&mut known.continues, more.continues);
     }
 
-    /// A way out of code that `parting` leads into, as one out of the code around it.
+    /// An early exit of code guarded by `parting`, as an exit of the enclosing code.
     fn through(&mut self, way: Option<PartingId>, parting: Option<PartingId>) -> Option<PartingId> {
         let left_at = self.partings.get(way?.0 as usize)?.left_at;
         let outer = self.add_parting(left_at, way.map(Varying::Parting));
@@ -541,7 +544,7 @@ impl<'m> Walk<'m> {
         }
     }
 
-    /// Walks a region whose start is run by the pixels of `control`.
+    /// Walks a region that starts in `control`.
     fn within(&mut self, region: Region, control: ControlId) -> Leaves {
         let outer = std::mem::replace(&mut self.control, control);
         let leaves = self.region(region);
@@ -549,7 +552,7 @@ impl<'m> Walk<'m> {
         leaves
     }
 
-    /// Code that a value leads into.
+    /// Walks a region guarded by a condition.
     fn side(&mut self, condition: OpId, side: Region) -> Leaves {
         let parting = Some(self.add_parting(None, Some(Varying::Value(condition))));
         let inside = self.add_control(Some(self.control), parting);
@@ -564,13 +567,13 @@ impl<'m> Walk<'m> {
         };
         let returned = Varying::Returned(function);
         self.edge(Varying::Value(value), returned);
-        // Some give back this, others something else.
+        // Divergent returns make the result non-uniform, even if each value is uniform.
         let body = self.bodies.get(function.0 as usize).copied();
         self.part_since(body, control, returned);
     }
 
-    /// What is done in `control` differs where its pixels part since they were in `from`; `None`
-    /// stands for the start of the shader.
+    /// Adds edges to `what` from every divergence between `from` and `control`. `None` is the start
+    /// of the shader.
     fn part_since(&mut self, from: Option<ControlId>, control: ControlId, what: Varying) {
         let mut at = control;
         for _ in 0..MAX_OUTWARDS {
@@ -591,7 +594,8 @@ impl<'m> Walk<'m> {
         self.edge(Varying::Control(at), what);
     }
 
-    /// What differs is written, or to different places, or by some pixels only.
+    /// A variable becomes non-uniform by a non-uniform value, a non-uniform index, or a divergent
+    /// store.
     fn store(&mut self, id: OpId, place: PlaceId, written: OpId) {
         let control = self.control;
         let module = self.module;

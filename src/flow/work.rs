@@ -1,49 +1,49 @@
-//! How much the functions of a shader do: operations, and turns of loops.
+//! Static cost of functions: operations and loop iterations.
 
 use super::calls::Calls;
 use shaderlint_ir::{Loop, LoopId, Module, OpId, OpKind, Provenance, Region, Step};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::StmtId;
 
-/// How often a loop is taken to turn where the text does not tell.
+/// Assumed trip count of a loop whose bound is unknown.
 const UNKNOWN_TURNS: f64 = 8.0;
-/// Nests of loops multiply; a figure past all measure must not become infinite.
+/// Upper limit of all figures, so that nested loops do not overflow to infinity.
 const MOST: f64 = 1e30;
-/// Most turns that are multiplied.
+/// Upper limit of the multiplied trip counts of nested loops.
 const MOST_OFTEN: f64 = 1e15;
 
-/// Work of a shader's functions. All figures are of the worst case: no early exit, the longer side
-/// of each `if`.
+/// The static cost of each function in the worst case: no early exit, and the longer side of each
+/// `if`.
 #[derive(Default, Debug)]
 pub struct Work {
     functions: Vec<Cost>,
-    /// By loop: turns of innermost loops each time that it runs.
+    /// By loop: iterations of innermost loops per execution.
     loops: Vec<f64>,
-    /// By loop: how often it turns, where the text tells.
+    /// By loop: the trip count, if it is known.
     counts: Vec<Option<u64>>,
 }
 
-/// What a function does.
+/// The cost of a function.
 #[derive(Clone, Copy, Default, Debug)]
 struct Cost {
-    /// Operations of one call, the functions that it calls included.
+    /// Operations of one call, including the functions that it calls.
     operations: f64,
-    /// Operations in its text when every call is replaced by the callee's text.
+    /// Operations in its code after inlining all calls.
     size: f64,
-    /// Turns of innermost loops in one call.
+    /// Iterations of innermost loops in one call.
     turns: f64,
 }
 
-/// A loop on the way to where a shader spends its time.
+/// A loop on the path to the most expensive code.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Nest {
-    /// The loop.
+    /// The loop statement.
     pub stmt: StmtId,
-    /// How often it turns each time that it is reached.
+    /// Iterations per execution of the loop.
     pub turns: u64,
 }
 
-/// Where most turns are spent in a region.
+/// The part of a region with most iterations.
 #[derive(Clone, Copy)]
 enum Heaviest {
     Loop(LoopId),
@@ -52,7 +52,7 @@ enum Heaviest {
 }
 
 impl Work {
-    /// Adds up the work of a shader; `turns` tells how often a loop turns.
+    /// Computes the cost of each function; `turns` returns the trip count of a loop.
     pub fn of(module: &Module, calls: &Calls, turns: impl Fn(&Loop) -> Option<u64>) -> Work {
         let mut work = Work {
             functions: vec![Cost::default(); module.functions.len()],
@@ -77,23 +77,23 @@ impl Work {
         found.copied().unwrap_or_default()
     }
 
-    /// Operations of one call of a function.
+    /// Operations of one call of a function, including the functions that it calls.
     pub fn operations(&self, function: FunctionRef) -> f64 {
         self.cost(function).operations
     }
 
-    /// Operations in the text of a function once all calls are replaced by what they call.
+    /// Operations in the code of a function after inlining all calls.
     pub fn size(&self, function: FunctionRef) -> f64 {
         self.cost(function).size
     }
 
-    /// Turns of innermost loops in one call of a function. A loop whose turns are not known counts
-    /// as one.
+    /// Iterations of innermost loops in one call of a function. A loop with an unknown trip count
+    /// counts as one iteration.
     pub fn turns(&self, function: FunctionRef) -> f64 {
         self.cost(function).turns
     }
 
-    /// Adds the operations of a region that runs so often, and gives its turns.
+    /// Adds the cost of a region that is executed `times` times. Returns its iterations.
     fn region(&mut self, module: &Module, region: Region, times: f64, cost: &mut Cost) -> f64 {
         let mut turns = 0.0;
         for step in module.steps(region) {
@@ -105,7 +105,7 @@ impl Work {
                     origin,
                     ..
                 } => {
-                    // A choice between values is an operation; what it passes over runs too.
+                    // `?:`, `&&` and `||` count as one operation plus both sides.
                     if matches!(origin, Provenance::Expr(_)) {
                         cost.add(1.0, 1.0, times);
                     }
@@ -151,7 +151,7 @@ impl Work {
         self.counts.get(id.0 as usize).copied().flatten()
     }
 
-    /// Adds an operation, and gives the turns that it calls for.
+    /// Adds the cost of an operation. Returns the iterations in the function that it calls.
     fn op(&self, module: &Module, op: OpId, times: f64, cost: &mut Cost) -> f64 {
         match module.op(op).kind {
             OpKind::Unary(..)
@@ -170,7 +170,7 @@ impl Work {
         0.0
     }
 
-    /// The loops, outermost first, in which a call of a function spends most turns.
+    /// The nest of loops, outermost first, in which a call of `entry` spends most iterations.
     pub fn heaviest(&self, module: &Module, entry: FunctionRef) -> Vec<Nest> {
         let mut nests = Vec::new();
         let body = |f: FunctionRef| module.function(f).and_then(|f| f.body);
@@ -197,7 +197,7 @@ impl Work {
         nests
     }
 
-    /// What may take turns in a step.
+    /// The loops, calls and regions in a step, with their iterations.
     fn parts(&self, module: &Module, step: &Step) -> Vec<(f64, Heaviest)> {
         let region = |region: Region| (self.turns_in(module, region), Heaviest::Region(region));
         match *step {

@@ -1,37 +1,38 @@
-//! What becomes of each variable: where it is written to, and whether its value is ever used.
+//! The writes to each variable, and whether its value is ever used.
 
 use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Root, Step};
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{Mentions, Program, VariableId};
 use shaderlint_syntax::ast::ExprId;
 
-/// The writes of a shader.
+/// All writes of a shader.
 #[derive(Default, Debug)]
 pub struct Writes {
-    /// All of them, in the order of evaluation.
+    /// In evaluation order.
     all: Vec<(ExprId, VariableId)>,
-    /// By expression: the variables that it writes to by itself.
+    /// By expression: the variables that the expression itself writes to.
     by_expr: Lists<VariableId>,
-    /// By variable: the expressions that do nothing but write to it, in order.
+    /// By variable: the expressions that write to it and whose own value is unused, in source
+    /// order.
     idle: Lists<ExprId>,
-    /// By variable: whether anything makes use of its value.
+    /// By variable: whether its value is used.
     read: Vec<bool>,
-    /// By variable: whether anything writes to it behind its declaration.
+    /// By variable: whether it is written to after its declaration.
     changes: Vec<bool>,
 }
 
-/// A write that an expression makes.
+/// A write made by an expression.
 #[derive(Clone, Copy)]
 struct Write {
     variable: VariableId,
     expr: ExprId,
     store: OpId,
-    /// Whether it is what a call gives back.
+    /// Whether the value is an `out` or `inout` argument written back by a call.
     is_returned: bool,
 }
 
 impl Writes {
-    /// Finds the writes in a shader.
+    /// Collects the writes of a module.
     pub fn of(program: &Program, module: &Module, mentions: &Mentions) -> Writes {
         let count = module.variables.len();
         let all = all(module);
@@ -55,7 +56,7 @@ impl Writes {
                 idle.push((write.variable.0, write.expr));
             }
         }
-        // In the order of the text, and a variable that two members of are written is named once.
+        // Sorted in source order; an assignment to two members of a variable is listed once.
         idle.sort_unstable();
         idle.dedup();
         writes.idle = Lists::of(count, idle.iter().copied());
@@ -65,7 +66,7 @@ impl Writes {
                 if writes.is_read(variable) {
                     continue;
                 }
-                // What an assignment reads to write it back is no use of it.
+                // The load in a compound assignment such as `x += y` is not a use of `x`.
                 let is_own = matches!(module.provenance(op), Provenance::Expr(e)
                     if writes.by(e).contains(&variable));
                 if !is_own {
@@ -73,7 +74,8 @@ impl Writes {
                 }
             }
         }
-        // What is named and does not run was read before: constants, the length of an array.
+        // Mentions without code were evaluated at compile time (constants, array lengths). They are
+        // uses.
         let running = running(module);
         let named = (0..program.variables.len() as u32).map(VariableId);
         for ((id, slot), running) in named.zip(&mut writes.read).zip(running) {
@@ -82,28 +84,28 @@ impl Writes {
         writes
     }
 
-    /// All writes, in the order of evaluation.
+    /// All writes, in evaluation order.
     pub fn all(&self) -> &[(ExprId, VariableId)] {
         &self.all
     }
 
-    /// The variables that an expression itself writes to, its operands' writes left out.
+    /// The variables that an expression itself writes to, without the writes of its operands.
     pub fn by(&self, expr: ExprId) -> &[VariableId] {
         self.by_expr.get(expr.0)
     }
 
-    /// Whether anything writes to a variable behind its declaration.
+    /// Whether a variable is written to after its declaration.
     pub fn changes(&self, variable: VariableId) -> bool {
         let found = self.changes.get(variable.0 as usize);
         found.is_none_or(|c| *c)
     }
 
-    /// Whether anything makes use of a variable's value.
+    /// Whether the value of a variable is used.
     pub fn is_read(&self, variable: VariableId) -> bool {
         self.read.get(variable.0 as usize).is_none_or(|r| *r)
     }
 
-    /// The assignments to a variable that do nothing but write to it, in the order of the text.
+    /// The assignments to a variable whose own value is unused, in source order.
     pub fn idle(&self, variable: VariableId) -> &[ExprId] {
         self.idle.get(variable.0)
     }
@@ -115,7 +117,7 @@ fn mark(all: &mut [bool], variable: VariableId) {
     }
 }
 
-/// By variable: how often it is named in what runs. Each name is a place of its own.
+/// By variable: how often it is mentioned in lowered code. Each mention is a place.
 fn running(module: &Module) -> Vec<usize> {
     let mut count: Vec<usize> = vec![0; module.variables.len()];
     for place in &module.places {
@@ -134,7 +136,7 @@ fn running(module: &Module) -> Vec<usize> {
     count
 }
 
-/// The writes that expressions make, in the order of evaluation.
+/// The writes made by expressions, in evaluation order.
 fn all(module: &Module) -> Vec<Write> {
     let ops = (0..).map(OpId).zip(&module.ops);
     let writes = ops.filter_map(|(store, made)| {
@@ -153,8 +155,8 @@ fn all(module: &Module) -> Vec<Write> {
     writes.collect()
 }
 
-/// By operation: the last one that uses its value; behind all, where control flow does; the first of
-/// all, where nothing does.
+/// By operation: the last operation that uses its value; `BEHIND` if control flow uses it,
+/// `OpId(0)` if nothing does.
 fn last_uses(module: &Module) -> Vec<OpId> {
     const BEHIND: OpId = OpId(u32::MAX);
     let mut last = vec![OpId(0); module.ops.len()];
@@ -180,7 +182,7 @@ fn last_uses(module: &Module) -> Vec<OpId> {
     last
 }
 
-/// Whether a place lies in a variable that lowering made.
+/// Whether a place belongs to a temporary introduced by lowering.
 pub(super) fn is_temporary(module: &Module, place: PlaceId) -> bool {
     let root = module
         .variable(module.place(place).variable)
@@ -188,7 +190,7 @@ pub(super) fn is_temporary(module: &Module, place: PlaceId) -> bool {
     root == Some(Root::Temporary)
 }
 
-/// The variable that a place lies in, unless lowering made it.
+/// The variable of a place, unless it is a temporary.
 fn declared(module: &Module, place: PlaceId) -> Option<VariableId> {
     (!is_temporary(module, place)).then(|| module.place(place).variable)
 }

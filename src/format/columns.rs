@@ -1,4 +1,4 @@
-//! What the author has lined up in lines below one another stays lined up.
+//! Preserves the alignment of items in consecutive lines.
 
 use super::item::{FormatItem, ItemKind};
 use super::place::ItemPlace;
@@ -7,12 +7,12 @@ use shaderlint_syntax::TokenKind as T;
 use std::cmp::Ordering;
 use std::ops::Range;
 
-/// The group of an item that is in none.
+/// The group of an item that is not aligned.
 const NONE: u32 = u32::MAX;
 
-/// For each item, the number of the column of a table that it starts a cell of: items below one
-/// another, in neighbouring lines, with more than one blank before one of them. `blanks` tells before
-/// which items one belongs; `is_row` whether the statements of a line may stand in one.
+/// By item: the index of the column in which it starts a cell, i.e. items below one another in
+/// consecutive lines, at least one of them after more than one space. `blanks` says before which
+/// items a space belongs; `is_row` whether the statements of a line may share a line.
 pub fn cells(
     items: &[FormatItem],
     roles: &[ItemRole],
@@ -50,8 +50,8 @@ pub fn cells(
     groups
 }
 
-/// For each item, whether it starts a statement that stays behind another, since one of its line is a
-/// cell.
+/// By item: whether it starts a statement that stays on the same line as the previous one, because
+/// an item of its line is a cell.
 pub fn in_rows(items: &[FormatItem], roles: &[ItemRole], groups: &[u32]) -> Vec<bool> {
     let mut stays = vec![false; items.len()];
     let mut from = 0;
@@ -74,7 +74,7 @@ pub fn in_rows(items: &[FormatItem], roles: &[ItemRole], groups: &[u32]) -> Vec<
     stays
 }
 
-/// The items of two neighbouring lines that start at the same column.
+/// The items of two consecutive lines that start at the same column.
 fn below_one_another(
     items: &[FormatItem],
     above: Range<usize>,
@@ -108,7 +108,7 @@ fn below_one_another(
     found
 }
 
-/// Puts an item into the column of the one above it, which may be new.
+/// Adds an item to the column of the one above it, or to a new column.
 fn join(above: usize, below: usize, groups: &mut [u32], next: &mut u32) {
     let group = match groups.get(above) {
         Some(&group) if group != NONE => group,
@@ -124,14 +124,14 @@ fn join(above: usize, below: usize, groups: &mut [u32], next: &mut u32) {
     }
 }
 
-/// Whether two items may be cells of one column.
+/// Whether two items may be cells of the same column.
 fn are_alike(a: &FormatItem, b: &FormatItem) -> bool {
     let is_code = |i: &FormatItem| matches!(i.kind, ItemKind::Token(_));
     let may = |i: &FormatItem| !i.keeps && i.anchor.is_none() && !i.is_tall;
     may(a) && may(b) && ((is_code(a) && is_code(b)) || (a.is_comment() && b.is_comment()))
 }
 
-/// Moves cells of one column to the same place.
+/// Aligns the cells of each column.
 pub fn align(items: &[FormatItem], roles: &[ItemRole], groups: &[u32], places: &mut [ItemPlace]) {
     let mut columns = columns(items, roles, groups, places);
     columns.sort_by_key(|cells| cells.first().and_then(|i| items.get(*i)).map(|i| i.column));
@@ -140,7 +140,7 @@ pub fn align(items: &[FormatItem], roles: &[ItemRole], groups: &[u32], places: &
         .map(|p| p.line as usize + 1)
         .max()
         .unwrap_or(0);
-    // How far each line has been moved so far, and each item that moves it on.
+    // The shift of each line so far, and the additional space before each cell.
     let mut moved = vec![0u32; lines];
     let mut pads = vec![0u32; places.len()];
     for cells in &columns {
@@ -171,7 +171,7 @@ pub fn align(items: &[FormatItem], roles: &[ItemRole], groups: &[u32], places: &
     }
 }
 
-/// The cells of each column that is still one: in neighbouring lines.
+/// The columns whose cells are still in consecutive lines.
 fn columns(
     items: &[FormatItem],
     roles: &[ItemRole],
@@ -203,8 +203,8 @@ fn columns(
     closed
 }
 
-/// By line: the last item that does not move, and all before it, as a line below is lined up with it;
-/// a line that goes on below in another way stays whole.
+/// By line: the last item that must not move, because a later line is aligned with it. A line whose
+/// statement continues on the next line without such alignment does not move at all.
 fn held(items: &[FormatItem], roles: &[ItemRole], places: &[ItemPlace]) -> Vec<usize> {
     let line_of = |at: u32| places.get(at as usize).map(|p| p.line as usize);
     let lines = places.iter().map(|p| p.line as usize + 1).max();
@@ -233,7 +233,7 @@ fn held(items: &[FormatItem], roles: &[ItemRole], places: &[ItemPlace]) -> Vec<u
     held
 }
 
-/// Whether an item goes on with the statement of what stands before it.
+/// Whether an item continues the statement of the item before it.
 pub fn goes_on(items: &[FormatItem], roles: &[ItemRole], at: usize) -> bool {
     let is_inside = |r: &ItemRole| r.start == StatementStart::Nothing;
     let is_code = |i: &FormatItem| i.is_comment() || i.token().is_some();

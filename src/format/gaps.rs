@@ -1,4 +1,4 @@
-//! From the places of items to edits of the white space between them.
+//! Converts positions of items to edits of the white space between them.
 
 use super::item::FormatItem;
 use super::place::ItemPlace;
@@ -6,7 +6,7 @@ use super::request::TextExtent;
 use super::style::{Indentation, Style};
 use shaderlint_text::{Edit, Span};
 
-/// The edits that bring every item to its place.
+/// The edits that move every item to its position.
 pub fn edits(
     text: &str,
     items: &[FormatItem],
@@ -34,7 +34,7 @@ pub fn edits(
             false => place.column + item.width,
         };
     }
-    // A line break behind a backslash would be none.
+    // A line break after a backslash would be a line continuation.
     let is_open = text.get(..end as usize).is_some_and(|t| t.ends_with('\\'));
     if extent == TextExtent::File && !items.is_empty() && !is_open {
         replace(
@@ -47,7 +47,7 @@ pub fn edits(
     edits
 }
 
-/// What most lines of a text end with.
+/// The most frequent line ending of a text.
 fn line_break(text: &str) -> &'static str {
     let count = |of: char| text.bytes().filter(|b| *b == of as u8).count();
     let both = text.matches("\r\n").count();
@@ -59,7 +59,7 @@ fn line_break(text: &str) -> &'static str {
     }
 }
 
-/// The blanks that a line starts with. Tabs stand for levels; what is lined up is so by blanks.
+/// The white space at the start of a line. With tabs, levels are tabs and alignment is spaces.
 fn indentation(place: &ItemPlace, style: &Style) -> String {
     let (tabs, blanks) = match style.indent {
         Indentation::Spaces(_) => (0, place.column),

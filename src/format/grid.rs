@@ -1,11 +1,11 @@
-//! Tables of numbers inside brackets, which stay as their author has set them.
+//! Tables of numbers inside brackets, whose layout is kept.
 
 use super::item::{FormatItem, ItemKind};
 use super::structure::ItemRole;
 use shaderlint_syntax::TokenKind as T;
 use shaderlint_syntax::set::TokenSet;
 
-/// What a table is made of, besides calls of constructors.
+/// Tokens that a table may contain, besides constructor calls.
 const IN_TABLE: TokenSet = TokenSet::of(&[
     T::Int,
     T::Float,
@@ -17,10 +17,10 @@ const IN_TABLE: TokenSet = TokenSet::of(&[
     T::LeftBrace,
     T::RightBrace,
 ]);
-/// What the last row may lack, or have more than others.
+/// Tokens by which the last row may differ from the others.
 const ENDS_ROW: TokenSet = TokenSet::of(&[T::Comma, T::RightParen, T::RightBrace]);
 
-/// Keeps the blanks inside tables; their rows go where their brackets go.
+/// Keeps the white space inside tables; their rows move with the bracket.
 pub fn keep(items: &mut [FormatItem], roles: &[ItemRole]) {
     let mut at = 0;
     while at < items.len() {
@@ -34,7 +34,7 @@ pub fn keep(items: &mut [FormatItem], roles: &[ItemRole]) {
     }
 }
 
-/// The bracket that ends the table which a bracket opens.
+/// The closing bracket of a table, given the opening one; `None` if it is not a table.
 fn table(items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize> {
     let role = roles.get(open)?;
     let close = role.partner? as usize;
@@ -57,7 +57,8 @@ fn table(items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize>
     (pairs.into_iter().all(fits) && has_rows(inner)).then_some(close)
 }
 
-/// Whether items stand in rows: of numbers alone, or each like the one before it.
+/// Whether items form rows: each consists of numbers only, or has the same tokens as the previous
+/// one.
 fn has_rows(items: &[FormatItem]) -> bool {
     let rows = items.chunk_by(|a, b| a.line == b.line);
     let rows: Vec<Vec<T>> = rows.map(row).filter(|row| !row.is_empty()).collect();
@@ -71,7 +72,7 @@ fn has_rows(items: &[FormatItem]) -> bool {
     rows.iter().filter(|row| has_numbers(row)).count() >= 2 && (is_plain || are_alike)
 }
 
-/// The tokens of a row that tell rows apart.
+/// The tokens of a row that distinguish it from others.
 fn row(items: &[FormatItem]) -> Vec<T> {
     let tokens = items
         .iter()
@@ -91,7 +92,7 @@ fn keep_table(items: &mut [FormatItem], open: usize, close: usize) {
     let before = items.iter().take(open).rev();
     let before = before.take_while(|i| Some(i.line) == line).count();
     let is_last = items.get(open + 1).is_some_and(|i| Some(i.line) != line);
-    // Where a bracket ends its line, the rows go with the line.
+    // If the bracket is the last item of its line, the rows move with that line.
     let anchor = if is_last { open - before } else { open };
     for item in items.iter_mut().take(close + 1).skip(open + 1) {
         item.anchor = Some(anchor as u32);

@@ -1,10 +1,10 @@
-//! Where a line starts that goes on with a statement.
+//! The indentation of continuation lines.
 
 use super::item::FormatItem;
 use super::place::LineLayout;
 
 impl LineLayout<'_> {
-    /// Column of a line that goes on with a statement, and what it is lined up with.
+    /// The column of a continuation line, and the item with which it is aligned.
     pub(super) fn continuation(&mut self, at: usize, item: &FormatItem) -> (u32, Option<u32>) {
         if let Some(anchor) = item.anchor {
             let moved = self.item(anchor as usize).map_or(0, |i| i.column);
@@ -18,7 +18,7 @@ impl LineLayout<'_> {
         }
     }
 
-    /// Column of a line that goes on with a statement by its brackets.
+    /// The column of a continuation line as determined by the brackets around it.
     pub(super) fn hanging(&self, at: usize) -> (u32, Option<u32>) {
         let indent = self.style.indent.width();
         let Some(open) = self.role(at).bracket.map(|b| b as usize) else {
@@ -27,7 +27,7 @@ impl LineLayout<'_> {
         let bracket = self.placed(open);
         let line = self.starts.get(bracket.line as usize).copied().unwrap_or(0);
         let column = self.placed(line).column;
-        // A bracket that ends its line leaves nothing to line up with.
+        // After a bracket at the end of a line there is nothing to align with.
         let is_last = open + 1 == at || self.placed(open + 1).line != bracket.line;
         let is_far = bracket.column > self.style.width * 2 / 5;
         let closes = self.role(at).partner == Some(open as u32);
@@ -38,8 +38,8 @@ impl LineLayout<'_> {
         }
     }
 
-    /// What the author has lined the item up with: in the line above, or the start of the last line
-    /// like it.
+    /// The item with which the author aligned this one: one on the line above, or the start of the
+    /// last line of the same kind.
     fn lined_up(&mut self, at: usize, item: &FormatItem) -> Option<usize> {
         if let Some(sibling) = self.sibling(at).and_then(|s| *s)
             && self
@@ -53,7 +53,7 @@ impl LineLayout<'_> {
         let above = above.rev().take_while(|(_, i)| i.line == line);
         let mut above = above.filter(|(i, _)| *i != self.statement);
         let found = above.find(|(_, i)| i.column == item.column && !i.is_comment());
-        // Where the line above was broken, it may stand further above now.
+        // If the line above was broken, that item may be further up now.
         let last = self.starts.len().saturating_sub(1) as u32;
         found
             .map(|(i, _)| i)

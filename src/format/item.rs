@@ -1,34 +1,35 @@
-//! What white space stands between: tokens, comments, and directives as a whole.
+//! The items of a text, between which white space is formatted: tokens, comments and whole
+//! directives.
 
 use super::request::Unformatted;
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, Version, WordClass, classify, tokenize};
 use shaderlint_text::Span;
 
-/// A piece of text that stays as it is.
+/// A piece of text that is not changed.
 #[derive(Clone, Debug)]
 pub struct FormatItem {
     pub kind: ItemKind,
-    /// Where it stands, in bytes.
+    /// The byte range in the text.
     pub span: Span,
-    /// Line breaks between the item before it and this one.
+    /// The number of line breaks between the previous item and this one.
     pub breaks: u32,
-    /// Columns between them, where they stand in one line.
+    /// The number of columns between the previous item and this one, on the same line.
     pub blanks: u32,
-    /// Line that it starts in.
+    /// The line on which it starts.
     pub line: u32,
-    /// Column that it starts at, tabs counted as wide as they are.
+    /// The column at which it starts, with tabs expanded.
     pub column: u32,
-    /// Columns that it takes; of one of several lines, those of the last.
+    /// The width in columns; of its last line if it spans several.
     pub width: u32,
-    /// Whether it goes over several lines.
+    /// Whether it spans several lines.
     pub is_tall: bool,
-    /// Whether the white space before it stays.
+    /// Whether the white space before it is kept.
     pub keeps: bool,
-    /// Whether a backslash and a line break stand before it.
+    /// Whether a line continuation (backslash and line break) precedes it.
     pub is_spliced: bool,
-    /// Whether it is an operator in front of its only operand.
+    /// Whether it is a prefix operator.
     pub is_prefix: bool,
-    /// In a table: the item that its rows move with.
+    /// In a table: the item with which its rows move.
     pub anchor: Option<u32>,
 }
 
@@ -38,11 +39,11 @@ pub enum ItemKind {
     LineComment,
     BlockComment,
     Directive(BranchDirective),
-    /// Text that is no code: the branch of a condition that never holds.
+    /// Text that is not code: a branch under `#if 0`.
     Idle,
 }
 
-/// What a directive does to the branches of the preprocessor.
+/// The effect of a directive on preprocessor branches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BranchDirective {
     /// `#if`, `#ifdef`, `#ifndef`
@@ -55,12 +56,12 @@ pub enum BranchDirective {
 }
 
 impl FormatItem {
-    /// Whether it is this token.
+    /// Whether it is a token of this kind.
     pub fn is(&self, kind: TokenKind) -> bool {
         self.kind == ItemKind::Token(kind)
     }
 
-    /// The token that it is.
+    /// The kind of token; `None` for comments and directives.
     pub fn token(&self) -> Option<TokenKind> {
         match self.kind {
             ItemKind::Token(kind) => Some(kind),
@@ -72,7 +73,7 @@ impl FormatItem {
         matches!(self.kind, ItemKind::LineComment | ItemKind::BlockComment)
     }
 
-    /// Whether what follows starts a new line in any case.
+    /// Whether a line break must follow.
     pub fn ends_line(&self) -> bool {
         matches!(
             self.kind,
@@ -80,27 +81,27 @@ impl FormatItem {
         )
     }
 
-    /// Whether a line that holds it cannot be told by its width.
+    /// Whether its line cannot be measured by width.
     pub fn parts_lines(&self) -> bool {
         self.ends_line() || self.is_tall
     }
 }
 
-/// What says that text is left alone from there on, and up to where.
+/// Comments that disable and enable the formatter.
 const OFF: &str = "shaderlint: fmt off";
 const ON: &str = "shaderlint: fmt on";
 
 /// Splits a text into items.
 ///
 /// # Errors
-/// Where a comment has no end, and where a `#` would become a directive if its line were broken.
+/// A comment is unterminated, or a `#` would become a directive by a line break before it.
 pub fn items(text: &str, tab: u32) -> Result<Vec<FormatItem>, Unformatted> {
     let raw = tokenize(text, 0);
-    // It goes up to the end of the text.
+    // It extends to the end of the text.
     if let Some(open) = raw.last().filter(|t| t.kind == RawKind::OpenComment) {
         return Err(Unformatted {
             span: Span::new(open.span.start, open.span.start + 2),
-            message: "this comment has no end".to_string(),
+            message: "unterminated comment".to_string(),
         });
     }
     let mut reader = ItemReader {
@@ -120,7 +121,7 @@ pub fn items(text: &str, tab: u32) -> Result<Vec<FormatItem>, Unformatted> {
         if token.kind == RawKind::Hash && !reader.may_direct() {
             return Err(Unformatted {
                 span: token.span,
-                message: "this `#` is not the first of its line".to_string(),
+                message: "`#` must be the first character on its line".to_string(),
             });
         }
         at += reader.read(&raw, at, token);
@@ -139,7 +140,7 @@ struct ItemReader<'a> {
     blanks: u32,
     keeps_next: bool,
     splices_next: bool,
-    /// Whether the formatter is switched off here.
+    /// Whether the formatter is disabled here.
     is_off: bool,
 }
 
@@ -156,7 +157,7 @@ impl ItemReader<'_> {
         self.breaks > 0 || first.is_none_or(FormatItem::is_comment)
     }
 
-    /// Reads what starts at `at`; returns how many raw tokens that are.
+    /// Reads the item at `at`. Returns the number of raw tokens consumed.
     fn read(&mut self, raw: &[RawToken], at: usize, token: &RawToken) -> usize {
         let is_first = self.breaks > 0 || self.items.is_empty();
         match token.kind {
@@ -182,7 +183,7 @@ impl ItemReader<'_> {
         1
     }
 
-    /// What the directive at `at`, which takes up `span`, does to branches.
+    /// The effect on branches of the directive at `at`, which covers `span`.
     fn branch(&self, raw: &[RawToken], at: usize, span: Span) -> BranchDirective {
         let name = raw.iter().skip(at + 1).find(|t| t.kind == RawKind::Word);
         let name = name.filter(|n| n.span.end <= span.end);
@@ -202,7 +203,7 @@ impl ItemReader<'_> {
         self.blanks += self.column.saturating_sub(before);
     }
 
-    /// Moves the place on behind a text.
+    /// Advances line and column past a text.
     fn pass(&mut self, text: &str) {
         let bytes = text.as_bytes();
         for (i, byte) in bytes.iter().enumerate() {
@@ -213,7 +214,7 @@ impl ItemReader<'_> {
                     self.column = 0;
                 }
                 b'\t' => self.column += self.tab - self.column % self.tab.max(1),
-                // What continues a character has no width of its own.
+                // UTF-8 continuation bytes have no width.
                 0x80..0xc0 => {}
                 _ => self.column += 1,
             }
@@ -255,14 +256,14 @@ impl ItemReader<'_> {
             is_prefix,
             anchor: None,
         });
-        // A line break behind a backslash would join the lines.
+        // A line break after a backslash would join the lines.
         self.keeps_next = text.ends_with('\\');
         self.splices_next = false;
         (self.breaks, self.blanks) = (0, 0);
     }
 
-    /// Passes by what stands up to the directive that ends a branch which is never taken. Returns how
-    /// many raw tokens that are.
+    /// Skips to the directive that ends a branch which is never active. Returns the number of raw
+    /// tokens consumed.
     fn idle(&mut self, raw: &[RawToken], from: usize) -> usize {
         let mut depth = 0u32;
         let mut at = from;
@@ -307,7 +308,7 @@ impl ItemReader<'_> {
     }
 }
 
-/// How many raw tokens a directive has that starts at `at`, and where it stands.
+/// The number of raw tokens of the directive at `at`, and its span.
 fn directive(raw: &[RawToken], at: usize) -> (usize, Span) {
     let rest = raw.get(at..).unwrap_or(&[]);
     let line = rest.iter().take_while(|t| t.kind != RawKind::Newline);
@@ -336,7 +337,7 @@ fn is_never(text: &str) -> bool {
     condition.is_some_and(|c| c == "0" || c.starts_with("0 //") || c.starts_with("0 /*"))
 }
 
-/// What a raw token is, before macros are expanded.
+/// The token kind of a raw token, without macro expansion.
 fn meaning(kind: RawKind, text: &str) -> TokenKind {
     match kind {
         RawKind::Operator(kind) => kind,
@@ -358,7 +359,7 @@ fn word(text: &str) -> TokenKind {
     kind.unwrap_or(TokenKind::Identifier)
 }
 
-/// Whether an operator stands in front of its only operand.
+/// Whether an operator is a prefix operator.
 fn is_prefix(kind: ItemKind, before: &[FormatItem]) -> bool {
     use TokenKind::{Decrement, Increment, Minus, Not, Plus, Tilde};
     let ItemKind::Token(Plus | Minus | Increment | Decrement | Not | Tilde) = kind else {

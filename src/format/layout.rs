@@ -1,4 +1,4 @@
-//! Where lines end, and where they start.
+//! The layout pass: assigns a position to every item.
 
 use super::columns;
 use super::item::FormatItem;
@@ -9,7 +9,7 @@ use super::spacing::has_blank;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
 
-/// Gives every item its place.
+/// Assigns a position to every item.
 pub fn place(
     text: &str,
     items: &[FormatItem],
@@ -50,8 +50,8 @@ pub fn place(
     places
 }
 
-/// Column that statements outside functions start at, where something else stands around them: that
-/// of the first which starts a line.
+/// The column of statements outside functions, if the text is embedded in another: that of the
+/// first one that starts a line.
 fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32 {
     let is_outer = |(item, role): &(&FormatItem, &ItemRole)| {
         item.breaks > 0 && role.start == StatementStart::Statement && role.level == 0
@@ -65,7 +65,7 @@ fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32 {
     }
 }
 
-/// For each item, whether a blank stands before it in a line.
+/// By item: whether there is a space before it if it is on the same line.
 fn blanks(text: &str, items: &[FormatItem], roles: &[ItemRole]) -> Vec<bool> {
     let pairs = items.iter().zip(items.iter().skip(1));
     let pairs = pairs.zip(roles.iter().skip(1));

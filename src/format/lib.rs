@@ -1,14 +1,13 @@
-//! The formatter: decides on the white space between tokens, and on nothing else.
+//! The formatter: changes only the white space between tokens.
 //!
-//! A text is read as items: tokens, comments, and directives as a whole. Their bytes stay as they
-//! are, so that a shader cannot change; what is given back are edits of the gaps between them.
-//! Nothing is expanded and nothing is parsed to the end: what stands in branches of the preprocessor
-//! that are not taken is formatted as well, and a text with mistakes in it, too, as long as its
-//! brackets match.
+//! The input is split into items: tokens, comments and whole directives. Items are never changed,
+//! so that formatting cannot change a shader; the result is a list of edits of the gaps between
+//! items. Macros are not expanded and there is no full parse: inactive branches of the preprocessor
+//! are formatted, too, and so is code with errors, as long as its brackets match.
 //!
-//! The author's line breaks inside a statement stay where they are; a line that is too long gets
-//! more of them, at the outermost place where what stands before it fits (after D. Oppen,
-//! "Prettyprinting", 1980, inconsistent breaks).
+//! The author's line breaks within statements are kept. Lines that are too long are broken at the
+//! outermost position such that the part before it fits (after D. Oppen, "Prettyprinting", 1980,
+//! inconsistent breaks).
 
 mod columns;
 mod gaps;
@@ -32,18 +31,18 @@ pub use request::{Lines, TextExtent, Unformatted};
 use shaderlint_text::Edit;
 pub use style::{Brace, Indentation, Style, StyleChoice};
 
-/// The macro that tells the number of a line.
+/// The macro that expands to the current line number.
 const LINE_MACRO: &str = "__LINE__";
 
-/// Whether a text asks for the numbers of its lines, so that they may not change.
+/// Whether a text uses `__LINE__`, so that its line numbers must not change.
 pub fn counts_lines(text: &str) -> bool {
     text.contains(LINE_MACRO)
 }
 
-/// The edits that format a text, in order. Their spans count from the start of the text.
+/// The edits that format a text, in order. Spans are relative to the start of the text.
 ///
 /// # Errors
-/// Where a bracket has no partner or a comment no end, and where brackets nest too deeply.
+/// A bracket is unmatched, a comment is unterminated, or brackets nest too deeply.
 pub fn format(
     text: &str,
     style: &Style,

@@ -1,4 +1,4 @@
-//! Whether a line ends before an item.
+//! Decides where lines end.
 
 use super::columns;
 use super::item::{FormatItem, ItemKind};
@@ -9,21 +9,21 @@ use super::style::Brace;
 use shaderlint_syntax::TokenKind as T;
 use std::ops::Range;
 
-/// What stands between an item and the one before it.
+/// The gap between an item and the one before it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Gap {
     /// No line break.
     Line,
-    /// A line break; the line starts at the level of the item.
+    /// A line break; the line is indented to the level of the item.
     Level,
-    /// A line break inside a statement.
+    /// A line break within a statement.
     Inside,
-    /// What stood there.
+    /// The original white space.
     Kept,
 }
 
 impl LineLayout<'_> {
-    /// What stands before an item.
+    /// The gap before an item.
     pub(super) fn gap(&self, at: usize, item: &FormatItem) -> Gap {
         let Some(before) = self.before(at) else {
             return match (self.extent, item.breaks) {
@@ -54,7 +54,7 @@ impl LineLayout<'_> {
         if self.inline.is_some_and(|end| at <= end) {
             return Gap::Line;
         }
-        // A comment in front of what it is about, in one line with it.
+        // A comment stays on the line of the code that follows it.
         if before.is_comment() && item.breaks == 0 && self.begins_line(at - 1) {
             return Gap::Line;
         }
@@ -76,10 +76,11 @@ impl LineLayout<'_> {
         }
     }
 
-    /// Whether what starts here ends in this line, as far as the author set it in one.
+    /// Whether the construct that starts here fits on this line, as far as it was on one line in
+    /// the source.
     fn ends_here(&self, at: usize) -> bool {
         let end = self.role(at).end.map_or(at, |end| end as usize);
-        // A body that is of several lines anyway is measured up to the first.
+        // A body of several lines is measured up to its first line break.
         let items = self.items.iter().enumerate().take(end + 1).skip(at + 1);
         let mut lines = items.take(self.style.width as usize);
         let broken = lines.find(|(_, item)| item.breaks > 0).map(|(i, _)| i - 1);
@@ -114,7 +115,7 @@ impl LineLayout<'_> {
         let is_joined = match (before.is(T::RightBrace), was_inline) {
             (true, false) => self.style.brace == Brace::Same || is_do,
             (true, true) => stays || is_do,
-            // Behind a body without braces, in the line of its `if`.
+            // After a body without braces, on the line of its `if`.
             (false, _) => stays && self.statement_starts_line_with_head(),
         };
         match is_joined {
@@ -123,17 +124,17 @@ impl LineLayout<'_> {
         }
     }
 
-    /// Whether the last statement stands in the line of what controls it.
+    /// Whether the last statement is on the line of its header.
     fn statement_starts_line_with_head(&self) -> bool {
         !self.begins_line(self.statement)
             || self.role(self.statement).start == StatementStart::Statement
     }
 
-    /// Remembers what stays in one line.
+    /// Records what is kept on one line.
     pub(super) fn note(&mut self, at: usize, item: &FormatItem, gap: Gap) {
         if let Some(end) = self.inline.filter(|end| at > *end) {
             self.inline = None;
-            // What was set in one line is not broken for what follows it.
+            // Code kept on one line is not broken because of what follows it.
             self.scanned = self.scanned.max(end);
         }
         let start = self.role(at).start;
@@ -153,7 +154,7 @@ impl LineLayout<'_> {
         }
     }
 
-    /// Whether the block that opens here stays in one line that has come to `column`.
+    /// Whether the block that opens here is kept on one line, starting at `column`.
     fn stays_inline(&self, at: usize, column: u32) -> bool {
         let role = self.role(at);
         let (Some(open), Some(partner)) = (self.item(at), role.partner) else {
@@ -174,7 +175,7 @@ impl LineLayout<'_> {
         is_one_line && self.fits(at, partner, column)
     }
 
-    /// Whether a line of the source is of statements that may stand in one line.
+    /// Whether a source line consists of statements that may share a line.
     pub(super) fn is_row(&self, line: Range<usize>) -> bool {
         let role = self.role(line.start);
         let roles = self.roles.get(line.clone()).unwrap_or(&[]);
@@ -188,7 +189,7 @@ impl LineLayout<'_> {
         let comment = |i: usize| self.item(i).is_some_and(FormatItem::is_comment);
         let last = line.clone().rev().find(|i| !comment(*i));
         let column = self.base + role.level * self.style.indent.width();
-        // A blank more stands between statements than is counted.
+        // One more space is put between statements than is counted.
         let apart = statements.count() as u32;
         role.start == StatementStart::Statement
             && are_plain
@@ -196,7 +197,7 @@ impl LineLayout<'_> {
             && last.is_some_and(|last| self.fits(line.start, last, column + apart))
     }
 
-    /// Whether what the author set into the rest of the line fits into this one.
+    /// Whether the rest of the source line fits on the current line.
     fn line_fits(&self, at: usize, item: &FormatItem) -> bool {
         let items = self.items.iter().enumerate().skip(at);
         let line = items.take_while(|(_, i)| i.line == item.line && !i.ends_line());
@@ -204,15 +205,15 @@ impl LineLayout<'_> {
         self.fits(at, line.last().map_or(at, |(i, _)| i), self.end + 1)
     }
 
-    /// Whether the items stand in one line without more ado and end within the width, where the first
-    /// starts at `column`.
+    /// Whether a range of items fits on one line without line breaks, if the first starts at
+    /// `column`.
     fn fits(&self, from: usize, to: usize, column: u32) -> bool {
         let parts = |i: &FormatItem| i.parts_lines() || i.keeps;
         let items = self.items.get(from..=to).unwrap_or(&[]);
         let end = |i: usize| self.ends.get(i).copied().unwrap_or(0);
         let first = self.item(from).map_or(0, |i| i.width);
         let width = end(to) - end(from) + first;
-        // What is too wide need not be looked at, which keeps the work linear.
+        // The width is checked first, which keeps the total time linear.
         column + width <= self.style.width && !items.iter().any(parts)
     }
 }

@@ -1,4 +1,4 @@
-//! Where a line is broken that is too long.
+//! Breaks lines that are too long.
 
 use super::place::{ItemPlace, LineLayout};
 use super::request::Lines;
@@ -7,7 +7,7 @@ use super::structure::StatementStart;
 use shaderlint_syntax::TokenKind as T;
 
 impl LineLayout<'_> {
-    /// Breaks the line that has become too long with an item.
+    /// Breaks the current line if an item exceeds the width.
     pub(super) fn fit(&mut self, at: usize) {
         if self.end <= self.style.width || self.lines == Lines::Kept || self.inline.is_some() {
             return;
@@ -29,7 +29,7 @@ impl LineLayout<'_> {
         }
     }
 
-    /// Starts a new line with an item that the author has not set into one.
+    /// Starts a new line before an item, although the source does not.
     fn break_before(&mut self, at: usize) {
         let Some(item) = self.items.get(at) else {
             return;
@@ -48,8 +48,8 @@ impl LineLayout<'_> {
         self.finish(item, column);
     }
 
-    /// The outermost place, and the last of those, where the line may be broken before `at` ends so
-    /// that what stands before fits and is no mere stub; else the first place.
+    /// The best position to break the line before the end of `at`: the outermost one, and the last
+    /// of several, such that the part before it fits and is not too short; if none fits, the first.
     fn best_break(&self, at: usize) -> Option<usize> {
         let start = self.line_column();
         let width = self.style.width;
@@ -66,14 +66,14 @@ impl LineLayout<'_> {
         candidates.min().map(|(_, i)| i)
     }
 
-    /// How bad it is to break a line before an item; `None` where it may not be.
+    /// The cost of a line break before an item; `None` where it is not allowed.
     fn cost(&self, at: usize) -> Option<u32> {
         let (item, before, role) = (self.item(at)?, self.before(at)?, self.role(at));
         let (kind, before_kind) = (item.token()?, before.token()?);
         if role.start != StatementStart::Nothing || item.keeps || self.labels(at) {
             return None;
         }
-        /// More than any other; a statement has at most 200 brackets inside one another.
+        /// Higher than any other cost; a statement has at most 200 nested brackets.
         const LAST: u32 = 1 << 16;
         let inner = match before_kind {
             _ if kind == T::Semicolon => return None,
@@ -87,7 +87,7 @@ impl LineLayout<'_> {
         Some(role.depth * 32 + inner)
     }
 
-    /// Whether the item belongs to a label.
+    /// Whether an item belongs to a label.
     fn labels(&self, at: usize) -> bool {
         self.role(at).is_label || self.role(self.statement).start == StatementStart::Label
     }

@@ -1,4 +1,4 @@
-//! Where each item goes: what has been set so far, line by line.
+//! The position of each item, assigned line by line.
 
 use super::item::{FormatItem, ItemKind};
 use super::request::{Lines, TextExtent};
@@ -7,27 +7,27 @@ use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
 use shaderlint_syntax::TokenKind as T;
 
-/// Most empty lines in a row.
+/// Maximum number of consecutive empty lines.
 const MAX_EMPTY: u32 = 2;
 
-/// Where an item goes.
+/// The position of an item.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ItemPlace {
-    /// Line breaks before it.
+    /// The number of line breaks before it.
     pub breaks: u32,
-    /// Column that it starts at.
+    /// The column at which it starts.
     pub column: u32,
-    /// Levels that its line is indented by, where it is the first of it.
+    /// The indentation level of its line, if it is the first item.
     pub level: u32,
-    /// Number of its line among those that are set.
+    /// The index of its line in the output.
     pub line: u32,
-    /// Whether the white space before it stays.
+    /// Whether the white space before it is kept.
     pub keeps: bool,
-    /// The item in a line above that its own is lined up with.
+    /// The item on a previous line with which its line is aligned.
     pub hangs_on: Option<u32>,
 }
 
-/// What has been set so far.
+/// The state of the layout: the items placed so far.
 pub struct LineLayout<'a> {
     pub items: &'a [FormatItem],
     pub roles: &'a [ItemRole],
@@ -35,26 +35,27 @@ pub struct LineLayout<'a> {
     pub extent: TextExtent,
     pub lines: Lines,
     pub base: u32,
-    /// For each item, whether it starts a statement that stays behind another.
+    /// By item: whether it starts a statement that stays on the same line as the previous one.
     pub in_rows: Vec<bool>,
     pub blanks: Vec<bool>,
-    /// Where each item would end if all stood in one line.
+    /// By item: the column of its end if all items were on one line.
     pub ends: Vec<u32>,
     pub places: Vec<ItemPlace>,
-    /// Of each line: its first item.
+    /// By line: its first item.
     pub starts: Vec<usize>,
-    /// By bracket, and by what starts the line: the last item that a line inside it started with.
+    /// By bracket and kind of line start: the item that started the last such line inside the
+    /// bracket.
     pub siblings: Vec<[Option<usize>; 3]>,
-    /// Column behind the last item.
+    /// The column after the last item.
     pub end: u32,
-    /// The item that the statement starts with, and the column of its line.
+    /// The first item of the current statement, and the column of its line.
     pub statement: usize,
     pub statement_column: u32,
-    /// The last item of the block that stands in one line.
+    /// The last item of the block that is kept on one line.
     pub inline: Option<usize>,
-    /// The line of the source whose statements stay behind their label.
+    /// The source line whose statements stay on the line of their label.
     pub labelled: Option<u32>,
-    /// Items before this one need not be looked at to break a line again.
+    /// Lines may only be broken before items after this one.
     pub scanned: usize,
 }
 
@@ -91,11 +92,11 @@ impl LineLayout<'_> {
         self.starts.last() == Some(&at)
     }
 
-    /// Level of an item that starts a line.
+    /// The indentation level of an item that starts a line.
     pub(super) fn level(&self, at: usize, item: &FormatItem) -> u32 {
         let role = self.role(at);
         match item.kind {
-            // What stands at the margin stays there; else it goes with the code around it.
+            // Directives at the margin stay there; others are indented like the code around them.
             ItemKind::Directive(_) if item.column <= self.base => 0,
             _ => role.level,
         }
@@ -157,7 +158,7 @@ impl LineLayout<'_> {
 
     pub(super) fn go_on(&mut self, at: usize, item: &FormatItem) {
         let blank = self.blanks.get(at).copied().unwrap_or(false);
-        // Statements in one line stand apart.
+        // Statements on one line are separated by an additional space.
         let apart = u32::from(self.is_in_row(at));
         let column = self.end + u32::from(blank) + apart;
         let line = self.starts.len().saturating_sub(1) as u32;
@@ -175,7 +176,7 @@ impl LineLayout<'_> {
     pub(super) fn start_line(&mut self, at: usize, item: &FormatItem, column: u32, level: u32) {
         let breaks = match (self.lines, self.extent) {
             (Lines::Kept, _) => item.breaks,
-            // What stands before a file starts it.
+            // No empty lines at the start of a file.
             (Lines::Free, TextExtent::File) if at == 0 => 0,
             (Lines::Free, _) => item.breaks.clamp(1, MAX_EMPTY + 1),
         };
@@ -192,15 +193,15 @@ impl LineLayout<'_> {
         self.finish(item, column);
     }
 
-    /// The last item that started a line as this one does.
+    /// The item that last started a line of the same kind in the same bracket.
     pub(super) fn sibling(&mut self, at: usize) -> Option<&mut Option<usize>> {
         let bracket = self.role(at).bracket.map_or(0, |b| b as usize + 1);
         let sort = self.sort_of_line(at);
         self.siblings.get_mut(bracket)?.get_mut(sort)
     }
 
-    /// What a line inside a statement starts with: an operator, an operand behind one, or one more
-    /// of a list.
+    /// The kind of a line start within a statement: an operator, an operand after one, or another
+    /// list element.
     fn sort_of_line(&self, at: usize) -> usize {
         let token = |i: Option<&FormatItem>| i.and_then(FormatItem::token);
         let before = token(self.before(at));
@@ -213,7 +214,8 @@ impl LineLayout<'_> {
         }
     }
 
-    /// Whether an item starts a statement that stays behind another, as a part of a table.
+    /// Whether an item starts a statement that stays on the same line as the previous one, as part
+    /// of a table.
     pub(super) fn is_in_row(&self, at: usize) -> bool {
         self.in_rows.get(at) == Some(&true)
     }

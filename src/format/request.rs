@@ -1,30 +1,30 @@
-//! What is asked of the formatter besides a style, and why it may refuse.
+//! Formatter requests other than style, and the reason for a refusal.
 
 use shaderlint_text::Span;
 
 /// What a text is part of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TextExtent {
-    /// A file of its own: blank lines at both ends go, the last line is ended.
+    /// A file: empty lines at both ends are removed, and the last line is terminated.
     File,
-    /// A part of a text in another language: what stands around it stays.
+    /// Code embedded in another text, which is not changed.
     Inside,
 }
 
-/// What becomes of line breaks.
+/// How line breaks are treated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Lines {
-    /// Statements get lines of their own.
+    /// Every statement starts a new line.
     Free,
-    /// Every token stays in its line, as its number is asked for: `__LINE__`.
+    /// Every token stays on its line, because `__LINE__` is used.
     Kept,
 }
 
-/// Why a text is not formatted.
+/// Why a text cannot be formatted.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unformatted {
-    /// Where, in bytes from the start of the text.
+    /// The byte range in the text.
     pub span: Span,
-    /// What is wrong there.
+    /// The error message.
     pub message: String,
 }

@@ -1,11 +1,11 @@
-//! Whether a blank stands between two items of one line.
+//! Whether there is a space between two items of a line.
 
 use super::item::{FormatItem, ItemKind};
 use super::structure::ItemRole;
 use shaderlint_syntax::TokenKind as T;
 use shaderlint_syntax::set::{ASSIGNMENTS, TokenSet};
 
-/// What sticks to what stands before it.
+/// Tokens without a space before them.
 const STICKS: TokenSet = TokenSet::of(&[
     T::Semicolon,
     T::Comma,
@@ -14,9 +14,9 @@ const STICKS: TokenSet = TokenSet::of(&[
     T::Dot,
     T::LeftBracket,
 ]);
-/// What the next sticks to.
+/// Tokens without a space after them.
 const HOLDS: TokenSet = TokenSet::of(&[T::LeftParen, T::LeftBracket, T::Dot]);
-/// Words that a blank parts from the parentheses behind them.
+/// Keywords with a space before the parenthesis that follows.
 const BEFORE_BLANK: TokenSet = TokenSet::of(&[
     T::If,
     T::For,
@@ -32,7 +32,7 @@ const BEFORE_BLANK: TokenSet = TokenSet::of(&[
     T::Const,
 ]);
 
-/// Whether a blank stands between an item and the one before it. `text` is that of the file.
+/// Whether there is a space between an item and the one before it. `text` is the source text.
 pub fn has_blank(text: &str, before: &FormatItem, item: &FormatItem, role: &ItemRole) -> bool {
     let fuses = || item.breaks + item.blanks > 0 && may_fuse(text, before, item);
     match (before.kind, item.kind) {
@@ -72,7 +72,7 @@ fn between(
     }
 }
 
-/// Whether parentheses behind a token belong to it.
+/// Whether a parenthesis after this token has no space before it, as in a call.
 fn is_called(before: T) -> bool {
     let is_operator = before.is_binary_operator()
         || is_assignment(before)
@@ -81,7 +81,7 @@ fn is_called(before: T) -> bool {
     !is_operator && !is_brace && !BEFORE_BLANK.contains(before)
 }
 
-/// Whether a token assigns.
+/// Whether a token is an assignment operator.
 pub fn is_assignment(kind: T) -> bool {
     ASSIGNMENTS.contains(kind)
         || matches!(
@@ -95,7 +95,7 @@ pub fn is_assignment(kind: T) -> bool {
         )
 }
 
-/// Whether two items without anything between them might be read as another token.
+/// Whether two adjacent items would be lexed as a different token.
 fn may_fuse(text: &str, before: &FormatItem, item: &FormatItem) -> bool {
     let bytes = text.as_bytes();
     let last = before.span.end.checked_sub(1);
@@ -108,7 +108,7 @@ fn may_fuse(text: &str, before: &FormatItem, item: &FormatItem) -> bool {
     (is_word(a) && is_word(b)) || (is_operator(a) && is_operator(b))
 }
 
-/// How tightly an operator binds, the loosest first (section 5.1).
+/// The precedence of a binary operator, lowest first (GLSL ES 3.00 section 5.1).
 pub fn precedence(kind: T) -> Option<u32> {
     Some(match kind {
         T::Question | T::Colon => 4,

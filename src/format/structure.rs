@@ -1,56 +1,56 @@
-//! Where statements begin, and how deep: read off brackets, semicolons and the words of control
-//! flow, of all branches of the preprocessor.
+//! The statement structure of a text: where statements start, and their nesting, derived from
+//! brackets, semicolons and control-flow keywords, in all branches of the preprocessor.
 
 use super::item::{BranchDirective, FormatItem, ItemKind};
 use super::request::Unformatted;
 use shaderlint_syntax::TokenKind as T;
 
-/// Most brackets, bodies without braces and conditions of the preprocessor inside one another.
+/// Maximum nesting of brackets, bodies without braces and preprocessor conditionals.
 const MAX_DEPTH: usize = 200;
 
-/// What an item is to the statement that it belongs to.
+/// The role of an item in its statement.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ItemRole {
     pub start: StatementStart,
-    /// Levels that a line is indented by that starts with it.
+    /// The indentation level of a line that starts with it.
     pub level: u32,
-    /// Brackets around it inside its statement, braces of blocks left out.
+    /// The number of brackets around it within its statement, not counting the braces of blocks.
     pub depth: u32,
-    /// The innermost of them.
+    /// The innermost of these brackets.
     pub bracket: Option<u32>,
-    /// Of a bracket: the one that belongs to it.
+    /// The matching bracket, if it is a bracket.
     pub partner: Option<u32>,
-    /// Of what starts a body, of `else` and of the `while` of `do`: the last item of it.
+    /// The last item of the construct that starts here: a body, `else`, or the `while` of a `do`.
     pub end: Option<u32>,
     /// Whether it is the `:` of a label.
     pub is_label: bool,
 }
 
-/// What starts at an item.
+/// The construct that starts at an item.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum StatementStart {
-    /// Nothing: it goes on with its statement.
+    /// None: the item continues a statement.
     #[default]
     Nothing,
     Statement,
-    /// A label of `switch`.
+    /// A `switch` label.
     Label,
-    /// The body of an `if` or a loop, without braces.
+    /// The body of an `if` or loop, without braces.
     Body,
-    /// `else`, or the `while` of `do`.
+    /// `else`, or the `while` of a `do`.
     Tail,
-    /// The brace that opens the block of what stands before it.
+    /// The opening brace of a block that belongs to the code before it.
     Open,
-    /// A brace that closes a block.
+    /// The closing brace of a block.
     Close,
     /// A comment between statements.
     Comment,
 }
 
-/// What each item is.
+/// The role of each item.
 ///
 /// # Errors
-/// Where a bracket has no partner, and where they nest too deeply.
+/// A bracket is unmatched, or brackets nest too deeply.
 pub fn read(items: &[FormatItem]) -> Result<Vec<ItemRole>, Unformatted> {
     let mut reader = StructureReader {
         items,
@@ -76,7 +76,7 @@ pub fn read(items: &[FormatItem]) -> Result<Vec<ItemRole>, Unformatted> {
 
 #[derive(Clone)]
 struct FrameState {
-    /// The innermost last; the first is that of the file.
+    /// The open blocks and brackets, innermost last; the first is the file.
     frames: Vec<OpenFrame>,
 }
 
@@ -89,12 +89,12 @@ enum OpenFrame {
 #[derive(Clone)]
 struct OpenBlock {
     open: Option<u32>,
-    /// Level of its statements.
+    /// The indentation level of its statements.
     level: u32,
-    /// Whether statements stand behind a label of it.
+    /// Whether a label of this block precedes the current statement.
     is_labelled: bool,
     at: StatementPoint,
-    /// What controls the statement that stands here: `if (a) for (;;) ...` are two.
+    /// The enclosing headers without braces: `if (a) for (;;) ...` has two.
     controls: Vec<ControlKind>,
 }
 
@@ -102,11 +102,11 @@ struct OpenBlock {
 enum StatementPoint {
     /// Between statements.
     Between,
-    /// In a statement; whether its braces hold declarations, and belong to it.
+    /// In a statement; `declares` if its braces contain declarations and belong to it.
     Inside { declares: bool },
-    /// Behind a word that parentheses follow.
+    /// After a keyword that is followed by parentheses.
     Header(StatementHead),
-    /// Where the body of the innermost control belongs.
+    /// Where the body of the innermost header is expected.
     Body,
     /// In a label.
     Label { questions: u32 },
@@ -116,7 +116,7 @@ enum StatementPoint {
 enum StatementHead {
     /// `if`, `for`, `while`, `switch`
     Body,
-    /// `while` behind the body of `do`
+    /// The `while` after the body of a `do`.
     DoWhile,
 }
 
@@ -124,7 +124,7 @@ enum StatementHead {
 struct ControlKind {
     kind: T,
     level: u32,
-    /// The word itself, and the first item of its body.
+    /// The keyword, and the first item of its body.
     word: u32,
     body: Option<u32>,
 }
@@ -133,7 +133,7 @@ struct ControlKind {
 struct Bracket {
     open: u32,
     closer: T,
-    /// How many brackets of its statement are open, with this one.
+    /// The number of open brackets of its statement, including this one.
     depth: u32,
     head: Option<StatementHead>,
 }
@@ -149,17 +149,17 @@ impl OpenBlock {
         }
     }
 
-    /// Level of a statement that starts here.
+    /// The indentation level of a statement that starts here.
     fn statement_level(&self) -> u32 {
         self.level + u32::from(self.is_labelled)
     }
 }
 
-/// A condition of the preprocessor that is open.
+/// An open preprocessor conditional.
 struct Branches {
-    /// What stood before it.
+    /// The state before it.
     before: FrameState,
-    /// What stood at the end of its first branch.
+    /// The state at the end of its first branch.
     after_first: Option<FrameState>,
 }
 
@@ -168,7 +168,7 @@ struct StructureReader<'a> {
     roles: Vec<ItemRole>,
     state: FrameState,
     branches: Vec<Branches>,
-    /// Comments between statements whose level is that of what follows.
+    /// Comments between statements, indented like the code that follows.
     comments: Vec<u32>,
     /// The last token.
     last: u32,
@@ -188,7 +188,7 @@ impl StructureReader<'_> {
         if self.roles.len() <= at {
             self.roles.resize(at + 1, ItemRole::default());
         }
-        #[expect(clippy::indexing_slicing, reason = "made as long as that above")]
+        #[expect(clippy::indexing_slicing, reason = "resized above")]
         &mut self.roles[at]
     }
 
@@ -203,7 +203,7 @@ impl StructureReader<'_> {
                 OpenFrame::Bracket(bracket) => Some(bracket.open),
             });
         if let Some(open) = open {
-            return self.error(open, "this bracket is never closed");
+            return self.error(open, "unclosed bracket");
         }
         self.settle_comments(0);
         self.settle(None);
@@ -212,7 +212,7 @@ impl StructureReader<'_> {
 
     fn token(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
         if self.state.frames.len() + self.controls() > MAX_DEPTH {
-            return self.error(at, "the code nests too deeply from here on");
+            return self.error(at, "the code is nested too deeply");
         }
         match self.state.frames.last() {
             Some(OpenFrame::Bracket(_)) => self.in_bracket(at, kind),
@@ -237,7 +237,7 @@ impl StructureReader<'_> {
         })
     }
 
-    /// Gives an item that starts nothing its brackets.
+    /// Records the brackets around an item that starts no construct.
     fn inner(&mut self, at: u32) {
         let (depth, innermost) = match self.state.frames.last() {
             Some(OpenFrame::Bracket(bracket)) => (bracket.depth, Some(bracket.open)),
@@ -274,11 +274,11 @@ impl StructureReader<'_> {
 
     fn close_bracket(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
         let Some(OpenFrame::Bracket(bracket)) = self.state.frames.last() else {
-            return self.error(at, "this bracket closes nothing");
+            return self.error(at, "unmatched closing bracket");
         };
         let (open, head) = (bracket.open, bracket.head);
         if bracket.closer != kind {
-            return self.error(open, "this bracket is never closed");
+            return self.error(open, "unclosed bracket");
         }
         self.inner(at);
         self.role(at).partner = Some(open);
@@ -336,13 +336,13 @@ impl StructureReader<'_> {
         Ok(())
     }
 
-    /// Goes on in a statement.
+    /// Continues a statement.
     fn inside(&mut self, at: u32, kind: T, declares: bool) -> Result<(), Unformatted> {
         match kind {
             T::LeftParen | T::LeftBracket => self.open_bracket(at, kind, None),
             T::LeftBrace if self.is_list() => self.open_bracket(at, kind, None),
             T::LeftBrace => {
-                // The head of a function may declare a struct.
+                // A function header may contain a struct declaration.
                 let last = self.items.get(self.last as usize);
                 if last.is_some_and(|last| last.is(T::RightParen))
                     && let Some(block) = self.block()
@@ -354,7 +354,7 @@ impl StructureReader<'_> {
             }
             T::RightBrace => return self.close_block(at),
             T::RightParen | T::RightBracket => {
-                return self.error(at, "this bracket closes nothing");
+                return self.error(at, "unmatched closing bracket");
             }
             T::Semicolon => {
                 self.inner(at);
@@ -373,7 +373,7 @@ impl StructureReader<'_> {
         Ok(())
     }
 
-    /// Whether a brace here holds values.
+    /// Whether the current brace opens an initialiser list or the like.
     fn is_list(&self) -> bool {
         let last = self
             .items
@@ -382,7 +382,7 @@ impl StructureReader<'_> {
         matches!(last, Some(T::Equal | T::RightBracket))
     }
 
-    /// Starts what stands where a statement may start.
+    /// Starts a construct where a statement may start.
     fn start(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
         let tail = self.settle(Some(kind));
         if let Some(level) = tail {
@@ -396,7 +396,7 @@ impl StructureReader<'_> {
         }
         let last = self.roles.get(self.last as usize);
         if kind == T::LeftBrace && last.is_some_and(|last| last.is_label) {
-            // The block of a label is set as that of any other head.
+            // The block of a label is indented like any other block.
             let level = self.block().map_or(0, |b| b.level);
             self.open_block(at, StatementStart::Open, level);
             return Ok(());
@@ -412,14 +412,14 @@ impl StructureReader<'_> {
         self.settle_comments(level);
     }
 
-    /// Gives the comments before a line its level.
+    /// Sets the level of the comments before a line.
     fn settle_comments(&mut self, level: u32) {
         for comment in std::mem::take(&mut self.comments) {
             self.role(comment).level = level;
         }
     }
 
-    /// Starts what is controlled by a word, behind which `next` is expected.
+    /// Opens a control-flow construct, after whose keyword `next` is expected.
     fn control(&mut self, at: u32, kind: T, level: u32, next: StatementPoint) {
         if let Some(block) = self.block() {
             block.controls.push(ControlKind {
@@ -443,7 +443,7 @@ impl StructureReader<'_> {
             T::RightBrace => return self.close_block(at),
             T::Case | T::Default => return self.label(at),
             T::RightParen | T::RightBracket => {
-                return self.error(at, "this bracket closes nothing");
+                return self.error(at, "unmatched closing bracket");
             }
             _ => self.set_start(at, start, level),
         }
@@ -486,7 +486,7 @@ impl StructureReader<'_> {
         Ok(())
     }
 
-    /// Starts the body of a control.
+    /// Starts the body of a control-flow construct.
     fn body(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
         let Some(block) = self.block() else {
             return Ok(());
@@ -521,7 +521,7 @@ impl StructureReader<'_> {
     fn close_block(&mut self, at: u32) -> Result<(), Unformatted> {
         let open = self.block().and_then(|b| b.open);
         let Some(open) = open else {
-            return self.error(at, "this bracket closes nothing");
+            return self.error(at, "unmatched closing bracket");
         };
         self.settle(None);
         let inner = self.block().map_or(0, |b| b.statement_level());
@@ -542,8 +542,8 @@ impl StructureReader<'_> {
         Ok(())
     }
 
-    /// Ends the controls whose statements are over before what comes next. Gives the level of the
-    /// control that goes on with it.
+    /// Closes the control-flow constructs that end before the next token. Returns the level of the
+    /// construct that continues with it (`else`, or the `while` of a `do`).
     fn settle(&mut self, next: Option<T>) -> Option<u32> {
         let owner = match next {
             Some(T::Else) => T::If,
@@ -588,7 +588,7 @@ impl StructureReader<'_> {
         self.settle_comments(level);
         match directive {
             BranchDirective::Opens if self.branches.len() > MAX_DEPTH => {
-                return self.error(at, "conditions nest too deeply from here on");
+                return self.error(at, "`#if` groups are nested too deeply");
             }
             BranchDirective::Opens => self.branches.push(Branches {
                 before: self.state.clone(),

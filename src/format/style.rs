@@ -1,34 +1,34 @@
-//! What can be chosen of the style.
+//! Style options.
 
-/// How code is set.
+/// The formatting style.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Style {
-    /// What a level is indented by.
+    /// The indentation per level.
     pub indent: Indentation,
-    /// How many characters a line should have at most.
+    /// Maximum line width in characters; longer lines are broken where possible.
     pub width: u32,
-    /// Where the brace of a block stands.
+    /// The position of opening braces.
     pub brace: Brace,
 }
 
-/// What a level is indented by.
+/// The indentation per level.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Indentation {
-    /// So many blanks.
+    /// This many spaces.
     Spaces(u32),
-    /// A tab, which is so wide.
+    /// A tab, displayed with this width.
     Tab(u32),
 }
 
-/// Where the brace of a block stands.
+/// The position of opening braces.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum Brace {
-    /// In the line of what it belongs to.
+    /// On the same line as the header.
     #[default]
     Same,
-    /// In the next line.
+    /// On the next line.
     Next,
 }
 
@@ -42,19 +42,19 @@ impl Default for Style {
     }
 }
 
-/// What somebody says of the style; of the rest nothing is said.
+/// Style options that may be set; `None` for the others.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct StyleChoice {
-    /// What a level is indented by.
+    /// The indentation per level.
     pub indent: Option<Indentation>,
-    /// How many characters a line should have at most.
+    /// Maximum line width in characters.
     pub width: Option<u32>,
-    /// Where the brace of a block stands.
+    /// The position of opening braces.
     pub brace: Option<Brace>,
 }
 
 impl StyleChoice {
-    /// What this says, and of the rest what another says.
+    /// These options, with `other` for those that are not set.
     pub fn or(self, other: StyleChoice) -> StyleChoice {
         StyleChoice {
             indent: self.indent.or(other.indent),
@@ -63,7 +63,7 @@ impl StyleChoice {
         }
     }
 
-    /// The style that it asks for.
+    /// The style with these options, and defaults for the others.
     pub fn style(self) -> Style {
         let usual = Style::default();
         Style {
@@ -75,7 +75,7 @@ impl StyleChoice {
 }
 
 impl Indentation {
-    /// Columns of a level.
+    /// The width of a level in columns.
     pub fn width(self) -> u32 {
         match self {
             Indentation::Spaces(width) | Indentation::Tab(width) => width,

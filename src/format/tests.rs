@@ -1,4 +1,4 @@
-//! Small texts, and what becomes of them.
+//! Tests of the formatter on short texts.
 
 use super::*;
 use shaderlint_text::apply_edits;
@@ -19,7 +19,7 @@ fn check(text: &str, expected: &str) {
     assert_eq!(formatted(text, &Style::default()), expected);
 }
 
-/// Of the statements of a function.
+/// Checks the formatting of statements in a function.
 #[track_caller]
 fn body(text: &str, expected: &str) {
     let lines: Vec<String> = expected.lines().map(|l| format!("    {l}\n")).collect();
@@ -233,5 +233,5 @@ fn what_does_not_match_is_refused() {
     }
     let deep = "(".repeat(300);
     let why = format(&deep, &Style::default(), TextExtent::File, Lines::Free).unwrap_err();
-    assert_eq!(why.message, "the code nests too deeply from here on");
+    assert_eq!(why.message, "the code is nested too deeply");
 }

@@ -1,12 +1,13 @@
-//! Hosts: who runs a shader or completes it before a browser sees it, a site, a tool or a library.
-//! Each is a file of GLSL with facts in its head, those of `presets/` and those that users write
-//! alike. This is the only table of them: checking, running and porting read it.
+//! Hosts: sites, tools and libraries that run a shader, or complete it before the browser compiles
+//! it. Each is a GLSL file with facts in its header. Presets in `presets/` and hosts written by
+//! users have the same form. This is the only table of hosts: checking, running and porting use it.
 //!
-//! The head is made of line comments: the name in its first line, a paragraph of what the host does,
-//! and lines `key: value`. What follows is put before the shaders, with `VERTEX_SHADER` or
-//! `FRAGMENT_SHADER` defined. A comment `// = time` behind a declaration says what the host sets the
-//! name to ([`Meanings`]), comments `/// ...` before it what editors show of it; names that shaders declare themselves are written between
-//! `#ifdef SHADER_DECLARES` and `#endif`, which is put before none.
+//! The header consists of line comments: the title in the first line, a description, and lines
+//! `key: value`. The rest of the file is put before the shaders, with `VERTEX_SHADER` or
+//! `FRAGMENT_SHADER` defined. A comment `// = time` after a declaration states the value that the
+//! host sets ([`Meanings`]), comments `/// ...` before it are shown by editors. Names that the
+//! shaders declare themselves are between `#ifdef SHADER_DECLARES` and `#endif`, which are not put
+//! before any shader.
 
 mod list;
 mod meaning;
@@ -22,15 +23,15 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// What version of the language a host compiles as.
+/// The version of GLSL that a host compiles shaders as.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum HostVersion {
-    /// Either, as its user asks.
+    /// GLSL ES 1.00 or 3.00, as configured by its user.
     #[default]
     Any,
-    /// What the text's own `#version` says; the host puts its declarations behind that.
+    /// The version in the shader's own `#version`; the host puts its declarations after that line.
     Own,
-    /// GLSL of desktops, which is compiled as GLSL ES 3.00 in its place.
+    /// Desktop GLSL, which is compiled as GLSL ES 3.00 instead.
     Desktop,
     /// GLSL ES 1.00.
     Es100,
@@ -41,100 +42,100 @@ pub enum HostVersion {
 impl fmt::Display for HostVersion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            HostVersion::Any => "either version, as its user asks",
-            HostVersion::Own => "what the `#version` of the text says",
-            HostVersion::Desktop => "GLSL for desktops, here as GLSL ES 3.00",
+            HostVersion::Any => "GLSL ES 1.00 or 3.00, as configured",
+            HostVersion::Own => "the `#version` of the shader",
+            HostVersion::Desktop => "desktop GLSL, checked as GLSL ES 3.00",
             HostVersion::Es100 => "GLSL ES 1.00",
-            HostVersion::Es300 => "GLSL ES 3.00, whatever the text says",
+            HostVersion::Es300 => "GLSL ES 3.00, regardless of `#version`",
         })
     }
 }
 
-/// A host.
+/// A site or library that runs or completes shaders.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Preset {
-    /// How configurations and `--host` name it; empty for one that a user wrote.
+    /// The name in configurations and for `--host`; empty for a host written by a user.
     pub name: &'static str,
-    /// Other names by which it is found.
+    /// Alternative names.
     pub aliases: Vec<String>,
-    /// How people name it.
+    /// The name in prose.
     pub title: String,
-    /// What a shader of it is called, where that is not the title.
+    /// What a shader of this host is called in messages; empty if it is the title.
     pub reads: String,
-    /// The host that it builds on: its declarations are put before its own.
+    /// The host that this one extends: its declarations are put first.
     pub base: Option<&'static str>,
-    /// What it does, in sentences.
+    /// The description, in Markdown paragraphs.
     pub about: String,
-    /// Where its facts come from.
+    /// The files or documents that the facts come from.
     pub source: String,
-    /// The packages that say that it is there; one that ends with `/` is a scope.
+    /// npm packages that indicate this host; one that ends with `/` is a scope.
     pub packages: Vec<String>,
-    /// Names that only this host declares; `*` at the end stands for anything.
+    /// Names that only this host declares; a trailing `*` matches any suffix.
     pub words: Vec<String>,
-    /// Names of JavaScript under which a page without modules has it.
+    /// JavaScript globals of this host in pages without modules.
     pub globals: Vec<String>,
-    /// How it writes what it includes.
+    /// Its include syntax.
     pub includes: String,
-    /// How it writes what it puts in, each as `START...END`.
+    /// Its placeholders, each as `START...END`.
     pub holes: Vec<String>,
-    /// What it compiles as.
+    /// The version that it compiles as.
     pub version: HostVersion,
-    /// Whether it declares nothing else, so that another unknown name is a mistake.
+    /// Whether it declares no other names, so that an unknown name is an error.
     pub is_complete: bool,
-    /// Names of JavaScript by which a script hands it texts to which it adds nothing else, so that
-    /// another unknown name is a mistake in those.
+    /// JavaScript names that receive shaders to which the host adds nothing else, so that an
+    /// unknown name in these is an error.
     pub complete: Vec<String>,
-    /// Names of JavaScript by which a script changes such texts all the same.
+    /// JavaScript names whose use means that such shaders are modified nevertheless.
     pub patched: Vec<String>,
-    /// Names that it declares depending on what is drawn, with types that are not known; `*` at the
-    /// end stands for anything.
+    /// Names that it declares depending on what is drawn, with unknown types; a trailing `*`
+    /// matches any suffix.
     pub also: Vec<String>,
-    /// Whether it takes texts with a `#version` and puts its own in the place of that.
+    /// Whether it accepts shaders with a `#version` and replaces it by its own.
     pub takes_version: bool,
-    /// Whether it takes GLSL of desktops besides.
+    /// Whether it accepts desktop GLSL as well.
     pub takes_desktop: bool,
-    /// Whether it gives other names to what a text declares.
+    /// Whether it renames the declarations of a shader.
     pub renames: bool,
-    /// Whether what it puts around a text depends on that, so that a text is checked as what it
-    /// becomes.
+    /// Whether its declarations depend on the shader, so that a shader is checked in its completed
+    /// form.
     pub composes: bool,
-    /// What names of files with its passes end with.
+    /// Extensions of files that contain its passes.
     pub endings: Vec<String>,
-    /// Directives that it obeys before the text is compiled; `*` at the end stands for anything.
+    /// Directives that it processes before compilation; a trailing `*` matches any suffix.
     pub directives: Vec<String>,
     /// The functions that it calls.
     pub entries: Vec<String>,
-    /// What further shows it in a text.
+    /// Further evidence for this host in a shader.
     pub signs: Vec<TextSign>,
-    /// What is said of its names, by their comments: `/// The seconds since the start.`
+    /// Documentation of its names, from comments `/// The seconds since the start.`
     pub said: BTreeMap<String, String>,
-    /// What the names mean that it sets, those of its base last.
+    /// The values of the names that it sets; those of its base come last.
     pub meanings: Meanings,
-    /// What it puts before the shaders.
+    /// The declarations that it puts before shaders.
     pub prelude: String,
-    /// Where in that its own part starts, behind that of its base.
+    /// Offset in `prelude` at which its own part starts, after that of its base.
     pub own_start: usize,
 }
 
-/// Words of a text that together show a host.
+/// Words that together indicate a host.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TextSign {
-    /// The words; the first is told.
+    /// The words; the first is shown in messages.
     pub words: Vec<String>,
-    /// How much they show.
+    /// The strength of the evidence.
     pub weight: u8,
 }
 
-/// A line of a head that cannot be read: its number, and what is wrong with it.
+/// An invalid line in the header of a host file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct HeadError {
-    /// Number of the line, from 1.
+    /// Line number, from 1.
     pub line: usize,
-    /// What is wrong.
+    /// The error message.
     pub message: String,
 }
 
-/// The hosts of [`FILES`], each read when it is first asked for.
+/// The hosts of [`FILES`], each parsed on first use.
 static PRESETS: [OnceLock<Preset>; FILES.len()] = [const { OnceLock::new() }; FILES.len()];
 
 fn at(index: usize) -> Option<&'static Preset> {
@@ -145,12 +146,12 @@ fn at(index: usize) -> Option<&'static Preset> {
     }))
 }
 
-/// All presets, in the order of the alphabet.
+/// All presets in alphabetical order.
 pub fn presets() -> impl Iterator<Item = &'static Preset> {
     (0..FILES.len()).filter_map(at)
 }
 
-/// The preset of a name, or of an alias.
+/// The preset with a name or an alias.
 pub fn preset(name: &str) -> Option<&'static Preset> {
     match FILES.iter().position(|(own, _)| *own == name) {
         Some(index) => at(index),
@@ -158,8 +159,7 @@ pub fn preset(name: &str) -> Option<&'static Preset> {
     }
 }
 
-/// Keeps a host that a user wrote, as those of the table are, until the program ends; the same one is
-/// kept once.
+/// Keeps a host written by a user until the program ends. Equal hosts are kept once.
 pub fn kept(host: Preset) -> &'static Preset {
     static KEPT: Mutex<Vec<&'static Preset>> = Mutex::new(Vec::new());
     let mut all = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
@@ -171,17 +171,17 @@ pub fn kept(host: Preset) -> &'static Preset {
     own
 }
 
-/// ShaderToy's player.
+/// The host for ShaderToy's player.
 pub fn shadertoy() -> Option<&'static Preset> {
     preset("shadertoy")
 }
 
-/// A page that runs a text as it stands.
+/// The host for a page that compiles a shader unchanged.
 pub fn page() -> Option<&'static Preset> {
     preset("webgl")
 }
 
-/// The names and aliases of all presets, in the order of the alphabet.
+/// The names and aliases of all presets in alphabetical order.
 pub fn names() -> Vec<&'static str> {
     let aliases = presets().flat_map(|p| &p.aliases).map(String::as_str);
     let mut all: Vec<&str> = FILES.iter().map(|(name, _)| *name).chain(aliases).collect();
@@ -189,11 +189,11 @@ pub fn names() -> Vec<&'static str> {
     all
 }
 
-/// The preset of a name that a user wrote.
+/// The preset with a name given by the user.
 ///
 /// # Errors
 ///
-/// What is wrong with the name, and the names that are close to it.
+/// For an unknown name, with similar names.
 pub fn host_named(name: &str) -> Result<&'static Preset, String> {
     preset(name).ok_or_else(|| {
         let all = names();
@@ -204,11 +204,11 @@ pub fn host_named(name: &str) -> Result<&'static Preset, String> {
         let near: Vec<&str> = all.iter().filter(is_near).copied().collect();
         match near.is_empty() {
             true => format!(
-                "there is no host `{name}`; there are `{}`",
+                "unknown host `{name}`; expected one of `{}`",
                 all.join("`, `")
             ),
             false => format!(
-                "there is no host `{name}`; did you mean `{}`?",
+                "unknown host `{name}`; did you mean `{}`?",
                 near.join("` or `")
             ),
         }
@@ -216,7 +216,7 @@ pub fn host_named(name: &str) -> Result<&'static Preset, String> {
 }
 
 impl Preset {
-    /// The page that describes it, in Markdown.
+    /// The documentation page in Markdown.
     pub fn page(&self) -> String {
         let mut text = format!("# {}\n\n{}\n\n", self.title, self.about);
         let code = |words: &[String]| format!("`{}`", words.join("`, `"));
@@ -225,39 +225,39 @@ impl Preset {
             facts.push(("Builds on", format!("[{base}]({base}.md)")));
         }
         if !self.aliases.is_empty() {
-            facts.push(("Also called", code(&self.aliases)));
+            facts.push(("Aliases", code(&self.aliases)));
         }
         facts.extend([
             ("Compiled as", self.version.to_string()),
             (
-                "Other names",
+                "Undeclared names",
                 match self.is_complete {
-                    true => "are mistakes".to_string(),
-                    false => "may be there, too".to_string(),
+                    true => "are errors".to_string(),
+                    false => "may come from the host".to_string(),
                 },
             ),
         ]);
         for (what, words) in [
-            ("Calls", &self.entries),
-            ("Known by the packages", &self.packages),
-            ("Known by the names", &self.words),
-            ("Known in a page by", &self.globals),
-            ("Fills", &self.holes),
-            ("Adds nothing to texts of", &self.complete),
-            ("Unless changed by", &self.patched),
-            ("May declare", &self.also),
-            ("Passes in files that end with", &self.endings),
-            ("Obeys the directives", &self.directives),
+            ("Entry points", &self.entries),
+            ("Detected by package", &self.packages),
+            ("Detected by name", &self.words),
+            ("Detected by JavaScript global", &self.globals),
+            ("Placeholders", &self.holes),
+            ("Adds nothing to shaders for", &self.complete),
+            ("Unless modified by", &self.patched),
+            ("May also declare", &self.also),
+            ("Extensions of pass files", &self.endings),
+            ("Directives", &self.directives),
         ] {
             if !words.is_empty() {
                 facts.push((what, code(words)));
             }
         }
         if self.composes {
-            facts.push(("Around a shader", "what its text asks for".to_string()));
+            facts.push(("Declarations", "depend on the shader".to_string()));
         }
         if !self.includes.is_empty() {
-            facts.push(("Includes", format!("`{}`", self.includes)));
+            facts.push(("Include syntax", format!("`{}`", self.includes)));
         }
         if !self.source.is_empty() {
             facts.push(("Source", self.source.clone()));
@@ -266,18 +266,23 @@ impl Preset {
         for (what, value) in facts {
             text.push_str(&format!("| {what} | {value} |\n"));
         }
-        text.push_str(&format!("\n```toml\nhost = \"{}\"\n```\n", self.name));
+        text.push_str(&format!(
+            "\nTo select it in `shaderlint.toml`:\n\n```toml\nhost = \"{}\"\n```\n",
+            self.name
+        ));
         text.push_str(&self.meanings.page(&self.said));
         let prelude = self.prelude.get(self.own_start..).unwrap_or("").trim();
         if !prelude.is_empty() {
-            text.push_str("\nWhat it puts before a shader:\n\n```glsl\n");
+            text.push_str(
+                "\n## Declarations\n\nThe host puts these before each shader:\n\n```glsl\n",
+            );
             text.push_str(prelude);
             text.push_str("\n```\n");
         }
         text
     }
 
-    /// What a shader of it is called where it is told what it was read as.
+    /// What a shader of this host is called in messages.
     pub fn read_as(&self) -> &str {
         match self.reads.is_empty() {
             true => &self.title,
@@ -285,17 +290,17 @@ impl Preset {
         }
     }
 
-    /// What is put before a shader of a stage.
+    /// The declarations for a stage.
     pub fn declarations(&self, is_vertex: bool) -> String {
         for_stage(&self.prelude, is_vertex)
     }
 
-    /// The part of that which is its own, and not its base's.
+    /// The declarations for a stage, without those of the base.
     pub fn own_declarations(&self, is_vertex: bool) -> String {
         for_stage(self.prelude.get(self.own_start..).unwrap_or(""), is_vertex)
     }
 
-    /// Whether a text has places that the host puts something in: a hole around a word.
+    /// Whether a text contains one of the host's placeholders.
     pub fn fills(&self, text: &str) -> bool {
         let is_word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | ':' | '.' | ' ');
         let mut holes = self.holes.iter().filter_map(|h| h.split_once("..."));
@@ -309,7 +314,7 @@ impl Preset {
         })
     }
 
-    /// Whether a package of this name says that the host is there.
+    /// Whether an npm package of this name indicates the host.
     pub fn is_package(&self, package: &str) -> bool {
         self.packages.iter().any(|own| match own.strip_suffix('/') {
             Some(scope) => package
@@ -319,7 +324,7 @@ impl Preset {
         })
     }
 
-    /// Whether the script around a shader uses it under its name of a page.
+    /// Whether a script uses the host through its JavaScript global.
     pub fn is_used_in(&self, script: &str) -> bool {
         self.globals.iter().any(|g| {
             let uses = script.match_indices(g.as_str());
@@ -332,23 +337,23 @@ impl Preset {
         })
     }
 
-    /// Whether it runs texts whose `#version` is that of desktops.
+    /// Whether it accepts shaders with a desktop `#version`.
     pub fn runs_desktop(&self) -> bool {
         self.takes_desktop || matches!(self.version, HostVersion::Own | HostVersion::Desktop)
     }
 
-    /// Whether it declares names that it sets, so that texts use them undeclared.
+    /// Whether it declares names, so that shaders use them undeclared.
     pub fn declares(&self) -> bool {
         self.meanings.has_declared()
     }
 
-    /// Whether a text of a script gets no other names from it.
+    /// Whether a shader in a script gets no other names from the host.
     pub fn is_complete_in(&self, script: &str) -> bool {
         let uses = |name: &String| script.contains(name.as_str());
         self.is_complete || self.complete.iter().any(uses) && !self.patched.iter().any(uses)
     }
 
-    /// Whether a file with this ending may hold a pass of it.
+    /// Whether a file with this extension can contain a pass.
     pub fn has_ending(&self, ending: &str) -> bool {
         self.endings.iter().any(|own| own == ending)
     }
@@ -359,7 +364,7 @@ impl Preset {
     }
 }
 
-/// What is put before a shader, for one of the stages.
+/// The declarations for one of the stages.
 fn for_stage(prelude: &str, is_vertex: bool) -> String {
     let stage = match is_vertex {
         true => "VERTEX_SHADER",
@@ -368,7 +373,7 @@ fn for_stage(prelude: &str, is_vertex: bool) -> String {
     format!("#define {stage} 1\n{prelude}\n#undef {stage}\n")
 }
 
-/// Whether a name is one of some, of which those that end with `*` stand for all that begin so.
+/// Whether a name matches one of several patterns; a trailing `*` matches any suffix.
 pub fn matches_any(all: &[String], name: &str) -> bool {
     all.iter().any(|own| match own.strip_suffix('*') {
         Some(beginning) => name.starts_with(beginning),
@@ -376,20 +381,21 @@ pub fn matches_any(all: &[String], name: &str) -> bool {
     })
 }
 
-/// Reads a host's file.
+/// Parses a host file.
 ///
 /// # Errors
 ///
-/// The first line with a key of the head that does not exist, with a value that cannot be one, or
-/// with a meaning that cannot be read.
+/// For the first header line with an unknown key or an invalid value, or the first invalid `// =`
+/// comment.
 pub fn read(text: &str) -> Result<Preset, HeadError> {
     let mut preset = Preset::default();
     let mut given = GivenFacts::default();
     let mut has_facts = false;
     let mut is_head = true;
-    // What the lines before a declaration say of it.
+    let mut ends_paragraph = false;
+    // The documentation comment before the current declaration.
     let mut comment = String::new();
-    // Whether the lines at hand are for names that shaders declare.
+    // Whether the current line is in the `SHADER_DECLARES` section.
     let mut is_theirs = false;
     for (line, number) in text.split_inclusive('\n').zip(1..) {
         let wrong = |message| HeadError {
@@ -412,7 +418,7 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
             let is_end = is_theirs && word == "#endif";
             is_theirs |= word == SHADER_DECLARES;
             preset.meanings.read(line, !is_theirs).map_err(wrong)?;
-            // What is put before shaders is without these comments.
+            // The `// =` comments are not part of the prelude.
             let code = line.split_once("// =").map(|(code, _)| code.trim_end());
             match (is_theirs, code) {
                 (true, _) => preset.prelude.push('\n'),
@@ -422,10 +428,10 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
             is_theirs &= !is_end;
             continue;
         }
-        // The head stays as blank lines, so that places in the file are those of the text.
+        // The header becomes blank lines, so that line numbers are those of the file.
         preset.prelude.push('\n');
         let told = line.trim_start_matches("//").trim();
-        // Sentences hold colons, too: the facts start with the first key.
+        // Sentences may contain colons: the facts start at the first key.
         let fact = told.split_once(": ").filter(|(key, _)| match has_facts {
             true => is_key(key),
             false => KEYS.contains(key),
@@ -437,11 +443,13 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
                 preset.set(key, value.trim()).map_err(wrong)?;
             }
             None if preset.title.is_empty() => preset.title = told.to_string(),
-            None if told.is_empty() => {}
+            None if told.is_empty() => ends_paragraph = true,
             None => {
                 if !preset.about.is_empty() {
-                    preset.about.push(' ');
+                    let separator = if ends_paragraph { "\n\n" } else { " " };
+                    preset.about.push_str(separator);
                 }
+                ends_paragraph = false;
                 preset.about.push_str(told);
             }
         }
@@ -454,10 +462,10 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
     Ok(preset)
 }
 
-/// The line before declarations that are in the shaders themselves.
+/// Starts the section of names that the shaders declare.
 const SHADER_DECLARES: &str = "#ifdef SHADER_DECLARES";
 
-/// Which facts a head gives that a base gives otherwise.
+/// Facts that are given in the header and therefore not inherited from the base.
 #[derive(Default)]
 struct GivenFacts {
     version: bool,
@@ -472,7 +480,7 @@ impl GivenFacts {
 }
 
 impl Preset {
-    /// What a user says of a host that is known already.
+    /// Applies the description of a user to a known host.
     pub fn over(mut self, base: &Preset) -> Preset {
         self.put_behind(base);
         self.is_complete &= base.is_complete;
@@ -494,7 +502,7 @@ impl Preset {
         }
     }
 
-    /// Puts what it says behind what its base says. What shows the base does not show it.
+    /// Inherits from the base. Evidence for the base is not evidence for this host.
     fn build_on(&mut self, base: &Preset, given: &GivenFacts) {
         self.put_behind(base);
         if !given.version {
@@ -530,7 +538,7 @@ pub fn declared_in(line: &str) -> Option<&str> {
         .filter(|n| !n.is_empty())
 }
 
-/// The keys of a head.
+/// The keys of a header.
 const KEYS: [&str; 21] = [
     "alias",
     "reads",
@@ -555,7 +563,7 @@ const KEYS: [&str; 21] = [
     "ending",
 ];
 
-/// Whether a word in front of a colon may be meant as a key.
+/// Whether a word before a colon may be meant as a key.
 fn is_key(word: &str) -> bool {
     !word.is_empty() && word.chars().all(|c| c.is_ascii_lowercase())
 }
@@ -584,7 +592,7 @@ impl Preset {
                     "300 es" => HostVersion::Es300,
                     _ => {
                         return Err(format!(
-                            "`{value}` is none of `any`, `own`, `desktop`, `100`, `300 es`"
+                            "expected one of `any`, `own`, `desktop`, `100`, `300 es`, found `{value}`"
                         ));
                     }
                 }
@@ -605,11 +613,14 @@ impl Preset {
                 self.is_complete = match value {
                     "all" => true,
                     "some" => false,
-                    _ => return Err(format!("`{value}` is neither `all` nor `some`")),
+                    _ => return Err(format!("expected `all` or `some`, found `{value}`")),
                 }
             }
             _ => {
-                return Err(format!("`{key}` is none of the keys {}", KEYS.join(", ")));
+                return Err(format!(
+                    "unknown key `{key}`; expected one of {}",
+                    KEYS.join(", ")
+                ));
             }
         }
         Ok(())
@@ -620,11 +631,11 @@ fn yes_or_no(value: &str) -> Result<bool, String> {
     match value {
         "yes" => Ok(true),
         "no" => Ok(false),
-        _ => Err(format!("`{value}` is neither `yes` nor `no`")),
+        _ => Err(format!("expected `yes` or `no`, found `{value}`")),
     }
 }
 
-/// A sign like `own inData VertexData`.
+/// Parses evidence such as `own inData VertexData`.
 fn sign(value: &str) -> Result<TextSign, String> {
     let mut words = value.split_whitespace();
     let weight = match words.next() {
@@ -634,7 +645,7 @@ fn sign(value: &str) -> Result<TextSign, String> {
     };
     let words: Vec<String> = words.map(str::to_string).collect();
     match words.is_empty() {
-        true => Err("this names no words".to_string()),
+        true => Err("expected at least one word".to_string()),
         false => Ok(TextSign { words, weight }),
     }
 }
@@ -645,21 +656,24 @@ mod tests {
 
     #[test]
     fn a_head_is_read() {
-        let text = "// My engine\n//\n// Puts things: many.\n// word: my_* uMine\n// package: mine @mine/\n\
+        let text = "// My engine\n//\n// Puts things: many.\n//\n// And more.\n// word: my_* uMine\n// package: mine @mine/\n\
             // version: 100\n// names: all\nuniform float uMine;\n";
         let preset = read(text).unwrap();
         assert_eq!(preset.title, "My engine");
-        assert_eq!(preset.about, "Puts things: many.");
+        assert_eq!(preset.about, "Puts things: many.\n\nAnd more.");
         assert!(preset.has_word("my_x") && preset.has_word("uMine") && !preset.has_word("uMin"));
         assert!(preset.is_package("mine") && preset.is_package("@mine/core"));
         assert!(!preset.is_package("@mine2/core") && !preset.is_package("mine-too"));
         assert_eq!(preset.version, HostVersion::Es100);
         assert!(preset.is_complete);
-        assert_eq!(preset.prelude, "\n\n\n\n\n\n\nuniform float uMine;\n");
+        assert_eq!(preset.prelude, "\n\n\n\n\n\n\n\n\nuniform float uMine;\n");
         let error = read("// A\n// version: 2\n").unwrap_err();
         assert_eq!(
             (error.line, error.message.as_str()),
-            (2, "`2` is none of `any`, `own`, `desktop`, `100`, `300 es`")
+            (
+                2,
+                "expected one of `any`, `own`, `desktop`, `100`, `300 es`, found `2`"
+            )
         );
         assert_eq!(
             read("// A\n// names: all\n// wrong: 2\n").unwrap_err().line,

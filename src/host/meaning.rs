@@ -1,8 +1,8 @@
-//! What a host sets a name to: a comment behind the declaration, `uniform float time; // = time`.
+//! The values that a host sets, from comments after declarations: `uniform float time; // = time`.
 //!
-//! Behind the `=` comes what it is given, and then, between commas, how a texture is read (`mipmap`,
-//! `repeat`), further types (`or vec3 ivec2`), `numbered` where the number in the name may be any
-//! other, and how much the name shows that a shader is this host's (`usual`, `own`).
+//! The value follows the `=`. Options follow after commas: how a texture is sampled (`mipmap`,
+//! `repeat`), further types (`or vec3 ivec2`), `numbered` if the number in the name may be any
+//! other, and how strongly the name indicates this host (`usual`, `own`).
 
 use super::near::none_of;
 use serde::Serialize;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 macro_rules! feeds {
     ($($variant:ident $name:literal $says:literal,)*) => {
-        /// What a uniform is given. The player knows how to get each (`player/program.js`).
+        /// The value of a uniform. The player implements each (`player/program.js`).
         #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
         #[serde(rename_all = "camelCase")]
         pub enum Feed {
@@ -18,15 +18,15 @@ macro_rules! feeds {
         }
 
         impl Feed {
-            /// All of them.
+            /// All variants.
             pub const ALL: &[Feed] = &[$(Feed::$variant),*];
 
-            /// How a host's file calls it.
+            /// The name in host files.
             pub fn name(self) -> &'static str {
                 match self { $(Feed::$variant => $name,)* }
             }
 
-            /// What it is, in words.
+            /// A description of the value.
             pub fn says(self) -> &'static str {
                 match self { $(Feed::$variant => $says,)* }
             }
@@ -37,152 +37,156 @@ macro_rules! feeds {
 feeds! {
     Time "time" "seconds since the start",
     Milliseconds "milliseconds" "milliseconds since the start",
-    Delta "delta" "seconds since the frame before",
-    Frame "frame" "number of the frame, from 0",
-    FrameFromOne "frame-from-one" "number of the frame, from 1",
+    Delta "delta" "seconds since the previous frame",
+    Frame "frame" "frame number, from 0",
+    FrameFromOne "frame-from-one" "frame number, from 1",
     FrameRate "frame-rate" "frames per second",
-    SampleRate "sample-rate" "samples of sound per second",
-    ChannelTime "channel-time" "seconds that the sound or video of each channel has played",
+    SampleRate "sample-rate" "audio samples per second",
+    ChannelTime "channel-time" "playback position of the sound or video of each channel, in seconds",
     ChannelResolution "channel-resolution" "width, height and depth of the texture of each channel",
     Date "date" "year, month from 0, day, seconds since midnight",
     DateFromOne "date-from-one" "year, month from 1, day, seconds since midnight",
-    Resolution "resolution" "width and height in pixels, then the ratio of a pixel's sides",
-    ResolutionAndPixel "resolution-and-pixel" "width and height in pixels, then the size of a pixel in the image",
-    Pixel "pixel" "size of a pixel in the image",
-    TextureSize "texture-size" "width and height of the texture that the name speaks of",
+    Resolution "resolution" "width and height in pixels, then the pixel aspect ratio",
+    ResolutionAndPixel "resolution-and-pixel" "width and height in pixels, then 1/width and 1/height",
+    Pixel "pixel" "1/width and 1/height",
+    TextureSize "texture-size" "width and height of the texture that the name refers to",
     Aspect "aspect" "width divided by height",
-    PixelRatio "pixel-ratio" "pixels of the device in one of the page",
-    SurfaceSize "surface-size" "width of what is seen where its height is 1",
-    Mouse "mouse" "as `iMouse`: where the mouse was dragged to, then where the button was pressed",
-    Pointer "pointer" "position of the mouse in pixels from below, then whether its button is down",
-    PointerUnit "pointer-unit" "position of the mouse, from 0 to 1 from below, in the middle at first",
-    PointerUnitDown "pointer-unit-down" "position of the mouse, from 0 to 1 from above, in the middle at first",
-    PointerUnitZero "pointer-unit-zero" "position of the mouse, from 0 to 1 from below, in the corner at first",
-    PointerSigned "pointer-signed" "position of the mouse, from -1 to 1 from below",
-    Button "button" "whether the mouse's button is down",
-    Spectrum "spectrum" "how loud low, middle and high sounds are",
-    Volume "volume" "how loud the sound is",
-    HistorySize "history-size" "width and height of the texture with the spectra of the last frames",
-    Camera "camera" "position of a camera that looks at the image: (0, 0, 1)",
-    Identity "identity" "a matrix that changes nothing",
-    Control "control" "what the user sets",
+    PixelRatio "pixel-ratio" "device pixels per CSS pixel",
+    SurfaceSize "surface-size" "width and height of the visible area, scaled to height 1",
+    Mouse "mouse" "as `iMouse`: position of the last drag, then of the last click",
+    Pointer "pointer" "mouse position in pixels, y up, then whether its button is down",
+    PointerUnit "pointer-unit" "mouse position from 0 to 1, y up, initially in the centre",
+    PointerUnitDown "pointer-unit-down" "mouse position from 0 to 1, y down, initially in the centre",
+    PointerUnitZero "pointer-unit-zero" "mouse position from 0 to 1, y up, initially in the corner",
+    PointerSigned "pointer-signed" "mouse position from -1 to 1, y up",
+    Button "button" "whether the mouse button is down",
+    Spectrum "spectrum" "levels of low, middle and high frequencies",
+    Volume "volume" "loudness of the sound",
+    HistorySize "history-size" "width and height of the texture with the most recent spectra",
+    Camera "camera" "position of a camera that faces the image: (0, 0, 1)",
+    Identity "identity" "identity matrix",
+    Control "control" "value set by the user",
     Nothing "nothing" "zeros",
 }
 
-/// What a sampler reads.
+/// The input of a sampler.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TextureFeed {
-    /// A file that the user has to give.
+    /// A file provided by the user.
     File,
-    /// The picture as it was a frame ago.
+    /// The output of the previous frame.
     LastFrame,
-    /// Spectrum and wave of music.
+    /// Spectrum and waveform of music.
     Music,
-    /// The sum of the spectra from the start.
+    /// The sum of the spectra since the start.
     MusicSum,
-    /// What the buffer of this name draws.
+    /// The output of the buffer with this name.
     Buffer,
-    /// What the pass has on its channel of this number.
+    /// The input of the pass's channel with this number.
     Channel,
 }
 
-/// What a sampler reads, by the word for it in a host's file, and what that is.
+/// The inputs of samplers, with the name in host files and a description.
 const TEXTURES: [(&str, TextureFeed, &str); 6] = [
-    ("file", TextureFeed::File, "a file that the user gives"),
-    ("last-frame", TextureFeed::LastFrame, "the frame before"),
-    ("music", TextureFeed::Music, "spectrum and wave of music"),
+    ("file", TextureFeed::File, "a file provided by the user"),
+    ("last-frame", TextureFeed::LastFrame, "the previous frame"),
+    (
+        "music",
+        TextureFeed::Music,
+        "spectrum and waveform of music",
+    ),
     (
         "music-sum",
         TextureFeed::MusicSum,
-        "the sum of the spectra since the start",
+        "sum of the spectra since the start",
     ),
     (
         "buffer",
         TextureFeed::Buffer,
-        "what the buffer of this name draws",
+        "output of the buffer with this name",
     ),
     (
         "channel",
         TextureFeed::Channel,
-        "what the channel of this number holds",
+        "input of the channel with this number",
     ),
 ];
 
 impl TextureFeed {
-    /// What it is, in words.
+    /// A description of the input.
     pub fn says(self) -> &'static str {
         let row = TEXTURES.iter().find(|(_, feed, _)| *feed == self);
         row.map_or("", |(.., says)| says)
     }
 }
 
-/// A name that shows nothing.
+/// Weight of a name that indicates no host.
 pub const COMMON: u8 = 0;
-/// A name that others use, too: two of them are evidence.
+/// Weight of a name that several hosts use: two of them are sufficient evidence.
 pub const USUAL: u8 = 1;
-/// A name that hardly another host has.
+/// Weight of a name that hardly any other host uses.
 pub const OWN: u8 = 3;
 
-/// What a uniform of a name and one of some types means.
+/// The value of a uniform with a name and one of several types.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FeedRow {
-    /// The name; a `#` in it stands for a number.
+    /// The name; `#` in it stands for a number.
     pub name: String,
-    /// The types that it may have.
+    /// The accepted types.
     pub types: Vec<String>,
-    /// What it is given.
+    /// The value.
     pub feed: Feed,
-    /// How much it shows of the host.
+    /// How strongly it indicates the host.
     pub weight: u8,
-    /// Whether the host declares it.
+    /// Whether the host declares it, and not the shader.
     pub is_declared: bool,
 }
 
-/// What a sampler of a name reads, and how.
+/// The input of a sampler with a name.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TextureRow {
-    /// The name; a `#` in it stands for a number.
+    /// The name; `#` in it stands for a number.
     pub name: String,
-    /// What it reads.
+    /// The input.
     pub texture: TextureFeed,
     /// `nearest`, `linear` or `mipmap`.
     pub filter: &'static str,
     /// `clamp` or `repeat`.
     pub wrap: &'static str,
-    /// How much it shows of the host.
+    /// How strongly it indicates the host.
     pub weight: u8,
-    /// Whether the host declares it.
+    /// Whether the host declares it, and not the shader.
     pub is_declared: bool,
 }
 
-/// What a varying holds.
+/// The value of a varying.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct VaryingRow {
-    /// The name; of a varying that is a struct, that of a member.
+    /// The name; for a struct, the name of a member.
     pub name: String,
-    /// Its type.
+    /// The GLSL type.
     pub ty: String,
-    /// Its value, as GLSL of the vertex shader: `port_place` is from 0 to 1, `port_pos` from -1 to 1,
-    /// and `port_size` the size of the picture in pixels.
+    /// The value as a GLSL expression of the vertex shader: `port_place` ranges from 0 to 1,
+    /// `port_pos` from -1 to 1, and `port_size` is the size of the image in pixels.
     pub value: String,
-    /// How much it shows of the host.
+    /// How strongly it indicates the host.
     pub weight: u8,
-    /// Whether the host declares it.
+    /// Whether the host declares it, and not the shader.
     pub is_declared: bool,
 }
 
-/// What the names that a host sets mean.
+/// The values of all names that a host sets.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Meanings {
-    /// What its uniforms are given.
+    /// Values of uniforms.
     pub feeds: Vec<FeedRow>,
-    /// What its samplers read.
+    /// Inputs of samplers.
     pub textures: Vec<TextureRow>,
-    /// What its varyings hold.
+    /// Values of varyings.
     pub varyings: Vec<VaryingRow>,
 }
 
-/// Whether a name is that of a row, whose `#` stands for a number.
+/// Whether a name matches the name of a row, in which `#` stands for a number.
 pub fn is_named(row: &str, name: &str) -> bool {
     let Some((before, behind)) = row.split_once('#') else {
         return row == name;
@@ -193,17 +197,17 @@ pub fn is_named(row: &str, name: &str) -> bool {
     number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// A declaration with a comment behind it.
+/// A declaration followed by a comment.
 struct HostDeclaration<'t> {
     /// `uniform`, `varying` or `in`.
     qualifier: &'t str,
-    /// With an array's size.
+    /// Includes the size of an array.
     ty: String,
     name: &'t str,
 }
 
 impl Meanings {
-    /// Adds those of the host that this one builds on: they show that one alone.
+    /// Adds the rows of the base. They are not evidence for this host.
     pub(super) fn inherit(&mut self, base: &Meanings) {
         let feeds = base.feeds.iter().cloned();
         self.feeds.extend(feeds.map(|row| FeedRow {
@@ -222,7 +226,7 @@ impl Meanings {
         }));
     }
 
-    /// The names, what they are given, and who declares them, in Markdown.
+    /// The table of names and values in Markdown.
     pub(super) fn page(&self, said: &BTreeMap<String, String>) -> String {
         let says = |name: &str, short: String| said.get(name).cloned().unwrap_or(short);
         let who = |is_declared| match is_declared {
@@ -256,7 +260,7 @@ impl Meanings {
         match rows.is_empty() {
             true => rows,
             false => format!(
-                "\nWhat it sets, and `shaderport` and sample runs set in its place:\n\n\
+                "\n## Inputs\n\nNames that the host sets. `shaderport` and sample runs set them as well.\n\n\
                  | name | type | value | declared by |\n|---|---|---|---|\n{rows}"
             ),
         }
@@ -269,7 +273,7 @@ impl Meanings {
             || self.varyings.iter().any(|r| r.is_declared)
     }
 
-    /// What is said of a name, in words.
+    /// The description of a name's value.
     pub fn says(&self, name: &str) -> Option<&'static str> {
         let feeds = self.feeds.iter().filter(|r| is_named(&r.name, name));
         let textures = self.textures.iter().filter(|r| is_named(&r.name, name));
@@ -279,14 +283,13 @@ impl Meanings {
         all.next()
     }
 
-    /// Reads a line that declares something, with what it means, if it tells that.
+    /// Parses a line with a declaration and a `// =` comment; other lines are ignored.
     pub(super) fn read(&mut self, line: &str, is_declared: bool) -> Result<(), String> {
         let Some((code, meaning)) = line.split_once("// =") else {
             return Ok(());
         };
         let Some(declared) = HostDeclaration::of(code) else {
-            let what =
-                "only a uniform or a varying, one in a line, can be given something by `// =`";
+            let what = "`// =` must follow the declaration of a single uniform or varying";
             return Err(what.to_string());
         };
         let (value, weight) = weighted(meaning.trim());
@@ -381,7 +384,7 @@ impl Meanings {
     }
 }
 
-/// What a comment says, and the weight at its end.
+/// Splits off the weight at the end of a comment.
 fn weighted(meaning: &str) -> (&str, u8) {
     let (value, last) = meaning.rsplit_once(',').unwrap_or((meaning, ""));
     match last.trim() {
@@ -391,11 +394,13 @@ fn weighted(meaning: &str) -> (&str, u8) {
     }
 }
 
-/// A name whose number stands for any.
+/// Replaces the number in a name by `#`.
 fn numbered(name: &str) -> Result<String, String> {
     let start = name.find(|c: char| c.is_ascii_digit());
     let Some((before, rest)) = start.and_then(|at| name.split_at_checked(at)) else {
-        return Err(format!("`{name}` is numbered, but has no number"));
+        return Err(format!(
+            "`numbered` requires a digit in the name, but `{name}` has none"
+        ));
     };
     let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
     Ok(format!("{before}#{behind}"))
@@ -427,7 +432,7 @@ impl<'t> HostDeclaration<'t> {
     }
 }
 
-/// The size of an array, in its brackets.
+/// The size of an array, with its brackets.
 fn name_size(declaration: &str) -> Option<&str> {
     let at = declaration.find('[')?;
     declaration.get(at..).map(str::trim_end)
@@ -475,10 +480,10 @@ mod tests {
     #[test]
     fn what_cannot_be_read_is_said() {
         wrong("uniform float t; // = tmie", "did you mean `time`?");
-        wrong("uniform float t; // = time, ofen", "`ofen` is none of");
+        wrong("uniform float t; // = time, ofen", "found `ofen`");
         wrong("uniform sampler2D t; // = files", "did you mean `file`?");
-        wrong("uniform float t; // = time, numbered", "has no number");
-        wrong("uniform float a, b; // = time", "one in a line");
-        wrong("#define A 1 // = time", "only a uniform or a varying");
+        wrong("uniform float t; // = time, numbered", "requires a digit");
+        wrong("uniform float a, b; // = time", "a single uniform");
+        wrong("#define A 1 // = time", "a single uniform or varying");
     }
 }

@@ -1,4 +1,4 @@
-//! What can be done about findings.
+//! Code actions for findings.
 
 use super::document::Document;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Origin};
@@ -6,33 +6,33 @@ use shaderlint_engine::{Files, mend};
 use shaderlint_lint::Allow;
 use shaderlint_text::{Edit, LineIndex, Span};
 
-/// Something that can be done.
+/// A code action.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Action {
-    /// What it does, as an order.
+    /// Title as an imperative sentence.
     pub title: String,
-    /// What sort of thing it does.
+    /// Kind of action.
     pub kind: ActionKind,
-    /// The number of the finding that it is about, among those of the document.
+    /// Index of the finding in the document.
     pub finding: usize,
-    /// What it changes in the text of the document.
+    /// Edits of the document.
     pub edits: Vec<Edit>,
 }
 
-/// What sort of thing an action does.
+/// Kinds of code actions.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum ActionKind {
-    /// It mends the finding, and keeps the picture or makes the shader compile.
+    /// Applies a safe fix.
     Fix,
-    /// It mends the finding, perhaps with another picture.
+    /// Applies an unsafe fix, which may change the image.
     UnsafeFix,
-    /// It keeps the finding from being told.
+    /// Inserts a suppression comment.
     Suppress,
-    /// It shows the page of the rule.
+    /// Shows the documentation of the rule.
     Explain,
 }
 
-/// What can be done about the findings that touch a stretch of the text.
+/// The actions for findings that touch a span.
 pub fn actions(document: &Document, within: Span) -> Vec<Action> {
     let mut found = Vec::new();
     for (number, diagnostic) in document.report.diagnostics.iter().enumerate() {
@@ -49,7 +49,7 @@ pub fn actions(document: &Document, within: Span) -> Vec<Action> {
             edits: Vec::new(),
         });
     }
-    // What mends comes before what hides.
+    // Fixes come before suppressions.
     found.sort_by_key(|action| action.kind as u8);
     found
 }
@@ -70,12 +70,12 @@ fn of_fix(document: &Document, finding: usize, diagnostic: &Diagnostic) -> Optio
     })
 }
 
-/// A comment above the line of a finding that allows it.
+/// Inserts a suppression comment above the line of a finding.
 fn suppress(document: &Document, finding: usize, diagnostic: &Diagnostic) -> Option<Action> {
     if diagnostic.origin != Origin::Rule {
         return None;
     }
-    // In the words of the shader: a JSON string writes its line breaks in another way.
+    // In the code of the shader: the strings of an export escape line breaks.
     let sources = &document.report.sources;
     let code = sources.code_at(diagnostic.span.start)?;
     let lines = LineIndex::new(code.text);
@@ -83,7 +83,7 @@ fn suppress(document: &Document, finding: usize, diagnostic: &Diagnostic) -> Opt
     let line = code.text.get(start as usize..end as usize)?;
     let indent = line.get(..line.len() - line.trim_start().len())?;
     let indent = indent.trim_end_matches(['\n', '\r']);
-    // A line that goes on from the one before has no place for a comment above.
+    // A comment cannot follow a line that ends with a backslash.
     let before = code.text.get(..start as usize)?;
     if before.trim_end_matches(['\n', '\r']).ends_with('\\') {
         return None;
@@ -91,14 +91,14 @@ fn suppress(document: &Document, finding: usize, diagnostic: &Diagnostic) -> Opt
     let comment = format!("{indent}// shaderlint: allow({})\n", diagnostic.rule);
     let edit = Edit::insert(code.base + start, comment);
     Some(Action {
-        title: format!("Allow `{}` here", diagnostic.rule),
+        title: format!("Allow `{}` on this line", diagnostic.rule),
         kind: ActionKind::Suppress,
         finding,
         edits: vec![document.report.edit_of_input(&edit)?],
     })
 }
 
-/// The text with all that can be mended safely, where that changes anything.
+/// The text with all safe fixes applied, if there are any.
 pub fn fix_all(document: &Document, files: &dyn Files) -> Option<String> {
     let fixed = mend(
         &document.path,

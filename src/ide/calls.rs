@@ -1,4 +1,4 @@
-//! Who calls whom, and what that costs.
+//! The call hierarchy, with the estimated cost of functions.
 
 use super::document::{Document, FileSpan};
 use super::hover::operations;
@@ -10,29 +10,29 @@ use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
 use std::collections::BTreeMap;
 
-/// A function.
+/// A function in the call hierarchy.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CallItem {
-    /// Its name.
+    /// Name of the function.
     pub name: String,
-    /// Its form and cost.
+    /// Signature and estimated cost.
     pub detail: String,
-    /// All of it.
+    /// Span of the function.
     pub place: FileSpan,
-    /// Its name.
+    /// Span of the name.
     pub name_span: Span,
 }
 
-/// A function, and where it is called or calls.
+/// A caller or callee.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CallLink {
-    /// The function.
+    /// The caller or callee.
     pub item: CallItem,
-    /// The calls, in the text of whoever calls.
+    /// Spans of the calls in the file of the caller.
     pub calls: Vec<Span>,
 }
 
-/// The function of the shader that is named at an offset.
+/// The user-defined function at an offset.
 pub fn call_item(document: &Document, offset: u32) -> Option<CallItem> {
     let (spot, name, _) = name_at(document, offset)?;
     let Symbol::Function(function) = name.symbol else {
@@ -60,8 +60,8 @@ fn item(document: &Document, facts: &Facts, function: FunctionRef) -> Option<Cal
     })
 }
 
-/// The functions in the documents that call the one that is named at an offset of `document`, which
-/// is among them.
+/// The functions in the documents that call the function at an offset of `document`, which is one
+/// of them.
 pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Vec<CallLink> {
     let Some((spot, name, _)) = name_at(document, offset) else {
         return Vec::new();
@@ -80,13 +80,13 @@ pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Ve
             found.extend(links(document, &analysis.facts(), callers));
         }
     }
-    // Passes and includes are read more than once.
+    // Passes and includes are analysed more than once.
     found.sort_by(|a, b| a.item.place.cmp(&b.item.place));
     found.dedup_by(|a, b| a.item.place == b.item.place);
     found
 }
 
-/// The functions that the one that is named at an offset calls.
+/// The functions that the function at an offset calls.
 pub fn outgoing(document: &Document, offset: u32) -> Vec<CallLink> {
     let Some((spot, name, _)) = name_at(document, offset) else {
         return Vec::new();
@@ -100,7 +100,7 @@ pub fn outgoing(document: &Document, offset: u32) -> Vec<CallLink> {
     links(document, &facts, calls.map(|c| (c.callee, c.expr)))
 }
 
-/// Functions, each with its calls.
+/// Groups calls by function.
 fn links(
     document: &Document,
     facts: &Facts,

@@ -1,30 +1,30 @@
-//! Colours: vectors of constants that may be one.
+//! Colours: constructors of vectors with constant components.
 
 use super::document::Document;
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::{Edit, Span};
 
-/// A colour: red, green, blue, and alpha where it has one.
+/// A colour with optional alpha.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Color {
-    /// From 0 to 1.
+    /// Red, green and blue, from 0 to 1.
     pub rgb: [f32; 3],
-    /// From 0 to 1.
+    /// Alpha, from 0 to 1.
     pub alpha: Option<f32>,
 }
 
-/// A colour in the text of a document.
+/// A colour in a document.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ColorSpan {
-    /// The constructor.
+    /// Span of the constructor.
     pub span: Span,
     /// The colour.
     pub color: Color,
 }
 
-/// The constructors of a text that give a colour: three or four numbers from 0 to 1, written in so
-/// many words, and not all zero or one, which are mostly none.
+/// The constructors of a text that probably are colours: three or four literals from 0 to 1 that
+/// are not all zero or one.
 pub fn colors(document: &Document) -> Vec<ColorSpan> {
     let mut found: Vec<ColorSpan> = Vec::new();
     for (program, _) in document.shaders() {
@@ -73,14 +73,14 @@ fn color(lanes: &[f32]) -> Option<Color> {
     (lanes.iter().all(is_shown) && is_mixed).then_some(Color { rgb, alpha })
 }
 
-/// How a colour may be written in the place of the constructor at a stretch of the text.
+/// The ways to write a colour in place of the constructor at a span.
 pub fn presentations(document: &Document, span: Span, color: Color) -> Vec<Edit> {
     let old = document
         .text
         .get(span.start as usize..span.end as usize)
         .unwrap_or("");
     let number = |lane: f32| {
-        // Colours are chosen in steps of 1/255: three digits tell them apart.
+        // Colour pickers use steps of 1/255, for which three digits are sufficient.
         let rounded = format!("{:.3}", lane.clamp(0.0, 1.0));
         let short = rounded.trim_end_matches('0');
         match short.ends_with('.') {

@@ -1,4 +1,4 @@
-//! What may be written at a place.
+//! Code completion.
 
 use super::document::{Document, Spot};
 use super::library::entry;
@@ -14,39 +14,39 @@ use shaderlint_syntax::{DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, cla
 use shaderlint_text::Span;
 use std::collections::BTreeSet;
 
-/// What sort of thing may be written.
+/// The kind of a completion.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum CompletionKind {
-    /// What a name of the shader means.
+    /// A symbol of the shader.
     Symbol(SymbolKind),
-    /// A type of the language.
+    /// A built-in type.
     Type,
-    /// Another word of the language.
+    /// Another keyword.
     Keyword,
     /// Components of a vector.
     Components,
-    /// Several words, with places to fill in.
+    /// A snippet with placeholders.
     Snippet,
     /// A file or folder.
     File,
-    /// The name of a rule.
+    /// Name of a rule.
     Rule,
 }
 
-/// What may be written.
+/// A completion.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Proposal {
-    /// How it is listed.
+    /// Text in the list.
     pub label: String,
-    /// What sort of thing it is.
+    /// Kind of the completion.
     pub kind: CompletionKind,
-    /// Its type or form.
+    /// Type or signature.
     pub detail: String,
-    /// What is written, where that is not the label; `${1:name}` are places to fill in.
+    /// Inserted text if it differs from the label; `${1:name}` are placeholders.
     pub snippet: Option<String>,
-    /// What is said of it, in Markdown.
+    /// Documentation in Markdown.
     pub text: String,
-    /// How near it is: what is lower comes first.
+    /// Order in the list, lower first.
     pub rank: u8,
 }
 
@@ -70,17 +70,17 @@ impl Proposal {
     }
 }
 
-/// What stands in the place of the word that is not there yet.
+/// Identifier that replaces the incomplete word.
 const PLACEHOLDER: &str = "shaderlintHole";
 
-/// What may be written at an offset, and the word that is there already. A text that is being written
-/// is no shader: it is read with a name at this place, so that the compiler sees what it is.
+/// The completions at an offset, and the span of the incomplete word. The text is parsed with an
+/// identifier in place of this word, because incomplete code does not parse.
 pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, Vec<Proposal>) {
     let mut word = word_before(&document.text, offset, is_of_name);
     let nothing = (word, Vec::new());
     let place = match document.spot(word.start) {
         Some(spot) => CompletionPlace::of(&spot),
-        // A text of nothing but blanks is no shader yet.
+        // An empty file is not detected as a shader.
         None if document.text.trim().is_empty() => CompletionPlace::Code,
         None => return nothing,
     };
@@ -113,45 +113,45 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
     (word, found)
 }
 
-/// Whether a character may stand in a name.
+/// Whether a character may be part of an identifier.
 fn is_of_name(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }
 
-/// The word of such characters that stands before an offset.
+/// The word of such characters before an offset.
 fn word_before(text: &str, offset: u32, is_word: fn(char) -> bool) -> Span {
     let before = text.get(..offset as usize).unwrap_or("");
     let word = before.trim_end_matches(is_word);
     Span::new(word.len() as u32, offset)
 }
 
-/// The text with a name in the place of a word, and of what goes on behind it.
+/// The text with the placeholder in place of a word.
 fn with_hole(document: &Document, word: Span) -> Option<String> {
     let before = document.text.get(..word.start as usize)?;
     let after = document.text.get(word.end as usize..)?;
     let after = after.trim_start_matches(is_of_name);
-    // A word alone does not show that a text is GLSL.
+    // A single word is not detected as GLSL.
     if before.trim().is_empty() && after.trim().is_empty() {
         return Some(format!("{before}int {PLACEHOLDER};{after}"));
     }
     Some(format!("{before}{PLACEHOLDER}{after}"))
 }
 
-/// What sort of place it is.
+/// The syntactic context of a completion.
 enum CompletionPlace {
-    /// Behind a dot.
+    /// After a dot.
     Member,
-    /// In a comment, which begins so.
+    /// In a comment with this beginning.
     Comment(String),
-    /// Behind a `#`.
+    /// After a `#`.
     Directive,
-    /// In the path of an `#include`, which begins so.
+    /// In the path of an `#include` with this beginning.
     Include(String),
-    /// Behind the point of a number.
+    /// After the decimal point of a number.
     Number,
     /// In `layout(...)`.
     Layout,
-    /// Anywhere else.
+    /// Anywhere else in code.
     Code,
 }
 
@@ -199,7 +199,7 @@ impl CompletionPlace {
     }
 }
 
-/// The rules that a comment may speak of.
+/// The names of rules for a suppression comment.
 fn rules(comment: &str) -> Vec<Proposal> {
     let words: Vec<&str> = comment
         .trim_start_matches(['/', '*', ' '])
@@ -237,7 +237,7 @@ fn layout() -> Vec<Proposal> {
         .collect()
 }
 
-/// The files that an `#include` may name, beside the document.
+/// The files that an `#include` may refer to, relative to the document.
 fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal> {
     let own = std::path::Path::new(&document.path);
     let folder = own.parent().unwrap_or(own);
@@ -260,7 +260,7 @@ fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal>
         .collect()
 }
 
-/// The expression whose member the hole is.
+/// The type of the expression before the placeholder.
 fn object(program: &Program) -> Option<Type> {
     let name = program.names.get(PLACEHOLDER)?;
     let mut all = program.tree.exprs.iter();
@@ -299,10 +299,10 @@ fn members(spot: &Spot) -> Vec<Proposal> {
     }
 }
 
-/// The sets of letters that name components (section 5.5).
+/// The letters of vector components (section 5.5).
 const LETTERS: [&str; 3] = ["xyzw", "rgba", "stpq"];
 
-/// What is usually written behind a vector: single components, and runs of them.
+/// The usual swizzles of a vector: single components, and consecutive ones.
 fn components(program: &Program, ty: Type) -> Vec<Proposal> {
     let count = ty.components() as usize;
     let mut found = Vec::new();
@@ -343,7 +343,7 @@ fn components(program: &Program, ty: Type) -> Vec<Proposal> {
     found
 }
 
-/// Names, words and snippets.
+/// Names, keywords and snippets.
 fn names(spot: &Spot) -> Vec<Proposal> {
     let program = spot.program();
     let at = hole(program);
@@ -364,7 +364,7 @@ fn names(spot: &Spot) -> Vec<Proposal> {
     found
 }
 
-/// The token of the hole.
+/// The token of the placeholder.
 fn hole(program: &Program) -> Option<TokenId> {
     let name = program.names.get(PLACEHOLDER)?;
     let mut all = program.tokens.tokens.iter().zip(0..);
@@ -379,7 +379,7 @@ fn function_around(program: &Program, token: TokenId) -> Option<&FunctionDecl> {
     all.find(|f| f.body.is_some() && f.extent.contains(inside) && !f.header.contains(inside))
 }
 
-/// The smallest statement that opens a scope around a token (section 4.2.2).
+/// The innermost scope around a token (section 4.2.2).
 fn scope(program: &Program, token: TokenId) -> Option<Extent> {
     let inside = Extent::token(token);
     let opens = |s: &&Stmt| {
@@ -396,14 +396,14 @@ fn scope(program: &Program, token: TokenId) -> Option<Extent> {
     around.min_by_key(|e| e.last - e.first)
 }
 
-/// Whether people write a name: what a host declares for itself alone is none of their business.
+/// Whether a name is meant for users, and not internal to a host.
 fn is_for_people(program: &Program, symbol: Symbol) -> bool {
     let declared = declared_at(program, symbol);
     let is_own = declared.is_none_or(|at| program.is_user(at));
     is_own || entry(symbol.name(program)).is_some()
 }
 
-/// Whether a variable can be named at a token.
+/// Whether a variable is visible at a token.
 fn is_visible(program: &Program, id: VariableId, at: TokenId) -> bool {
     let Some(variable) = program.variable(id) else {
         return false;
@@ -470,7 +470,7 @@ fn functions(program: &Program, at: Option<TokenId>, found: &mut Vec<Proposal>) 
     }
 }
 
-/// A call with places for its arguments.
+/// A call snippet with placeholders for its arguments.
 fn call(name: &str, params: &[&str]) -> String {
     let places = params.iter().zip(1..);
     let places = places.map(|(param, i)| format!("${{{i}:{param}}}"));
@@ -533,7 +533,7 @@ fn builtins(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     }
 }
 
-/// The words of the language, by the place.
+/// The keywords that are valid in the context.
 fn words(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     let is_type =
         |word: &&TypeWord| matches!(classify(word.name(), program.version), WordClass::Type(_));
@@ -564,7 +564,7 @@ fn words(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     found.extend(all.map(|word| Proposal::new(*word, CompletionKind::Keyword, 3)));
 }
 
-/// What people write again and again.
+/// Snippets of frequent constructs.
 fn snippets(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     let mut add = |label: &str, detail: &str, snippet: String| {
         let item = Proposal::new(label, CompletionKind::Snippet, 5);
@@ -576,13 +576,17 @@ fn snippets(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     if is_inside {
         add(
             "for",
-            "a loop that counts",
+            "counting loop",
             "for (int ${1:i} = 0; ${1:i} < ${2:8}; ${1:i}++) {\n\t$0\n}".into(),
         );
-        add("if", "a condition", "if (${1:condition}) {\n\t$0\n}".into());
+        add(
+            "if",
+            "if statement",
+            "if (${1:condition}) {\n\t$0\n}".into(),
+        );
         return;
     }
-    // A text without an entry may become what its host runs, or a pass of ShaderToy.
+    // A text without an entry function may become a shader of its host, or a ShaderToy pass.
     let version = program.tokens.version_span;
     let is_open = version.is_none_or(|span| !program.is_user(span));
     let is_open = is_open && program.stage == Stage::Fragment;
@@ -597,12 +601,12 @@ fn snippets(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     }
     add(
         "function",
-        "a function",
+        "function definition",
         "${1:float} ${2:name}(${3:float x}) {\n\treturn $0;\n}".into(),
     );
     add(
         "struct",
-        "a struct",
+        "struct declaration",
         "struct ${1:Name} {\n\t${2:float value};\n};".into(),
     );
 }

@@ -1,4 +1,4 @@
-//! A text that is open in an editor, and what is known of it.
+//! An open document and its analyses.
 
 use super::index::{Index, NameUse, Occurrence};
 use super::symbol::{Symbol, declared_at};
@@ -10,56 +10,57 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-/// A stretch of a file.
+/// A span in a file.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct FileSpan {
-    /// The path of the file.
+    /// Path of the file.
     pub path: String,
-    /// The stretch, from the start of its text.
+    /// Offsets from the start of the file.
     pub span: Span,
 }
 
-/// What a name is declared by, in whatever shader it is named.
+/// The declaration of a name, independent of the shader that uses it.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Origin {
-    /// The user's text.
+    /// Declared in the user's text.
     Text(FileSpan),
-    /// A parameter of the macro whose name stands here.
+    /// A parameter of the macro with its name at this position.
     MacroParameter(FileSpan, u32),
-    /// What the stages of a program share by its name; the path of the program without its ending.
+    /// A name that the stages of a program share; the path of the program without extension, and
+    /// the name.
     Interface(String, String),
-    /// The language or a host.
+    /// Built in, or declared by a host.
     Given(String),
 }
 
-/// A text, with what is known of its shaders. It never changes: a text that was edited is another.
+/// A document and the analyses of its shaders. It is immutable; each edit creates a new one.
 pub struct Document {
-    /// Its path, from the root.
+    /// Absolute path.
     pub path: String,
-    /// The text.
+    /// Contents of the document.
     pub text: Arc<str>,
-    /// How it is judged.
+    /// Options of the check.
     pub options: Arc<Options>,
-    /// What is said of it, and what is known of its shaders.
+    /// Findings and analyses.
     pub report: Report,
     indexes: Vec<OnceLock<Index>>,
 }
 
-/// A place in a shader of a document.
+/// A position in a shader of a document.
 #[derive(Clone, Copy)]
 pub struct Spot<'d> {
     /// The document.
     pub document: &'d Document,
-    /// The number of the shader among those of the document.
+    /// Index of the shader in the document.
     pub shader: usize,
-    /// What is known of the shader.
+    /// Analysis of the shader.
     pub analysis: &'d Analysis,
-    /// The place.
+    /// Address of the position.
     pub address: u32,
 }
 
 impl Document {
-    /// Reads a text and checks it.
+    /// Checks a text.
     pub fn new(path: &str, text: Arc<str>, options: Arc<Options>, files: &dyn Files) -> Document {
         let report = analyze(path, &text, &options, files);
         let indexes = report.analyses.iter().map(|_| OnceLock::new()).collect();
@@ -72,7 +73,7 @@ impl Document {
         }
     }
 
-    /// The text read as something else, with no rule asked.
+    /// The document with another text, checked without rules.
     pub(super) fn read_as(&self, text: String, files: &dyn Files) -> Document {
         let options = Options {
             settings: Arc::new(Settings::of_rules(&[])),
@@ -81,7 +82,7 @@ impl Document {
         Document::new(&self.path, text.into(), Arc::new(options), files)
     }
 
-    /// The shader at an offset of the text.
+    /// The shader at an offset.
     pub fn spot(&self, offset: u32) -> Option<Spot<'_>> {
         let address = self.report.address(offset)?;
         let analysis = self.report.analysis_at(address)?;
@@ -95,7 +96,7 @@ impl Document {
         })
     }
 
-    /// Its shaders, each with its names.
+    /// The shaders with their name indices.
     pub fn shaders(&self) -> impl Iterator<Item = (&Program, &Index)> {
         let all = self.report.analyses.iter().zip(&self.indexes);
         all.map(|(analysis, index)| {
@@ -104,7 +105,7 @@ impl Document {
         })
     }
 
-    /// A stretch of one of the files that its shaders are made of.
+    /// A span in one of the files of the shaders.
     pub fn place(&self, span: Span) -> Option<FileSpan> {
         if let Some(span) = self.report.in_input(span) {
             return Some(FileSpan {
@@ -123,7 +124,7 @@ impl Document {
         })
     }
 
-    /// What declares a name of one of its shaders.
+    /// The declaration of a symbol.
     pub(super) fn origin(&self, program: &Program, symbol: Symbol) -> Origin {
         let given = || Origin::Given(symbol.name(program).to_string());
         if let Symbol::MacroParameter(of, at) = symbol {
@@ -144,7 +145,7 @@ impl Document {
         }
     }
 
-    /// The names in its shaders that have an origin.
+    /// The occurrences in all shaders of a name with this origin.
     pub(super) fn named(&self, origin: &Origin) -> Vec<Named> {
         let mut found = Vec::new();
         for (program, index) in self.shaders() {
@@ -166,7 +167,7 @@ impl Document {
     }
 }
 
-/// Whether stages are linked by the name of a variable: what the vertex shader hands on, and uniforms.
+/// Whether stages are linked by the name of a variable: outputs of the vertex shader, and uniforms.
 fn is_linked(program: &Program, symbol: Symbol) -> bool {
     let Symbol::Variable(id) = symbol else {
         return false;
@@ -180,7 +181,7 @@ fn is_linked(program: &Program, symbol: Symbol) -> bool {
     is_shared && program.dialect == Dialect::WebGl
 }
 
-/// A name that has the origin that was asked for.
+/// An occurrence of a name.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Named {
     pub place: FileSpan,
@@ -188,7 +189,7 @@ pub(super) struct Named {
 }
 
 impl<'d> Spot<'d> {
-    /// The shader.
+    /// The checked program of the shader.
     pub fn program(&self) -> &'d Program {
         &self.analysis.program
     }
@@ -202,17 +203,17 @@ impl<'d> Spot<'d> {
         }
     }
 
-    /// The name that stands here.
+    /// The name at the position.
     pub fn name(&self) -> Option<Occurrence> {
         self.index().at(self.address)
     }
 }
 
-/// Files, some of which have other texts.
+/// A file system with some files replaced.
 pub struct Overlay<'f> {
-    /// The files.
+    /// The other files.
     pub files: &'f dyn Files,
-    /// The texts that hold in the place of those, by their paths from the root.
+    /// Contents of the replaced files, by absolute path.
     pub texts: BTreeMap<PathBuf, Arc<str>>,
 }
 

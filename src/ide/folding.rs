@@ -1,32 +1,31 @@
-//! What can be folded: bodies, comments, groups of the preprocessor. By tokens alone, so that it
-//! holds while a text is being written.
+//! Folding ranges: blocks, comments, preprocessor groups. Based on tokens, so that they work in
+//! incomplete code.
 
 use super::document::Document;
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};
 use shaderlint_text::{LineIndex, Span};
 
-/// Something of several lines that can be folded.
+/// A folding range.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct FoldingSpan {
-    /// From the place behind which it is folded to the one before which that ends, in the text of
-    /// the document.
+    /// Start and end of the folded text in the document.
     pub span: Span,
-    /// What it is.
+    /// Kind of folding range.
     pub kind: FoldKind,
 }
 
-/// What can be folded.
+/// Kinds of folding ranges.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum FoldKind {
     /// Between brackets.
     Block,
-    /// A comment, or line comments one below the other.
+    /// A block comment, or consecutive line comments.
     Comment,
     /// From `#if` to `#endif`.
     Group,
 }
 
-/// What can be folded in a text.
+/// The folding ranges of a document.
 pub fn folds(document: &Document) -> Vec<FoldingSpan> {
     let mut found = Vec::new();
     let mut seen: Vec<u32> = Vec::new();
@@ -68,7 +67,7 @@ fn in_code(document: &Document, text: &str, base: u32, found: &mut Vec<FoldingSp
         } else if !matches!(token.kind, RawKind::Whitespace | RawKind::Newline)
             || (token.kind == RawKind::Newline && at_start)
         {
-            // An empty line ends a run of line comments.
+            // An empty line separates groups of line comments.
             if let Some(run) = comments.take() {
                 add(run.start, run.end, FoldKind::Comment);
             }
@@ -112,7 +111,7 @@ fn in_code(document: &Document, text: &str, base: u32, found: &mut Vec<FoldingSp
     }
 }
 
-/// The name of the directive that tokens begin with.
+/// The name of the directive at the start of some tokens.
 fn directive<'t>(text: &'t str, base: u32, tokens: Option<&[RawToken]>) -> &'t str {
     let mut words = tokens.unwrap_or(&[]).iter().skip(1).take(2);
     let word = words.find(|t| t.kind == RawKind::Word);
@@ -120,7 +119,7 @@ fn directive<'t>(text: &'t str, base: u32, tokens: Option<&[RawToken]>) -> &'t s
     span.and_then(|span| text.get(span)).unwrap_or("")
 }
 
-/// The end of the line that a token stands on.
+/// The end of the line of a token.
 fn line_end(lines: &LineIndex, text: &str, base: u32, token: &RawToken) -> u32 {
     let (start, end) = lines.bounds(token.span.start - base, text.len() as u32);
     let line = text.get(start as usize..end as usize).unwrap_or("");

@@ -1,4 +1,4 @@
-//! What an editor writes between the words of a text without changing it.
+//! Inlay hints.
 
 use super::document::Document;
 use super::run::RunSeen;
@@ -9,40 +9,40 @@ use shaderlint_semantic::{Program, Resolution, swizzled};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtKind, TokenId};
 use shaderlint_text::Span;
 
-/// A hint.
+/// An inlay hint.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Hint {
-    /// Where it stands in the text of the document.
+    /// Offset in the document.
     pub offset: u32,
-    /// What it says.
+    /// Displayed text.
     pub text: String,
-    /// What it is about.
+    /// Kind of the hint.
     pub kind: HintKind,
 }
 
-/// What hints are about.
+/// Kinds of inlay hints.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum HintKind {
-    /// The name of a parameter, before its argument.
+    /// Name of a parameter, before its argument.
     Parameter,
-    /// How often a loop turns, behind its head.
+    /// Number of iterations, after the head of a loop.
     Turns,
-    /// The type of `?:` and of components, behind them.
+    /// Type of `?:` or of a swizzle, after the expression.
     Type,
 }
 
-/// Which hints are wanted.
+/// Which hints are shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct HintOptions {
-    /// Names of parameters.
+    /// Whether names of parameters are shown.
     pub parameters: bool,
-    /// How often loops turn.
+    /// Whether numbers of iterations are shown.
     pub turns: bool,
-    /// Types.
+    /// Whether types are shown.
     pub types: bool,
 }
 
-/// The hints in a stretch of a text; `seen` is what runs of its shaders have shown, in their order.
+/// The hints in a span; `seen` holds the results of sample runs, by shader.
 pub fn hints(
     document: &Document,
     within: Span,
@@ -80,7 +80,7 @@ struct HintFinder<'d> {
 }
 
 impl HintFinder<'_> {
-    /// Adds a hint before or behind a token that stands in the text just so.
+    /// Adds a hint before or after a token, unless the token comes from a macro.
     fn add(&mut self, token: TokenId, is_behind: bool, text: String, kind: HintKind) {
         let token = self.program.token(token).filter(|t| t.is_direct());
         let place = token.map(|t| {
@@ -113,7 +113,7 @@ impl HintFinder<'_> {
             };
             let names = parameter_names(program, function);
             for (arg, name) in program.tree.args(list).iter().zip(names) {
-                // Where a name is an argument it says as much itself, and so does a single letter.
+                // Arguments that are names, and parameters with one letter, need no hint.
                 let says = self.is_plain(*arg);
                 if says || name.len() < 2 {
                     continue;
@@ -147,13 +147,13 @@ impl HintFinder<'_> {
                 Bound::Ends | Bound::Open => String::new(),
             };
             let seen = seen.and_then(|s| s.loops.get(&known.stmt));
-            let seen = seen.map(|turns| format!("seen: {}", turns.most));
+            let seen = seen.map(|turns| format!("sampled: {}", turns.most));
             let all: Vec<String> = [text]
                 .into_iter()
                 .filter(|t| !t.is_empty())
                 .chain(seen)
                 .collect();
-            // The head ends before the body.
+            // The head of the loop ends before its body.
             let head = program.tree.stmt(body).extent.first.checked_sub(1);
             if let Some(head) = head.filter(|_| !all.is_empty()) {
                 self.add(head, true, format!(" {}", all.join(", ")), HintKind::Turns);

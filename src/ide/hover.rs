@@ -1,4 +1,4 @@
-//! What is known of what stands at a place, in Markdown.
+//! Hover texts in Markdown.
 
 use super::document::{Document, Spot};
 use super::index::{NameUse, Occurrence};
@@ -15,16 +15,16 @@ use shaderlint_semantic::{BuiltinId, Program, Scalar, Storage, Type, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId, StmtKind};
 use shaderlint_text::Span;
 
-/// What is shown beside what stands at a place.
+/// A hover text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Hover {
-    /// What it is about, in the text of the document.
+    /// Span of the hovered code in the document.
     pub span: Span,
-    /// What is known, in Markdown.
+    /// The text in Markdown.
     pub text: String,
 }
 
-/// What is known of what stands at an offset; `seen` is what runs of the shader have shown.
+/// The hover at an offset; `seen` holds the results of sample runs.
 pub fn hover(document: &Document, offset: u32, seen: Option<&RunSeen>) -> Option<Hover> {
     let spot = document.spot(offset)?;
     let facts = spot.analysis.facts();
@@ -36,7 +36,7 @@ pub fn hover(document: &Document, offset: u32, seen: Option<&RunSeen>) -> Option
     (!text.is_empty()).then_some(Hover { span, text })
 }
 
-/// Lines of GLSL.
+/// A fenced code block.
 fn code(text: &str) -> String {
     format!("```glsl\n{text}\n```\n")
 }
@@ -75,7 +75,7 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     text
 }
 
-/// What a host gives a uniform of this name, where its table says it.
+/// The documentation of the value that a host assigns to a uniform of this name.
 fn given(spot: &Spot, name: &str) -> Option<&'static str> {
     let bound = bindings(spot.program(), spot.analysis.host);
     let uniform = bound.uniforms.iter().find(|u| u.name == name)?;
@@ -83,7 +83,7 @@ fn given(spot: &Spot, name: &str) -> Option<&'static str> {
     is_known.then(|| uniform.source.says())
 }
 
-/// What is known of the value of an expression, or of the constant that a name stands for.
+/// The value or range of an expression, or of a constant.
 fn of_value(facts: &Facts, expr: Option<ExprId>, name: Option<Occurrence>) -> String {
     let program = facts.program();
     let constant = match name.map(|n| n.symbol) {
@@ -111,15 +111,15 @@ fn of_value(facts: &Facts, expr: Option<ExprId>, name: Option<Occurrence>) -> St
     }
     let ranges: Vec<Interval> = expr.into_iter().flat_map(|e| facts.range(e)).collect();
     match shown_ranges(ty, &ranges) {
-        Some(shown) => format!("\nhere: {shown}\n"),
+        Some(shown) => format!("\nrange here: {shown}\n"),
         None => String::new(),
     }
 }
 
-/// Most scalars that are shown one by one.
+/// Maximum number of components that are listed.
 const MOST_SHOWN: usize = 16;
 
-/// The scalars of a constant, as they are written.
+/// The components of a constant as GLSL literals.
 fn shown_values(ty: Option<Type>, values: &[Value]) -> String {
     let scalars: Vec<String> = values.iter().take(MOST_SHOWN).map(|v| shown(*v)).collect();
     let more = if values.len() > MOST_SHOWN {
@@ -142,7 +142,7 @@ fn shown(value: Value) -> String {
     }
 }
 
-/// A square of a colour, where a value may be one.
+/// A colour swatch, if the value may be a colour.
 fn swatch(ty: Option<Type>, values: &[Value]) -> String {
     let is_color = ty.is_some_and(|ty| {
         ty.is_vector() && ty.components() >= 3 && ty.scalar_kind() == Some(Scalar::Float)
@@ -163,7 +163,7 @@ fn swatch(ty: Option<Type>, values: &[Value]) -> String {
     )
 }
 
-/// The ranges of the components of a value, where anything is known of one of them.
+/// The ranges of the components, if at least one is known.
 fn shown_ranges(ty: Option<Type>, ranges: &[Interval]) -> Option<String> {
     let is_integer = ty
         .and_then(|ty| ty.scalar_kind())
@@ -200,18 +200,18 @@ fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     let work = facts.work();
     let calls = facts.calls().graph().calls_of(id).len();
     let times = match calls {
-        0 if facts.entry() == Some(id) => "runs for each pixel".to_string(),
-        0 => "nobody calls it".to_string(),
-        1 => "called at one place".to_string(),
-        n => format!("called at {n} places"),
+        0 if facts.entry() == Some(id) => "runs once per pixel".to_string(),
+        0 => "never called".to_string(),
+        1 => "1 call site".to_string(),
+        n => format!("{n} call sites"),
     };
     format!(
-        "\nabout {} a call; {times}\n",
+        "\nabout {} per call; {times}\n",
         operations(work.operations(id))
     )
 }
 
-/// A count of operations, in words.
+/// Formats a number of operations.
 pub fn operations(count: f64) -> String {
     let shown = match count {
         n if n < 1_000.0 => format!("{n:.0}"),
@@ -226,9 +226,9 @@ pub fn operations(count: f64) -> String {
     )
 }
 
-/// What the call of a macro becomes.
+/// The expansion of a macro call.
 fn of_macro(program: &Program, name: Occurrence) -> String {
-    /// More of an expansion is not shown.
+    /// Maximum length of an expansion.
     const MOST: usize = 400;
     let tokens = &program.tokens;
     let called = tokens.expansions.iter().zip(0..);
@@ -265,7 +265,7 @@ fn of_macro(program: &Program, name: Occurrence) -> String {
     if text.is_empty() {
         return String::new();
     }
-    format!("\nhere it becomes\n{}", code(&text))
+    format!("\nexpands to\n{}", code(&text))
 }
 
 fn of_builtin(program: &Program, id: BuiltinId, expr: Option<ExprId>) -> String {
@@ -277,7 +277,7 @@ fn of_builtin(program: &Program, id: BuiltinId, expr: Option<ExprId>) -> String 
         text.push_str(&code(&super::signature::builtin_head(overload)));
     }
     if called.is_none() && overloads.len() > 1 {
-        text.push_str(&format!("\nand {} other forms\n", overloads.len() - 1));
+        text.push_str(&format!("\noverloads: {}\n", overloads.len()));
     }
     if let Some(entry) = entry(id.name()) {
         text.push_str(&format!("\n{}\n", entry.text));
@@ -285,7 +285,7 @@ fn of_builtin(program: &Program, id: BuiltinId, expr: Option<ExprId>) -> String 
     text
 }
 
-/// The innermost expression whose name stands at a place.
+/// The expression with its name at a span.
 pub(super) fn expr_at(program: &Program, span: Span) -> Option<ExprId> {
     let tree = &program.tree;
     let all = tree.exprs.iter().zip(0..);
@@ -302,7 +302,7 @@ pub(super) fn expr_at(program: &Program, span: Span) -> Option<ExprId> {
     found.next().map(|(_, id)| ExprId(id))
 }
 
-/// What is known of a place that is no name: a component, a loop, an operator.
+/// The hover of other code: components, loops, operators.
 fn without_name(spot: &Spot, facts: &Facts, seen: Option<&RunSeen>) -> Option<(Span, String)> {
     let program = spot.program();
     let tokens = &program.tokens.tokens;
@@ -323,7 +323,7 @@ fn without_name(spot: &Spot, facts: &Facts, seen: Option<&RunSeen>) -> Option<(S
     if let Some((_, stmt)) = loops.next() {
         return Some((token.span, of_loop(facts, StmtId(stmt), seen)?));
     }
-    // The smallest expression that the token stands in without being one of its operands' tokens.
+    // The smallest expression with the token as its operator.
     let all = program.tree.exprs.iter().zip(0..);
     let around = all.filter(|(e, _)| e.extent.first <= id && id <= e.extent.last);
     let (expr, number) = around.min_by_key(|(e, _)| e.extent.last - e.extent.first)?;
@@ -346,11 +346,11 @@ fn without_name(spot: &Spot, facts: &Facts, seen: Option<&RunSeen>) -> Option<(S
 fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunSeen>) -> Option<String> {
     let known = facts.loops().get(stmt)?;
     let mut text = match known.bound {
-        Bound::Exact(n) if known.ends_early => format!("turns at most {n} times"),
-        Bound::Exact(n) => format!("turns {n} times"),
-        Bound::AtMost(n) => format!("turns at most {n} times"),
-        Bound::Ends => "comes to an end; after how many turns is not known".to_string(),
-        Bound::Open => "nothing is known that ends it for certain".to_string(),
+        Bound::Exact(n) if known.ends_early => format!("at most {}", iterations(n)),
+        Bound::Exact(n) => iterations(n),
+        Bound::AtMost(n) => format!("at most {}", iterations(n)),
+        Bound::Ends => "finite; the number of iterations is unknown".to_string(),
+        Bound::Open => "no bound on the number of iterations is known".to_string(),
     };
     text.push('\n');
     if let Some(seen) = seen.and_then(|s| s.loops.get(&stmt)) {
@@ -359,12 +359,16 @@ fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunSeen>) -> Option<String
     Some(text)
 }
 
-/// The comment that stands right above a declaration, or behind it on its line.
+fn iterations(count: u64) -> String {
+    format!("{count} iteration{}", if count == 1 { "" } else { "s" })
+}
+
+/// The comment directly above a declaration, or after it on the same line.
 fn comment_above(program: &Program, at: Span) -> Option<String> {
     let file = program.sources.file_at(at.start)?;
     let lines = file.lines();
     let line = lines.line(at.start - file.base);
-    // What stands behind the start of something else, such as a parameter, has no comment of its own.
+    // A parameter or a later declarator has no comment of its own.
     let start = lines.start(line)? as usize;
     let before = file.text.get(start..(at.start - file.base) as usize)?;
     if before.contains(['(', '{', ',', ';']) {
@@ -379,7 +383,7 @@ fn comment_above(program: &Program, at: Span) -> Option<String> {
         }
         let first = lines.line(comment.start - file.base);
         let last = lines.line(comment.end - file.base);
-        // It stands alone on its lines, right above what follows.
+        // The comment is alone on its lines, directly above what follows.
         let start = lines.start(first)?;
         let before = file
             .text
@@ -404,7 +408,7 @@ fn comment_above(program: &Program, at: Span) -> Option<String> {
     has_words.then_some(said)
 }
 
-/// What a comment says, without its marks.
+/// The text of a comment without its delimiters.
 fn plain(comment: &str) -> String {
     let inner = comment.strip_prefix("//").or_else(|| {
         let inner = comment.strip_prefix("/*")?;

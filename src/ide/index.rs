@@ -1,4 +1,4 @@
-//! Where the names of a shader stand, and what each of them means.
+//! Index of the names in a shader, with the symbols that they refer to.
 
 use super::symbol::Symbol;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -7,39 +7,38 @@ use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Name, RawKind, RawToken, TokenKind, tokenize};
 use shaderlint_text::Span;
 
-/// What is done with what a name means, where it stands.
+/// How a symbol is used by an occurrence of its name.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum NameUse {
-    /// It is declared, and perhaps defined elsewhere: a prototype.
+    /// Declared and possibly defined elsewhere: a prototype.
     Declared,
-    /// It is declared, and there is no more to come.
+    /// Declared and defined.
     Defined,
-    /// It is read, called, or named as a type.
+    /// Read, called, or used as a type.
     Read,
-    /// It is written to.
+    /// Assigned.
     Written,
-    /// Both.
+    /// Read and assigned.
     Changed,
-    /// The compiler does not see it: it stands in a group that is left out, or in the body of a macro
-    /// that nobody calls, and has the name.
+    /// Not compiled: in an inactive group, or in the body of an unused macro.
     Unseen,
 }
 
-/// A name in the user's text.
+/// An occurrence of a name in the user's text.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Occurrence {
-    /// Where it stands.
+    /// Span of the name.
     pub span: Span,
-    /// What it means.
+    /// Symbol that it refers to.
     pub symbol: Symbol,
-    /// What is done with it there.
+    /// How the symbol is used.
     pub access: NameUse,
 }
 
 /// The names of a shader.
 #[derive(Default, Debug)]
 pub struct Index {
-    /// In the order of the text; a name in the body of a macro may mean several things.
+    /// In source order; a name in the body of a macro may refer to several symbols.
     all: Vec<Occurrence>,
 }
 
@@ -65,23 +64,23 @@ impl Index {
         Index { all }
     }
 
-    /// All names, in the order of the text.
+    /// All names in source order.
     pub fn all(&self) -> &[Occurrence] {
         &self.all
     }
 
-    /// The name that stands at an address, or ends there.
+    /// The name at an address, or ending there.
     pub fn at(&self, address: u32) -> Option<Occurrence> {
         let after = self.all.partition_point(|o| o.span.start <= address);
         let before = self.all.get(..after)?.iter().rev().take(8);
         let touching = before.filter(|o| o.span.end >= address);
-        // Of two that touch the place, the one that starts at it.
+        // Of two adjacent names, the one that starts there.
         touching
             .copied()
             .max_by_key(|o| (o.span.start, o.access != NameUse::Unseen))
     }
 
-    /// Where a symbol is named.
+    /// The occurrences of a symbol.
     pub fn named(&self, symbol: Symbol) -> impl Iterator<Item = Occurrence> {
         self.all.iter().copied().filter(move |o| o.symbol == symbol)
     }
@@ -90,7 +89,7 @@ impl Index {
 struct Builder<'p> {
     program: &'p Program,
     found: Vec<Occurrence>,
-    /// By expression: what is done with it, where that is not reading it.
+    /// By expression: its use, unless it is read.
     targets: FxHashMap<ExprId, NameUse>,
 }
 
@@ -99,7 +98,7 @@ impl Builder<'_> {
         let Some(token) = self.program.token(token) else {
             return;
         };
-        // A token of a macro's body stands in the `#define`.
+        // A token in the body of a macro is found in the `#define`.
         let text = self.program.names.text(name);
         let span = Span::new(token.spelled, token.spelled + text.len() as u32);
         self.add_at(span, text, symbol, access);
@@ -115,7 +114,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Notes what is written to.
+    /// Records assignments.
     fn targets(&mut self) {
         let program = self.program;
         for (expr, id) in program.tree.exprs.iter().zip(0..) {
@@ -139,7 +138,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What a call does with an argument, where that is not reading it.
+    /// The use of an argument, unless it is read.
     fn argument(&self, call: ExprId, position: usize) -> Option<NameUse> {
         match self.program.expr(call).resolution {
             Resolution::Function(f) => {
@@ -268,7 +267,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The function that a further prototype declares once more.
+    /// The function that a repeated prototype declares.
     fn repeated(&self, decl: &FunctionDecl) -> Option<FunctionRef> {
         let is_it = |f: &shaderlint_semantic::Function| {
             f.name == decl.ident.name && f.params.len() == decl.params.len as usize
@@ -279,11 +278,11 @@ impl Builder<'_> {
         found.next().is_none().then_some(FunctionRef(first))
     }
 
-    /// Structs, their members, and where they are named as types.
+    /// Structs, their members, and their uses as types.
     fn types(&mut self) {
         let program = self.program;
         let mut named: FxHashMap<Name, Vec<(TokenId, u32)>> = FxHashMap::default();
-        // The members of a block without a name of its own are variables.
+        // The members of a block without an instance name are variables.
         let variables = program.variables.iter().filter_map(|v| v.token);
         let variables: FxHashSet<TokenId> = variables.collect();
         for (record, number) in program.structs.iter().zip(0..) {
@@ -332,8 +331,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What stands in directives, and what the compiler does not see. `seen` holds the addresses of
-    /// the names that are known.
+    /// Names in directives and in code that is not compiled. `seen` contains the addresses of known
+    /// names.
     fn directives(&mut self, seen: &mut FxHashSet<u32>) {
         let global = Globals::of(self.program);
         for (text, base) in self.units() {
@@ -368,7 +367,7 @@ impl Builder<'_> {
         last.is_some_and(|s| s.contains(span))
     }
 
-    /// The texts that the shader is made of, as the compiler reads them.
+    /// The code that the shader consists of.
     fn units(&self) -> Vec<(String, u32)> {
         let program = self.program;
         let mut units: Vec<(String, u32)> = Vec::new();
@@ -463,7 +462,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A word that the compiler does not see: it means what has its name at the outside.
+    /// A word that is not compiled: it refers to the global symbol of its name.
     fn unseen(&mut self, span: Span, global: &Globals, seen: &mut FxHashSet<u32>) {
         let text = self.program.sources.text(span);
         let Some(name) = self.program.names.get(text) else {
@@ -479,7 +478,7 @@ impl Builder<'_> {
     }
 }
 
-/// What is declared outside of functions, by its name.
+/// Global symbols by name.
 struct Globals {
     macros: FxHashSet<Name>,
     symbols: FxHashMap<Name, Vec<Symbol>>,
@@ -512,7 +511,7 @@ impl Globals {
     }
 }
 
-/// The number of the struct or block that a type is.
+/// The index of the struct or block of a type.
 pub fn struct_number(ty: shaderlint_semantic::Type) -> Option<u32> {
     use shaderlint_semantic::Base;
     match ty.base {

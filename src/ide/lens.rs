@@ -1,4 +1,4 @@
-//! What stands above functions and numbers, to be pressed.
+//! Code lenses above functions and constants.
 
 use super::document::Document;
 use super::hover::operations;
@@ -6,38 +6,38 @@ use super::run::RunSeen;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::Span;
 
-/// A line above something.
+/// A code lens.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Lens {
-    /// What it stands above.
+    /// Span that it is shown above.
     pub span: Span,
-    /// What it says.
+    /// Displayed text.
     pub title: String,
-    /// What happens when it is pressed.
+    /// Command on click.
     pub command: LensCommand,
 }
 
-/// What happens when a line is pressed.
+/// Commands of code lenses.
 #[derive(Clone, PartialEq, Debug)]
 pub enum LensCommand {
-    /// Nothing: it says something.
+    /// None: the lens is informative.
     Nothing,
-    /// The shader is shown.
+    /// Opens the preview.
     Preview,
-    /// A number is changed.
+    /// Changes a number with a slider.
     Tune {
-        /// Where it is written.
+        /// Span of the number.
         value_span: Span,
-        /// What it is.
+        /// Current value.
         value: f64,
-        /// From where.
+        /// Minimum of the slider.
         min: f64,
-        /// To where.
+        /// Maximum of the slider.
         max: f64,
     },
 }
 
-/// The lines above what a text declares; `seen` is what runs of its shaders have shown.
+/// The lenses of a document; `seen` holds the results of sample runs, by shader.
 pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
     let mut found: Vec<Lens> = Vec::new();
     let analyses = document.report.analyses.iter();
@@ -96,9 +96,9 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
     found
 }
 
-/// What the pixels of a run cost.
+/// The cost of pixels in a sample run.
 fn seen_cost(seen: &RunSeen) -> String {
-    let mut title = format!("in a run: {} per pixel", operations(seen.cost.round()));
+    let mut title = format!("sample run: {} per pixel", operations(seen.cost.round()));
     if f64::from(seen.most_cost) > seen.cost.round() {
         title.push_str(&format!(", {} at most", seen.most_cost));
     }

@@ -1,5 +1,5 @@
-//! What editors ask about a text: what a name means, where it is used, what may be written here. In
-//! offsets of the text, without lines, protocols and files: those are the fronts'.
+//! Editor features independent of the protocol: definitions, references, completion, hovers,
+//! renaming. Positions are byte offsets; front ends convert them to lines and columns.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod actions;

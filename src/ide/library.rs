@@ -1,20 +1,20 @@
-//! What is said of the functions and variables that the language and ShaderToy define:
-//! `built_ins.txt`, whose head explains its form, and of ShaderToy's uniforms its host's file.
+//! Documentation of built-in functions and variables, from `built_ins.txt`; and of ShaderToy's
+//! uniforms, from the file of its host.
 
 use rustc_hash::FxHashMap;
 use shaderlint_host::shadertoy;
 use std::sync::OnceLock;
 
-/// What is said of a name.
+/// Documentation of a name.
 #[derive(Default, Debug)]
 pub struct Entry {
-    /// By number of parameters: what they are called. None for a variable.
+    /// Parameter names of each overload; empty for a variable.
     pub heads: Vec<Vec<&'static str>>,
-    /// What it is, in Markdown.
+    /// Text in Markdown.
     pub text: String,
 }
 
-/// What is said of a name that the language or ShaderToy defines.
+/// The documentation of a built-in name.
 pub fn entry(name: &str) -> Option<&'static Entry> {
     static ENTRIES: OnceLock<FxHashMap<&'static str, Entry>> = OnceLock::new();
     ENTRIES

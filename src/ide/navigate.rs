@@ -1,4 +1,4 @@
-//! Where names are declared and used.
+//! Definitions and references.
 
 use super::document::{Document, FileSpan, Spot};
 use super::index::{NameUse, Occurrence};
@@ -6,7 +6,7 @@ use super::symbol::{Symbol, declared_at};
 use shaderlint_semantic::Base;
 use shaderlint_text::Span;
 
-/// Where what stands at an offset is defined: a function at its body.
+/// The definition of the symbol at an offset; of a function, its body.
 pub fn definition(document: &Document, offset: u32) -> Option<FileSpan> {
     let spot = document.spot(offset)?;
     let symbol = spot.name()?.symbol;
@@ -17,7 +17,7 @@ pub fn definition(document: &Document, offset: u32) -> Option<FileSpan> {
     document.place(span)
 }
 
-/// Where what stands at an offset is first declared: a function at its prototype.
+/// The first declaration of the symbol at an offset; of a function, its prototype.
 pub fn declaration(document: &Document, offset: u32) -> Option<FileSpan> {
     let spot = document.spot(offset)?;
     let symbol = spot.name()?.symbol;
@@ -31,7 +31,7 @@ fn defined_in(spot: &Spot, symbol: Symbol) -> Option<Span> {
     all.find(|o| o.access == NameUse::Defined).map(|o| o.span)
 }
 
-/// Where the type of what stands at an offset is declared, where it is a struct.
+/// The declaration of the struct type of the symbol at an offset.
 pub fn type_definition(document: &Document, offset: u32) -> Option<FileSpan> {
     let spot = document.spot(offset)?;
     let ty = spot.name()?.symbol.ty(spot.program())?;
@@ -42,7 +42,7 @@ pub fn type_definition(document: &Document, offset: u32) -> Option<FileSpan> {
     document.place(span)
 }
 
-/// Where what stands at an offset is named, in all of the documents; `document` is among them.
+/// The references to the symbol at an offset in all documents; `document` is one of them.
 pub fn references(
     documents: &[&Document],
     document: &Document,
@@ -62,7 +62,7 @@ pub fn references(
     all
 }
 
-/// Where what stands at an offset is named in the same text, with what is done with it there.
+/// The references to the symbol at an offset in the same document, with their uses.
 pub fn highlights(document: &Document, offset: u32) -> Vec<(Span, NameUse)> {
     let all = references(&[document], document, offset);
     let own = all
@@ -71,7 +71,7 @@ pub fn highlights(document: &Document, offset: u32) -> Vec<(Span, NameUse)> {
     own.map(|(place, access)| (place.span, access)).collect()
 }
 
-/// Whether other files may name what a name means.
+/// Whether other files may refer to a symbol.
 pub fn is_shared(spot: &Spot, name: Occurrence) -> bool {
     match name.symbol {
         Symbol::Variable(id) => spot
@@ -83,7 +83,7 @@ pub fn is_shared(spot: &Spot, name: Occurrence) -> bool {
     }
 }
 
-/// A name in the text of a document that stands at an offset.
+/// The name at an offset, with its span in the document.
 pub(super) fn name_at(document: &Document, offset: u32) -> Option<(Spot<'_>, Occurrence, Span)> {
     let spot = document.spot(offset)?;
     let name = spot.name()?;

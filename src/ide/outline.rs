@@ -1,4 +1,4 @@
-//! What a text declares: functions, structs with their members, globals, macros.
+//! The outline of a document: functions, structs with members, globals, macros.
 
 use super::document::Document;
 use super::symbol::{Symbol, SymbolKind, declared_at};
@@ -6,24 +6,24 @@ use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::ast::{DeclKind, Extent, Item, TokenId};
 use shaderlint_text::Span;
 
-/// Something that a text declares.
+/// An item of the outline.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct OutlineItem {
-    /// Its name.
+    /// Declared name.
     pub name: String,
-    /// Its type or form.
+    /// Type or signature.
     pub detail: String,
-    /// What it is.
+    /// Kind of symbol.
     pub kind: SymbolKind,
-    /// All of it.
+    /// Span of the declaration.
     pub span: Span,
-    /// Its name, inside of that.
+    /// Span of the name.
     pub name_span: Span,
-    /// The members.
+    /// Members.
     pub inner: Vec<OutlineItem>,
 }
 
-/// What a text declares outside of functions, in its order.
+/// The global declarations of a document, in source order.
 pub fn outline(document: &Document) -> Vec<OutlineItem> {
     let mut found: Vec<OutlineItem> = Vec::new();
     for (program, _) in document.shaders() {
@@ -105,7 +105,7 @@ fn fields(document: &Document, program: &Program, symbol: Symbol) -> Vec<Outline
         .collect()
 }
 
-/// The declaration at global scope that a token stands in.
+/// The global declaration that contains a token.
 fn item_around(program: &Program, token: TokenId) -> Option<Extent> {
     let inside = Extent::token(token);
     let extents = program.tree.items.iter().filter_map(|item| match item {

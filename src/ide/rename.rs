@@ -1,7 +1,7 @@
-//! Names are changed where the compiler finds every one of them to mean the same as before.
+//! Renames a symbol if every name keeps its meaning.
 //!
-//! There is no list of what could go wrong. The texts are changed, checked again, and each name is
-//! asked what it means: where one means something else, the renaming is refused, with the place.
+//! There are no special cases. The changed texts are checked again, and the declarations that names
+//! refer to are compared. If one differs, the renaming is rejected with the position.
 
 use super::document::{Document, FileSpan, Origin, Overlay};
 use super::index::NameUse;
@@ -17,14 +17,14 @@ use std::fmt;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What a renaming changes.
+/// The edits of a renaming.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Renaming {
-    /// By the path of a file: its edits, in offsets of its text.
+    /// By path of a file: its edits, with offsets in its text.
     pub edits: BTreeMap<String, Vec<Edit>>,
 }
 
-/// Why a name stays.
+/// Why a name cannot be renamed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct RenameRefusal(pub String);
 
@@ -40,13 +40,13 @@ fn refused<T>(why: impl Into<String>) -> Result<T, RenameRefusal> {
     Err(RenameRefusal(why.into()))
 }
 
-/// The name at an offset, where it may be changed at all, and where it stands.
+/// The span and text of the name at an offset, if it can be renamed.
 ///
 /// # Errors
-/// Where it is not the text that gives the name, with who does.
+/// If the user's text does not declare the name.
 pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), RenameRefusal> {
     let Some((spot, name, span)) = name_at(document, offset) else {
-        return refused("there is no name here");
+        return refused("no symbol to rename here");
     };
     let program = spot.program();
     let text = program.sources.text(name.span).to_string();
@@ -54,29 +54,31 @@ pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), Re
         Origin::Given(_)
             if matches!(name.symbol, Symbol::Builtin(_)) || text.starts_with("gl_") =>
         {
-            refused(format!("the language gives `{text}` its name"))
+            refused(format!("`{text}` is built in and cannot be renamed"))
         }
         Origin::Given(_) => {
             let host = program.dialect.host().called;
-            refused(format!("{host} gives `{text}` its name"))
+            refused(format!(
+                "`{text}` is declared by {host} and cannot be renamed"
+            ))
         }
-        _ if is_asked_for(document, program, name.symbol) => refused(format!(
-            "the script around the shader asks for `{text}` by its name"
-        )),
+        _ if is_asked_for(document, program, name.symbol) => {
+            refused(format!("the surrounding script refers to `{text}` by name"))
+        }
         _ if is_entry(program, name.symbol) => {
             let host = program.dialect.host().called;
-            refused(format!("{host} calls `{text}` by its name"))
+            refused(format!("{host} calls `{text}` by name"))
         }
         _ => Ok((span, text)),
     }
 }
 
-/// Whether a host calls a function by its name.
+/// Whether a host calls a function by name.
 fn is_entry(program: &Program, symbol: Symbol) -> bool {
     matches!(symbol, Symbol::Function(_)) && starts_a_shader(symbol.name(program))
 }
 
-/// Whether what stands around the shaders of a text names what it gives to one of them.
+/// Whether the code around the shaders of a document refers to an input by name.
 fn is_asked_for(document: &Document, program: &Program, symbol: Symbol) -> bool {
     let is_given = match symbol.kind(program) {
         SymbolKind::Uniform => true,
@@ -91,11 +93,10 @@ fn is_asked_for(document: &Document, program: &Program, symbol: Symbol) -> bool 
     places.any(|(at, _)| document.spot(at as u32).is_none())
 }
 
-/// Changes the name at an offset wherever it stands in the documents; `document` is among them, and
-/// so is every other that names it.
+/// Renames the symbol at an offset in all documents that refer to it; `document` is one of them.
 ///
 /// # Errors
-/// Where a name would mean something else than before, with the place; where the new one is none.
+/// If a name would refer to another declaration, or the new name is not valid.
 pub fn rename(
     documents: &[&Document],
     document: &Document,
@@ -105,7 +106,7 @@ pub fn rename(
 ) -> Result<Renaming, RenameRefusal> {
     let (_, old) = may_rename(document, offset)?;
     let Some((spot, name, _)) = name_at(document, offset) else {
-        return refused("there is no name here");
+        return refused("no symbol to rename here");
     };
     let program = spot.program();
     is_name(program, new)?;
@@ -118,52 +119,49 @@ pub fn rename(
     Ok(renaming)
 }
 
-/// Whether a word can be a name.
+/// Whether a word is a valid name.
 fn is_name(program: &Program, word: &str) -> Result<(), RenameRefusal> {
     let is_word = matches!(&tokenize(word, 0)[..], [one] if one.kind == RawKind::Word);
     if !is_word {
-        return refused(format!(
-            "`{word}` is no name: letters, digits and `_` make one"
-        ));
+        return refused(format!("`{word}` is not a valid identifier"));
     }
     let is_taken = classify(word, program.version) != WordClass::Plain;
     if is_taken {
-        return refused(format!("the language keeps the word `{word}`"));
+        return refused(format!("`{word}` is a keyword or reserved word"));
     }
     if word.starts_with("gl_") || word.contains("__") {
-        return refused(format!("names like `{word}` are the language's own"));
+        return refused(format!(
+            "names that start with `gl_` or contain `__` are reserved"
+        ));
     }
     Ok(())
 }
 
-/// The edits that change all names of an origin.
+/// The edits that rename a symbol.
 fn edits(documents: &[&Document], origin: &Origin, new: &str) -> Result<Renaming, RenameRefusal> {
     let mut places: BTreeMap<FileSpan, &Document> = BTreeMap::new();
     for document in documents {
         for named in document.named(origin) {
-            // What the compiler does not see may mean several things: the first will do.
+            // Code that is not compiled may refer to several symbols: the first is used.
             places.entry(named.place).or_insert(document);
         }
     }
     let mut renaming = Renaming::default();
     for (place, document) in places {
         let edit = match place.path == document.path {
-            // Inside other languages a name is written as they write it.
+            // Embedded shaders may require escapes.
             true => written(document, &place, new),
             false => Some(Edit::replace(place.span, new)),
         };
         let Some(edit) = edit else {
-            return refused(format!(
-                "{} cannot be written to",
-                located(document, &place)
-            ));
+            return refused(format!("cannot edit {}", located(document, &place)));
         };
         renaming.edits.entry(place.path).or_default().push(edit);
     }
     Ok(renaming)
 }
 
-/// A new name for a place of a document.
+/// The edit that renames an occurrence in a document.
 fn written(document: &Document, place: &FileSpan, new: &str) -> Option<Edit> {
     let start = document.report.address(place.span.start)?;
     let end = document.report.address(place.span.end)?;
@@ -180,7 +178,7 @@ fn located(document: &Document, place: &FileSpan) -> String {
     format!("line {line} of `{name}`")
 }
 
-/// Checks the changed texts, and compares what each name means.
+/// Checks the changed texts, and compares the declarations that names refer to.
 fn verify(
     documents: &[&Document],
     renaming: &Renaming,
@@ -198,7 +196,7 @@ fn verify(
             },
         };
         let Ok(changed) = apply_edits(&text, 0, edits) else {
-            return refused(format!("`{path}` cannot be changed: two names overlap"));
+            return refused(format!("cannot edit `{path}`: edits overlap"));
         };
         texts.insert(path.into(), changed.into());
     }
@@ -215,10 +213,10 @@ fn verify(
     Ok(())
 }
 
-/// What a name means, where it stands.
+/// A name and its declaration.
 type NameMeaning = (FileSpan, Option<FileSpan>);
 
-/// Refuses what makes a name mean something else.
+/// Rejects a renaming that changes the meaning of a name.
 fn compare(
     before: &Document,
     after: &Document,
@@ -234,13 +232,13 @@ fn compare(
     if let Some(error) = new_errors.iter().find(|e| !old_errors.contains(e))
         && new_errors.len() > old_errors.len()
     {
-        return refused(format!("`{new}` would be an error: {error}"));
+        return refused(format!("renaming to `{new}` causes an error: {error}"));
     }
     let moved: Vec<Vec<NameMeaning>> = meanings(before, Some(renaming));
     let now: Vec<Vec<NameMeaning>> = meanings(after, None);
     if moved.len() != now.len() {
         return refused(format!(
-            "with `{new}` the text would be read as something else"
+            "renaming to `{new}` changes how the file is parsed"
         ));
     }
     for (was, is) in moved.iter().zip(&now) {
@@ -250,14 +248,16 @@ fn compare(
             continue;
         };
         let at = located(after, &place.0);
-        return refused(format!("`{new}` would mean something else in {at}"));
+        return refused(format!(
+            "`{new}` would refer to another declaration in {at}"
+        ));
     }
     Ok(())
 }
 
-/// How far the text behind places is moved by edits.
+/// How edits move the text after them.
 struct Shift<'r> {
-    /// By path: where edits start, and how much longer the text is behind them, in their order.
+    /// By path: the start of each edit, and the growth of the text up to its end.
     by_path: BTreeMap<&'r str, Vec<(u32, i64)>>,
 }
 
@@ -276,7 +276,7 @@ impl Shift<'_> {
         }
     }
 
-    /// Where a place is afterwards. A name that is changed itself keeps its start.
+    /// The position after the edits. A renamed name keeps its start.
     fn moved(&self, place: FileSpan) -> FileSpan {
         let steps = self.by_path.get(place.path.as_str());
         let steps = steps.map_or(&[][..], Vec::as_slice);
@@ -293,7 +293,7 @@ impl Shift<'_> {
     }
 }
 
-/// By shader: where names stand and what declares them; of the text before, where that will be.
+/// By shader: the names and their declarations, with positions after the renaming.
 fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<NameMeaning>> {
     let shift = renaming.map(Shift::of);
     let moved = |place: FileSpan| match &shift {
@@ -308,7 +308,7 @@ fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<NameMea
             let origin = origins.entry(o.symbol).or_insert_with(|| {
                 match document.origin(program, o.symbol) {
                     Origin::Text(place) | Origin::MacroParameter(place, _) => Some(moved(place)),
-                    // The stages are linked by the name, wherever it stands.
+                    // Stages are linked by name, independent of positions.
                     Origin::Interface(..) | Origin::Given(_) => None,
                 }
             });

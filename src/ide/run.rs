@@ -1,4 +1,4 @@
-//! What runs of a shader have shown of it, and what a variable looks like all over the picture.
+//! Sample runs for editors: cost and iterations, and images of the values of a variable.
 
 use shaderlint_engine::Analysis;
 use shaderlint_engine::play::{Moment, Picture, Scene};
@@ -9,34 +9,34 @@ use shaderlint_text::Span;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The picture that is run: so small that it costs milliseconds.
+/// Size of the image in pixels, so small that a run takes milliseconds.
 const SIZE: [u32; 2] = [64, 36];
-/// When: what is animated has begun by then.
+/// Time in seconds; animations have started by then.
 const TIME: f64 = 1.0;
-/// Instructions that a run may take, some 50 ms of one core.
+/// Maximum number of instructions of a run, about 50 ms on one core.
 const BUDGET: u64 = 6_000_000;
-/// Instructions that a shader may become.
+/// Maximum number of instructions of a compiled shader.
 const MOST_INSTRUCTIONS: usize = 60_000;
 
-/// What a run has shown.
+/// The result of a sample run.
 #[derive(Clone, Default, Debug)]
 pub struct RunSeen {
-    /// By loop.
+    /// Iterations by loop.
     pub loops: BTreeMap<StmtId, SeenTurns>,
-    /// Operations of a pixel in the mean.
+    /// Average number of operations per pixel.
     pub cost: f64,
-    /// The most operations of one pixel.
+    /// Maximum number of operations of a pixel.
     pub most_cost: u32,
 }
 
-/// How often a loop turned.
+/// Number of iterations of a loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SeenTurns {
-    /// The most turns of one pixel.
+    /// Maximum per pixel.
     pub most: u32,
-    /// Turns in the mean.
+    /// Average per execution of the loop.
     pub mean: f64,
-    /// The share of the pixels that came to it and ran all of its turns.
+    /// Share of the pixels that reached it and ran all iterations.
     pub exhausted: f64,
 }
 
@@ -44,7 +44,7 @@ impl fmt::Display for SeenTurns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "seen in a run: at most {} turns, {:.1} in the mean",
+            "sample run: at most {} iterations, {:.1} on average",
             self.most, self.mean
         )
     }
@@ -60,8 +60,8 @@ impl SeenTurns {
     }
 }
 
-/// Draws a small picture of a shader and says what was seen; `None` where it cannot be run, or takes
-/// too long.
+/// Draws a small image of a shader and returns statistics; `None` if it cannot run, or exceeds the
+/// budget.
 pub fn run(analysis: &Analysis) -> Option<RunSeen> {
     let options = CompileOptions {
         watch: Watch::Flow,
@@ -82,8 +82,8 @@ pub fn run(analysis: &Analysis) -> Option<RunSeen> {
     })
 }
 
-/// What a variable is all over the picture, where it is read or written within a stretch of the text;
-/// `None` where it cannot be run, or takes too long.
+/// An image of the values of a variable that is used in a span; `None` if the shader cannot run, or
+/// exceeds the budget.
 pub fn picture_of(analysis: &Analysis, variable: VariableId, within: Span) -> Option<Picture> {
     let options = CompileOptions {
         probe: Some(Probe::Variable { variable, within }),
@@ -94,11 +94,11 @@ pub fn picture_of(analysis: &Analysis, variable: VariableId, within: Span) -> Op
     let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
     drawing.budget = BUDGET;
     let drawn = draw(&drawing, 1).ok()?;
-    // The value is the last output but one.
+    // The last output is the flag that says whether the line ran.
     let output = scene.code.outputs.len().checked_sub(2)?;
     let mut picture = Picture::of(&scene.code, &drawn, output);
     if scene.code.outputs.get(output)?.ty.components() == 1 {
-        // A number is grey, where several are colours.
+        // Scalars are grey, vectors are colours.
         let grey = |pixel: &mut [f32; 4]| *pixel = [pixel[0], pixel[0], pixel[0], 1.0];
         picture.pixels.iter_mut().for_each(grey);
     }

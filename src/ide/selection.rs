@@ -1,13 +1,13 @@
-//! What surrounds a place: an expression, a statement, a block, a function, the text.
+//! Selection ranges: expression, statement, block, function, document.
 
 use super::document::Document;
 use shaderlint_syntax::ast::Extent;
 use shaderlint_text::Span;
 
-/// Most stretches around an offset that are told.
+/// Maximum number of nested ranges.
 const MOST_DEEP: usize = 64;
 
-/// The stretches around an offset, the innermost first, each inside of the next.
+/// The ranges around an offset, innermost first, each inside the next.
 pub fn selection(document: &Document, offset: u32) -> Vec<Span> {
     let mut found = vec![Span::new(0, document.text.len() as u32)];
     if let Some(spot) = document.spot(offset) {
@@ -29,7 +29,7 @@ pub fn selection(document: &Document, offset: u32) -> Vec<Span> {
     }
     found.sort_by_key(|s| (s.len(), s.start));
     found.dedup();
-    // What only touches the place, and what does not hold the one before, is left out.
+    // Drops ranges that only touch the position, or do not contain the previous range.
     let mut nested: Vec<Span> = Vec::new();
     for span in found {
         if nested
@@ -39,7 +39,7 @@ pub fn selection(document: &Document, offset: u32) -> Vec<Span> {
             nested.push(span);
         }
     }
-    // Answers that nest deeper than people ever select are more than some clients can read.
+    // Some clients cannot parse deeply nested answers.
     if nested.len() > MOST_DEEP {
         let left_out = nested.len() - MOST_DEEP;
         nested.drain(MOST_DEEP / 2..MOST_DEEP / 2 + left_out);

@@ -1,4 +1,4 @@
-//! What the call that is being written takes.
+//! Signature help.
 
 use super::document::{Document, Spot};
 use super::library::entry;
@@ -8,38 +8,38 @@ use shaderlint_semantic::{Program, Type};
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};
 use shaderlint_text::Span;
 
-/// A form of a function.
+/// The signature of a function.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Signature {
-    /// The whole of it, `float mix(float x, float y, float a)`.
+    /// Text such as `float mix(float x, float y, float a)`.
     pub label: String,
-    /// Its parameters, as stretches of the label in bytes.
+    /// Byte ranges of the parameters in the label.
     pub parameters: Vec<Span>,
-    /// What is said of it, in Markdown.
+    /// Documentation in Markdown.
     pub text: String,
 }
 
-/// What a call takes.
+/// The signatures of a call.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SignatureHelp {
-    /// The forms, those that still fit first.
+    /// The overloads, matching ones first.
     pub signatures: Vec<Signature>,
-    /// The number of the argument that is being written.
+    /// Index of the current argument.
     pub argument: u32,
 }
 
-/// A call that is open at an offset: its name, and the number of its argument there.
+/// An incomplete call at an offset.
 pub(super) struct OpenCall {
-    /// The name.
+    /// Name of the function.
     pub name: String,
-    /// The number of the argument.
+    /// Index of the argument at the offset.
     pub argument: u32,
 }
 
-/// Most bytes that a call that is being written has before the place.
+/// Maximum length in bytes of the searched code before the position.
 const MOST: usize = 4_000;
 
-/// What the call around an offset takes.
+/// The signature help at an offset.
 pub fn signature_help(document: &Document, offset: u32) -> Option<SignatureHelp> {
     let spot = document.spot(offset)?;
     let call = open_call(&spot)?;
@@ -55,7 +55,7 @@ pub fn signature_help(document: &Document, offset: u32) -> Option<SignatureHelp>
     })
 }
 
-/// The call that is open at a place.
+/// The incomplete call at a position.
 pub(super) fn open_call(spot: &Spot) -> Option<OpenCall> {
     let code = spot.document.report.sources.code_at(spot.address)?;
     let end = (spot.address - code.base) as usize;
@@ -64,7 +64,7 @@ pub(super) fn open_call(spot: &Spot) -> Option<OpenCall> {
         start += 1;
     }
     let before = code.text.get(start..end)?;
-    // A cut comment or word at the start does no harm: brackets are counted from the end.
+    // The code may start inside a comment or word, because brackets are counted from the end.
     let tokens = tokenize(before, 0);
     let is_blank = |t: &&RawToken| {
         !matches!(
@@ -91,7 +91,7 @@ pub(super) fn open_call(spot: &Spot) -> Option<OpenCall> {
                             argument,
                         });
                     }
-                    // A parenthesis inside of an argument.
+                    // A parenthesised expression in an argument.
                     None => argument = 0,
                 }
             }
@@ -105,7 +105,7 @@ pub(super) fn open_call(spot: &Spot) -> Option<OpenCall> {
     None
 }
 
-/// Puts the parameters of a function together.
+/// Builds a signature from its parameters.
 fn signature(head: &str, params: &[String], text: String) -> Signature {
     let mut label = format!("{head}(");
     let mut parameters = Vec::new();
@@ -145,7 +145,7 @@ fn of_struct(program: &Program, name: &str) -> Option<Signature> {
     Some(signature(name, &params, String::new()))
 }
 
-/// The parameters of a form of a built-in function.
+/// The parameters of an overload of a built-in function.
 fn builtin_parameters(overload: &Overload) -> Vec<String> {
     let count = overload.params().len();
     let heads = entry(overload.function.name()).map_or(&[][..], |e| e.heads.as_slice());
@@ -161,12 +161,12 @@ fn builtin_parameters(overload: &Overload) -> Vec<String> {
     param.collect()
 }
 
-/// A type of the language, as it is written.
+/// A built-in type as written in GLSL.
 fn type_name(ty: Type) -> String {
     shaderlint_semantic::type_name(ty, |_| String::new())
 }
 
-/// A form of a built-in function, as it would be declared.
+/// An overload of a built-in function as a declaration.
 pub(super) fn builtin_head(overload: &Overload) -> String {
     let head = format!(
         "{} {}",
@@ -176,8 +176,8 @@ pub(super) fn builtin_head(overload: &Overload) -> String {
     signature(&head, &builtin_parameters(overload), String::new()).label
 }
 
-/// The forms of a built-in function, one for each number of parameters and each first type that is not
-/// merely longer than another.
+/// The overloads of a built-in function: one for each number of parameters and each first type that
+/// is not just a larger vector.
 fn of_builtin(program: &Program, name: &str) -> Vec<Signature> {
     let builtins = Builtins::of(program.version, program.stage);
     let Some(id) = builtins.function(name) else {

@@ -1,4 +1,4 @@
-//! What a name means, in words.
+//! The symbols that names refer to.
 
 use shaderlint_semantic::builtins::{BuiltinStorage, Builtins};
 use shaderlint_semantic::{
@@ -9,31 +9,31 @@ use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::Param;
 use shaderlint_text::Span;
 
-/// What a name means.
+/// The symbol that a name refers to.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Symbol {
     /// A variable or parameter.
     Variable(VariableId),
-    /// A function of the shader.
+    /// A user-defined function.
     Function(FunctionRef),
-    /// A struct or block, by its number.
+    /// A struct or block, by index.
     Struct(u32),
-    /// A member: its struct, and its place in it.
+    /// A member: index of its struct, and of the member.
     Field(u32, u32),
-    /// A macro. Definitions of one name in several groups are one macro.
+    /// A macro. Definitions of the same name in several groups are one macro.
     Macro(Name),
-    /// A parameter of the macro whose name stands at this address, by its place.
+    /// A parameter of the macro with its name at this address, by index.
     MacroParameter(u32, u32),
-    /// A function of the language.
+    /// A built-in function.
     Builtin(BuiltinId),
 }
 
-/// What sort of thing a name means.
+/// Kinds of symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum SymbolKind {
     /// A local variable.
     Local,
-    /// A variable outside of functions.
+    /// A global variable.
     Global,
     /// A constant.
     Constant,
@@ -41,9 +41,9 @@ pub enum SymbolKind {
     Parameter,
     /// A uniform.
     Uniform,
-    /// What a stage is given.
+    /// An input of a stage.
     Input,
-    /// What a stage gives.
+    /// An output of a stage.
     Output,
     /// A function.
     Function,
@@ -56,7 +56,7 @@ pub enum SymbolKind {
 }
 
 impl Symbol {
-    /// What sort of thing it is.
+    /// The kind of the symbol.
     pub fn kind(self, program: &Program) -> SymbolKind {
         match self {
             Symbol::Variable(id) => program
@@ -70,7 +70,7 @@ impl Symbol {
         }
     }
 
-    /// Its name; empty for a parameter of a macro.
+    /// The name of the symbol; empty for a parameter of a macro.
     pub fn name(self, program: &Program) -> &str {
         let name = match self {
             Symbol::Variable(id) => program.variable(id).map(|v| v.name),
@@ -84,7 +84,7 @@ impl Symbol {
         name.map_or("", |name| program.names.text(name))
     }
 
-    /// Its type, where it has one: of a function, what it returns.
+    /// The type of the symbol, if it has one; of a function, the return type.
     pub fn ty(self, program: &Program) -> Option<Type> {
         match self {
             Symbol::Variable(id) => Some(program.variable(id)?.ty),
@@ -95,7 +95,7 @@ impl Symbol {
         }
     }
 
-    /// How it is declared, in a line of GLSL.
+    /// The declaration as a line of GLSL.
     pub fn declaration(self, program: &Program) -> String {
         match self {
             Symbol::Variable(id) => program
@@ -123,7 +123,7 @@ impl Symbol {
     }
 }
 
-/// A member by its symbol.
+/// The member of a field symbol.
 fn field(program: &Program, symbol: Symbol) -> Option<&Field> {
     let Symbol::Field(id, at) = symbol else {
         return None;
@@ -143,7 +143,7 @@ fn variable_kind(variable: &Variable) -> SymbolKind {
     }
 }
 
-/// A type and a name as they are declared: `float a[3]`.
+/// A type and a name as a declaration: `float a[3]`.
 pub fn typed(program: &Program, ty: Type, name: &str) -> String {
     let element = program.type_name(ty.element());
     match ty.array {
@@ -171,7 +171,7 @@ fn variable_declaration(program: &Program, variable: &Variable) -> String {
     }
 }
 
-/// What the parameters of a function are called, where it is declared.
+/// The names of the parameters of a function, where it is declared.
 pub fn parameter_names<'p>(program: &'p Program, function: &Function) -> Vec<&'p str> {
     let declared = function.definition.unwrap_or(function.declaration);
     let params = program.tree.function(declared).map(|d| d.params);
@@ -180,7 +180,7 @@ pub fn parameter_names<'p>(program: &'p Program, function: &Function) -> Vec<&'p
     params.iter().map(name).collect()
 }
 
-/// The parameters of a function, as they are declared.
+/// The parameters of a function as declared.
 pub fn parameters(program: &Program, function: &Function) -> Vec<String> {
     let names = parameter_names(program, function);
     let params = function.params.iter().enumerate();
@@ -205,7 +205,7 @@ fn function_declaration(program: &Program, function: &Function) -> String {
 }
 
 fn struct_declaration(program: &Program, id: u32) -> String {
-    /// More members than these are not shown.
+    /// Maximum number of members shown.
     const MOST: usize = 16;
     let Some(record) = program.structs.get(id as usize) else {
         return String::new();
@@ -222,7 +222,7 @@ fn struct_declaration(program: &Program, id: u32) -> String {
     text + "};"
 }
 
-/// The `#define` of a macro, from its line.
+/// The `#define` of a macro.
 fn macro_declaration(program: &Program, name: Name) -> String {
     let defined = program.tokens.macros.iter().rev().find(|m| m.name == name);
     let Some(defined) = defined else {
@@ -235,7 +235,7 @@ fn macro_declaration(program: &Program, name: Name) -> String {
     let file = program.sources.file_at(defined.name_span.start);
     let line = file.and_then(|file| {
         let from = (defined.name_span.start - file.base) as usize;
-        // The lines of a `#define` end where no `\` stands before the line break.
+        // A `#define` ends at a line break that does not follow a `\`.
         let rest = file.text.get(from..)?;
         let mut end = 0;
         for line in rest.split_inclusive('\n') {
@@ -249,7 +249,7 @@ fn macro_declaration(program: &Program, name: Name) -> String {
     format!("#define {}", line.unwrap_or(text).trim_end())
 }
 
-/// Where the name of a symbol is declared in the text: in the definition, where there is one.
+/// The declaration of a symbol in the text; the definition, if there is one.
 pub fn declared_at(program: &Program, symbol: Symbol) -> Option<Span> {
     let token = match symbol {
         Symbol::Variable(id) => program.variable(id)?.token?,
@@ -271,7 +271,7 @@ pub fn declared_at(program: &Program, symbol: Symbol) -> Option<Span> {
     Some(Span::new(start, start + symbol.name(program).len() as u32))
 }
 
-/// How a variable of the language is declared.
+/// The declaration of a built-in variable.
 pub fn builtin_variable(program: &Program, name: &str) -> Option<String> {
     let found = Builtins::of(program.version, program.stage).variable(name)?;
     let storage = match found.storage {

@@ -1,4 +1,4 @@
-//! A text with a mark `|` in, what is answered there out.
+//! Tests with a marker `|` in the text for the position.
 
 use super::*;
 use shaderlint_engine::{NoFiles, Options};
@@ -7,11 +7,11 @@ use shaderlint_semantic::VariableId;
 use shaderlint_text::{Span, apply_edits};
 use std::sync::Arc;
 
-/// What stands before each statement: a shader of its own.
+/// The beginning of each test shader.
 const HEAD: &str =
     "#version 300 es\nprecision highp float;\nout vec4 color;\nuniform float time;\n";
 
-/// The document of a text without its mark, and where that was.
+/// The document of a text without its marker, and the offset of the marker.
 fn marked(text: &str) -> (Document, u32) {
     let text = format!("{HEAD}{text}");
     let at = text.find('|').expect("a mark");
@@ -21,7 +21,7 @@ fn marked(text: &str) -> (Document, u32) {
     (document, at as u32)
 }
 
-/// Renames what stands at the mark; the text without its head, or why not.
+/// Checks the text after renaming the symbol at the marker, without its head, or the refusal.
 #[track_caller]
 fn check_rename(text: &str, new: &str, expected: &str) {
     let (document, at) = marked(text);
@@ -63,7 +63,7 @@ fn names_change_wherever_they_mean_the_same() {
         "size",
         "struct S { float size; vec2 b; };\nvoid main() { S s = S(1.0, vec2(2)); s.size += s.b.x; color = vec4(s.size); }\n",
     );
-    // What is left out now may be taken another time.
+    // Inactive code may be active with other defines.
     check_rename(
         "float |wave() { return 1.0; }\nvoid main() {\n#ifdef SLOW\n    color = vec4(wave());\n#else\n    color = vec4(wave() + 1.0);\n#endif\n}\n",
         "ripple",
@@ -76,41 +76,41 @@ fn names_stay_where_one_would_mean_something_else() {
     check_rename(
         "float |k = 2.0;\nvoid main() { float n = 1.0; color = vec4(n * k); }\n",
         "n",
-        "`n` would mean something else in line 6 of `a.frag`",
+        "`n` would refer to another declaration in line 6 of `a.frag`",
     );
     check_rename(
         "float n = 1.0;\nvoid main() { float |k = 2.0; color = vec4(n * k); }\n",
         "n",
-        "`n` would mean something else in line 6 of `a.frag`",
+        "`n` would refer to another declaration in line 6 of `a.frag`",
     );
     check_rename(
         "void main() { float |a = 1.0; float b = 2.0; color = vec4(a * b); }\n",
         "b",
-        "`b` would be an error: `b` is declared twice in one scope",
+        "renaming to `b` causes an error: `b` is already declared in this scope",
     );
     check_rename(
         "void |main() { color = vec4(1); }\n",
         "run",
-        "the host calls `main` by its name",
+        "the host calls `main` by name",
     );
     check_rename(
         "void main() { color = vec4(|sin(1.0)); }\n",
         "s",
-        "the language gives `sin` its name",
+        "`sin` is built in and cannot be renamed",
     );
     check_rename(
         "void main() { float |a = time; color = vec4(a); }\n",
         "in",
-        "the language keeps the word `in`",
+        "`in` is a keyword or reserved word",
     );
     check_rename(
         "void main() { float |a = time; color = vec4(a); }\n",
         "2d",
-        "`2d` is no name: letters, digits and `_` make one",
+        "`2d` is not a valid identifier",
     );
 }
 
-/// The labels that are proposed at the mark and begin so.
+/// The labels of completions at the marker that start with `start`.
 fn proposed(text: &str, start: &str) -> Vec<String> {
     let (document, at) = marked(text);
     let (_, found) = complete(&document, at, &NoFiles);
@@ -148,7 +148,7 @@ fn what_may_be_written_hangs_on_the_place() {
     );
 }
 
-/// What is said of what stands at the mark.
+/// The hover at the marker.
 fn hovered(text: &str) -> String {
     let (document, at) = marked(text);
     hover(&document, at, None).map_or(String::new(), |h| h.text)
@@ -158,7 +158,7 @@ fn hovered(text: &str) -> String {
 fn what_is_known_is_said() {
     let text = hovered("void main() { float a = |fract(time); color = vec4(a); }\n");
     assert!(
-        text.contains("float fract(float x)") && text.contains("from 0 to below 1"),
+        text.contains("float fract(float x)") && text.contains("at least 0 and less than 1"),
         "{text}"
     );
     let text = hovered("void main() { float a = fract(time); color = vec4(|a); }\n");
@@ -176,7 +176,7 @@ fn what_is_known_is_said() {
     let text = hovered(
         "void main() { float s = 0.0; |for (int i = 0; i < 7; i++) s += 1.0; color = vec4(s); }\n",
     );
-    assert!(text.contains("turns 7 times"), "{text}");
+    assert!(text.contains("7 iterations"), "{text}");
 }
 
 #[test]
@@ -220,7 +220,7 @@ fn what_was_found_out_is_kept() {
         }
         document.report.analyses[0].facts().answers()
     };
-    // No rule has asked anything. Each question is answered in what the document keeps, and once.
+    // Without rules nothing is computed. Each analysis is computed once on demand.
     assert_eq!(document.report.analyses[0].facts().answers(), 0);
     let once = ask(0);
     assert!(once > 0);

@@ -1,4 +1,4 @@
-//! Colours by meaning: what each name is, and what the compiler does not see.
+//! Semantic tokens: the kind of each name, and inactive code.
 
 use super::document::Document;
 use super::index::NameUse;
@@ -7,17 +7,17 @@ use shaderlint_semantic::Program;
 use shaderlint_syntax::{RawKind, tokenize};
 use shaderlint_text::Span;
 
-/// What a stretch of the text is.
+/// The kind of a semantic token.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum SemanticKind {
-    /// What a name means.
+    /// A symbol of this class.
     Symbol(TokenClass),
-    /// What the compiler does not see.
+    /// Inactive code.
     Inactive,
 }
 
-/// The classes of names that editors colour.
-#[expect(missing_docs, reason = "the variants are words of the protocol")]
+/// Classes of names for highlighting.
+#[expect(missing_docs, reason = "variants are named as in the protocol")]
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum TokenClass {
     Variable,
@@ -28,24 +28,24 @@ pub enum TokenClass {
     Macro,
 }
 
-/// A stretch with a colour.
+/// A semantic token.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct SemanticToken {
-    /// Where, on one line of the text of the document.
+    /// Span on a single line of the document.
     pub span: Span,
-    /// What it is.
+    /// Kind of the token.
     pub kind: SemanticKind,
-    /// Whether it is declared here.
+    /// Whether it is a declaration.
     pub is_declaration: bool,
-    /// Whether it cannot be written to.
+    /// Whether it is read-only.
     pub is_readonly: bool,
-    /// Whether it is written to here.
+    /// Whether it is an assignment.
     pub is_modification: bool,
-    /// Whether the language or a host defines it.
+    /// Whether it is built in or declared by a host.
     pub is_library: bool,
 }
 
-/// The stretches of a text that have a colour, in their order; none overlaps another.
+/// The semantic tokens of a document in source order; they do not overlap.
 pub fn semantic_tokens(document: &Document) -> Vec<SemanticToken> {
     let mut found = Vec::new();
     for (program, index) in document.shaders() {
@@ -61,7 +61,7 @@ pub fn semantic_tokens(document: &Document) -> Vec<SemanticToken> {
     }
     found.sort_unstable();
     let mut end = 0;
-    // Passes share a text: the first that reads it colours it.
+    // Several passes may contain the same text: the first determines its tokens.
     found.retain(|token| {
         let is_free = token.span.start >= end && !token.span.is_empty();
         if is_free {
@@ -97,14 +97,14 @@ fn token(program: &Program, symbol: Symbol, access: NameUse, span: Span) -> Sema
     }
 }
 
-/// The lines of a group that is left out.
+/// The lines of an inactive group.
 fn unseen(document: &Document, span: Span, found: &mut Vec<SemanticToken>) {
     let text = document.report.sources.text(span);
     for raw in tokenize(text, span.start) {
         if matches!(raw.kind, RawKind::Whitespace | RawKind::Newline) {
             continue;
         }
-        // A comment may go over several lines.
+        // A comment may span several lines.
         let mut start = raw.span.start;
         for line in document.report.sources.text(raw.span).split_inclusive('\n') {
             let shown = line.trim_end_matches(['\n', '\r']).len() as u32;

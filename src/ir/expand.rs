@@ -1,8 +1,8 @@
-//! Built-in functions that consist of simpler operations, spelled out once for all that run shaders
-//! or write them in another language.
+//! Expansions of built-in functions into simpler operations, shared by everything that runs shaders
+//! or translates them to another language.
 
-/// An operator on two numbers.
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// A binary operator on scalars.
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Operator {
     Add,
@@ -11,24 +11,24 @@ pub enum Operator {
     Less,
 }
 
-/// Whoever makes operations on single numbers.
+/// A builder of scalar operations.
 pub trait Arithmetic {
-    /// A number that is computed, or a condition.
+    /// A scalar or a condition.
     type Value: Copy;
 
     /// A constant.
     fn number(&mut self, value: f32) -> Self::Value;
 
-    /// An operator.
+    /// Emits a binary operation.
     fn binary(&mut self, op: Operator, left: Self::Value, right: Self::Value) -> Self::Value;
 
-    /// A number with the other sign.
+    /// Emits a negation.
     fn negated(&mut self, value: Self::Value) -> Self::Value;
 
-    /// The square root, of what is not negative.
+    /// Emits the square root of a non-negative number.
     fn root(&mut self, value: Self::Value) -> Self::Value;
 
-    /// The one or the other by a condition.
+    /// Emits a selection by a condition.
     fn choose(
         &mut self,
         condition: Self::Value,
@@ -36,7 +36,7 @@ pub trait Arithmetic {
         otherwise: Self::Value,
     ) -> Self::Value;
 
-    /// The sum of the products of the components of two vectors.
+    /// Emits the dot product of two vectors.
     fn dot(&mut self, left: &[Self::Value], right: &[Self::Value]) -> Self::Value;
 }
 
@@ -66,7 +66,7 @@ pub fn reflect<A: Arithmetic>(to: &mut A, i: &[A::Value], n: &[A::Value]) -> Vec
     i.iter().zip(n).map(reflected).collect()
 }
 
-/// `refract`, by the formula of section 8.5.
+/// `refract`, by the formula of GLSL ES 3.00 section 8.5.
 pub fn refract<A: Arithmetic>(
     to: &mut A,
     i: &[A::Value],
@@ -94,8 +94,8 @@ pub fn refract<A: Arithmetic>(
     i.iter().zip(n).map(refracted).collect()
 }
 
-/// `determinant` of a square matrix of `size` columns, given column by column, along its first row;
-/// `None` where it has no cells.
+/// The determinant of a square matrix in column-major order, expanded along its first row; `None`
+/// if the matrix is empty.
 pub fn determinant<A: Arithmetic>(to: &mut A, cells: &[A::Value], size: usize) -> Option<A::Value> {
     use Operator::{Add, Multiply, Subtract};
     match *cells {
@@ -120,7 +120,7 @@ pub fn determinant<A: Arithmetic>(to: &mut A, cells: &[A::Value], size: usize) -
     }
 }
 
-/// What `inverse` divides by the determinant: the cofactors, with rows and columns exchanged.
+/// The adjugate (the transposed cofactor matrix), which `inverse` divides by the determinant.
 pub fn adjugate<A: Arithmetic>(
     to: &mut A,
     cells: &[A::Value],
@@ -137,7 +137,7 @@ pub fn adjugate<A: Arithmetic>(
     cofactors.collect()
 }
 
-/// The matrix of `size` columns without a column and a row.
+/// The cells of a matrix without one column and one row.
 fn minor<V: Copy>(cells: &[V], size: usize, column: usize, row: usize) -> Vec<V> {
     let kept = (0..size * size).filter(|n| n / size != column && n % size != row);
     kept.filter_map(|n| cells.get(n).copied()).collect()

@@ -1,17 +1,16 @@
-//! The form: functions of a checked shader as typed operations and structured control flow.
+//! The IR: functions of a checked shader as typed operations with structured control flow.
 //!
-//! What a reader never has to ask again is settled here: which overload is called, what is
-//! converted to what, which lanes of which variable are meant, and in which order it all happens.
-//! Everything lies in flat vectors of the [`Module`]; operations are numbered in the order of
-//! evaluation, functions one after another, so that the operations of one stretch of straight code
-//! are a range of numbers.
+//! Lowering resolves everything that depends on the source: overloads, conversions, swizzles,
+//! variables and the order of evaluation. All data is in flat vectors of the [`Module`]. Operations
+//! are numbered in evaluation order, one function after another, so that a basic region
+//! (straight-line code) is a range of ids.
 
 use shaderlint_semantic::{
     BuiltinId, Constant, FunctionRef, Pool, Scalar, Stage, Type, VariableId,
 };
 use shaderlint_syntax::ast::{ExprId, Extent, List, StmtId, TokenId, Tree};
 
-/// Index of an [`Op`], and of the value that it gives.
+/// Index of an [`Op`], and of its value.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct OpId(pub u32);
 
@@ -27,102 +26,102 @@ pub struct LoopId(pub u32);
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct SwitchId(pub u32);
 
-/// A shader, resolved. Never changed once it is lowered.
+/// A lowered shader. Immutable after lowering.
 #[derive(Clone, Default, Debug)]
 pub struct Module {
     /// All operations.
     pub ops: Vec<Op>,
-    /// By operation: where it comes from.
+    /// By operation: its origin in the source.
     pub provenances: Vec<Provenance>,
-    /// All places that are read or written.
+    /// All places that are loaded or stored.
     pub places: Vec<Place>,
-    /// The ways into places.
+    /// The paths of places.
     pub access_lists: Vec<Access>,
-    /// Operands of the operations that have any number of them.
+    /// Operands of operations with a variable number of operands.
     pub operand_lists: Vec<OpId>,
-    /// The steps of regions.
+    /// The steps of all regions.
     pub steps: Vec<Step>,
     /// All loops.
     pub loops: Vec<Loop>,
     /// All `switch` statements.
     pub switches: Vec<Switch>,
-    /// The cases of `switch` statements.
+    /// The cases of all `switch` statements.
     pub case_lists: Vec<Case>,
-    /// What the cases stand for.
+    /// The labels of all cases.
     pub label_lists: Vec<CaseLabel>,
-    /// The shader's variables under their own numbers, then those that lowering made.
+    /// The variables of the program, with the same ids, followed by the temporaries of lowering.
     pub variables: Vec<Variable>,
-    /// By [`FunctionRef`]; a function that is only declared has no body.
+    /// By [`FunctionRef`]; prototypes without a definition have no body.
     pub functions: Vec<Function>,
-    /// Parameters of functions.
+    /// The parameters of all functions.
     pub parameter_lists: Vec<VariableId>,
-    /// The initial values of globals, in order; runs before the entry.
+    /// Global initialisers, in order; run before the entry point.
     pub globals: Region,
-    /// The function that runs for each pixel or vertex.
+    /// The entry point, which runs for each pixel or vertex.
     pub entry: Option<FunctionRef>,
     /// The values of constants.
     pub pool: Pool,
-    /// The stage.
+    /// The shader stage.
     pub stage: Option<Stage>,
-    /// By expression: the operation that gives its value.
+    /// By expression: the operation that computes it.
     pub(super) by_expr: Vec<Option<OpId>>,
 }
 
 /// A function.
 #[derive(Clone, Copy, Debug)]
 pub struct Function {
-    /// Its parameters, in [`Module::parameter_lists`]; one without a name has a variable too.
+    /// Range in [`Module::parameter_lists`]; unnamed parameters have variables, too.
     pub parameters: List,
-    /// What it returns.
+    /// The return type.
     pub returns: Type,
-    /// What it does; `None` where it is only declared.
+    /// The body; `None` for a prototype.
     pub body: Option<Region>,
-    /// Its operations.
+    /// All operations of the body.
     pub ops: Run,
 }
 
-/// A variable: storage that places start from.
+/// A variable: the storage of a place.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Variable {
-    /// Its type.
+    /// The declared type.
     pub ty: Type,
-    /// How exact it is.
+    /// The precision, declared or by default.
     pub precision: Precision,
-    /// The function that it belongs to; `None` for what outlives all calls.
+    /// The function that declares it; `None` for variables that outlive calls.
     pub function: Option<FunctionRef>,
-    /// Where it lives.
+    /// The storage class.
     pub root: Root,
-    /// Whether it is `flat`: the same all over a triangle.
+    /// Whether it is `flat`, i.e. not interpolated.
     pub is_flat: bool,
 }
 
-/// Where a variable lives and how long.
+/// The storage class of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Root {
-    /// In a call of its function, from its declaration on.
+    /// A local variable, which lives from its declaration to the end of the call.
     Local,
-    /// Made by lowering, for a value that control flow brings together.
+    /// A temporary made by lowering, for a value merged by control flow.
     Temporary,
     /// An `in` parameter.
     Parameter,
-    /// An `out` parameter: undefined when a call begins, taken back by the caller.
+    /// An `out` parameter: undefined on entry, copied back to the caller.
     ParameterOut,
     /// An `inout` parameter.
     ParameterInout,
-    /// At global scope, as long as the shader runs.
+    /// A global variable.
     Global,
-    /// Set for all pixels or vertices of a draw.
+    /// A uniform, constant for a draw call.
     Uniform,
-    /// `in` of the stage.
+    /// An input of the stage.
     Input,
-    /// `out` of the stage.
+    /// An output of the stage.
     Output,
 }
 
-/// How exact a value is (GLSL ES 3.00 section 4.5).
+/// The precision of a value (GLSL ES 3.00 section 4.5).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub enum Precision {
-    /// It has none, such as a `bool`, or nothing that it is made of has one.
+    /// No precision: a `bool`, or a value whose operands have none.
     #[default]
     None,
     /// `lowp`
@@ -133,32 +132,31 @@ pub enum Precision {
     High,
 }
 
-/// Something that can be read or written: a variable, or a part of one.
+/// A variable or part of a variable that can be loaded or stored.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Place {
     /// The variable.
     pub variable: VariableId,
-    /// The way into it, in [`Module::access_lists`].
+    /// The path into the variable, a range in [`Module::access_lists`].
     pub path: List,
-    /// The type of what stands there.
+    /// The type of the part.
     pub ty: Type,
 }
 
-/// A step on the way into a variable. `Lanes` is the last one.
+/// A step of a path. `Lanes` can only be the last.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Access {
-    /// The member of a struct or block with this number.
+    /// A member of a struct or block, by index.
     Member(u32),
-    /// The element of an array, or the column of a matrix, with this number.
+    /// An element of an array or a column of a matrix, by constant index.
     Element(u32),
-    /// The element of an array, the column of a matrix or the component of a vector whose number is
-    /// computed.
+    /// An element of an array, a column of a matrix or a component of a vector, by dynamic index.
     Computed(OpId),
-    /// Some components of a vector.
+    /// A swizzle.
     Lanes(Lanes),
 }
 
-/// Up to four components of a vector, in the order in which they are taken.
+/// A swizzle: up to four components of a vector, in order.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Lanes {
     lanes: [u8; 4],
@@ -168,83 +166,82 @@ pub struct Lanes {
 /// An operation.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Op {
-    /// What it does.
+    /// The opcode and operands.
     pub kind: OpKind,
-    /// The type of its value; `void` where it gives none.
+    /// The type of its value; `void` if there is none.
     pub ty: Type,
-    /// How exact its value is.
+    /// The precision of its value.
     pub precision: Precision,
 }
 
-/// What an operation does.
+/// The opcode and operands of an operation.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum OpKind {
-    /// A value known before the shader runs, in [`Module::pool`].
+    /// A compile-time constant in [`Module::pool`].
     Const(Constant),
-    /// Whatever was there: the value of what was never written.
+    /// The undefined value of an uninitialised variable.
     Undef,
-    /// A value that nothing is known of, since its expression has an error.
+    /// An expression with an error, about which nothing is known.
     Unknown,
-    /// What stands at a place.
+    /// Loads a place.
     Load(PlaceId),
-    /// Writes to a place; gives nothing.
+    /// Stores to a place; has no value.
     Store(PlaceId, OpId),
-    /// One operand; component by component.
+    /// A unary operation, applied to each component.
     Unary(Unary, OpId),
-    /// Two operands of one type, component by component; a shift may have operands of different
-    /// integer types.
+    /// A binary operation on operands of equal type, applied to each component; the operands of a
+    /// shift may have different integer types.
     Binary(Binary, OpId, OpId),
-    /// The product of linear algebra: matrix by matrix, matrix by vector, vector by matrix.
+    /// A matrix product: matrix by matrix, matrix by vector, or vector by matrix.
     MatrixProduct(OpId, OpId),
-    /// Whether all components, elements and members of two values of one type are equal; with
-    /// `true`, whether any differ.
+    /// Equality (`==`) of two values of equal type, over all components, elements and members.
     Same {
-        /// Whether the answer is turned round: `!=`.
+        /// Whether the result is negated (`!=`).
         negated: bool,
-        /// One value.
+        /// The left operand.
         left: OpId,
-        /// The other.
+        /// The right operand.
         right: OpId,
     },
-    /// The one or the other by a scalar condition; both have been computed.
+    /// Selects a value by a scalar condition; both values are evaluated.
     Select {
         /// The condition.
         condition: OpId,
-        /// The value where it holds.
+        /// The value if it is true.
         then: OpId,
-        /// The value where it does not.
+        /// The value if it is false.
         otherwise: OpId,
     },
-    /// The same components as another kind of scalar: that of the operation's type.
+    /// Converts each component to the scalar type of the operation.
     Convert(OpId),
-    /// Every component is this scalar.
+    /// Copies a scalar to all components.
     Splat(OpId),
-    /// Some components of a vector; a scalar where it is one.
+    /// Selects components of a vector; the result is a scalar if there is one.
     Swizzle(OpId, Lanes),
-    /// Put together: of a vector, from scalars and vectors with as many components; of a matrix,
-    /// from its columns; of an array, from its elements; of a struct, from its members. Operands in
-    /// [`Module::operand_lists`].
+    /// Composes a vector from scalars and vectors, a matrix from columns, an array from elements,
+    /// or a struct from members. The operands are in [`Module::operand_lists`].
     Compose(List),
-    /// The element, column or member with this number.
+    /// The element, column or member at a constant index.
     Extract(OpId, u32),
-    /// The element, column or component whose number is computed.
+    /// The element, column or component at a dynamic index.
     ExtractComputed {
         /// The array, matrix or vector.
         base: OpId,
-        /// The number.
+        /// The index.
         index: OpId,
     },
-    /// A built-in function; arguments that it only writes to are left out. Operands in
-    /// [`Module::operand_lists`].
+    /// Calls a built-in function. The operands are in [`Module::operand_lists`], without `out`
+    /// arguments.
     Builtin(BuiltinId, List),
-    /// A function of the shader: one operand for each parameter, in [`Module::operand_lists`]; that
-    /// of an `out` parameter is [`OpKind::Undef`]. What comes back is stored behind it.
+    /// Calls a user-defined function, with one operand per parameter in [`Module::operand_lists`];
+    /// the operand of an `out` parameter is [`OpKind::Undef`]. Results of `out` parameters are
+    /// stored after the call.
     Call(FunctionRef, List),
-    /// What a call left in the parameter with this number.
+    /// The value of the `out` or `inout` parameter at this index after a call.
     Returned(OpId, u32),
 }
 
-/// Operators with one operand.
+/// Unary operators.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Unary {
     /// `-`
@@ -255,32 +252,32 @@ pub enum Unary {
     BitNot,
 }
 
-/// Operators with two operands.
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// Binary operators.
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum Binary {
     Add, Subtract, Multiply, Divide, Remainder,
     ShiftLeft, ShiftRight, BitAnd, BitOr, BitXor,
     Less, LessEqual, Greater, GreaterEqual,
-    /// `&&` of operands that have both been computed.
+    /// `&&` with both operands evaluated.
     And,
-    /// `||` of operands that have both been computed.
+    /// `||` with both operands evaluated.
     Or,
     /// `^^`
     Xor,
 }
 
-/// A run of operations with consecutive numbers.
+/// A run of operations with consecutive ids.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Run {
-    /// The first.
+    /// The first operation.
     pub first: OpId,
-    /// How many.
+    /// The number of operations.
     pub len: u32,
 }
 
-/// Steps that run one after another, in [`Module::steps`].
+/// A sequence of steps, as a range in [`Module::steps`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Region(pub List);
 
@@ -289,90 +286,90 @@ pub struct Region(pub List);
 pub enum Step {
     /// Operations, in order.
     Run(Run),
-    /// The one or the other.
+    /// A branch.
     If {
-        /// A `bool`.
+        /// The condition, a `bool`.
         condition: OpId,
-        /// Runs where it is true.
+        /// Runs if it is true.
         then: Region,
-        /// Runs where it is false.
+        /// Runs if it is false.
         otherwise: Region,
-        /// The statement or expression.
+        /// The statement or expression of the branch.
         origin: Provenance,
     },
-    /// Again and again.
+    /// A loop.
     Loop(LoopId),
-    /// One of several.
+    /// A `switch`.
     Switch(SwitchId),
     /// Leaves the innermost loop or `switch`.
     Break(StmtId),
-    /// Goes on with the next turn of the innermost loop.
+    /// Continues with the next iteration of the innermost loop.
     Continue(StmtId),
-    /// Leaves the function.
+    /// Returns from the function, with its value.
     Return(Option<OpId>, StmtId),
-    /// Ends the pixel.
+    /// Discards the pixel.
     Discard(StmtId),
 }
 
-/// A loop. `for` and `while`: condition, body, step, and again; `do`: body, condition, and again.
-/// `continue` goes to what follows the body. What `for` does first stands before the loop.
+/// A loop. `for` and `while` run test, body, step in each iteration; `do` runs body, test.
+/// `continue` jumps to the end of the body. The initialiser of a `for` precedes the loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Loop {
     /// Computes the condition.
     pub test: Region,
-    /// Goes on while this is true; always, where there is none.
+    /// The loop continues while this is true; endlessly if there is none.
     pub condition: Option<OpId>,
     /// The body.
     pub body: Region,
-    /// What `for` does after each turn.
+    /// The step expression of a `for`, run after each iteration.
     pub step: Region,
-    /// Whether the condition is looked at before the first turn: not in `do`.
+    /// Whether the condition is tested before the first iteration; `false` for `do`.
     pub tests_first: bool,
-    /// All operations of the condition, the body and the step.
+    /// All operations of the test, body and step.
     pub ops: Run,
-    /// The statement.
+    /// The loop statement.
     pub stmt: StmtId,
 }
 
-/// A `switch`. A case that does not end in a jump goes on with the next.
+/// A `switch`. Cases fall through unless they end in a jump.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Switch {
-    /// An `int` or `uint`.
+    /// The selector, an `int` or `uint`.
     pub selector: OpId,
-    /// In [`Module::case_lists`].
+    /// Range in [`Module::case_lists`].
     pub cases: List,
-    /// The statement.
+    /// The `switch` statement.
     pub stmt: StmtId,
 }
 
-/// Statements of a `switch` behind one or more labels.
+/// The statements of a `switch` after one or more labels.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Case {
-    /// In [`Module::label_lists`].
+    /// Range in [`Module::label_lists`].
     pub labels: List,
     /// The statements up to the next label.
     pub body: Region,
 }
 
-/// What a case stands for.
+/// The label of a case.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CaseLabel {
-    /// A value, as the bits of an `int` or `uint`.
+    /// The bits of an `int` or `uint`.
     Value(u32),
     /// `default`
     Default,
 }
 
-/// Where something comes from.
+/// The origin of an operation in the source.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Provenance {
-    /// An expression, or what had to be done for it.
+    /// An expression, or an operation needed for it.
     Expr(ExprId),
-    /// The declaration of a variable: the token of its name.
+    /// The declaration of a variable, by the token of its name.
     Declaration(TokenId),
     /// A statement.
     Stmt(StmtId),
-    /// Nothing in the text: what the language does by itself.
+    /// Implicit behaviour of the language, without a source position.
     Language,
 }
 
@@ -380,7 +377,7 @@ const _: () = assert!(size_of::<Op>() <= 28);
 const _: () = assert!(size_of::<Step>() <= 32);
 
 impl Root {
-    /// Whether it is a parameter of a function.
+    /// Whether it is a parameter.
     pub const fn is_parameter(self) -> bool {
         use Root::*;
         matches!(self, Parameter | ParameterOut | ParameterInout)
@@ -388,7 +385,7 @@ impl Root {
 }
 
 impl Precision {
-    /// As it is written; nothing where there is none.
+    /// The qualifier as written in GLSL; empty for none.
     pub const fn name(self) -> &'static str {
         match self {
             Precision::None => "",
@@ -400,7 +397,7 @@ impl Precision {
 }
 
 impl Provenance {
-    /// Where that stands in the text; `None` for nothing in it.
+    /// The source range; `None` if there is none.
     pub fn extent(self, tree: &Tree) -> Option<Extent> {
         match self {
             Provenance::Expr(id) => Some(tree.expr(id).extent),
@@ -412,7 +409,7 @@ impl Provenance {
 }
 
 impl Lanes {
-    /// The components with these numbers, the first four of them.
+    /// A swizzle of the components with these indices; more than four are ignored.
     pub fn new(numbers: impl IntoIterator<Item = u8>) -> Lanes {
         let mut made = Lanes::default();
         for (slot, number) in made.lanes.iter_mut().zip(numbers) {
@@ -422,17 +419,17 @@ impl Lanes {
         made
     }
 
-    /// The numbers of the components.
+    /// The indices of the components.
     pub fn numbers(&self) -> &[u8] {
         self.lanes.get(..self.len as usize).unwrap_or(&[])
     }
 
-    /// How many there are.
+    /// The number of components.
     pub const fn count(&self) -> u8 {
         self.len
     }
 
-    /// The components that are picked by picking `inner` out of these.
+    /// The swizzle `inner` applied to the result of this one.
     pub fn pick(&self, inner: Lanes) -> Lanes {
         let at = |n: &u8| self.numbers().get(*n as usize).copied().unwrap_or(0);
         Lanes::new(inner.numbers().iter().map(at))
@@ -440,19 +437,19 @@ impl Lanes {
 }
 
 impl Run {
-    /// The numbers of the operations.
+    /// The ids of the operations.
     pub fn ops(self) -> impl DoubleEndedIterator<Item = OpId> + ExactSizeIterator {
         (self.first.0..self.first.0 + self.len).map(OpId)
     }
 
-    /// Whether an operation is one of them.
+    /// Whether it contains an operation.
     pub const fn contains(self, op: OpId) -> bool {
         self.first.0 <= op.0 && op.0 < self.first.0 + self.len
     }
 }
 
 impl Binary {
-    /// As the operator is written in GLSL.
+    /// The operator as written in GLSL.
     pub const fn symbol(self) -> &'static str {
         match self {
             Binary::Add => "+",
@@ -475,14 +472,14 @@ impl Binary {
         }
     }
 
-    /// Whether it compares two numbers and gives a `bool`.
+    /// Whether it is a comparison operator.
     pub const fn compares(self) -> bool {
         use Binary::*;
         matches!(self, Less | LessEqual | Greater | GreaterEqual)
     }
 }
 
-/// The entries of a list.
+/// The items of a list.
 fn list<T>(all: &[T], list: List) -> &[T] {
     let start = list.start as usize;
     all.get(start..start + list.len as usize).unwrap_or(&[])
@@ -500,44 +497,44 @@ impl Module {
         ty: Type::ERROR,
     };
 
-    /// An operation; one that nothing is known of where the number is not this module's.
+    /// An operation; `Unknown` if the id belongs to another module.
     pub fn op(&self, id: OpId) -> &Op {
         self.ops.get(id.0 as usize).unwrap_or(&Module::NO_OP)
     }
 
-    /// The type of a value.
+    /// The type of an operation's value.
     pub fn ty(&self, id: OpId) -> Type {
         self.op(id).ty
     }
 
-    /// Where an operation comes from.
+    /// The origin of an operation.
     pub fn provenance(&self, id: OpId) -> Provenance {
         let origin = self.provenances.get(id.0 as usize);
         origin.copied().unwrap_or(Provenance::Language)
     }
 
-    /// The operation that gives the value of an expression. `None` where none is needed: inside a
-    /// constant, or where the value is not used and has no effect.
+    /// The operation that computes an expression. `None` inside a constant expression, and where
+    /// the value is unused and has no side effects.
     pub fn op_of(&self, expr: ExprId) -> Option<OpId> {
         self.by_expr.get(expr.0 as usize).copied().flatten()
     }
 
-    /// A place; of no variable where the number is not this module's.
+    /// A place; one without a variable if the id belongs to another module.
     pub fn place(&self, id: PlaceId) -> &Place {
         self.places.get(id.0 as usize).unwrap_or(&Module::NO_PLACE)
     }
 
-    /// The way into a place.
+    /// The path of a place.
     pub fn path(&self, place: &Place) -> &[Access] {
         list(&self.access_lists, place.path)
     }
 
-    /// A variable, if the number is this module's.
+    /// A variable; `None` if the id belongs to another module.
     pub fn variable(&self, id: VariableId) -> Option<&Variable> {
         self.variables.get(id.0 as usize)
     }
 
-    /// A function, if the number is this module's.
+    /// A function; `None` if the id belongs to another module.
     pub fn function(&self, id: FunctionRef) -> Option<&Function> {
         self.functions.get(id.0 as usize)
     }
@@ -552,17 +549,17 @@ impl Module {
         list(&self.steps, region.0)
     }
 
-    /// Operands of an operation that has any number of them.
+    /// The operands in a list.
     pub fn operands(&self, operands: List) -> &[OpId] {
         list(&self.operand_lists, operands)
     }
 
-    /// A loop, if the number is this module's.
+    /// A loop; `None` if the id belongs to another module.
     pub fn looped(&self, id: LoopId) -> Option<&Loop> {
         self.loops.get(id.0 as usize)
     }
 
-    /// A `switch`, if the number is this module's.
+    /// A `switch`; `None` if the id belongs to another module.
     pub fn switch(&self, id: SwitchId) -> Option<&Switch> {
         self.switches.get(id.0 as usize)
     }
@@ -572,12 +569,12 @@ impl Module {
         list(&self.case_lists, switch.cases)
     }
 
-    /// What a case stands for.
+    /// The labels of a case.
     pub fn labels(&self, case: &Case) -> &[CaseLabel] {
         list(&self.label_lists, case.labels)
     }
 
-    /// The scalars of a constant; nothing for any other operation.
+    /// The scalars of a constant; empty for other operations.
     pub fn constant(&self, id: OpId) -> &[shaderlint_semantic::Value] {
         match self.op(id).kind {
             OpKind::Const(constant) => self.pool.values(constant),
@@ -585,8 +582,8 @@ impl Module {
         }
     }
 
-    /// Calls `each` with every value that an operation works on, in the order of evaluation; the
-    /// computed steps into a place that it reads or writes among them.
+    /// Calls `each` with every operand of an operation, in evaluation order, including the dynamic
+    /// indices of its place.
     pub fn each_operand(&self, id: OpId, mut each: impl FnMut(OpId)) {
         match self.op(id).kind {
             OpKind::Const(_) | OpKind::Undef | OpKind::Unknown => {}
@@ -621,7 +618,7 @@ impl Module {
         }
     }
 
-    /// Calls `each` with the computed steps into a place.
+    /// Calls `each` with the dynamic indices in the path of a place.
     pub fn each_index(&self, place: PlaceId, mut each: impl FnMut(OpId)) {
         for access in self.path(self.place(place)) {
             if let Access::Computed(index) = access {
@@ -630,7 +627,7 @@ impl Module {
         }
     }
 
-    /// The scalar that components of a value are; `None` for samplers, structs and the like.
+    /// The scalar type of a value's components; `None` for samplers, structs and the like.
     pub fn scalar(&self, id: OpId) -> Option<Scalar> {
         self.ty(id).scalar_kind()
     }

@@ -1,16 +1,16 @@
-//! How values lie, for all that take them apart: which parts they have, and where those begin in
-//! scalars and in lanes.
+//! The layout of values: the parts of a type, and their offsets in scalars and in lanes.
 //!
-//! In scalars, a vector is its components, a matrix its columns, an array its elements, a struct
-//! its members. In lanes, which analyses speak of, a vector has one more for its length, which
-//! conditions and functions often speak of, and all elements of an array share the lanes of one.
+//! Scalars are for code generation: a vector consists of its components, a matrix of its columns,
+//! an array of its elements, a struct of its members. Lanes are for the analyses: a vector has one
+//! additional lane for its length, which conditions and built-in functions often constrain, and all
+//! elements of an array share the same lanes.
 
 use shaderlint_semantic::{Base, Program, Type};
 
-/// Most lanes of a struct; of a larger one nothing is known.
+/// Maximum number of lanes of a struct; larger structs have none and are not analysed.
 const MAX_LANES: u32 = 512;
 
-/// How the types of a shader lie.
+/// The layout of all types of a shader.
 #[derive(Debug)]
 pub struct Layout {
     records: Vec<Record>,
@@ -23,19 +23,19 @@ struct Record {
     members: Vec<PartLayout>,
 }
 
-/// A member, an element, a column or a component of a value.
+/// A member, element, column or component of a value.
 #[derive(Clone, Copy, Debug)]
 pub struct PartLayout {
-    /// Its type.
+    /// The type of the part.
     pub ty: Type,
-    /// Its first lane.
+    /// Offset of its first lane.
     pub lane: u32,
-    /// Its first scalar; `None` for too many, or where that is not known.
+    /// Offset of its first scalar; `None` if it overflows or is not known.
     pub scalar: Option<u32>,
 }
 
 impl Layout {
-    /// Lays out the structs of a shader; each is made of those before it.
+    /// Lays out the structs of a shader, in declaration order.
     pub fn of(program: &Program) -> Layout {
         let mut layout = Layout {
             records: Vec::with_capacity(program.structs.len()),
@@ -66,7 +66,7 @@ impl Layout {
         }
     }
 
-    /// How many lanes a value of a type has.
+    /// The number of lanes of a type.
     pub fn lanes(&self, ty: Type) -> u32 {
         match ty.base {
             Base::Numeric { columns, rows, .. } => columns as u32 * column_lanes(rows),
@@ -74,7 +74,7 @@ impl Layout {
         }
     }
 
-    /// How many scalars a value of a type has: `None` for too many, or where that is not known.
+    /// The number of scalars of a type; `None` if it overflows or is not known.
     pub fn scalars(&self, ty: Type) -> Option<u32> {
         let one = match ty.base {
             Base::Numeric { columns, rows, .. } => columns as u32 * rows as u32,
@@ -89,7 +89,7 @@ impl Layout {
         }
     }
 
-    /// How many parts a value has.
+    /// The number of parts of a type.
     pub fn count(&self, ty: Type) -> u32 {
         match (ty.is_array(), ty.base) {
             (true, _) => ty.array,
@@ -104,8 +104,8 @@ impl Layout {
         }
     }
 
-    /// The part with a number. Of one that is not there the place is where it would be in scalars,
-    /// and that of the last one in lanes.
+    /// The part at an index. An index out of range is extrapolated in scalars, and clamped to the
+    /// last part in lanes.
     pub fn part(&self, ty: Type, number: u32) -> Option<PartLayout> {
         if ty.is_array() {
             let ty = ty.element();
@@ -130,19 +130,19 @@ impl Layout {
         })
     }
 
-    /// The first lane of the part with a number; `None` where its value has no lanes.
+    /// The first lane of the part at an index; `None` if the type has no lanes.
     pub fn lane(&self, ty: Type, number: u32) -> Option<u32> {
         let part = self.part(ty, number)?;
         (ty.is_array() || self.lanes(ty) > 0).then_some(part.lane)
     }
 
-    /// The types of all parts of a value.
+    /// The types of all parts.
     pub fn parts(&self, ty: Type) -> impl Iterator<Item = Type> {
         (0..self.count(ty)).filter_map(move |number| Some(self.part(ty, number)?.ty))
     }
 }
 
-/// The lanes of a scalar or vector with this many components.
+/// The number of lanes of a scalar or vector with this many components.
 pub const fn column_lanes(rows: u8) -> u32 {
     if rows > 1 {
         rows as u32 + 1
@@ -151,7 +151,7 @@ pub const fn column_lanes(rows: u8) -> u32 {
     }
 }
 
-/// The lane that holds the length of a vector or of an array's vectors.
+/// The lane of the length of a vector, or of an array of vectors.
 pub const fn length_lane(ty: Type) -> Option<u32> {
     match ty.base {
         Base::Numeric {

@@ -1,5 +1,5 @@
-//! The middle form between a checked [`Program`](shaderlint_semantic::Program) and all that asks what
-//! the shader does: analyses, back ends, an executor.
+//! The IR of a checked [`Program`](shaderlint_semantic::Program): typed operations with structured
+//! control flow, the input of all analyses, back ends and the bytecode compiler.
 #![cfg_attr(test, allow(clippy::string_slice, clippy::unreachable))]
 
 pub mod expand;

@@ -1,5 +1,5 @@
-//! The middle form as text, for people: the source's names, one line for each thing that happens,
-//! and what is used once in the line of its use.
+//! Prints the IR in readable form: with the names of the source, one line per effect, and
+//! operations that are used once nested in the expression that uses them.
 
 use crate::form::{
     Access, Case, CaseLabel, Function, Lanes, Loop, Module, Op, OpId, OpKind, PlaceId, Provenance,
@@ -10,14 +10,14 @@ use rustc_hash::FxHashMap;
 use shaderlint_semantic::{FunctionRef, Program, Type, Value, VariableId};
 use shaderlint_syntax::ast::{List, TokenId};
 
-/// Where the remark with the position stands in a line.
+/// The column of the comment with the source position.
 const REMARK: usize = 64;
-/// How deep operations stand in each other in one line.
+/// Maximum nesting of operations in one line.
 const MAX_NESTED: u8 = 12;
-/// Most scalars of a constant that are written out.
+/// Maximum number of scalars of a constant that are printed.
 const MAX_SCALARS: usize = 16;
 
-/// The functions and variables of the user's text, lowered.
+/// Prints the functions and variables of the user's source as IR.
 pub fn print(program: &Program, module: &Module) -> String {
     let mut printer = Printer {
         program,
@@ -41,7 +41,7 @@ pub fn print(program: &Program, module: &Module) -> String {
     printer.out
 }
 
-/// By operation: how often its value is used.
+/// By operation: the number of uses of its value.
 fn uses(module: &Module) -> Vec<u32> {
     let mut uses = vec![0; module.ops.len()];
     let mut count = |op: OpId| {
@@ -63,7 +63,7 @@ fn uses(module: &Module) -> Vec<u32> {
     uses
 }
 
-/// The value that a step begins with.
+/// The value that a step uses before it runs.
 fn used_by(module: &Module, step: &Step) -> Option<OpId> {
     match *step {
         Step::If { condition, .. } => Some(condition),
@@ -73,7 +73,8 @@ fn used_by(module: &Module, step: &Step) -> Option<OpId> {
     }
 }
 
-/// Text of a value, and whether something may follow it as it stands: `.x`, `[i]`, an operator.
+/// The text of a value, and whether a postfix (`.x`, `[i]`) or operator may follow it without
+/// parentheses.
 type Text = (String, Bound);
 
 #[derive(Clone, Copy, PartialEq)]
@@ -86,11 +87,11 @@ struct Printer<'a> {
     program: &'a Program,
     module: &'a Module,
     uses: Vec<u32>,
-    /// By operation: whether it stands in the line of its use.
+    /// By operation: whether it is nested in the line of its use.
     nested: Vec<bool>,
-    /// Names of variables in the function that is written.
+    /// The names of variables in the current function.
     names: FxHashMap<VariableId, String>,
-    /// The line of the text that was remarked last.
+    /// The source line of the last comment.
     line: Option<u32>,
     out: String,
 }
@@ -101,7 +102,7 @@ impl Printer<'_> {
         token.is_some_and(|t| self.program.sources.is_user(t.span.start))
     }
 
-    /// Writes a line, with the position that it comes from where that is another line of the text.
+    /// Writes a line, with its source position if that is on another line than the previous one.
     fn put(&mut self, depth: usize, text: &str, token: Option<TokenId>) {
         let from = self.out.len();
         (0..depth).for_each(|_| self.out.push_str("  "));
@@ -195,9 +196,9 @@ impl Printer<'_> {
         self.names.clear();
     }
 
-    /// Two variables of one name are told apart by a number.
+    /// Numbers variables that share a name.
     fn name_variables(&mut self, function: FunctionRef) {
-        // A local that hides a global is another variable.
+        // A local that shadows a global needs a different name.
         let globals = self.program.variables.iter().zip(&self.module.variables);
         let globals = globals.filter(|(_, own)| own.function.is_none());
         let names = globals.map(|(declared, _)| self.program.names.text(declared.name));
@@ -232,7 +233,7 @@ impl Printer<'_> {
         declared.map_or("?".into(), |v| self.program.names.text(v.name).to_string())
     }
 
-    /// Writes the steps of a region, behind which `last` is used.
+    /// Writes the steps of a region; `last` is used after it.
     fn region(&mut self, region: Region, depth: usize, last: Option<OpId>) {
         let module = self.module;
         let steps = module.steps(region);
@@ -292,7 +293,7 @@ impl Printer<'_> {
 
     fn looped(&mut self, found: &Loop, depth: usize) {
         let token = Some(self.program.tree.stmt(found.stmt).extent.first);
-        // The condition is part of the head where nothing has to be done for it.
+        // The condition is printed in the loop header if its region prints no lines.
         let (line, out) = (self.line, std::mem::take(&mut self.out));
         self.region(found.test, depth + 1, found.condition);
         let test = std::mem::replace(&mut self.out, out);
@@ -349,11 +350,12 @@ impl Printer<'_> {
         labels.collect::<Vec<_>>().join(", ")
     }
 
-    /// Finds the operations of a run that stand in the line of their use: nothing happens between.
+    /// Finds the operations of a run that can be nested in the line of their use: those without a
+    /// side effect in between.
     fn nest(&mut self, run: Run, last: Option<OpId>) {
         let module = self.module;
         let mut depths = vec![0u8; run.len as usize];
-        // The last operation before here that does something.
+        // The last operation with a side effect so far.
         let mut effect: Option<OpId> = None;
         for id in run.ops() {
             let mut depth = 0;
@@ -394,7 +396,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Writes the line of an operation, unless it stands elsewhere.
+    /// Writes the line of an operation, unless it is nested.
     fn line(&mut self, id: OpId, depth: usize) {
         let op = *self.module.op(id);
         let is_nested = self.nested.get(id.0 as usize).copied().unwrap_or(false);
@@ -434,7 +436,7 @@ impl Printer<'_> {
         variable.is_some_and(|v| v.root == Root::Local)
     }
 
-    /// A value where it is used.
+    /// A value as an operand.
     fn value(&self, id: OpId) -> Text {
         let op = self.module.op(id);
         if is_literal(op) || self.nested.get(id.0 as usize).copied().unwrap_or(false) {
@@ -443,7 +445,7 @@ impl Printer<'_> {
         (format!("%{}", id.0), Bound::Tight)
     }
 
-    /// A value that something follows.
+    /// A value as an operand of a postfix or operator, in parentheses if necessary.
     fn tight(&self, id: OpId) -> String {
         match self.value(id) {
             (text, Bound::Tight) => text,
@@ -529,7 +531,7 @@ impl Printer<'_> {
         (text, Bound::Tight)
     }
 
-    /// A step to a member or element.
+    /// The text of a member or element access.
     fn part(&self, ty: Type, number: u32) -> String {
         let fields = self.program.struct_of(ty).filter(|_| !ty.is_array());
         match fields.and_then(|s| s.fields.get(number as usize)) {
@@ -585,7 +587,7 @@ impl Printer<'_> {
     }
 }
 
-/// Whether a value is said where it is used, however often.
+/// Whether a value is printed at every use, without a number.
 fn is_literal(op: &Op) -> bool {
     matches!(op.kind, OpKind::Const(_) | OpKind::Undef | OpKind::Unknown)
 }

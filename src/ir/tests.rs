@@ -1,11 +1,11 @@
-//! What becomes of GLSL, as the printer writes it; and that the verifier sees what is broken.
+//! Tests of lowering, as printed IR, and of the verifier.
 
 use super::{
     Access, Lanes, Module, OpId, OpKind, PlaceId, Precision, Provenance, Step, lower, print, verify,
 };
 use shaderlint_semantic::{Constant, Program, Type, analyze_fragment};
 
-/// What every shader here starts with, on one line.
+/// The declarations of every shader here, on one line.
 const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
                     uniform int n; uniform float x; uniform vec3 v; uniform mat3 m; \
                     uniform sampler2D tex; struct S { float a; vec2 b; };\n";
@@ -17,7 +17,7 @@ fn lowered(code: &str) -> (Program, Module) {
     (analysis.program, module)
 }
 
-/// Compares the statements of `main`, lowered, without the remarks.
+/// Compares the printed IR of the statements in `main`, without comments.
 #[track_caller]
 fn check(statements: &str, expected: &str) {
     let (program, module) = lowered(&format!("{HEAD}void main() {{ {statements} }}\n"));
@@ -26,7 +26,7 @@ fn check(statements: &str, expected: &str) {
     let body = text.split_once("fn main() {").unwrap().1;
     let lines = body.lines().map(|l| l.split(" //").next().unwrap());
     let lines = lines.map(|l| l.strip_prefix("  ").unwrap_or(l).trim_end());
-    // What only closes something, and the numbers of values, say nothing here.
+    // Closing brackets and value numbers are irrelevant here.
     let is_told = |l: &&str| !matches!(l.trim(), "" | "}");
     let lines: Vec<String> = lines.filter(is_told).map(without_numbers).collect();
     let expected: Vec<&str> = expected.lines().filter(is_told).collect();
@@ -41,7 +41,8 @@ fn without_numbers(line: &str) -> String {
     })
 }
 
-/// As the browser counts them: what a call expands to stands where the call ends.
+/// Line numbers are those that browsers report: the expansion of a macro call is on the line where
+/// the call ends.
 #[test]
 fn line_numbers() {
     check("int y = __LINE__;", "local y: int = 3");
@@ -188,13 +189,13 @@ fn calls_copy_in_and_out() {
     }
 }
 
-/// The first operation of a kind in a module that is well-formed.
+/// The first operation of a kind in a well-formed module.
 fn find(module: &Module, is_it: impl Fn(&OpKind) -> bool) -> OpId {
     let at = module.ops.iter().position(|op| is_it(&op.kind));
     OpId(at.unwrap() as u32)
 }
 
-/// Breaks a module and says what the verifier must say of it.
+/// Breaks a well-formed module and checks that the verifier reports `expected`.
 #[track_caller]
 fn broken(expected: &str, break_it: impl FnOnce(&mut Module)) {
     let (program, mut module) = lowered(&format!(
@@ -211,13 +212,13 @@ fn broken(expected: &str, break_it: impl FnOnce(&mut Module)) {
 
 #[test]
 fn what_is_broken_is_seen() {
-    broken("every operation has an origin", |m| {
+    broken("one provenance per operation", |m| {
         m.provenances.pop();
     });
     broken("is not in the program", |m| {
         m.provenances[0] = Provenance::Declaration(9999);
     });
-    broken("it gives", |m| {
+    broken("the result has type", |m| {
         let op = find(m, |k| matches!(k, OpKind::Unary(..)));
         m.ops[op.0 as usize].ty = Type::INT;
     });
@@ -228,7 +229,7 @@ fn what_is_broken_is_seen() {
         };
         m.ops[op.0 as usize].kind = OpKind::Unary(unary, op);
     });
-    broken("it writes to what cannot be written", |m| {
+    broken("a write to a read-only variable", |m| {
         let load = find(m, |k| matches!(k, OpKind::Load(_)));
         let OpKind::Load(place) = m.ops[load.0 as usize].kind else {
             unreachable!()
@@ -248,17 +249,17 @@ fn what_is_broken_is_seen() {
             .position(|a| matches!(a, Access::Lanes(_)));
         m.access_lists[at.unwrap()] = Access::Lanes(Lanes::new([3]));
     });
-    broken("stand in runs", |m| {
+    broken("runs contain", |m| {
         let op = m.ops[0];
         m.ops.push(op);
         m.provenances.push(Provenance::Language);
     });
-    broken("a `continue` is in no loop", |m| {
+    broken("a `continue` outside any loop", |m| {
         let stmt = shaderlint_syntax::ast::StmtId(0);
         let at = m.steps.iter().position(|s| matches!(s, Step::If { .. }));
         m.steps[at.unwrap()] = Step::Continue(stmt);
     });
-    broken("a constant of 0 scalars is no float", |m| {
+    broken("a constant of 0 scalars is not a float", |m| {
         let op = find(m, |k| matches!(k, OpKind::Const(_)));
         m.ops[op.0 as usize] = super::Op {
             kind: OpKind::Const(Constant::NONE),

@@ -1,17 +1,17 @@
-//! The one walk through the regions of a module: [`Visit`] for whoever has a meaning for each kind
-//! of step, [`Module::steps_in`] for whoever only looks for some.
+//! Traversal of regions: [`Visit`] for visitors with a method per kind of step,
+//! [`Module::steps_in`] to iterate over all steps.
 
 use crate::form::{
     Case, Loop, LoopId, Module, OpId, Provenance, Region, Run, Step, Switch, SwitchId,
 };
 use shaderlint_syntax::ast::StmtId;
 
-/// What a visit of something gives.
+/// The result of a visit.
 pub trait Visited {
-    /// That of what there is nothing to say of.
+    /// The result that continues the traversal.
     const GO: Self;
 
-    /// Whether the visit ends here.
+    /// Whether the traversal stops here.
     fn stops(&self) -> bool;
 }
 
@@ -31,13 +31,13 @@ impl<E> Visited for Result<(), E> {
     }
 }
 
-/// A visitor of regions. Each kind of step has a method, which does nothing but visit what is
-/// inside, in the order of evaluation.
+/// A visitor of regions, with one method per kind of step. The default methods visit what is
+/// inside, in evaluation order.
 pub trait Visit<'m>: Sized {
-    /// What a visit gives; one that [stops](Visited::stops) ends all.
+    /// The result of a visit; one that [stops](Visited::stops) ends the traversal.
     type Out: Visited;
 
-    /// The module that is visited.
+    /// The module being visited.
     fn module(&self) -> &'m Module;
 
     /// Visits the steps of a region.
@@ -45,7 +45,7 @@ pub trait Visit<'m>: Sized {
         each(self.module().steps(region), |step| self.step(step))
     }
 
-    /// Visits a step by the method of its kind.
+    /// Dispatches a step to the method for its kind.
     fn step(&mut self, step: &Step) -> Self::Out {
         let module = self.module();
         match *step {
@@ -71,27 +71,27 @@ pub trait Visit<'m>: Sized {
         }
     }
 
-    /// Operations, in order.
+    /// Visits the operations of a run, in order.
     fn run(&mut self, run: Run) -> Self::Out {
         each(run.ops(), |op| self.op(op))
     }
 
-    /// An operation.
+    /// Visits an operation.
     fn op(&mut self, _: OpId) -> Self::Out {
         Visited::GO
     }
 
-    /// What runs where a condition is true, and where it is false.
+    /// Visits both sides of a branch.
     fn branch(&mut self, _: OpId, sides: [Region; 2], _: Provenance) -> Self::Out {
         each(sides, |side| self.region(side))
     }
 
-    /// A loop.
+    /// Visits the regions of a loop.
     fn looped(&mut self, _: LoopId, looped: &'m Loop) -> Self::Out {
         each(looped.parts(), |part| self.region(part))
     }
 
-    /// A `switch`.
+    /// Visits the cases of a `switch`.
     fn switch(&mut self, switch: &'m Switch) -> Self::Out {
         each(self.module().cases(switch), |case| self.region(case.body))
     }
@@ -117,7 +117,7 @@ pub trait Visit<'m>: Sized {
     }
 }
 
-/// Visits one after another until one stops.
+/// Visits items in sequence until one stops.
 fn each<T, O: Visited>(all: impl IntoIterator<Item = T>, mut visit: impl FnMut(T) -> O) -> O {
     for one in all {
         let out = visit(one);
@@ -129,7 +129,7 @@ fn each<T, O: Visited>(all: impl IntoIterator<Item = T>, mut visit: impl FnMut(T
 }
 
 impl Loop {
-    /// Its regions, in the order in which a turn runs them.
+    /// The regions of the loop, in the order in which an iteration runs them.
     pub const fn parts(&self) -> [Region; 3] {
         match self.tests_first {
             true => [self.test, self.body, self.step],
@@ -149,7 +149,7 @@ impl Step {
 /// See [`Module::steps_in`].
 struct Steps<'m> {
     module: &'m Module,
-    /// What comes next, last first.
+    /// The remaining steps, in reverse order.
     todo: Vec<&'m Step>,
 }
 
@@ -166,12 +166,12 @@ impl<'m> Iterator for Steps<'m> {
 }
 
 impl Module {
-    /// The cases of the `switch` with this number; none where it is not this module's.
+    /// The cases of a `switch`; empty if the id belongs to another module.
     pub fn cases_of(&self, id: SwitchId) -> &[Case] {
         self.switch(id).map_or(&[], |switch| self.cases(switch))
     }
 
-    /// The regions that a step consists of, in the order in which they are run.
+    /// The regions of a step, in the order in which they run.
     pub fn inside(&self, step: &Step) -> Vec<Region> {
         match *step {
             Step::If {
@@ -183,7 +183,7 @@ impl Module {
         }
     }
 
-    /// All of some steps and of what is inside of them, each before what it consists of.
+    /// Iterates over steps and all steps inside them, in pre-order.
     pub fn steps_in<'m>(&'m self, steps: &'m [Step]) -> impl Iterator<Item = &'m Step> {
         Steps {
             module: self,

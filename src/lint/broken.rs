@@ -1,5 +1,5 @@
-//! What of a shader was not understood. Rules have nothing to say of it, and take everything that it
-//! names for used, written to and called.
+//! Items of a shader with errors. Rules report nothing in them, and treat every name that occurs in them as
+//! used, written to and called.
 
 use super::words::each_word;
 use rustc_hash::FxHashSet;
@@ -10,27 +10,26 @@ use shaderlint_syntax::ast::{ExprKind, Item, StmtKind};
 use shaderlint_syntax::{Macro, Name, TokenKind};
 use shaderlint_text::{Role, Span};
 
-/// Longest piece of code that a finding may stand on beside errors, in bytes: who calls what is
-/// looked up word by word.
+/// Longest span of a finding in a shader with errors, in bytes: its words are looked up one by one.
 const MAX_FINDING: u32 = 256;
 
-/// The functions and declarations with errors, and what depends on them.
+/// The functions and declarations with errors, and those that depend on them.
 #[derive(Default, Debug)]
 pub struct Broken<'a> {
-    /// What stands at global scope, in the order of the text, and whether it has errors.
+    /// The items at global scope, in the order of the text, and whether they have errors.
     items: Vec<(Span, bool)>,
-    /// The words in what has errors.
+    /// The words in items with errors.
     words: FxHashSet<&'a str>,
-    /// The functions that have errors, or call one that has some, by name.
+    /// Names of functions that have errors, or call one that has.
     suspects: FxHashSet<Name>,
     /// By function: whether it has errors.
     functions: Vec<bool>,
-    /// Whether there is an error that stands in no function and no declaration.
+    /// Whether an error is in no function and no declaration.
     whole: bool,
 }
 
 impl<'a> Broken<'a> {
-    /// What the errors leave; nothing is broken where there is none.
+    /// Marks the items with errors; none if there is no error.
     pub fn of(program: &'a Program, found: &[Diagnostic]) -> Broken<'a> {
         let mut broken = Broken::default();
         let errors = || found.iter().filter(|d| d.severity == Severity::Error);
@@ -49,12 +48,12 @@ impl<'a> Broken<'a> {
         broken
     }
 
-    /// Whether anything is broken.
+    /// Whether any item has errors.
     pub fn any(&self) -> bool {
         self.whole || self.items.iter().any(|(_, is_broken)| *is_broken)
     }
 
-    /// Whether nothing can be said of the shader as a whole.
+    /// Whether no rule can run on the shader.
     pub fn whole(&self) -> bool {
         self.whole
     }
@@ -65,23 +64,23 @@ impl<'a> Broken<'a> {
         known.copied().unwrap_or(false)
     }
 
-    /// Whether a word stands in what has errors.
+    /// Whether a word occurs in an item with errors.
     pub fn has(&self, word: &str) -> bool {
         self.words.contains(word)
     }
 
-    /// The words in what has errors.
+    /// The words in items with errors.
     pub fn words(&self) -> impl Iterator<Item = &'a str> {
         self.words.iter().copied()
     }
 
-    /// Where something is broken, in the order of the text.
+    /// The spans of items with errors, in the order of the text.
     pub fn spans(&self) -> impl Iterator<Item = Span> {
         let broken = self.items.iter().filter(|(_, is_broken)| *is_broken);
         broken.map(|(span, _)| *span)
     }
 
-    /// Whether a finding has nothing to do with what is broken.
+    /// Whether a finding does not depend on an item with errors.
     pub fn admits(&self, program: &Program, finding: &Diagnostic) -> bool {
         let labels = finding.labels.iter().map(|l| l.span);
         let fixes = finding.fix.iter().flat_map(|f| &f.edits);
@@ -97,7 +96,7 @@ impl<'a> Broken<'a> {
         is_clear
     }
 
-    /// Whether a place lies in what has errors.
+    /// Whether a span touches an item with errors.
     fn touches(&self, span: Span) -> bool {
         let from = self.items.partition_point(|(s, _)| s.end < span.start);
         let inside = self.items.iter().skip(from);
@@ -105,7 +104,7 @@ impl<'a> Broken<'a> {
         inside.any(|(_, is_broken)| *is_broken)
     }
 
-    /// Marks what stands at an address. Says whether anything does.
+    /// Marks the item at an address; returns whether there is one.
     fn mark(&mut self, address: u32) -> bool {
         let behind = self.items.partition_point(|(s, _)| s.start <= address);
         let item = behind.checked_sub(1).and_then(|i| self.items.get_mut(i));
@@ -119,8 +118,7 @@ impl<'a> Broken<'a> {
     }
 
     fn mark_error(&mut self, program: &Program, error: &Diagnostic) {
-        // A brace that is missing or too many moves what stands where; a conditional without its
-        // end, too.
+        // A missing or extra brace, or an unclosed conditional, moves the boundaries of items.
         self.whole |= error.subject.is_brace() || error.has(Facet::Moves);
         let calls = error.macros.iter().map(|m| m.call);
         let labels = error.labels.iter().map(|l| l.span);
@@ -132,7 +130,7 @@ impl<'a> Broken<'a> {
         self.whole |= !is_placed;
     }
 
-    /// Marks all that uses the macro in whose definition a place lies. Says whether it lies in one.
+    /// Marks all uses of the macro whose definition contains a span; returns whether there is one.
     fn mark_macro(&mut self, program: &Program, place: Span) -> bool {
         let tokens = &program.tokens;
         let extent = |m: &Macro| {
@@ -154,7 +152,7 @@ impl<'a> Broken<'a> {
         true
     }
 
-    /// Marks what holds an expression or statement without a meaning, reported or not.
+    /// Marks items with an invalid expression or statement, reported or not.
     fn mark_unknown(&mut self, program: &Program) {
         let tree = &program.tree;
         let exprs = tree.exprs.iter().zip(&program.exprs);
@@ -172,7 +170,7 @@ impl<'a> Broken<'a> {
         }
     }
 
-    /// Marks what names something whose declaration has errors, or was lost.
+    /// Marks items that use a name whose declaration has errors, or was lost.
     fn mark_dependents(&mut self, program: &Program) {
         let tree = &program.tree;
         let mut lost: FxHashSet<Name> = tree.lost.iter().copied().collect();
@@ -189,7 +187,7 @@ impl<'a> Broken<'a> {
         if lost.is_empty() {
             return;
         }
-        // What the host puts around the text means its own.
+        // The code that a host adds uses its own names.
         let is_user = |span: Span| {
             let file = program.sources.file_at(span.start);
             file.is_some_and(|f| f.role == Role::User)
@@ -211,7 +209,7 @@ impl<'a> Broken<'a> {
                 words.insert(word);
             });
         }
-        // What a macro writes into it is named there as well.
+        // Names in macro expansions count as well.
         for token in program.tokens.tokens.iter().filter(|t| !t.is_direct()) {
             if token.kind == TokenKind::Identifier && self.touches(token.span) {
                 words.insert(program.sources.text(Span::new(
@@ -251,7 +249,7 @@ impl<'a> Broken<'a> {
     }
 }
 
-/// What stands at global scope.
+/// The items at global scope.
 fn items(program: &Program) -> Vec<(Span, bool)> {
     let tree = &program.tree;
     let extent = |item: &Item| match *item {

@@ -1,27 +1,27 @@
-//! What edits do to the places and errors of a text.
+//! How edits move offsets and change the errors of a text.
 
 use super::look::Look;
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity};
 use shaderlint_text::{Edit, Span};
 
-/// Where places behind edits come from; there may be very many of both.
+/// Maps offsets after edits to offsets before them; both may be very many.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Moves(Vec<Move>);
 
-/// What one edit does to places.
+/// How one edit moves offsets.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct Move {
-    /// Where what it put in stands behind all edits.
+    /// Span of the inserted text after all edits.
     inserted: Span,
-    /// Where what it took away stood before them.
+    /// Start of the removed text before all edits.
     from: u32,
-    /// Bytes that it and all before it took away, and put in.
+    /// Bytes removed and inserted by this edit and all before it.
     removed: u32,
     added: u32,
 }
 
 impl Moves {
-    /// Those of edits that are in order.
+    /// The moves of sorted edits.
     pub fn of(edits: &[Edit]) -> Moves {
         let (mut removed, mut added) = (0, 0);
         let one = |edit: &Edit| {
@@ -38,8 +38,8 @@ impl Moves {
         Moves(edits.iter().map(one).collect())
     }
 
-    /// The offset before the edits of one behind them. What was put in comes from the start of what
-    /// it took the place of.
+    /// Maps an offset after the edits to one before them. Inserted text maps to the start of the text
+    /// that it replaces.
     pub fn before(&self, offset: u32) -> u32 {
         let behind = self.0.partition_point(|m| m.inserted.start <= offset);
         match behind.checked_sub(1).and_then(|i| self.0.get(i)) {
@@ -49,7 +49,7 @@ impl Moves {
         }
     }
 
-    /// Whether an offset behind the edits lies in what they put in.
+    /// Whether an offset after the edits is in inserted text.
     fn has_inserted(&self, offset: u32) -> bool {
         let behind = self.0.partition_point(|m| m.inserted.start <= offset);
         let last = behind.checked_sub(1).and_then(|i| self.0.get(i));
@@ -57,13 +57,13 @@ impl Moves {
     }
 }
 
-/// The errors of a text.
+/// The errors among the findings of a checked text.
 pub(super) fn errors(look: &Look) -> impl Iterator<Item = &Diagnostic> {
     let all = look.diagnostics.iter();
     all.filter(|d| d.severity == Severity::Error)
 }
 
-/// What edits do to the errors of a text.
+/// Compares the errors of a text before and after edits.
 pub(super) struct Change<'a> {
     seen: &'a Look,
     after: &'a Look,
@@ -92,7 +92,7 @@ impl<'a> Change<'a> {
         }
     }
 
-    /// The place before the edits of an error behind them.
+    /// The span before the edits of an error found after them.
     fn origin(&self, d: &Diagnostic) -> Span {
         let of = |address: u32| {
             let offset = address.saturating_sub(self.after.span.start);
@@ -101,7 +101,7 @@ impl<'a> Change<'a> {
         Span::new(of(d.span.start), of(d.span.end))
     }
 
-    /// Whether an error was there before at the same place, and was not one to mend.
+    /// Whether the same error was there before, and the edits were not meant to fix it.
     fn is_known(&self, d: &Diagnostic, place: Span) -> bool {
         let is_same = |s: &Diagnostic| {
             s.span.start == place.start && s.rule == d.rule && s.message == d.message
@@ -109,7 +109,7 @@ impl<'a> Change<'a> {
         errors(self.seen).any(|s| is_same(s) && !self.mended.iter().any(|m| std::ptr::eq(*m, s)))
     }
 
-    /// Whether the errors that the edits are for are gone, and have not only moved.
+    /// Whether the errors that the edits fix are gone, and did not only move.
     pub fn mends(&self) -> bool {
         let remains = |d: &Diagnostic| {
             let place = self.origin(d);
@@ -125,8 +125,8 @@ impl<'a> Change<'a> {
         !errors(self.after).any(remains)
     }
 
-    /// Whether the errors that are there besides were hidden before: each stands where the code
-    /// could not be judged, and not in what was put in.
+    /// Whether all new errors were hidden before: each is where the code could not be checked, and not
+    /// in inserted text.
     pub fn only_reveals(&self) -> bool {
         let Some(judged) = &self.seen.judged else {
             return false;

@@ -1,4 +1,4 @@
-//! What a rule works with.
+//! What a rule gets to check a shader and report findings.
 
 use super::facts::Facts;
 use super::option::{OptionType, Setting};
@@ -12,11 +12,11 @@ use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{ExprId, ExprKind, Extent};
 use shaderlint_text::Span;
 
-/// A shader, and a place for findings.
+/// A shader, its facts, and the list of findings.
 pub struct Context<'a, 'p> {
-    /// The shader.
+    /// The checked shader.
     pub program: &'p Program,
-    /// What is known of it as a whole.
+    /// Analyses of the whole shader.
     pub facts: &'a Facts<'p>,
     pub(super) settings: &'a Settings,
     pub(super) rule: &'static Rule,
@@ -24,19 +24,19 @@ pub struct Context<'a, 'p> {
     pub(super) diagnostics: &'a mut Vec<Diagnostic>,
 }
 
-/// A finding that is being put together; it counts as soon as it is made.
+/// Builder for a finding, which is already in the list.
 pub struct Finding<'a> {
     program: &'a Program,
     diagnostic: &'a mut Diagnostic,
 }
 
 impl<'p> Context<'_, 'p> {
-    /// What the rule goes by: one of its options.
+    /// The value of an option of the rule.
     pub fn option<T: OptionType>(&self, setting: &Setting<T>) -> T {
         self.settings.option(self.rule, setting)
     }
 
-    /// Code with an operator, in parentheses if it would fall apart in the place of an expression.
+    /// Code with an operator, in parentheses if it needs them as a replacement for an expression.
     pub fn in_place_of(&self, expr: ExprId, code: String) -> String {
         let parent = self.facts.structure().parent(expr);
         let kind = parent.map(|p| self.program.tree.expr(p).kind);
@@ -53,7 +53,7 @@ impl<'p> Context<'_, 'p> {
         }
     }
 
-    /// Whether an expression stands in the text just so, outside any macro call.
+    /// Whether an expression is written in the text itself, outside any macro call.
     pub fn is_direct(&self, expr: ExprId) -> bool {
         self.program.is_direct(self.program.tree.expr(expr).extent)
     }
@@ -73,8 +73,8 @@ impl<'p> Context<'_, 'p> {
         self.report(extent, message)
     }
 
-    /// Reports a finding at an expression whose range reaches too far on one side, and says where
-    /// that end comes from.
+    /// Reports a finding at an expression whose range extends too far on one side, with a label where that
+    /// end comes from.
     pub fn report_range(
         &mut self,
         expr: ExprId,
@@ -91,15 +91,15 @@ impl<'p> Context<'_, 'p> {
         }
     }
 
-    /// Reports a finding at what an operation comes from.
+    /// Reports a finding at the source of an operation.
     pub fn report_op(&mut self, op: OpId, message: impl Into<String>) -> Finding<'_> {
         let origin = self.facts.module().provenance(op);
         let extent = origin.extent(&self.program.tree);
         self.report(extent.unwrap_or_default(), message)
     }
 
-    /// Judges the last finding by a run of the shader: what was seen to go wrong at its expression is
-    /// told with it; what never did, however often pixels came to it, is not as bad.
+    /// Checks the last finding against a sample run: adds a note with the evidence, and lowers the
+    /// severity to info if the fault never occurred at its expression.
     pub fn judge(&mut self, expr: ExprId, kinds: &[Kind]) {
         let op = self.facts.module().op_of(expr);
         self.facts.tell(op);
@@ -114,7 +114,7 @@ impl<'p> Context<'_, 'p> {
         last.notes.push(verdict.words);
     }
 
-    /// Reports a finding about all that the shader draws, at the name of its entry.
+    /// Reports a finding about the whole image, at the name of the entry function.
     pub fn report_picture(&mut self, message: impl Into<String>) -> Finding<'_> {
         let program = self.program;
         let entry = self.facts.entry().and_then(|f| program.function(f));
@@ -123,7 +123,7 @@ impl<'p> Context<'_, 'p> {
         self.report_span(name.map_or(Span::default(), |t| t.span), message)
     }
 
-    /// Reports a finding at a place in the text.
+    /// Reports a finding at a span.
     #[expect(clippy::indexing_slicing, reason = "the last one was just pushed")]
     pub fn report_span(&mut self, span: Span, message: impl Into<String>) -> Finding<'_> {
         let diagnostic =
@@ -138,13 +138,13 @@ impl<'p> Context<'_, 'p> {
 }
 
 impl Finding<'_> {
-    /// Sets the remark under the place itself.
+    /// Sets the primary label.
     pub fn mark(self, message: impl Into<String>) -> Self {
         self.diagnostic.label = message.into();
         self
     }
 
-    /// Points at another place, unless that is none of the user's text.
+    /// Adds a secondary label, if the span is in the user's text.
     pub fn label(self, span: Span, message: impl Into<String>) -> Self {
         if self.program.is_user(span) {
             self.diagnostic.labels.push(Label {
@@ -155,25 +155,25 @@ impl Finding<'_> {
         self
     }
 
-    /// Says why.
+    /// Adds a note: a rule of the language, or evidence.
     pub fn note(self, note: impl Into<String>) -> Self {
         self.diagnostic.notes.push(note.into());
         self
     }
 
-    /// Says what to write instead.
+    /// Adds a help: what to edit.
     pub fn help(self, help: impl Into<String>) -> Self {
         self.diagnostic.help.push(help.into());
         self
     }
 
-    /// Makes it no worse than an info.
+    /// Lowers the severity to info.
     pub fn lower(self) -> Self {
         self.diagnostic.severity = self.diagnostic.severity.min(Severity::Info);
         self
     }
 
-    /// Adds the fix, if there is one.
+    /// Sets the fix; its title is printed as a help.
     pub fn fix(self, fix: impl Into<Option<Fix>>) -> Self {
         self.diagnostic.fix = fix.into();
         self

@@ -1,9 +1,9 @@
-//! Two rules that find nothing, for the tests of this layer: real ones are above it.
+//! Two rules without checks, for the tests of this layer; the real rules are in `rules/`.
 
 use crate::rule::{Group, Rule};
 use shaderlint_diagnostic::Severity;
 
-/// One rule that runs by default, and one that does not.
+/// One rule that is on by default, and one that is off.
 pub static RULES: &[&Rule] = &[
     &rule("float-equality", Group::Numeric, true),
     &rule("unused-parameter", Group::Tidy, false),

@@ -1,23 +1,23 @@
-//! Which tokens of a shader a macro call gave.
+//! Macro calls and the tokens that they expand to.
 
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{Extent, TokenId};
 use shaderlint_syntax::{Lexer, Token};
 use shaderlint_text::Span;
 
-/// A macro call in the text, and what came of it.
+/// A macro call in the text, and its expansion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Expanded {
-    /// The number of the macro among those of the shader.
+    /// Index of the macro in `tokens.macros`.
     pub definition: usize,
-    /// The call, as it is written.
+    /// Span of the call in the text.
     pub call: Span,
-    /// The tokens that the parser sees in its place.
+    /// The tokens that the parser sees instead.
     pub extent: Extent,
 }
 
-/// The macro calls that stand in the text itself, in order, each with its tokens; a call that gave
-/// nothing is none of them.
+/// The macro calls in the text itself, in order, each with its tokens; calls that expand to nothing are
+/// left out.
 pub fn expanded(program: &Program) -> Vec<Expanded> {
     let mut found: Vec<Expanded> = Vec::new();
     for (token, at) in program.tokens.tokens.iter().zip(0..) {
@@ -27,7 +27,7 @@ pub fn expanded(program: &Program) -> Vec<Expanded> {
         let Some(mut next) = call_of(program, token, at) else {
             continue;
         };
-        // What comes out of an argument is seen before the call that it was given to.
+        // The tokens of an argument come before the call that it is passed to.
         let is_one = |last: &Expanded| {
             last.extent.last + 1 == at
                 && (last.call.contains(next.call) || next.call.contains(last.call))
@@ -46,7 +46,7 @@ pub fn expanded(program: &Program) -> Vec<Expanded> {
     found
 }
 
-/// The calls of macros without parameters that stand in the text of other macros, in order.
+/// The calls of object-like macros in the bodies of other macros, in order.
 pub fn expanded_inside(program: &Program) -> Vec<Expanded> {
     let mut found: Vec<(u32, Expanded)> = Vec::new();
     for (token, at) in program.tokens.tokens.iter().zip(0..) {
@@ -78,8 +78,8 @@ pub fn expanded_inside(program: &Program) -> Vec<Expanded> {
     found.into_iter().map(|(_, call)| call).collect()
 }
 
-/// The call in the text that a token came through, as one that gave it alone. Where it came out of an
-/// argument, that is the outermost of all calls that stand in the text.
+/// The call in the text that a token was expanded from, with the token as its extent. For a token of an
+/// argument, this is the outermost call in the text.
 fn call_of(program: &Program, token: &Token, at: TokenId) -> Option<Expanded> {
     let all = &program.tokens.expansions;
     let mut expansion = all.get(token.expansion as usize)?;
@@ -93,7 +93,7 @@ fn call_of(program: &Program, token: &Token, at: TokenId) -> Option<Expanded> {
     })
 }
 
-/// How a token is written where it was spelled.
+/// The text of a token where it was spelled.
 pub fn spelling<'p>(program: &'p Program, token: &Token) -> &'p str {
     let text = || {
         let code = program.sources.code_at(token.spelled)?;

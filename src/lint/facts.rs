@@ -1,4 +1,4 @@
-//! What rules ask for about a shader as a whole. Each answer is made at the first question.
+//! Analyses of a whole shader for rules. Each is computed on first use.
 
 use super::broken::Broken;
 use super::march::{March, marches};
@@ -22,22 +22,22 @@ use shaderlint_text::embed::Embedder;
 use std::cell::OnceCell;
 use std::sync::{Arc, OnceLock};
 
-/// What is known of where a shader stands and runs, that its text does not say.
+/// Context of a shader that its text does not show.
 #[derive(Clone, Copy, Default)]
 pub struct Around<'a> {
-    /// The page or script that it stands in.
+    /// Facts from the page or script that contains the shader.
     pub embedder: Embedder,
-    /// By channel: whether its texture has mipmaps, where that is known.
+    /// By channel: whether its texture has mipmaps; `None` where unknown.
     pub mipmapped: [Option<bool>; 4],
-    /// Who knows what it is given, where it may be run.
+    /// Supplies the inputs of a sample run; `None` if the shader must not be run.
     pub supplier: Option<&'a dyn Supplier>,
 }
 
-/// A bias that takes the sharpest level of a texture for certain.
+/// A bias that always selects the sharpest mipmap level.
 const SHARPEST: f32 = -8.0;
 
-/// Answers that a shader alone gives, each made when it is first asked for. It can be kept as long as
-/// the shader, and shared.
+/// Analyses that depend on the shader alone, each computed on first use. They can be cached with the
+/// shader, and shared.
 #[derive(Default, Debug)]
 pub struct Known {
     module: OnceLock<Arc<Module>>,
@@ -60,12 +60,12 @@ pub struct Known {
 }
 
 impl Known {
-    /// The middle form of the shader.
+    /// The IR of the shader.
     pub fn module(&self, program: &Program) -> &Arc<Module> {
         self.module.get_or_init(|| Arc::new(lower(program)))
     }
 
-    /// How many questions have been answered for good.
+    /// Number of analyses computed so far.
     fn answers(&self) -> usize {
         let all = [
             self.module.get().is_some(),
@@ -90,20 +90,20 @@ impl Known {
     }
 }
 
-/// Answers about one shader.
+/// The analyses of one shader, and its context.
 pub struct Facts<'a> {
     program: &'a Program,
     known: Arc<Known>,
     unseen: OnceCell<Unseen<'a>>,
     pub(super) tried: Tried<'a>,
-    /// What is known of where it runs.
+    /// Context of the shader.
     pub around: Around<'a>,
-    /// What of the shader has errors.
+    /// The items with errors.
     pub(super) broken: Broken<'a>,
 }
 
 impl<'a> Facts<'a> {
-    /// Nothing is known of where the shader runs. `known` is of the same shader.
+    /// Facts without context. `known` must be of the same shader.
     pub fn of(program: &'a Program, known: &Arc<Known>) -> Facts<'a> {
         Facts {
             program,
@@ -115,7 +115,7 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// Makes it know what the errors leave; what was found out without them does not count.
+    /// Marks the items with errors, and discards analyses computed without regard to them.
     pub(super) fn break_at(&mut self, errors: &[Diagnostic]) {
         self.broken = Broken::of(self.program, errors);
         if self.broken.any() {
@@ -127,7 +127,7 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// How many questions about the shader alone have been answered, here or before.
+    /// Number of cached analyses, computed here or before.
     pub fn answers(&self) -> usize {
         self.known.answers()
     }
@@ -137,43 +137,43 @@ impl<'a> Facts<'a> {
         self.program
     }
 
-    /// The shader's middle form.
+    /// The IR of the shader.
     pub fn module(&self) -> &Module {
         self.known.module(self.program)
     }
 
-    /// Which node stands in which.
+    /// Parents of expressions and statements.
     pub fn structure(&self) -> &Structure {
         self.known
             .structure
             .get_or_init(|| Structure::of(self.program))
     }
 
-    /// Who calls whom.
+    /// The calls and the call graph.
     pub fn calls(&self) -> &Calls {
         self.known.calls.get_or_init(|| Calls::of(self.module()))
     }
 
-    /// The loops.
+    /// The loops and their iteration counts.
     pub fn loops(&self) -> &Loops {
         self.known.loops.get_or_init(|| Loops::of(self.ranges()))
     }
 
-    /// Where variables are named.
+    /// The uses of each variable.
     pub fn mentions(&self) -> &Mentions {
         self.known
             .mentions
             .get_or_init(|| Mentions::of(self.program))
     }
 
-    /// Where variables are written to, and which are read.
+    /// The writes of each variable, and which variables are read.
     pub fn writes(&self) -> &Writes {
         self.known
             .writes
             .get_or_init(|| Writes::of(self.program, self.module(), self.mentions()))
     }
 
-    /// How much the functions do.
+    /// The cost of each function.
     pub fn work(&self) -> &Work {
         self.known.work.get_or_init(|| {
             let turns = self.loops().turns();
@@ -182,7 +182,7 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// What differs from pixel to pixel; nothing does where nothing draws pixels.
+    /// Which values differ between pixels; none outside of complete fragment shaders.
     pub fn uniformity(&self) -> &Uniformity {
         self.known.uniformity.get_or_init(|| {
             let has_pixels = self.program.stage == Stage::Fragment && self.entry().is_some();
@@ -193,7 +193,7 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// The calls that take derivatives where neighbouring pixels may have parted.
+    /// The calls with implicit derivatives in divergent control flow.
     pub fn gradients(&self) -> &[Gradient] {
         self.known.gradients.get_or_init(|| {
             let mut found = gradients(self.module(), self.calls(), || self.uniformity());
@@ -202,8 +202,8 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// Whether anything hangs on the derivatives that a call takes: without mipmaps a texture has one
-    /// level to choose, and a bias may take the sharpest for certain.
+    /// Whether the derivatives of a call matter: a texture without mipmaps has only one level, and a
+    /// large negative bias always selects the sharpest.
     pub fn chooses_level(&self, call: OpId) -> bool {
         let module = self.module();
         let OpKind::Builtin(function, list) = module.op(call).kind else {
@@ -232,7 +232,7 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// What has a value when, on the paths through the functions.
+    /// Definite assignment on the paths through each function.
     pub fn paths(&self) -> &Paths {
         self.known.paths.get_or_init(|| {
             let shader = (self.program, self.module());
@@ -240,21 +240,21 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// Which write each read sees.
+    /// Reaching definitions.
     pub fn defs(&self) -> &Defs {
         self.known
             .defs
             .get_or_init(|| Defs::of(self.program, self.module(), self.calls()))
     }
 
-    /// Which writes are ever read.
+    /// Liveness: which writes are read.
     pub fn live(&self) -> &Live {
         self.known
             .live
             .get_or_init(|| Live::of(self.module(), self.defs()))
     }
 
-    /// What numbers values may be.
+    /// Value ranges.
     pub fn ranges(&self) -> Query<'_> {
         Query {
             program: self.program,
@@ -270,12 +270,12 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// What numbers the components of a number or vector may be.
+    /// The value ranges of the components of a scalar or vector.
     pub fn range(&self, expr: ExprId) -> impl Iterator<Item = Interval> {
         self.ranges().expr(expr)
     }
 
-    /// Where an end of the range of one of an expression's components comes from, and in which words.
+    /// The span that determines one end of the range of a component, and a label for it.
     pub fn reason(&self, expr: ExprId, range: &Interval, side: Side) -> Option<(Span, String)> {
         let op = self.module().op_of(expr)?;
         let query = self.ranges();
@@ -299,32 +299,35 @@ impl<'a> Facts<'a> {
         };
         Some(match reason.giver {
             _ if reason.range.is_any() && !reason.range.takes_both_signs() => return None,
-            Giver::Builtin(function) => format!("`{}` gives {range}", function.name()),
-            Giver::Constant | Giver::Operation => format!("this is {range}"),
-            Giver::Condition(true) => format!("this condition leaves {range}"),
-            Giver::Condition(false) => format!("where this does not hold, {range} is left"),
-            Giver::Loop => format!("the loop counts {range}"),
+            Giver::Builtin(function) => format!("`{}` returns {range}", function.name()),
+            Giver::Constant | Giver::Operation => match reason.range.single() {
+                Some(_) => format!("this is {range}"),
+                None => format!("range: {range}"),
+            },
+            Giver::Condition(true) => format!("if true, the range is {range}"),
+            Giver::Condition(false) => format!("if false, the range is {range}"),
+            Giver::Loop => format!("loop counter range: {range}"),
             Giver::Host(id) => {
                 let variable = self.program.variable(id)?;
                 let name = self.program.names.text(variable.name);
-                format!("`{name}` is {range}")
+                format!("range of `{name}`: {range}")
             }
         })
     }
 
-    /// Whether two expressions give the same value, as far as a short look tells.
+    /// Whether a bounded comparison shows that two expressions have the same value.
     pub fn is_same(&self, a: ExprId, b: ExprId) -> bool {
         let module = self.module();
         let both = module.op_of(a).zip(module.op_of(b));
         both.is_some_and(|(a, b)| self.is_same_value(a, b))
     }
 
-    /// Whether two operations give the same value, as far as a short look tells.
+    /// Whether a bounded comparison shows that two operations have the same value.
     pub fn is_same_value(&self, a: OpId, b: OpId) -> bool {
         is_same(self.module(), self.defs(), a, b)
     }
 
-    /// What makes a lane of a value jump between neighbouring pixels.
+    /// What makes a component of a value discontinuous between neighbouring pixels.
     pub fn jump(&self, op: OpId, lane: u32) -> Option<Jump> {
         jump(self.ranges(), self.uniformity(), (op, lane))
     }
@@ -339,22 +342,22 @@ impl<'a> Facts<'a> {
         let known = self.around.mipmapped;
         match number.and_then(|number| known.get(number as usize)) {
             Some(known) => *known != Some(false),
-            // A parameter: any of them.
+            // A parameter: may be any of them.
             None => known.iter().all(Option::is_none) || known.contains(&Some(true)),
         }
     }
 
-    /// Calls `visit` with what a lane of a value was made of, as [`trace`] does.
+    /// Calls `visit` with the sources of a component, as [`trace`] does.
     pub fn trace(&self, op: OpId, lane: u32, visit: impl FnMut(Start) -> bool) -> bool {
         trace(self.module(), self.defs(), (op, lane), visit)
     }
 
-    /// What a lane of a value is, copies taken back.
+    /// The source of a component, followed through copies.
     pub fn origin(&self, op: OpId, lane: u32) -> Option<Start> {
         origin(self.module(), self.defs(), op, lane)
     }
 
-    /// Whether a lane is that of a variable which the host or the language fills in under this name.
+    /// Whether a component is from a uniform or input of this name.
     pub fn is_given(&self, origin: Option<Start>, name: &str) -> bool {
         let Some(Start::Given(variable, _)) = origin else {
             return false;
@@ -365,12 +368,12 @@ impl<'a> Facts<'a> {
             && found.is_some_and(|v| self.program.names.text(v.name) == name)
     }
 
-    /// The function that draws: `mainImage` and its kin, or `main`.
+    /// The entry function: `mainImage` and similar, or `main`.
     pub fn entry(&self) -> Option<FunctionRef> {
         *self.known.entry.get_or_init(|| self.program.entry())
     }
 
-    /// Which expressions and functions do more than give a value.
+    /// Which expressions and functions have side effects.
     pub fn effects(&self) -> &Effects {
         self.known.effects.get_or_init(|| {
             let (module, structure) = (self.module(), self.structure());
@@ -378,27 +381,27 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// Behind which statements nothing runs.
+    /// After which statements control flow does not continue.
     pub fn reach(&self) -> &Reachability {
         self.known
             .reach
             .get_or_init(|| Reachability::of(self.program))
     }
 
-    /// The words that the compiler does not see.
+    /// The words in excluded or unused code.
     pub fn unseen(&self) -> &Unseen<'a> {
         self.unseen
             .get_or_init(|| Unseen::of(self.program, &self.broken))
     }
 
-    /// How often a word stands in the user's files, comments aside.
+    /// Number of occurrences of a word in the user's files, without comments.
     pub fn count(&self, word: &str) -> usize {
         count(self.program, word)
     }
 
-    /// Addresses of the last file, which is nobody's else: what it declares is used in it or not at
-    /// all. A file before it, such as ShaderToy's Common, belongs to other passes too. `None` where
-    /// nothing runs, because the text is a part that others make use of.
+    /// Addresses of the last file: its declarations can be used in it only. An earlier file, such as
+    /// ShaderToy's Common, may be used by other passes. `None` for a text without an entry function, which
+    /// others may include.
     pub fn own_file(&self) -> Option<Span> {
         self.entry()?;
         let end = self.program.tokens.tokens.last()?.span.start;

@@ -1,27 +1,26 @@
-//! The fix engine: which fixes of one look at a text go together, and their repetition until
-//! nothing is left to mend.
+//! The fix engine: selects fixes that do not overlap, applies them, and repeats until no fix is left.
 
 use super::change::{Change, Moves, errors};
 use super::look::Look;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Sources, Span, apply_edits};
 
-/// Most looks that are taken at one text.
+/// Most rounds of fixes for one text.
 const MAX_ROUNDS: usize = 16;
-/// Most work that is done again for the fixes of one text, in bytes of text. What is left over then
-/// stays a finding: a text of a megabyte gets two looks, one of ten kilobytes thirty.
+/// Most bytes of text that are checked again for the fixes of one text. Fixes left over then are not
+/// applied: a text of a megabyte is checked twice, one of ten kilobytes thirty times.
 const MAX_LOOKED: usize = 2_000_000;
-/// What a look costs at least, in bytes of text: brackets that nobody closes make much work of little.
+/// Least cost of a check, in bytes of text: unclosed brackets make a short text expensive.
 const LEAST_LOOKED: usize = 64_000;
-/// What a token or macro call costs, in bytes of text.
+/// Cost of a token or macro call, in bytes of text.
 const TOKEN_COST: usize = 4;
 
 /// Which fixes may be applied.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Allow {
-    /// Those that keep the picture.
+    /// Fixes that keep the image.
     Safe,
-    /// All.
+    /// All fixes.
     Unsafe,
 }
 
@@ -32,38 +31,38 @@ impl Allow {
     }
 }
 
-/// What is known of the picture of a text after fixes that should keep it, the surest first.
+/// Evidence that fixes kept the image, the strongest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Proof {
-    /// The code that runs is the same.
+    /// The compiled code is the same.
     SameCode,
-    /// The same bits were seen wherever it was looked.
+    /// All sampled pixels have the same bits.
     SameBits,
-    /// Nothing: it is not run, or was none before.
+    /// No evidence: the shader cannot be run, or could not be before.
     Unknown,
-    /// It is another one.
+    /// The image differs.
     Refuted,
 }
 
 /// A text after its fixes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fixed {
-    /// The text.
+    /// The text with the fixes applied.
     pub text: String,
-    /// The findings whose fixes were applied. Their spans are offsets in the text as it was at first;
-    /// labels and fixes still have the addresses of their own look.
+    /// The findings whose fixes were applied. Their spans are offsets in the original text; labels and
+    /// fixes keep the addresses of the round that found them.
     pub applied: Vec<Diagnostic>,
-    /// By finding whose fix was applied: what is known of the picture.
+    /// The evidence for each finding in `applied`.
     pub proofs: Vec<Proof>,
-    /// The findings whose fixes should keep the picture and would not, so that they were left alone.
-    /// Their spans are offsets in the text as it is now.
+    /// The findings with a safe fix that would change the image and was not applied. Their spans are
+    /// offsets in the fixed text.
     pub left: Vec<Diagnostic>,
-    /// What each round did to places in the text.
+    /// How each round moved offsets.
     rounds: Vec<Moves>,
 }
 
 impl Fixed {
-    /// A text in which nothing is mended.
+    /// A text without applied fixes.
     fn unchanged(text: &str) -> Fixed {
         Fixed {
             text: text.to_string(),
@@ -74,19 +73,18 @@ impl Fixed {
         }
     }
 
-    /// The offset in the text as it was at first of one in the text as it is now.
+    /// Maps an offset in the fixed text to the original text.
     pub fn origin(&self, offset: u32) -> u32 {
         let rounds = self.rounds.iter().rev();
         rounds.fold(offset, |offset, moves| moves.before(offset))
     }
 }
 
-/// Applies fixes until there are none, or none that helps.
+/// Applies fixes until none is left, or none that helps.
 ///
-/// In each round the fixes of one look are applied, those left out that touch others. A fix is kept
-/// where it makes no error: those that come to light behind it do not count, where nothing could be
-/// said of their places before. Fixes that would make one are found and left out, and so are those
-/// that should keep the picture where `compare` sees another one.
+/// Each round applies the fixes of one check that do not touch each other. A fix is kept if it causes no
+/// error; errors in places that could not be checked before do not count. Fixes that cause errors are
+/// found by bisection and left out, and so are safe fixes for which `compare` finds another image.
 pub fn fix(
     text: &str,
     allow: Allow,
@@ -99,13 +97,13 @@ pub fn fix(
     }
 }
 
-/// Compares no pictures.
+/// Compares no images: the evidence is always [`Proof::Unknown`].
 pub fn without_pictures(_: &Look, _: &Look) -> Proof {
     Proof::Unknown
 }
 
-/// Applies fixes to a text that has been looked at: first the safe ones, and then, where they may be
-/// applied, the others too; so what the safe ones mend does not depend on the others.
+/// Applies fixes to a checked text: the safe ones first, and then the others if they are allowed, so that
+/// the safe ones do not depend on the others.
 fn fix_seen(
     text: &str,
     mut seen: Look,
@@ -128,7 +126,7 @@ fn fix_seen(
             let next = engine.round(&fixed, &seen, Allow::Safe);
             let next = match step {
                 Allow::Safe => next,
-                // What another fix brought to light may have a safe one.
+                // An unsafe fix may reveal a finding with a safe one.
                 Allow::Unsafe => next.or_else(|| engine.round(&fixed, &seen, step)),
             };
             let Some(next) = next else {
@@ -143,7 +141,7 @@ fn fix_seen(
     fixed
 }
 
-/// A finding at its offset in the text, which starts at this address.
+/// A finding with its span as offsets in the text that starts at address `base`.
 fn at_offset(found: &Diagnostic, base: u32) -> Diagnostic {
     let offset = |address: u32| address.saturating_sub(base);
     Diagnostic {
@@ -155,14 +153,13 @@ fn at_offset(found: &Diagnostic, base: u32) -> Diagnostic {
 struct Engine<L, C> {
     look: L,
     compare: C,
-    /// How many bytes may still be looked at.
+    /// Bytes that may still be checked.
     left: usize,
-    /// The fixes that would change the picture.
+    /// Safe fixes that would change the image.
     refuted: Vec<Refuted>,
 }
 
-/// A fix that would change the picture: its rule, its place in the text as it was at first, and what
-/// it does.
+/// A safe fix that would change the image: its rule, its offset in the original text, and its title.
 #[derive(PartialEq)]
 struct Refuted(&'static str, u32, String);
 
@@ -174,29 +171,29 @@ impl Refuted {
     }
 }
 
-/// Why fixes are not kept.
+/// Why fixes are rejected.
 enum Harm {
-    /// They make errors, or nothing else than there was, or are too much work.
+    /// They cause errors, change nothing, or exceed the budget.
     Errors,
-    /// The picture would be another.
+    /// They change the image.
     Picture,
 }
 
-/// What a round gives: the fixes that it kept, and what became of the text.
+/// The fixes that a round kept, and the resulting text.
 struct Kept<'a> {
     fixes: Vec<&'a Diagnostic>,
     after: Option<(Fixed, Look)>,
 }
 
 impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, C> {
-    /// Whether a finding has a fix that would change the picture.
+    /// Whether the fix of a finding is known to change the image.
     fn is_refuted(&self, fixed: &Fixed, seen: &Look, found: &Diagnostic) -> bool {
         let is_it = |own: Refuted| self.refuted.contains(&own);
         !self.refuted.is_empty() && Refuted::of(fixed, seen, found).is_some_and(is_it)
     }
 
-    /// One round: all fixes that go together, without those that do harm. Where all of them do,
-    /// those that they stood in the way of.
+    /// One round: all compatible fixes, without the harmful ones. If all are harmful, tries those that
+    /// they blocked.
     fn round(&mut self, fixed: &Fixed, seen: &Look, allow: Allow) -> Option<(Fixed, Look)> {
         let open = seen.diagnostics.iter();
         let mut open: Vec<_> = open.filter(|d| !self.is_refuted(fixed, seen, d)).collect();
@@ -213,7 +210,7 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
         }
     }
 
-    /// What becomes of a text by all of `fixes` that do no harm.
+    /// Applies those of `fixes` that do no harm.
     fn without_harm(
         &mut self,
         fixed: &Fixed,
@@ -224,8 +221,7 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
             fixes: Vec::new(),
             after: None,
         };
-        // Halves are tried where the whole does harm, so that one bad fix among many costs few
-        // looks.
+        // Bisects a harmful set, so that one bad fix among many costs few checks.
         let mut todo = vec![fixes];
         while let Some(next) = todo.pop() {
             let together = [kept.fixes.as_slice(), next].concat();
@@ -252,8 +248,7 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
         kept.after
     }
 
-    /// The text after some fixes, if it is another one, they make no error, and those that should
-    /// keep the picture do.
+    /// The text after some fixes, if it changes, they cause no error, and safe fixes keep the image.
     fn attempt(
         &mut self,
         fixed: &Fixed,
@@ -271,7 +266,7 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
         let cost = text.len().max(LEAST_LOOKED);
         self.left = self.left.checked_sub(cost).ok_or(Harm::Errors)?;
         let after = (self.look)(&text).ok_or(Harm::Errors)?;
-        // Macros make much of little text.
+        // Macros may expand a short text to many tokens.
         let expanded = (after.size * TOKEN_COST).saturating_sub(cost);
         self.left = self.left.saturating_sub(expanded);
         let change = Change::new(seen, &after, &edits, mended);
@@ -306,7 +301,7 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
     }
 }
 
-/// Writes the line breaks of a text into what is put into it.
+/// Converts the line breaks of inserted text to those of the file.
 fn end_lines_alike(edits: &mut [Edit], text: &str) {
     let first = text.find('\n').and_then(|end| text.get(..end));
     if first.is_some_and(|line| line.ends_with('\r')) {
@@ -316,8 +311,8 @@ fn end_lines_alike(edits: &mut [Edit], text: &str) {
     }
 }
 
-/// Takes the fix away from a finding where it would take a comment away, and tells it in words
-/// instead. The comments are in the order of the text.
+/// Replaces a fix that would remove a comment with a help of the same words. `comments` are in the order
+/// of the text.
 pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diagnostic) {
     let loses = |edit: &Edit| {
         let first = comments.partition_point(|c| c.end <= edit.span.start);
@@ -333,8 +328,8 @@ pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diag
     }
 }
 
-/// The fixes that go together: in the order of the text, each of which touches nothing that one
-/// before it touches. The same fix offered twice counts once.
+/// The findings, in order, with fixes that touch no span of an earlier chosen fix. The same fix offered
+/// twice counts once.
 fn choose<'a>(diagnostics: &[&'a Diagnostic], span: Span, allow: Allow) -> Vec<&'a Diagnostic> {
     let mut taken: Vec<Span> = Vec::new();
     let mut chosen: Vec<&Diagnostic> = Vec::new();
@@ -356,7 +351,7 @@ fn choose<'a>(diagnostics: &[&'a Diagnostic], span: Span, allow: Allow) -> Vec<&
     chosen
 }
 
-/// Whether a span touches one of these, which are sorted and do not touch each other.
+/// Whether a span touches one of `taken`, which are sorted and disjoint.
 fn is_taken(taken: &[Span], span: Span) -> bool {
     let at = taken.partition_point(|t| t.start < span.start);
     let touches = |t: &Span| t.start <= span.end && span.start <= t.end;
@@ -374,7 +369,7 @@ mod tests {
         Diagnostic::new("letter", Origin::Rule, Severity::Info, span, "a")
     }
 
-    /// Each `a` can be written `b`; each `b` beside a `b` is an error without a fix.
+    /// Each `a` has the fix `b`; each `bb` is two errors without a fix.
     fn look(text: &str) -> Option<Look> {
         let mut diagnostics = Vec::new();
         for (i, c) in text.char_indices() {
@@ -432,7 +427,7 @@ mod tests {
         assert!(looks < 40, "{looks} looks");
     }
 
-    /// All fixes but one change the picture: they are left alone, whatever else may be applied.
+    /// All fixes but one change the image: they are not applied, even with `Allow::Unsafe`.
     #[test]
     fn fixes_that_change_the_picture_are_left_alone() {
         let compare = |_: &Look, after: &Look| match after.diagnostics.len() {
@@ -448,7 +443,7 @@ mod tests {
         }
     }
 
-    /// Each `(x)` offers to take both brackets off, which overlaps with what those inside offer.
+    /// Each `(x)` has a fix that removes its brackets and overlaps with those inside.
     fn brackets(text: &str) -> Option<Look> {
         let mut open = Vec::new();
         let mut diagnostics = Vec::new();
@@ -493,7 +488,7 @@ mod tests {
         assert_eq!(places, ["(a)", "(b)", "((a))"]);
     }
 
-    /// `a` can be written `b`; a `c` behind an `a` is not seen, any other is an error.
+    /// `a` has the fix `b`; a `c` after an `a` is hidden, any other is an error.
     fn hiding(text: &str) -> Option<Look> {
         let mut look = Look {
             diagnostics: Vec::new(),
@@ -518,7 +513,7 @@ mod tests {
                     let fix = Fix::safe("b", vec![Edit::replace(span, "b")]);
                     look.diagnostics.push(error().fix(fix));
                 }
-                // What the edit brings about before itself.
+                // An error that the edit causes before itself.
                 'd' if text.contains('b') => look.diagnostics.push(error()),
                 'c' if !hidden => look.diagnostics.push(error()),
                 _ => {}

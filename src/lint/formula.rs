@@ -1,34 +1,33 @@
-//! Formulas: the shapes of expressions over operands, to be found in a shader however its author
-//! ordered and parenthesized them.
+//! Formulas: patterns of expressions that match whatever the order of operands and the parentheses.
 
 use super::context::Context;
 use super::same::same_code;
 use shaderlint_semantic::{BuiltinId, Program};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-/// The shape of an expression.
+/// A pattern of an expression.
 #[derive(Clone, Copy, Debug)]
 pub enum Formula {
-    /// Any expression; the same code wherever the formula has the same number.
+    /// Any expression; operands with the same number must be the same code.
     Operand(usize),
     /// A constant of this value.
     Number(f32),
-    /// An operator and its operands, in either order where that is the same.
+    /// An operator and its operands, in either order if it is commutative.
     Binary(BinaryOp, &'static Formula, &'static Formula),
     /// A call of a built-in function with one argument.
     Unary(BuiltinId, &'static Formula),
-    /// A call of a built-in function with two arguments, in either order where that is the same.
+    /// A call of a built-in function with two arguments, in either order if it is commutative.
     Call(BuiltinId, &'static Formula, &'static Formula),
 }
 
 /// The most operands of a formula.
 pub const MAX_OPERANDS: usize = 3;
 
-/// By number: the expression that an operand of a formula stands for.
+/// By number: the expression bound to an operand of a formula.
 type Operands = [Option<ExprId>; MAX_OPERANDS];
 
-/// The operands of an expression that has the shape of a formula, by their numbers and without
-/// parentheses: the first choice of them that `fits`.
+/// Matches an expression with a formula. Returns the first binding of operands that `fits`, by number and
+/// without parentheses.
 pub fn operands(
     cx: &Context,
     formula: &Formula,
@@ -50,7 +49,7 @@ pub fn operands(
     found
 }
 
-/// Whether an expression is at its top what a formula is: most differ there already.
+/// Quick check whether the outermost operator matches.
 fn may_be(cx: &Context, formula: &Formula, expr: ExprId) -> bool {
     let tree = &cx.program.tree;
     match (*formula, tree.expr(tree.unparen(expr)).kind) {
@@ -61,8 +60,7 @@ fn may_be(cx: &Context, formula: &Formula, expr: ExprId) -> bool {
     }
 }
 
-/// Tries every way in which `expr` has the shape of a formula, given what operands stand for
-/// already, until `then` says that one of them is it.
+/// Tries every match of `expr` with a formula, given the operands bound so far, until `then` accepts one.
 fn unify(
     cx: &Context,
     formula: &Formula,
@@ -75,7 +73,7 @@ fn unify(
     let expr = tree.unparen(expr);
     let kind = tree.expr(expr).kind;
     match (*formula, kind) {
-        // It would be two arguments of a call.
+        // A comma expression would become two arguments of a call.
         (Formula::Operand(_), ExprKind::Comma(..)) => false,
         (Formula::Operand(number), _) => match given.get_mut(number) {
             Some(Some(same)) => {
@@ -127,7 +125,7 @@ fn unify_pair(
     both(a, b) || (commutes && both(b, a))
 }
 
-/// The operands of a product, taken apart; a quotient's divisor and a sum are operands themselves.
+/// The factors of a product, without parentheses; a quotient or sum is one factor.
 pub fn factors(program: &Program, expr: ExprId) -> Vec<ExprId> {
     let tree = &program.tree;
     let mut factors = Vec::new();

@@ -1,4 +1,4 @@
-//! What the range of a value hangs on: the code around it, or what callers pass today.
+//! Whether the range of a value depends on the code around it, or on the arguments of current callers.
 
 use super::facts::Facts;
 use rustc_hash::FxHashSet;
@@ -7,12 +7,11 @@ use shaderlint_ir::{OpId, OpKind, Root};
 use shaderlint_semantic::{BuiltinId, Program, Resolution, Storage, each_operand};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-/// Most operations and definitions that are looked at.
+/// Most operations and definitions that are followed.
 const MAX_PARTS: usize = 160;
 
-/// Whether the range of an expression is what it is because of what callers pass, or what other
-/// functions leave in globals: code that asks after it does so in good faith. So does code whose
-/// value takes too long to follow.
+/// Whether the range of an expression depends on arguments of callers or on globals: a check of such a
+/// value is reasonable. Also true if the value takes too long to follow.
 pub fn hangs_on_callers(facts: &Facts, expr: ExprId) -> bool {
     let Some(op) = facts.module().op_of(expr) else {
         return false;
@@ -27,8 +26,8 @@ pub fn hangs_on_callers(facts: &Facts, expr: ExprId) -> bool {
     search.run()
 }
 
-/// Whether all variables of an expression are uniforms: `max(-iFrame, 1)` hides a number from the
-/// compiler, and means to.
+/// Whether all variables of an expression are uniforms: `max(-iFrame, 1)` hides a constant from the
+/// compiler on purpose.
 pub fn is_of_uniforms(program: &Program, expr: ExprId) -> bool {
     let mut todo = vec![expr];
     let mut has_uniform = false;
@@ -49,8 +48,8 @@ pub fn is_of_uniforms(program: &Program, expr: ExprId) -> bool {
     false
 }
 
-/// Whether no rounding takes a value beyond the end of its range: below zero, of what has no sign,
-/// and beyond what a function has cut already.
+/// Whether rounding cannot take a value beyond the end of its range: non-negative results never fall
+/// below zero, and clamped results stay within their bounds.
 pub fn is_exact(facts: &Facts, program: &Program, value: ExprId, is_low: bool) -> bool {
     use BuiltinId::*;
     let tree = &program.tree;
@@ -105,7 +104,7 @@ impl GivenSearch<'_, '_> {
         }
     }
 
-    /// Follows a definition; says whether it is what a caller gives and the range knows of.
+    /// Follows a definition; returns whether it is an argument or global with a known range.
     fn def(&mut self, def: DefId) -> bool {
         let (module, defs) = (self.facts.module(), self.facts.defs());
         match defs.get(def) {

@@ -1,25 +1,25 @@
-//! How far in code stands on its line.
+//! Indentation of lines.
 
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::TokenId;
 
-/// A line, and the blanks that it begins with.
+/// A line and its leading blanks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Indent<'p> {
-    /// The line; 1 is the first.
+    /// Line number, from 1.
     pub line: u32,
-    /// What stands before the first code of it.
+    /// The blanks before the first code.
     pub blanks: &'p str,
 }
 
 impl Indent<'_> {
-    /// Whether it begins with more of the same blanks than another; tabs against blanks tell nothing.
+    /// Whether it extends the indentation of another; tabs and spaces are not comparable.
     pub fn is_deeper_than(&self, other: &Indent) -> bool {
         self.blanks.len() > other.blanks.len() && self.blanks.starts_with(other.blanks)
     }
 }
 
-/// The line that a token begins; `None` where other code stands before it.
+/// The indentation of a token that is the first on its line; `None` for other tokens.
 pub fn indent(program: &Program, token: TokenId) -> Option<Indent<'_>> {
     let (line, before) = before(program, token)?;
     let is_first = before.bytes().all(|b| matches!(b, b' ' | b'\t'));
@@ -29,7 +29,7 @@ pub fn indent(program: &Program, token: TokenId) -> Option<Indent<'_>> {
     })
 }
 
-/// How far the line of a token stands in, whatever stands before the token.
+/// The indentation of the line of a token.
 pub fn line_indent(program: &Program, token: TokenId) -> Option<Indent<'_>> {
     let (line, before) = before(program, token)?;
     let blanks = before.len() - before.trim_start_matches([' ', '\t']).len();
@@ -37,7 +37,7 @@ pub fn line_indent(program: &Program, token: TokenId) -> Option<Indent<'_>> {
     Some(Indent { line, blanks })
 }
 
-/// The number of a token's line, and what stands on it before the token.
+/// The line number of a token, and the text before it on that line.
 fn before(program: &Program, token: TokenId) -> Option<(u32, &str)> {
     let start = program.token(token)?.span.start;
     let file = program.sources.file_at(start)?;

@@ -1,21 +1,20 @@
-//! What the checker has looked at in a shader with errors, and what it has passed over: behind one
-//! mistake others may hide.
+//! Which code of a shader with errors was type-checked, and which was not: one mistake may hide others.
 
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{DeclKind, StmtKind};
 use shaderlint_text::Span;
 
-/// Stretches of a text that were judged, and such that were not.
+/// Spans of a text that were checked, and spans that were not.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Judged {
     /// Expressions of a known type, and declared names.
     pub done: Vec<Span>,
-    /// What could not be read, and expressions of no known type.
+    /// Code that could not be parsed, and expressions of unknown type.
     pub left: Vec<Span>,
 }
 
 impl Judged {
-    /// Reads it off a checked shader.
+    /// Collects the spans of a checked shader.
     pub fn of(program: &Program) -> Judged {
         let mut judged = Judged::default();
         let tree = &program.tree;
@@ -39,13 +38,13 @@ impl Judged {
         judged
     }
 
-    /// Adds what is known of another shader of the same text.
+    /// Adds the spans of another shader of the same text.
     pub fn join(&mut self, other: Judged) {
         self.done.extend(other.done);
         self.left.extend(other.left);
     }
 
-    /// Whether a mistake at this place would have been seen.
+    /// Whether a mistake at this span would have been reported.
     pub fn has_seen(&self, span: Span) -> bool {
         let meets = |other: &Span| other.start <= span.end && span.start <= other.end;
         let holds = |other: &Span| other.start < span.end && span.start < other.end;

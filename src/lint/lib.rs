@@ -1,4 +1,4 @@
-//! What a lint rule is, and how rules are run. No rule is in here; they are in `rules/`.
+//! Definition of lint rules, and the engine that runs them. The rules themselves are in `rules/`.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod broken;
@@ -40,7 +40,8 @@ pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};
 pub use removal::{remove_declaration, remove_lines, remove_statement};
 pub use rule::{
-    BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape,
+    ALIASES, BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape,
+    rule_name,
 };
 pub use run::{Unrun, lint, lint_within};
 pub use same::{code_hash, same_code};

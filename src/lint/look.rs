@@ -1,4 +1,4 @@
-//! What is seen of a text before and after fixes.
+//! Result of a check, for the comparison before and after fixes.
 
 use super::judged::Judged;
 use shaderlint_diagnostic::Diagnostic;
@@ -6,24 +6,24 @@ use shaderlint_semantic::Program;
 use shaderlint_text::Span;
 use std::sync::Arc;
 
-/// What the findings in a text are, and where the text lies among the addresses.
+/// The findings in a text, and its addresses.
 pub struct Look {
-    /// The findings.
+    /// The findings, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
     /// Addresses of the text.
     pub span: Span,
-    /// What of the text was judged; `None` stands for all of it.
+    /// Which code was checked; `None` means all of it.
     pub judged: Option<Judged>,
-    /// How many tokens and macro calls were read.
+    /// Number of tokens and macro calls.
     pub size: usize,
-    /// Its shaders, where pictures are compared.
+    /// The shaders, if images are compared.
     pub shaders: Vec<Shown>,
 }
 
-/// A shader of a text.
+/// A shader in a text.
 pub struct Shown {
-    /// What it means.
+    /// The checked shader.
     pub program: Arc<Program>,
-    /// Whether it is whole and compiles, so that it has a picture.
+    /// Whether it is complete and compiles, so that it can be drawn.
     pub is_drawn: bool,
 }

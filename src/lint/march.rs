@@ -1,4 +1,4 @@
-//! Loops that march along a ray, and the functions that they ask for the scene.
+//! Ray marching loops, and the scene functions that they call.
 
 use rustc_hash::FxHashSet;
 use shaderlint_flow::defs::{Def, DefId, Defs};
@@ -7,28 +7,28 @@ use shaderlint_ir::{Binary, Module, OpId, OpKind, Root};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{FunctionRef, Program};
 
-/// A loop that asks the scene at each step along a ray.
+/// A loop that calls a scene function at each step along a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct March {
     /// The loop.
     pub looped: LoopFacts,
-    /// What it looks for.
+    /// Purpose of the loop.
     pub goal: MarchGoal,
-    /// The call of the scene in it that does most, by its place in the text the first.
+    /// The scene function: the first function called in the loop with a point as argument.
     pub scene: FunctionRef,
 }
 
-/// What a marching loop looks for.
+/// Purpose of a marching loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MarchGoal {
-    /// What a pixel shows.
+    /// Finds the surface that a pixel shows.
     Picture,
-    /// What stands before a light.
+    /// Tests whether a light is occluded.
     Shadow,
 }
 
 impl MarchGoal {
-    /// In a message: the ... takes too long.
+    /// The name in messages, without an article.
     pub const fn name(self) -> &'static str {
         match self {
             MarchGoal::Picture => "marching loop",
@@ -37,8 +37,8 @@ impl MarchGoal {
     }
 }
 
-/// The marching loops that are reached from the entry: `for`, `while` and `do` loops that call a
-/// function of the shader with a place in the plane or in space.
+/// The marching loops that are reachable from the entry function: `for`, `while` and `do` loops that call
+/// a function of the shader with a vector parameter.
 pub fn marches(
     (program, module): (&Program, &Module),
     (loops, calls): (&Loops, &Calls),
@@ -64,8 +64,8 @@ pub fn marches(
     .collect()
 }
 
-/// Whether all that a function gives is how much of a light is seen: constants, and the least of the
-/// quotients that a loop finds. Whoever looks for what a pixel shows gives how far away it is.
+/// Whether a function returns only the visibility of a light: constants, and the minimum of quotients
+/// that a loop computes. Other marching functions return a distance.
 fn gives_light(module: &Module, defs: &Defs, function: FunctionRef) -> bool {
     let Some(found) = module.function(function) else {
         return false;
@@ -83,16 +83,16 @@ fn gives_light(module: &Module, defs: &Defs, function: FunctionRef) -> bool {
         left: MAX_PARTS,
     };
     let is_number = |op: &OpId| module.ty(*op).is_scalar();
-    // One constant alone tells nothing.
+    // A single constant is no evidence.
     let is_constant = |op: &OpId| matches!(module.op(*op).kind, OpKind::Const(_));
     let is_told = returns.len() > 1 || !returns.iter().all(is_constant);
     is_told && !gives_back && returns.iter().all(|r| is_number(r) && light.value(*r))
 }
 
-/// How much is looked at to tell what a function gives.
+/// Most operations that are followed from the returned values.
 const MAX_PARTS: u32 = 64;
 
-/// A walk from what a function gives back to what that is made of.
+/// A walk from the returned values of a function back to their operands.
 struct Light<'a> {
     module: &'a Module,
     defs: &'a Defs,
@@ -112,7 +112,7 @@ impl Light<'_> {
             OpKind::Const(_) => true,
             OpKind::Load(_) => self.def(self.defs.seen(op, 0)),
             OpKind::Builtin(function, list) if matches!(function.transfer(), Transfer::Minimum) => {
-                // The least of a quotient and of what was found before.
+                // The minimum of a quotient and the previous result.
                 let is_quotient = operands(list).any(|o| self.is_quotient(o));
                 operands(list).all(|o| is_quotient && self.is_quotient(o) || self.value(o))
             }
@@ -163,7 +163,7 @@ impl Light<'_> {
     }
 }
 
-/// The function of the shader that a loop's body calls with a place.
+/// The first function that a loop calls with a vector parameter.
 fn scene(program: &Program, calls: &Calls, looped: &LoopFacts) -> Option<FunctionRef> {
     let extent = program.tree.stmt(looped.stmt).extent;
     let called = calls.calls_by(looped.function).find(|call| {
@@ -174,14 +174,14 @@ fn scene(program: &Program, calls: &Calls, looped: &LoopFacts) -> Option<Functio
     called.map(|c| c.callee)
 }
 
-/// Whether a function takes a vector.
+/// Whether a function has a vector parameter.
 fn takes_place(program: &Program, function: FunctionRef) -> bool {
     let callee = program.function(function);
     callee.is_some_and(|f| f.params.iter().any(|p| p.ty.components() >= 2))
 }
 
-/// `mainImage`, `render`, `castRay`: the way from the entry to a function, where it is more than
-/// the two.
+/// The call path from the entry to a function, if it has more than two functions:
+/// `mainImage` -> `render` -> `castRay`.
 pub fn way(
     program: &Program,
     calls: &Calls,
@@ -194,5 +194,5 @@ pub fn way(
         .filter_map(|f| program.function(*f))
         .map(|f| format!("`{}`", program.names.text(f.name)))
         .collect();
-    (names.len() > 2).then(|| names.join(", "))
+    (names.len() > 2).then(|| names.join(" -> "))
 }

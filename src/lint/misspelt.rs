@@ -1,35 +1,35 @@
-//! Comments that are meant for this program and that it does not read: `shaderlint-disable-line x`,
-//! `shaderlint allow(x)`, `shaderlint: alow(x)`. What other programs read is not looked at.
+//! Malformed suppression comments: `shaderlint-disable-line x`, `shaderlint allow(x)`,
+//! `shaderlint: alow(x)`. Comments for other programs are ignored.
 
 use super::rule::{Group, Rule};
 use std::ops::Range;
 
-/// The name of the program, as comments call it.
+/// The name of the program in comments.
 const NAME: &str = "shaderlint";
-/// What other programs call it, and what stands for it here.
+/// The verbs that linters use for suppression.
 const VERBS: [&str; 8] = [
     "allow", "disable", "ignore", "suppress", "skip", "off", "nolint", "noqa",
 ];
 
-/// What was probably meant.
+/// The suppression that was probably intended.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Meant {
-    /// Where it stands in the comment.
+    /// Byte range in the comment.
     pub range: Range<usize>,
     /// `allow` or `allow-file`.
     pub order: &'static str,
-    /// The rules and groups that it names.
+    /// The rules and groups that the comment names.
     pub names: Vec<&'static str>,
 }
 
 impl Meant {
-    /// As it is spelt right, for these rules and groups.
+    /// The correct spelling, for these rules and groups.
     pub fn spelt(&self, names: &[&str]) -> String {
         format!("{NAME}: {}({})", self.order, names.join(", "))
     }
 }
 
-/// Reads a comment that holds no order as it should be.
+/// Parses a comment without a well-formed suppression; `None` if it does not look like one.
 pub fn read(comment: &str, rules: &[&'static Rule]) -> Option<Meant> {
     let start = comment.find(|c: char| c.is_ascii_alphanumeric())?;
     let rest = comment.get(start..)?;
@@ -44,7 +44,7 @@ pub fn read(comment: &str, rules: &[&'static Rule]) -> Option<Meant> {
     }
     let offset = comment.len() - list.len();
     let (names, length) = names(list, rules);
-    // Prose may speak of the program, too.
+    // Prose may mention the program, too.
     let is_order = is_attached || list.trim_start().starts_with('(') || !names.is_empty();
     is_order.then(|| Meant {
         range: start..offset + length,
@@ -56,7 +56,7 @@ pub fn read(comment: &str, rules: &[&'static Rule]) -> Option<Meant> {
     })
 }
 
-/// How long the name of the program is that a text starts with, two slips at most.
+/// Length of the program name that a text starts with, with at most two typos.
 fn name_length(text: &str) -> Option<usize> {
     let end = text.find(|c: char| !c.is_ascii_alphanumeric());
     let end = end.unwrap_or(text.len());
@@ -66,7 +66,7 @@ fn name_length(text: &str) -> Option<usize> {
         return Some(split[0].len());
     }
     let word = text.get(..end)?;
-    // Each letter that the name has not is a slip.
+    // Each letter that is not in the name is a typo.
     let is_other = |b: &u8| !NAME.as_bytes().contains(&b.to_ascii_lowercase());
     let is_near = word.len().abs_diff(NAME.len()) <= 2
         && word.bytes().filter(is_other).count() <= 2
@@ -84,7 +84,7 @@ fn is_verb(word: &str) -> bool {
     VERBS.iter().any(is_near)
 }
 
-/// The rules and groups that a list starts with, and how long it is.
+/// The rules and groups at the start of a list, and the length of the list.
 fn names(list: &str, rules: &[&'static Rule]) -> (Vec<&'static str>, usize) {
     let mut names = Vec::new();
     let mut length = 0;

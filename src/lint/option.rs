@@ -1,20 +1,20 @@
-//! What a rule goes by and the configuration may change: numbers and switches, each of its type.
+//! Options of rules: typed values that the configuration may change.
 
 use super::settings::Renderer;
 
-/// A value that a rule goes by.
+/// A declared option, with its default values.
 #[derive(Debug)]
 pub struct Setting<T> {
-    /// Its name in the configuration: words with hyphens.
+    /// Key in the configuration, in kebab case.
     pub name: &'static str,
-    /// What it is, as a sentence without a full stop.
+    /// Description for pages and the schema: a sentence without a full stop.
     pub about: &'static str,
     default: T,
     on_swiftshader: T,
 }
 
 impl<T: Copy> Setting<T> {
-    /// A setting with one value wherever a shader is drawn.
+    /// An option with the same default for all renderers.
     pub const fn new(name: &'static str, default: T, about: &'static str) -> Setting<T> {
         Setting {
             name,
@@ -24,7 +24,7 @@ impl<T: Copy> Setting<T> {
         }
     }
 
-    /// With another value where a processor draws.
+    /// Sets another default for SwiftShader.
     pub const fn on_swiftshader(self, value: T) -> Setting<T> {
         Setting {
             on_swiftshader: value,
@@ -32,7 +32,7 @@ impl<T: Copy> Setting<T> {
         }
     }
 
-    /// What the rule goes by where the configuration says nothing.
+    /// The default for a renderer.
     pub const fn usual(&self, target: Renderer) -> T {
         match target {
             Renderer::Gpu => self.default,
@@ -41,19 +41,19 @@ impl<T: Copy> Setting<T> {
     }
 }
 
-/// A setting of a rule, by its type.
+/// An option of a rule, by its type.
 #[derive(Clone, Copy, Debug)]
 pub enum RuleOption {
-    /// A whole number, 0 or more.
+    /// An integer, 0 or more.
     Count(&'static Setting<u64>),
     /// A number, 0 or more.
     Number(&'static Setting<f64>),
-    /// Yes or no.
+    /// A boolean.
     Switch(&'static Setting<bool>),
 }
 
 impl RuleOption {
-    /// Its name in the configuration.
+    /// Key in the configuration.
     pub const fn name(self) -> &'static str {
         match self {
             RuleOption::Count(setting) => setting.name,
@@ -62,7 +62,7 @@ impl RuleOption {
         }
     }
 
-    /// What it is, as a sentence without a full stop.
+    /// Description: a sentence without a full stop.
     pub const fn about(self) -> &'static str {
         match self {
             RuleOption::Count(setting) => setting.about,
@@ -71,12 +71,12 @@ impl RuleOption {
         }
     }
 
-    /// Whether a rule goes by another value where a processor draws.
+    /// Whether the default for SwiftShader differs.
     pub fn depends_on_target(self) -> bool {
         self.usual(Renderer::Gpu) != self.usual(Renderer::SwiftShader)
     }
 
-    /// What the rule goes by where the configuration says nothing.
+    /// The default for a renderer.
     pub const fn usual(self, target: Renderer) -> OptionValue {
         match self {
             RuleOption::Count(setting) => OptionValue::Count(setting.usual(target)),
@@ -86,14 +86,14 @@ impl RuleOption {
     }
 }
 
-/// A value of a setting.
+/// A value of an option.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum OptionValue {
-    /// A whole number.
+    /// An integer.
     Count(u64),
     /// A number.
     Number(f64),
-    /// Yes or no.
+    /// A boolean.
     Switch(bool),
 }
 
@@ -107,9 +107,9 @@ impl std::fmt::Display for OptionValue {
     }
 }
 
-/// A type that a setting may have.
+/// A type that an option may have.
 pub trait OptionType: Copy {
-    /// The value, if it is of this type.
+    /// Converts a value; `None` if it is of another type.
     fn of(value: OptionValue) -> Option<Self>;
 }
 

@@ -1,22 +1,25 @@
 //! A page of a rule or a compile error: what it says, and its examples.
 //!
-//! A page starts with `# name`; its first paragraph is the summary that stands everywhere. Its code
-//! fences are tests: `glsl bad` is reported, the `text` behind it is exactly what is printed,
-//! `glsl fixed` is exactly what `--fix` makes of it (`glsl suggested`: what `--unsafe-fixes` makes),
-//! and `glsl good` stays silent. A word behind these is the name of the file that the example stands
-//! for; its ending tells the stage. `html bad` and `html good` are pages that hold several shaders.
+//! A page starts with `# name` and a generated head, a line of bold words. The next paragraph is the
+//! summary, which is also used in tables and hovers. Code fences are tests: `glsl bad` is reported, the
+//! `text` after it is exactly what is printed, `glsl fixed` is exactly what `--fix` writes
+//! (`glsl suggested`: what `--unsafe-fixes` writes), and `glsl good` has no findings. A word after these
+//! is the file name of the example; its extension decides the stage. `html bad` and `html good` are
+//! pages that hold several shaders.
 
 use std::ops::Range;
 
 /// Name of an example's file where the fence gives none.
 const FILE: &str = "example.glsl";
 
-/// A page, read.
+/// A parsed page.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Page<'a> {
-    /// Name of the rule.
+    /// Name of the rule or compile error.
     pub name: &'a str,
-    /// The first paragraph, in one line.
+    /// The line between title and summary; empty where a new page has none yet.
+    pub head: &'a str,
+    /// The first paragraph after the head, in one line.
     pub summary: String,
     /// The fences, in order.
     pub fences: Vec<Fence<'a>>,
@@ -25,11 +28,11 @@ pub struct Page<'a> {
 /// A code fence of a page.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fence<'a> {
-    /// What it shows.
+    /// What the content is tested for.
     pub kind: FenceKind,
-    /// Name of the file that it stands for.
+    /// File name under which the content is checked.
     pub file: &'a str,
-    /// Where its content stands in the page.
+    /// Byte range of the content in the page.
     pub range: Range<usize>,
 }
 
@@ -38,11 +41,11 @@ pub struct Fence<'a> {
 pub enum FenceKind {
     /// Code that is reported.
     Bad,
-    /// What is printed of the code before.
+    /// The findings printed for the code before.
     Text,
-    /// What the safe fixes make of the code before.
+    /// The code before after its safe fixes.
     Fixed,
-    /// What all fixes make of the code before.
+    /// The code before after all its fixes.
     Suggested,
     /// Code that is not reported.
     Good,
@@ -51,15 +54,20 @@ pub enum FenceKind {
 }
 
 impl<'a> Page<'a> {
-    /// Reads a page.
+    /// Parses the text of a page.
     pub fn new(text: &'a str) -> Page<'a> {
-        let mut lines = text.lines();
-        let title = lines.next().unwrap_or("");
-        let paragraph = lines.skip_while(|l| l.trim().is_empty());
-        let paragraph = paragraph.take_while(|l| !l.trim().is_empty());
+        let mut paragraphs = text.split("\n\n").map(str::trim).filter(|p| !p.is_empty());
+        let title = paragraphs.next().unwrap_or("");
+        let mut summary = paragraphs.next().unwrap_or("");
+        let mut head = "";
+        if summary.starts_with("**") {
+            head = summary;
+            summary = paragraphs.next().unwrap_or("");
+        }
         Page {
             name: title.trim_start_matches('#').trim(),
-            summary: paragraph.map(str::trim).collect::<Vec<_>>().join(" "),
+            head,
+            summary: summary.lines().map(str::trim).collect::<Vec<_>>().join(" "),
             fences: fences(text),
         }
     }
@@ -107,11 +115,11 @@ mod tests {
 
     #[test]
     fn a_page_is_read() {
-        let text = "# a-name\n\nOne\nparagraph.\n\nMore.\n\n```glsl bad x.vert\nfoo\n```\n```text\nbar\n```\n";
+        let text = "# a-name\n\n**Group:** x\n\nOne\nparagraph.\n\nMore.\n\n```glsl bad x.vert\nfoo\n```\n```text\nbar\n```\n";
         let page = Page::new(text);
         assert_eq!(
-            (page.name, page.summary.as_str()),
-            ("a-name", "One paragraph.")
+            (page.name, page.head, page.summary.as_str()),
+            ("a-name", "**Group:** x", "One paragraph.")
         );
         let contents: Vec<_> = page
             .fences

@@ -1,13 +1,12 @@
-//! Edits that take code away and leave no debris: no blank line where a statement was, no comma
-//! without its name.
+//! Edits that remove code cleanly: no blank line where a statement was, no comma left over.
 
 use super::rule::DeclaredVariable;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{Declarator, Extent};
 use shaderlint_text::{Edit, Span};
 
-/// Takes a statement, declaration or function away. `None` where it starts or ends in a macro, or
-/// where directives stand in it, which may belong together with others outside.
+/// Removes a statement, declaration or function. `None` where it starts or ends in a macro, or where it
+/// contains directives, which may belong to others outside.
 pub fn remove_statement(program: &Program, extent: Extent) -> Option<Edit> {
     let is_direct = |t| program.token(t).is_some_and(|t| t.is_direct());
     let span = program.span(extent);
@@ -16,7 +15,7 @@ pub fn remove_statement(program: &Program, extent: Extent) -> Option<Edit> {
         .then(|| remove_lines(program, span))
 }
 
-/// Takes the code under a span away: with its lines, where it has them for itself. Comments stay.
+/// Removes the code of a span, with its lines if nothing else is on them. Comments stay.
 pub fn remove_lines(program: &Program, span: Span) -> Edit {
     let Some(file) = program.sources.file_at(span.start) else {
         return Edit::delete(span);
@@ -26,7 +25,7 @@ pub fn remove_lines(program: &Program, span: Span) -> Edit {
     let (Some(before), Some(behind)) = (text.get(..start), text.get(end..)) else {
         return Edit::delete(span);
     };
-    // Asked of the index, since a line may be the whole file and hold very many such spans.
+    // Uses the line index, since one line may be the whole file and hold very many such spans.
     let bounds = |at: usize| file.lines().bounds(at as u32, text.len() as u32);
     let (line, next) = (bounds(start).0 as usize, bounds(end).1 as usize);
     let blanks = behind.len() - behind.trim_start_matches([' ', '\t']).len();
@@ -43,7 +42,7 @@ pub fn remove_lines(program: &Program, span: Span) -> Edit {
     match (is_first, is_last) {
         (true, true) => {
             let mut to = end + spaced.len() + usize::from(!newline.is_empty());
-            // Two blank lines that would meet become one.
+            // Two adjacent blank lines become one.
             let is_blank_above = line == 0 || before.get(..line).is_some_and(ends_in_blank_line);
             let below = text.get(to..).unwrap_or("");
             let next = below.find('\n').map_or(below.len(), |i| i + 1);
@@ -68,7 +67,7 @@ fn ends_in_blank_line(text: &str) -> bool {
     lines.next().is_none_or(|l| l.trim().is_empty())
 }
 
-/// Takes a variable's declaration away: all of it, or the one name among several.
+/// Removes the declaration of a variable: all of it, or one name among several.
 pub fn remove_declaration(program: &Program, declared: &DeclaredVariable) -> Option<Edit> {
     match declared.declarators.len() {
         1 => remove_statement(program, declared.extent),
@@ -76,8 +75,8 @@ pub fn remove_declaration(program: &Program, declared: &DeclaredVariable) -> Opt
     }
 }
 
-/// Takes one of several names of a declaration away, with its initializer and a comma. `None` where
-/// part of it comes from a macro, or there is only one.
+/// Removes one of several names of a declaration, with its initializer and a comma. `None` where a token
+/// of it comes from a macro, or there is only one name.
 fn remove_declarator(program: &Program, all: &[Declarator], index: usize) -> Option<Edit> {
     let this = all.get(index)?;
     let span = |extent: Extent| program.is_direct(extent).then(|| program.span(extent));
@@ -88,7 +87,7 @@ fn remove_declarator(program: &Program, all: &[Declarator], index: usize) -> Opt
         (None, Some(next)) => Span::new(own.start, span(next.extent)?.start),
         (None, None) => return None,
     };
-    // A comment between two names may speak of either.
+    // A comment between two names may be about either.
     let text = program.sources.text(gone);
     let has_comment = text.contains("//") || text.contains("/*");
     (!has_comment).then(|| Edit::delete(gone))

@@ -1,4 +1,4 @@
-//! The shape of a rule.
+//! Definition of rules, groups and checks.
 
 use super::context::Context;
 use super::option::RuleOption;
@@ -9,27 +9,27 @@ use shaderlint_syntax::ast::{
     BinaryOp, Declarator, ExprId, ExprKind, Extent, List, StmtId, TokenId, TypeId,
 };
 
-/// What a rule is about.
+/// Category of a rule.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Group {
-    /// What the host makes of the shader.
+    /// WebGL2 and the page that hosts the shader.
     Webgl2,
-    /// Values.
+    /// Undefined or unintended values.
     Numeric,
-    /// Other drivers and back ends.
+    /// Differences between GPUs, drivers and back ends.
     Portability,
-    /// Cost.
+    /// Cost per pixel.
     Budget,
-    /// The picture.
+    /// The image.
     Look,
-    /// Order in the code.
+    /// Clean code.
     Tidy,
-    /// What a run of the shader shows.
+    /// Findings of a sample run.
     Runtime,
 }
 
 impl Group {
-    /// All groups.
+    /// All groups, in the order of listings.
     pub const ALL: [Group; 7] = [
         Group::Webgl2,
         Group::Numeric,
@@ -40,7 +40,7 @@ impl Group {
         Group::Runtime,
     ];
 
-    /// The word for `--select` and the configuration.
+    /// The name in `--select` and the configuration.
     pub const fn name(self) -> &'static str {
         match self {
             Group::Webgl2 => "webgl2",
@@ -54,51 +54,51 @@ impl Group {
     }
 }
 
-/// A binary expression, as rules get it.
+/// A binary expression, as passed to rules.
 #[derive(Clone, Copy, Debug)]
 pub struct BinaryExpr {
     /// The expression.
     pub id: ExprId,
-    /// Its operator.
+    /// The operator.
     pub op: BinaryOp,
-    /// Its left operand.
+    /// The left operand.
     pub left: ExprId,
-    /// Its right operand.
+    /// The right operand.
     pub right: ExprId,
 }
 
-/// A call of a built-in function, as rules get it.
+/// A call of a built-in function, as passed to rules.
 #[derive(Clone, Copy, Debug)]
 pub struct Builtin<'a> {
     /// The call.
     pub id: ExprId,
     /// The function.
     pub function: BuiltinId,
-    /// Its arguments.
+    /// The arguments, in order.
     pub args: &'a [ExprId],
 }
 
-/// One variable of a declaration in the user's text, as rules get it.
+/// One variable of a declaration in the user's text, as passed to rules.
 #[derive(Clone, Copy, Debug)]
 pub struct DeclaredVariable<'a> {
     /// The variable.
     pub variable: VariableId,
-    /// All names of the declaration.
+    /// All declarators of the declaration.
     pub declarators: &'a [Declarator],
-    /// Which of them it is.
+    /// Index of the variable in `declarators`.
     pub index: usize,
-    /// Qualifiers of all, in [`Tree::qualifiers`](shaderlint_syntax::ast::Tree::qualifiers).
+    /// Qualifiers of the declaration, in [`Tree::qualifiers`](shaderlint_syntax::ast::Tree::qualifiers).
     pub qualifiers: List,
-    /// Type of all, without what stands behind a name.
+    /// Type of the declaration, without array sizes after a name.
     pub ty: TypeId,
-    /// The whole declaration.
+    /// Tokens of the whole declaration.
     pub extent: Extent,
-    /// The statement that it is, inside a function.
+    /// The declaration statement, if it is inside a function.
     pub stmt: Option<StmtId>,
 }
 
 impl<'a> DeclaredVariable<'a> {
-    /// The name, and what stands with it.
+    /// The name, with its array size and initializer.
     pub fn declarator(&self) -> Option<&'a Declarator> {
         self.declarators.get(self.index)
     }
@@ -107,15 +107,15 @@ impl<'a> DeclaredVariable<'a> {
 /// A name that the user's text declares, outside any macro call.
 #[derive(Clone, Copy, Debug)]
 pub struct DeclaredName<'a> {
-    /// Where it stands first.
+    /// The first declaration of the name.
     pub token: TokenId,
     /// The name.
     pub text: &'a str,
-    /// What is named so.
+    /// The declared entity.
     pub what: Named,
 }
 
-/// What a name is declared to be.
+/// The kind of a declared entity.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Named {
     /// A variable or parameter.
@@ -126,16 +126,16 @@ pub enum Named {
     Struct,
 }
 
-/// The shapes of expressions that rules ask for.
+/// Kinds of expressions that rules can check.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shape {
     /// `l op r`
     Binary,
     /// `l = r` and `l op= r`
     Assign,
-    /// A call of any function, and the making of a struct.
+    /// A call of any function, and the constructor of a struct.
     Call,
-    /// The making of what is no struct: `vec3(1.0)`.
+    /// Any other constructor: `vec3(1.0)`.
     Construct,
     /// `object[index]`
     Index,
@@ -148,10 +148,10 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// How many there are.
+    /// Number of variants.
     pub(super) const COUNT: usize = 8;
 
-    /// The shape of an expression; `None` for one that no rule asks for.
+    /// The shape of an expression; `None` for kinds that rules cannot check.
     pub(super) const fn of(kind: &ExprKind) -> Option<Shape> {
         match kind {
             ExprKind::Binary(..) => Some(Shape::Binary),
@@ -167,11 +167,11 @@ impl Shape {
     }
 }
 
-/// What a rule wants to look at. One walk over the tree serves all rules, and shows them nothing but
-/// the user's text: what a host puts around it is none of theirs.
+/// What a rule is called for. One walk over the tree serves all rules and visits only the user's text, not
+/// the code that a host adds.
 #[derive(Clone, Copy)]
 pub enum Check {
-    /// The whole shader, once; what is asked of the facts is the place to start from.
+    /// The whole shader, once.
     Program(fn(&mut Context)),
     /// Every `l op r`.
     Binary(fn(&mut Context, &BinaryExpr)),
@@ -189,35 +189,56 @@ pub enum Check {
     Name(fn(&mut Context, &DeclaredName)),
     /// Every macro.
     Macro(fn(&mut Context, &Macro)),
-    /// What a run of the shader shows, once, behind all checks of its text.
+    /// The whole shader, once, after all other checks: for rules that use the sample run.
     Run(fn(&mut Context)),
-    /// Comments that allow findings, which are looked at when all findings are there.
+    /// Suppression comments, which are checked after all findings are known.
     Allows,
-    /// What the script around shaders asks of them, which is looked at where they are linked.
+    /// The script around shaders, which is checked where they are linked.
     Page,
 }
 
+/// Aliases of rules, accepted wherever a user names a rule: alias, name. Findings have the name.
+pub const ALIASES: &[(&str, &str)] = &[
+    ("gpu-dependent-image", "gpu-dependent-picture"),
+    ("gray-image", "gray-picture"),
+    ("redundant-bool", "needless-bool"),
+    ("single-iteration-loop", "single-turn-loop"),
+    ("static-image", "static-picture"),
+];
+
+/// The name of a rule whose name or alias is given; any other word as it is.
+pub fn rule_name(word: &str) -> &str {
+    let alias = ALIASES.iter().find(|(alias, _)| *alias == word);
+    alias.map_or(word, |(_, name)| name)
+}
+
 impl Rule {
-    /// Whether it looks at the comments that allow findings.
+    /// Its alias, if it has one.
+    pub fn alias(&self) -> Option<&'static str> {
+        let alias = ALIASES.iter().find(|(_, name)| *name == self.name);
+        alias.map(|(alias, _)| *alias)
+    }
+
+    /// Whether it checks suppression comments.
     pub fn is_of_allows(&self) -> bool {
         self.checks.iter().any(|c| matches!(c, Check::Allows))
     }
 }
 
-/// A lint rule. `NAME.rs` in `rules/` holds one; `NAME.md` beside it is what it means.
+/// A lint rule: `NAME.rs` in `rules/` defines it, `NAME.md` is its page.
 pub struct Rule {
-    /// Its name, which reads well after "allow".
+    /// Name in kebab case, which reads well after "allow".
     pub name: &'static str,
-    /// What it is about.
+    /// Category of the rule.
     pub group: Group,
-    /// How bad its findings are, unless the configuration says otherwise.
+    /// Default severity of its findings.
     pub severity: Severity,
-    /// Whether it runs without being asked for.
+    /// Whether it is on by default.
     pub default: bool,
-    /// What it goes by, and the configuration may change.
+    /// Options that the configuration may change.
     pub options: &'static [RuleOption],
-    /// Its page.
+    /// Text of its page, in Markdown.
     pub page: &'static str,
-    /// What it looks at, and what it does there.
+    /// What it is called for, and the functions to call.
     pub checks: &'static [Check],
 }

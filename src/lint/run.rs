@@ -12,7 +12,7 @@ use shaderlint_syntax::ast::*;
 use shaderlint_text::{Role, Span};
 use std::sync::Arc;
 
-/// Where rules did not run, since what stands there has errors.
+/// Where rules did not run because of errors.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub enum Unrun {
     /// They ran everywhere.
@@ -22,15 +22,14 @@ pub enum Unrun {
     Functions {
         /// Their names.
         names: Vec<String>,
-        /// Where no rule looked, in the order of the text.
+        /// Spans that were skipped, in the order of the text.
         broken: Vec<Span>,
     },
     /// In the whole shader.
     Everywhere,
 }
 
-/// Runs the selected rules over a shader: one walk over the expressions and one over the statements
-/// serve all of them.
+/// Runs the selected rules over a shader, in one walk over the expressions and one over the statements.
 pub fn lint(
     program: &Program,
     rules: &[&'static Rule],
@@ -41,8 +40,8 @@ pub fn lint(
     lint_within(facts, &[], rules, settings, diagnostics);
 }
 
-/// Runs the selected rules over the shader that facts are of, as far as it is free of the errors
-/// given. Says where they did not run.
+/// Runs the selected rules over the shader of `facts`, except for items with one of `errors`. Returns
+/// where they did not run.
 pub fn lint_within(
     mut facts: Facts,
     errors: &[Diagnostic],
@@ -88,7 +87,7 @@ fn broken_functions(program: &Program, broken: &Broken) -> Vec<String> {
     placed.into_iter().map(|(_, name)| name).collect()
 }
 
-/// Runs the rules over all that is there of the user's text.
+/// Runs the rules over the user's text.
 fn walk<'p>(
     program: &'p Program,
     facts: &Facts<'p>,
@@ -129,7 +128,7 @@ fn walk<'p>(
     run.each(&checks.run, |check, cx| check(cx));
 }
 
-/// The first token that the user wrote; what a host puts before is not linted.
+/// The first token of the user's text; code that a host adds before it is not linted.
 fn first_user_token(program: &Program) -> TokenId {
     let tokens = &program.tokens.tokens;
     let is_user = |address: u32| {
@@ -141,7 +140,7 @@ fn first_user_token(program: &Program) -> TokenId {
     tokens.partition_point(|t| !is_user(t.span.start)) as TokenId
 }
 
-/// A rule that runs, and how bad its findings are.
+/// A rule that runs, and the severity of its findings.
 #[derive(Clone, Copy)]
 struct Active {
     rule: &'static Rule,
@@ -158,7 +157,7 @@ type OnDeclaration = fn(&mut Context, &DeclaredVariable);
 type OnName = fn(&mut Context, &DeclaredName);
 type OnMacro = fn(&mut Context, &Macro);
 
-/// The checks of the rules that run, by what they look at.
+/// The checks of the rules that run, by kind.
 #[derive(Default)]
 struct Checks {
     program: Vec<(Active, OnProgram)>,
@@ -341,7 +340,7 @@ impl<'p> RuleRun<'_, 'p> {
     }
 }
 
-/// The names that the user's text declares, in its order.
+/// The names that the user's text declares, in order.
 pub(super) fn declared_names(program: &Program) -> Vec<DeclaredName<'_>> {
     let tree = &program.tree;
     let variables = program.variables.iter().zip(0..);

@@ -1,12 +1,12 @@
-//! Whether two pieces of code say the same, blanks and comments aside.
+//! Comparison of code token by token, ignoring blanks and comments.
 
 use shaderlint_semantic::Program;
 use shaderlint_syntax::Token;
 use shaderlint_syntax::ast::Extent;
 use std::hash::{Hash, Hasher};
 
-/// Whether two pieces of code are the same, token by token. Two macros are not, even if they stand
-/// for the same code today.
+/// Whether two pieces of code have the same tokens. Two different macros differ, even if they expand to
+/// the same code.
 pub fn same_code(program: &Program, a: Extent, b: Extent) -> bool {
     let (left, right) = (tokens(program, a), tokens(program, b));
     left.len() == right.len()
@@ -16,7 +16,7 @@ pub fn same_code(program: &Program, a: Extent, b: Extent) -> bool {
             .all(|(x, y)| same_token(program, x, y))
 }
 
-/// A number that is the same for pieces of code that are the same.
+/// A hash that is equal for code with the same tokens.
 pub fn code_hash(program: &Program, extent: Extent) -> u64 {
     let mut hasher = rustc_hash::FxHasher::default();
     for token in tokens(program, extent) {

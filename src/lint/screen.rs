@@ -1,4 +1,4 @@
-//! Values that run along the picture: the place of the pixel, moved and scaled.
+//! Values that are linear in the pixel coordinates.
 
 use super::facts::Facts;
 use shaderlint_flow::ranges::Interval;
@@ -6,23 +6,23 @@ use shaderlint_flow::{Start, Varying};
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::Scalar;
 
-/// How many operations are looked through.
+/// Most operations that are followed.
 const MAX_DEPTH: u32 = 12;
 
-/// A value that grows by the same from each pixel to the next.
+/// A value that changes by a constant from each pixel to the next.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Along {
-    /// 0 where it goes from left to right, 1 where it goes upwards.
+    /// 0 for `gl_FragCoord.x`, 1 for `gl_FragCoord.y`.
     pub axis: u32,
-    /// By how much it grows.
+    /// Change per pixel, before the division by `share_of`.
     pub scale: f64,
-    /// The component of the picture's size that it was divided by.
+    /// The component of `iResolution` that it is divided by.
     pub share_of: Option<u32>,
-    /// What is added.
+    /// Range of the constant term.
     pub offset: Interval,
 }
 
-/// How a lane runs along the picture, if it does.
+/// The linear form of a component; `None` if it is not linear in the pixel coordinates.
 pub fn along(facts: &Facts, op: OpId, lane: u32) -> Option<Along> {
     within(facts, op, lane, MAX_DEPTH)
 }
@@ -45,7 +45,7 @@ fn within(facts: &Facts, op: OpId, lane: u32, depth: u32) -> Option<Along> {
     };
     let lane_of = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
     let of = |op| within(facts, op, lane_of(op), rest);
-    // What all pixels share.
+    // A value that is the same for all pixels.
     let shared = |op| {
         let is_shared = !facts.uniformity().varies(Varying::Value(op));
         is_shared.then(|| facts.ranges().lane(op, lane_of(op)))

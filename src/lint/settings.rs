@@ -1,26 +1,26 @@
-//! Which rules run, how bad their findings are, and what they go by.
+//! Settings: which rules run, the severity of their findings, and their options.
 
 use super::option::{OptionType, OptionValue, Setting};
-use super::rule::{Group, Rule};
+use super::rule::{Group, Rule, rule_name};
 use super::trial::TrialLimit;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{ERRORS, Severity};
 
-/// What draws the shader in the end, which decides how much work a pixel may take.
+/// The renderer that a shader is written for, which determines how much a pixel may cost.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum Renderer {
-    /// A renderer on the processor, as headless browsers have.
+    /// A software renderer, as in headless browsers.
     SwiftShader,
-    /// A graphics card.
+    /// A GPU.
     #[default]
     Gpu,
 }
 
 impl Renderer {
-    /// How bad the findings of a rule are where nothing else is said. A processor that has more to do
-    /// than it can shows nothing, so what passes a limit of its own is a warning there.
+    /// The default severity of a rule. A software renderer that exceeds its time shows nothing, so rules
+    /// with limits of their own for it are warnings there.
     fn level(self, rule: &Rule) -> Severity {
         let is_limited = || rule.options.iter().any(|o| o.depends_on_target());
         match self {
@@ -30,35 +30,35 @@ impl Renderer {
     }
 }
 
-/// How the linter is set.
+/// Settings of the linter.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// The rules that run, and how bad their findings are.
+    /// The rules that run, and the severity of their findings.
     levels: FxHashMap<&'static str, Severity>,
-    /// By rule and option, where it differs from what the rule goes by otherwise.
+    /// By rule and option: values that the configuration sets.
     options: FxHashMap<(&'static str, &'static str), OptionValue>,
     /// The rules whose findings fail the run.
     failing: FxHashSet<&'static str>,
-    /// The only names that are reported, where these were chosen.
+    /// The only names that are reported, if `--only` chose some.
     chosen: Option<FxHashSet<&'static str>>,
-    /// What draws the shader.
+    /// The renderer.
     target: Renderer,
-    /// How much of it is run.
+    /// How much of the shader is sampled.
     trial: TrialLimit,
 }
 
-/// A name that is neither a rule's nor a group's.
+/// A name that is not a rule or group.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UnknownRule {
-    /// The name.
+    /// The unknown name.
     pub name: String,
-    /// A rule or group of a name like it.
+    /// A rule or group with a similar name.
     pub near: Option<&'static str>,
 }
 
 impl Settings {
-    /// The rules that run by default, with those of `select` added and those of `ignore` taken
-    /// away. Each word names a rule or a group; `all` names every rule.
+    /// The rules that run by default, plus those of `select`, minus those of `ignore`. Each word names a
+    /// rule or a group; `all` names every rule.
     pub fn new(
         rules: &[&'static Rule],
         select: &[String],
@@ -85,7 +85,7 @@ impl Settings {
         settings
     }
 
-    /// Sets what draws the shader.
+    /// Sets the renderer, and adapts severities that are not configured.
     pub fn set_target(&mut self, rules: &[&'static Rule], target: Renderer) {
         let before = std::mem::replace(&mut self.target, target);
         for rule in rules {
@@ -95,19 +95,18 @@ impl Settings {
         }
     }
 
-    /// Sets how much of the shader is run.
+    /// Sets how much of the shader is sampled.
     pub fn set_trial_limit(&mut self, limit: TrialLimit) {
         self.trial = limit;
     }
 
-    /// How much of the shader is run.
+    /// How much of the shader is sampled.
     pub fn trial_limit(&self) -> TrialLimit {
         self.trial
     }
 
-    /// Adds the rules that `select` names to those that run, and takes those of `ignore` away. Of two
-    /// words for a rule the more specific holds: its own name before its group's before `all`. Of
-    /// two that are as specific, `ignore` holds.
+    /// Adds the rules that `select` names, and removes those of `ignore`. The more specific word wins: a
+    /// rule before its group, a group before `all`. Of two equally specific words, `ignore` wins.
     pub fn adjust(
         &mut self,
         rules: &[&'static Rule],
@@ -132,8 +131,8 @@ impl Settings {
         Ok(())
     }
 
-    /// Nothing but what these words name, rules that are off included. A word may be a compile
-    /// error, too.
+    /// Reports only what these words name, including rules that are off. A word may also be a compile
+    /// error.
     pub fn choose(&mut self, rules: &[&'static Rule], words: &[String]) -> Result<(), UnknownRule> {
         let mut chosen = FxHashSet::default();
         for word in words {
@@ -158,7 +157,7 @@ impl Settings {
         self.chosen.as_ref().is_none_or(|c| c.contains(name))
     }
 
-    /// Lets findings of a rule fail the run, or not.
+    /// Sets whether findings of a rule fail the run.
     pub fn set_failing(&mut self, rule: &Rule, failing: Failing) {
         match failing {
             Failing::Yes => self.failing.insert(rule.name),
@@ -166,18 +165,18 @@ impl Settings {
         };
     }
 
-    /// Whether a finding of this name fails the run, whatever its level.
+    /// Whether a finding of this name fails the run, whatever its severity.
     pub fn fails(&self, name: &str) -> bool {
         self.failing.contains(name)
     }
 
-    /// No rule but one of those chosen.
+    /// Keeps only the rule of this name.
     pub fn only(mut self, name: &str) -> Settings {
         self.levels.retain(|r, _| *r == name);
         self
     }
 
-    /// Sets how bad the findings of a rule are; `None` turns it off.
+    /// Sets the severity of a rule; `None` turns it off.
     pub fn set_level(&mut self, rule: &Rule, level: Option<Severity>) {
         match level {
             Some(level) => self.levels.insert(rule.name, level),
@@ -185,17 +184,17 @@ impl Settings {
         };
     }
 
-    /// Sets what a rule goes by.
+    /// Sets the value of an option.
     pub fn set_option(&mut self, rule: &Rule, option: &'static str, value: OptionValue) {
         self.options.insert((rule.name, option), value);
     }
 
-    /// How bad the findings of a rule are; `None` where it does not run.
+    /// The severity of a rule; `None` if it does not run.
     pub fn level(&self, rule: &Rule) -> Option<Severity> {
         self.levels.get(rule.name).copied()
     }
 
-    /// What a rule goes by.
+    /// The value of an option.
     pub fn option<T: OptionType>(&self, rule: &Rule, setting: &Setting<T>) -> T {
         let set = self.options.get(&(rule.name, setting.name));
         set.and_then(|value| T::of(*value))
@@ -203,16 +202,16 @@ impl Settings {
     }
 }
 
-/// Whether findings of a rule fail the run although they are no errors.
+/// Whether findings of a rule fail the run although they are not errors.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Failing {
-    /// They do.
+    /// They always fail the run.
     Yes,
-    /// They do as their level does.
+    /// It depends on their severity.
     No,
 }
 
-/// How much a word names; the less, the more it says.
+/// How specific a word is, the least specific first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reach {
     /// Every rule.
@@ -224,10 +223,10 @@ pub enum Reach {
 }
 
 impl Reach {
-    /// As what a word names a rule, if it does.
+    /// How a word names a rule; `None` if it does not.
     pub fn of(word: &str, rule: &Rule) -> Option<Reach> {
         match word {
-            _ if word == rule.name => Some(Reach::Rule),
+            _ if rule_name(word) == rule.name => Some(Reach::Rule),
             _ if word == rule.group.name() => Some(Reach::Group),
             "all" => Some(Reach::All),
             _ => None,
@@ -242,7 +241,7 @@ fn named(rules: &[&'static Rule], word: &str) -> Result<Vec<&'static Rule>, Unkn
         .filter(|r| Reach::of(word, r).is_some())
         .copied()
         .collect();
-    // Compile errors have names too, but cannot be chosen or left out.
+    // Compile errors have names too, but cannot be selected or ignored.
     if !found.is_empty() || Group::ALL.iter().any(|g| g.name() == word) || ERRORS.contains(&word) {
         return Ok(found);
     }
@@ -252,13 +251,13 @@ fn named(rules: &[&'static Rule], word: &str) -> Result<Vec<&'static Rule>, Unkn
     })
 }
 
-/// The rule or group whose name is most like a word, if one is like it.
+/// The rule or group with the most similar name, if it is similar enough.
 pub fn nearest_rule(rules: &[&'static Rule], word: &str) -> Option<&'static str> {
     let names = rules.iter().map(|r| r.name);
     nearest(names.chain(Group::ALL.iter().map(|g| g.name())), word)
 }
 
-/// The rule, group or compile error whose name is most like a word, if one is like it.
+/// The rule, group or compile error with the most similar name, if it is similar enough.
 pub fn nearest_name(rules: &[&'static Rule], word: &str) -> Option<&'static str> {
     let names = rules.iter().map(|r| r.name).chain(ERRORS.iter().copied());
     nearest(names.chain(Group::ALL.iter().map(|g| g.name())), word)

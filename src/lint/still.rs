@@ -1,11 +1,11 @@
-//! What stays the same in every turn of a loop.
+//! Loop invariance.
 
 use shaderlint_flow::Writes;
 use shaderlint_semantic::{Program, Resolution, Storage, VariableId, each_operand};
 use shaderlint_syntax::ast::*;
 use std::collections::BTreeSet;
 
-/// Whether an expression stands in a loop where each turn may reach it, its first value left out.
+/// Whether an expression is evaluated in each iteration, not only in the initializer of the loop.
 pub fn runs_each_turn(program: &Program, looped: StmtId, expr: ExprId) -> bool {
     let tree = &program.tree;
     let at = tree.expr(expr).extent.first;
@@ -15,13 +15,12 @@ pub fn runs_each_turn(program: &Program, looped: StmtId, expr: ExprId) -> bool {
     }
 }
 
-/// Where variables are written to, declarations included: first tokens, in order of the variables
-/// and of the text.
+/// The first tokens of all writes and declarations, sorted by variable and position.
 #[derive(Debug)]
 pub struct Places(Vec<(VariableId, TokenId)>);
 
 impl Places {
-    /// Looks at all writes of a shader.
+    /// Collects all writes of a shader.
     pub fn of(program: &Program, writes: &Writes) -> Places {
         let written = writes.all().iter();
         let written = written.map(|(expr, v)| (*v, program.tree.expr(*expr).extent.first));
@@ -39,7 +38,7 @@ impl Places {
     }
 }
 
-/// Whether an expression has no effects and names nothing that changes in a loop.
+/// Whether an expression has no side effects and uses no variable that the extent of the loop writes to.
 pub fn is_still(
     program: &Program,
     writes: &Writes,
@@ -57,7 +56,7 @@ pub fn is_still(
             && seen.insert(v)
         {
             let storage = program.variable(v).map(|v| (v.storage, v.written));
-            // A function that the loop calls may write to a global variable.
+            // A function called in the loop may write to a global variable.
             let is_shared = matches!(storage, Some((Storage::Global | Storage::Output, true)));
             if is_shared || places.is_written_in(v, extent) {
                 return false;

@@ -1,13 +1,13 @@
-//! `// shaderlint: allow(rule) reason`: findings that the author has looked at.
+//! Suppression comments: `// shaderlint: allow(rule) reason`.
 //!
-//! Behind code, it speaks of its line; alone on a line, of the next statement, declaration,
-//! function or directive; as `allow-file(rule)`, of the whole file. What allows nothing is itself
-//! reported. Compile errors cannot be allowed: the browser does not ask. A file that tests a compiler
-//! says `expect(error)` in the same ways: the error is right there, and its absence is reported.
+//! After code, the comment applies to its line; alone on a line, to the next statement, declaration,
+//! function or directive; as `allow-file(rule)`, to the whole file. Unused comments are reported. Compile
+//! errors cannot be allowed: the browser rejects the shader anyway. A file that tests a compiler uses
+//! `expect(error)` in the same way: the error is hidden, and its absence is reported.
 
 use super::misspelt::{self, Meant};
 use super::removal::remove_lines;
-use super::rule::Rule;
+use super::rule::{Rule, rule_name};
 use super::settings::{Settings, nearest_rule};
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, ERRORS, Fix, Origin};
@@ -16,33 +16,33 @@ use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::{Edit, LineIndex, Span};
 use std::collections::BTreeMap;
 
-/// What stands before `allow`.
+/// The prefix of `allow`.
 const MARK: &str = "shaderlint:";
 
-/// The comments of one input that allow findings; passes of an export may share some.
+/// The suppression comments of one input; passes of an export may share some.
 #[derive(Default)]
 pub struct Allows {
-    /// By the address of the comment.
+    /// By address of the comment.
     found: BTreeMap<u32, Allow>,
 }
 
 struct Allow {
-    /// Takes the comment away.
+    /// Removes the comment.
     removal: Edit,
-    /// Where it allows findings to start.
+    /// Span in which the findings start.
     target: Span,
     names: Vec<Allowed>,
-    /// Whether the findings are expected, not allowed.
+    /// Whether it is an `expect(...)`.
     expects: bool,
-    /// Text that is no `allow(...)`.
+    /// Set if the comment is malformed.
     problem: Option<BadAllow>,
 }
 
-/// Something that is meant to be an `allow(...)`.
+/// A malformed `allow(...)`.
 struct BadAllow {
     span: Span,
     meant: Option<Meant>,
-    /// The rules of the findings that it may speak of.
+    /// The rules with findings that it may refer to.
     found: Vec<&'static str>,
 }
 
@@ -53,7 +53,7 @@ struct Allowed {
 }
 
 impl Allows {
-    /// Takes away the errors of one shader that its author expects.
+    /// Removes the errors of one shader that an `expect(...)` names.
     pub fn expect(
         &mut self,
         program: &Program,
@@ -80,7 +80,7 @@ impl Allows {
         }
     }
 
-    /// Reads the comments of a shader; gives the addresses of those that speak of findings.
+    /// Parses the comments of a shader; returns the addresses of suppression comments.
     fn read(&mut self, program: &Program, rules: &[&'static Rule]) -> Vec<u32> {
         let mut own = Vec::new();
         let mut reader: Option<CommentReader> = None;
@@ -97,7 +97,7 @@ impl Allows {
         own
     }
 
-    /// Takes away the findings of one shader that are allowed in it.
+    /// Removes the findings of one shader that are allowed in it.
     pub fn apply(
         &mut self,
         program: &Program,
@@ -122,7 +122,7 @@ impl Allows {
             for allowed in &mut allow.names {
                 allowed.used |= places.any_within(&allowed.name, allow.target);
                 let targets = allowed_at.entry(allowed.name.clone()).or_default();
-                // Those that follow one another mostly speak of the same code.
+                // Consecutive comments usually apply to the same code.
                 if targets.last() != Some(&allow.target) {
                     targets.push(allow.target);
                 }
@@ -143,7 +143,7 @@ impl Allows {
         });
     }
 
-    /// Lets comments be that speak of code in which no rule looked, whose spans are in order.
+    /// Treats comments as used if they apply to code with errors; the spans are in order.
     pub fn excuse(&mut self, broken: &[Span]) {
         for allow in self.found.values_mut() {
             let first = broken.partition_point(|b| b.end <= allow.target.start);
@@ -156,7 +156,7 @@ impl Allows {
         }
     }
 
-    /// Reports what allows nothing.
+    /// Reports malformed and unused comments.
     pub fn report(self, rules: &[&'static Rule], settings: &Settings, out: &mut Vec<Diagnostic>) {
         let own = rules.iter().find(|r| r.is_of_allows());
         let Some((rule, level)) = own.and_then(|r| Some((r, settings.level(r)?))) else {
@@ -166,10 +166,10 @@ impl Allows {
             |span, message: String| Diagnostic::new(rule.name, Origin::Rule, level, span, message);
         for allow in self.found.into_values() {
             if let Some(problem) = &allow.problem {
-                let message = "this is no `allow(...)`, so it allows nothing".to_string();
+                let message = "malformed `allow(...)` comment has no effect".to_string();
                 let fix = problem.fix();
                 let help =
-                    "write `// shaderlint: allow(rule-name) reason` or `allow-file(rule-name)`";
+                    "use `// shaderlint: allow(rule-name) reason` or `allow-file(rule-name)`";
                 let help = fix.is_none().then_some(help);
                 let finding = finding(problem.span, message).fix(fix);
                 out.push(help.into_iter().fold(finding, Diagnostic::help));
@@ -177,7 +177,7 @@ impl Allows {
             let is_alone = allow.names.len() == 1;
             for name in &allow.names {
                 let fix = is_alone.then(|| {
-                    let title = "take the comment out";
+                    let title = "remove the comment";
                     Fix::safe(title, vec![allow.removal.clone()])
                 });
                 let told = match allow.expects {
@@ -190,17 +190,17 @@ impl Allows {
     }
 }
 
-/// What is wrong with one name in an `expect(...)`.
+/// Checks one name in an `expect(...)`.
 fn unmet(
     expected: &Allowed,
     finding: impl Fn(Span, String) -> Diagnostic,
     fix: Option<Fix>,
 ) -> Option<Diagnostic> {
-    let message = format!("`{}` is expected here, and is not found", expected.name);
+    let message = format!("expected `{}` here, but it is not reported", expected.name);
     (!expected.used).then(|| finding(expected.span, message).fix(fix))
 }
 
-/// What is wrong with one name in an `allow(...)`.
+/// Checks one name in an `allow(...)`.
 fn judge(
     allowed: &Allowed,
     rules: &[&'static Rule],
@@ -218,16 +218,14 @@ fn judge(
         if allowed.used || !runs {
             return None;
         }
-        let message = format!("there is no finding of `{name}` here to allow");
+        let message = format!("unused `allow`: no finding of `{name}` here");
         return Some(finding(allowed.span, message).fix(fix));
     }
     if ERRORS.contains(&name) {
-        let message = format!("`{name}` is a compile error, which cannot be allowed");
-        return Some(
-            finding(allowed.span, message).note("the browser refuses the shader all the same"),
-        );
+        let message = format!("compile error `{name}` cannot be allowed");
+        return Some(finding(allowed.span, message).note("the browser rejects the shader anyway"));
     }
-    let message = format!("there is no rule or group `{name}`");
+    let message = format!("unknown rule or group `{name}`");
     let d = finding(allowed.span, message);
     Some(match nearest_rule(rules, name) {
         Some(near) => d.fix(Fix::safe(
@@ -239,7 +237,7 @@ fn judge(
 }
 
 impl BadAllow {
-    /// Spells it right, for the rules that it names, or else for those that find something there.
+    /// Corrects the spelling, for the rules that it names, or else for those with findings there.
     fn fix(&self) -> Option<Fix> {
         let meant = self.meant.as_ref()?;
         let names = match meant.names.as_slice() {
@@ -250,24 +248,24 @@ impl BadAllow {
             return None;
         }
         let spelt = meant.spelt(names);
-        let title = format!("write `{spelt}`");
+        let title = format!("use `{spelt}`");
         Some(Fix::safe(title, vec![Edit::replace(self.span, spelt)]))
     }
 }
 
-/// The group of a finding's rule, by its name.
+/// The name of the group of a finding.
 fn group_of(rules: &[&'static Rule], diagnostic: &Diagnostic) -> Option<&'static str> {
     let rule = rules.iter().find(|r| r.name == diagnostic.rule);
     rule.map(|r| r.group.name())
 }
 
-/// Where a finding may be allowed: where it stands, and where the macros that it came through are.
+/// Where a finding may be allowed: at its start, and at the definitions of the macros it comes from.
 fn places_of(diagnostic: &Diagnostic) -> impl Iterator<Item = u32> {
     let macros = diagnostic.macros.iter().map(|m| m.definition.start);
     std::iter::once(diagnostic.span.start).chain(macros)
 }
 
-/// Where findings may be allowed, in order, by the names of rules and groups.
+/// Where findings may be allowed, sorted, by the names of rules and groups.
 struct AllowPlaces(FxHashMap<&'static str, Vec<u32>>);
 
 impl AllowPlaces {
@@ -285,7 +283,7 @@ impl AllowPlaces {
         AllowPlaces(by_name)
     }
 
-    /// The rules that find something within a target.
+    /// The rules with a finding within a target.
     fn rules_within(&self, rules: &[&'static Rule], target: Span) -> Vec<&'static str> {
         let names = rules.iter().map(|r| r.name);
         names.filter(|n| self.any_within(n, target)).collect()
@@ -299,7 +297,7 @@ impl AllowPlaces {
     }
 }
 
-/// Puts targets in order, and those that overlap together.
+/// Sorts targets and merges overlapping ones.
 fn merge(targets: &mut Vec<Span>) {
     targets.sort_unstable_by_key(|t| t.start);
     targets.dedup_by(|next, before| {
@@ -311,15 +309,15 @@ fn merge(targets: &mut Vec<Span>) {
     });
 }
 
-/// Reads the comments of one shader, in the order of the text.
+/// Parses the comments of one shader, in the order of the text.
 struct CommentReader<'a> {
     program: &'a Program,
-    /// Where statements end, by where they start.
+    /// Ends of statements by their starts.
     ends: FxHashMap<u32, u32>,
-    /// The lines of the text that holds the comment before, by the text's address.
+    /// Address and line index of the text that contains the previous comment.
     lines: Option<(u32, LineIndex)>,
-    /// The stretch of blanks and comments that was last looked through, and what stands behind it:
-    /// the comments in it speak of the same code.
+    /// The last run of blanks and comments, and the code after it: all comments in it apply to the same
+    /// code.
     stretch: Option<(Span, Span)>,
 }
 
@@ -333,7 +331,7 @@ impl<'a> CommentReader<'a> {
         }
     }
 
-    /// Reads a comment.
+    /// Parses a suppression comment.
     fn read(&mut self, comment: Span, text: &str, rules: &[&'static Rule]) -> Allow {
         let program = self.program;
         let mut allow = Allow {
@@ -374,7 +372,7 @@ impl<'a> CommentReader<'a> {
             if !name.is_empty() {
                 allow.names.push(Allowed {
                     span: Span::new(start, start + name.len() as u32),
-                    name: name.to_string(),
+                    name: rule_name(name).to_string(),
                     used: false,
                 });
             }
@@ -397,7 +395,7 @@ impl<'a> CommentReader<'a> {
         allow
     }
 
-    /// What a comment speaks of.
+    /// The code that a comment applies to.
     fn target(&mut self, comment: Span) -> Span {
         let Some(code) = self.program.sources.code_at(comment.start) else {
             return comment;
@@ -431,8 +429,8 @@ impl<'a> CommentReader<'a> {
     }
 }
 
-/// The first code in `text`, which starts at an address: where it starts, and as far as a comment
-/// before it speaks of it.
+/// The first code in `text`, which starts at `address`: its start, and the span that a comment before it
+/// applies to.
 fn next_code(text: &str, address: u32, ends: &FxHashMap<u32, u32>) -> (u32, Span) {
     let mut lexer = Lexer::new(text, address);
     let mut first: Option<u32> = None;
@@ -456,7 +454,7 @@ fn next_code(text: &str, address: u32, ends: &FxHashMap<u32, u32>) -> (u32, Span
     }
 }
 
-/// Where statements, declarations and functions end, by where they start.
+/// Ends of statements, declarations and functions by their starts.
 fn statement_ends(program: &Program) -> FxHashMap<u32, u32> {
     let tree = &program.tree;
     let statements = tree.stmts.iter().map(|s| s.extent);

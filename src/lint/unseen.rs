@@ -1,5 +1,5 @@
-//! Words that the compiler does not see: a name in a group that `#if` left out, or in a macro that
-//! nothing calls, may be needed once a switch is set.
+//! Words in code that the compiler does not see: a name in a group that `#if` excludes, or in an unused
+//! macro, may be needed once a switch is set.
 
 use super::broken::Broken;
 use super::words::each_word;
@@ -7,12 +7,12 @@ use rustc_hash::FxHashSet;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::TokenKind;
 
-/// The words that the compiler does not see.
+/// The words in code that the compiler does not see.
 #[derive(Default, Debug)]
 pub struct Unseen<'a>(FxHashSet<&'a str>);
 
 impl<'a> Unseen<'a> {
-    /// Reads what `#if` left out, the macros that are never expanded, and what has errors.
+    /// Collects the words of excluded groups, of unused macros, and of items with errors.
     pub fn of(program: &'a Program, broken: &Broken<'a>) -> Unseen<'a> {
         let mut words: FxHashSet<&'a str> = broken.words().collect();
         let tokens = &program.tokens;
@@ -35,7 +35,7 @@ impl<'a> Unseen<'a> {
         Unseen(words)
     }
 
-    /// Whether a word stands where the compiler does not see it.
+    /// Whether a word occurs in code that the compiler does not see.
     pub fn has(&self, word: &str) -> bool {
         self.0.contains(word)
     }

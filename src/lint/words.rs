@@ -1,10 +1,10 @@
-//! Words that stand in a text.
+//! Words in a text.
 
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::{Role, SourceFile, Span};
 
-/// How often a word stands in the user's files, comments aside.
+/// Number of occurrences of a word in the user's files, without comments.
 pub fn count(program: &Program, word: &str) -> usize {
     let tokens = &program.tokens;
     let is_comment = |address: u32| {
@@ -41,7 +41,7 @@ pub fn count(program: &Program, word: &str) -> usize {
     total
 }
 
-/// Calls `visit` with each word of a text, comments aside.
+/// Calls `visit` with each word of a text, without comments.
 pub fn each_word<'a>(text: &'a str, mut visit: impl FnMut(&'a str)) {
     let mut lexer = Lexer::new(text, 0);
     loop {

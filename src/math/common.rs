@@ -1,9 +1,9 @@
-//! Rounding, choosing and blending (GLSL ES 3.00 section 8.3).
+//! Common functions (GLSL ES 3.00 section 8.3).
 
 use super::single::sign_of;
 use wide::f32x8;
 
-/// From here on every float is a whole number.
+/// From this magnitude on, every float is an integer.
 const WHOLE: f32 = 8_388_608.0;
 
 /// `trunc(x)`
@@ -27,7 +27,7 @@ pub fn ceil(x: f32x8) -> f32x8 {
     -floor(-x)
 }
 
-/// `roundEven(x)`, and `round(x)`, which may choose.
+/// `roundEven(x)` and `round(x)`; the latter may round halves either way.
 #[inline(always)]
 pub fn round_even(x: f32x8) -> f32x8 {
     let small = x.abs().simd_lt(f32x8::splat(WHOLE));
@@ -36,7 +36,7 @@ pub fn round_even(x: f32x8) -> f32x8 {
     small.bitselect(whole, x)
 }
 
-/// `fract(x)`, which is below 1 even where a tiny negative number is rounded.
+/// `fract(x)`; less than 1 even for tiny negative numbers, where the difference rounds to 1.
 #[inline(always)]
 pub fn fract(x: f32x8) -> f32x8 {
     let rest = x - floor(x);
@@ -59,13 +59,13 @@ pub fn sign(x: f32x8) -> f32x8 {
     above - below
 }
 
-/// `min(x, y)`; the second where one of them is no number.
+/// `min(x, y)`; returns `y` if either is NaN.
 #[inline(always)]
 pub fn min(x: f32x8, y: f32x8) -> f32x8 {
     x.simd_lt(y).bitselect(x, y)
 }
 
-/// `max(x, y)`; the second where one of them is no number.
+/// `max(x, y)`; returns `y` if either is NaN.
 #[inline(always)]
 pub fn max(x: f32x8, y: f32x8) -> f32x8 {
     x.simd_gt(y).bitselect(x, y)

@@ -1,39 +1,39 @@
-//! Eight lanes in double precision, in which what loses digits is computed.
+//! Helpers for eight lanes in double precision, for functions that would lose precision in floats.
 //!
-//! No multiplication is fused with an addition, so that every machine gives the same digits.
+//! Multiplications and additions are never fused, so that results are identical on all machines.
 
 use wide::{f32x8, f64x8, u64x8};
 
-/// Added to a double and taken away again, it leaves the nearest whole number; the lowest bits of the
-/// sum are that number.
+/// Adding and subtracting it rounds a double to the nearest integer; the low bits of the sum are
+/// that integer.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// The same numbers as doubles.
+/// Converts floats to doubles.
 #[inline(always)]
 pub(super) fn widen(x: f32x8) -> f64x8 {
     f64x8::from(x.to_array().map(f64::from))
 }
 
-/// The nearest floats.
+/// Rounds doubles to the nearest floats.
 #[inline(always)]
 pub(super) fn narrow(x: f64x8) -> f32x8 {
     f32x8::from(x.to_array().map(|x| x as f32))
 }
 
-/// The bits of doubles.
+/// Reinterprets doubles as bits.
 #[inline(always)]
 pub(super) fn bits(x: f64x8) -> u64x8 {
     bytemuck::cast(x)
 }
 
-/// The doubles of bits.
+/// Reinterprets bits as doubles.
 #[inline(always)]
 pub(super) fn of_bits(x: u64x8) -> f64x8 {
     bytemuck::cast(x)
 }
 
-/// The nearest whole number, and a number whose lowest bits are those of it in two's complement;
-/// below 2^51.
+/// Rounds to the nearest integer, for magnitudes below 2^51. Also returns a number whose low bits
+/// are that integer in two's complement.
 #[inline(always)]
 pub(super) fn round(x: f64x8) -> (f64x8, u64x8) {
     let sum = x + f64x8::splat(ROUNDER);
@@ -54,7 +54,7 @@ pub(super) fn polynomial<const N: usize>(x: f64x8, coefficients: [f64; N]) -> f6
     sum
 }
 
-/// `2^x`; beyond what a float holds, any number that is too large or too small for one.
+/// `2^x`. Beyond the range of floats, any number that overflows or underflows a float.
 #[inline(always)]
 pub(super) fn exp2(x: f64x8) -> f64x8 {
     let within = x
@@ -79,16 +79,16 @@ pub(super) fn exp2(x: f64x8) -> f64x8 {
     x.is_nan().bitselect(x, power * scale)
 }
 
-/// The logarithm to base 2 of what is above 0 and finite.
+/// The binary logarithm of a positive finite number.
 #[inline(always)]
 pub(super) fn log2(x: f64x8) -> f64x8 {
-    // The exponent is counted from where the rest of the number lies between the roots of 1/2 and 2.
+    // The exponent is chosen such that the mantissa lies between sqrt(1/2) and sqrt(2).
     let from = u64x8::splat(0x3fe6_a09e_667f_3bcd);
     let bias = u64x8::splat(0x3ff0_0000_0000_0000);
     let shifted = bits(x) - from + bias;
     let exponent = shifted >> 52_u32;
     let m = of_bits((shifted & u64x8::splat(0x000f_ffff_ffff_ffff)) + from);
-    // Put into the lowest digits of 2^52, a whole number becomes a double.
+    // An integer in the low bits of the double 2^52 becomes a double by subtracting 2^52.
     let whole = of_bits(exponent | u64x8::splat(0x4330_0000_0000_0000))
         - f64x8::splat(4_503_599_627_370_496.0 + 1023.0);
     let one = f64x8::splat(1.0);
@@ -107,7 +107,7 @@ pub(super) fn log2(x: f64x8) -> f64x8 {
     whole + s * series
 }
 
-/// The arc tangent of what is at least 0, an infinity included.
+/// The arc tangent of a non-negative number, including infinity.
 #[inline(always)]
 pub(super) fn atan(x: f64x8) -> f64x8 {
     let one = f64x8::splat(1.0);

@@ -1,5 +1,4 @@
-//! Powers, logarithms and roots (GLSL ES 3.00 section 8.2), and the hyperbolic functions, which are
-//! made of them.
+//! Exponential functions (GLSL ES 3.00 section 8.2), and the hyperbolic functions based on them.
 
 use super::common::{max, min};
 use super::double::{self, exp2 as power_of_2, log2 as logarithm, narrow, widen};
@@ -7,7 +6,7 @@ use super::single::{polynomial, round, scale, sign_of, split};
 use std::f64::consts::{LN_2, LOG2_E};
 use wide::{f32x8, f64x8};
 
-/// `pow(x, y)`; undefined below 0, where the browser leaves the sign out.
+/// `pow(x, y)`; undefined for negative `x`, where browsers ignore the sign.
 #[inline]
 pub fn pow(x: f32x8, y: f32x8) -> f32x8 {
     let size = x.abs();
@@ -21,7 +20,7 @@ pub fn pow(x: f32x8, y: f32x8) -> f32x8 {
     }
 }
 
-/// The power of what is 0 or nearly so, infinite, or no number.
+/// Powers of numbers that are zero, tiny, infinite or NaN.
 #[cold]
 fn special_power(x: f32x8, y: f32x8) -> f32x8 {
     exp2(y * log2(x))
@@ -30,10 +29,10 @@ fn special_power(x: f32x8, y: f32x8) -> f32x8 {
 /// `exp(x)`
 #[inline]
 pub fn exp(x: f32x8) -> f32x8 {
-    // Beyond, the result is infinite or 0.
+    // Clamped to the range beyond which the result is 0 or infinite.
     let x = min(f32x8::splat(128.0), max(f32x8::splat(-128.0), x));
     let (whole, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
-    // The first part of the logarithm of 2 has 14 digits, so that its product is exact.
+    // The first part of ln 2 has 14 significant bits, so that the product is exact.
     let r = x - whole * f32x8::splat(LN_2_HIGH) - whole * f32x8::splat(LN_2_LOW);
     let series = [
         0.5,
@@ -49,7 +48,7 @@ pub fn exp(x: f32x8) -> f32x8 {
 /// `exp2(x)`
 #[inline]
 pub fn exp2(x: f32x8) -> f32x8 {
-    // Beyond, the result is infinite or 0.
+    // Clamped to the range beyond which the result is 0 or infinite.
     let x = min(f32x8::splat(180.0), max(f32x8::splat(-180.0), x));
     let (whole, bits) = round(x);
     let r = x - whole;
@@ -64,13 +63,13 @@ pub fn exp2(x: f32x8) -> f32x8 {
     scale(r * polynomial(r, series) + f32x8::splat(1.0), bits)
 }
 
-/// The first 14 digits of the logarithm of 2.
+/// The first 14 bits of ln 2.
 const LN_2_HIGH: f32 = 0.693_115_23;
-/// The others.
+/// The remaining bits of ln 2.
 const LN_2_LOW: f32 = 3.194_618_3e-5;
 
-/// `log(x)`; undefined below 0, where the browser leaves the sign out, and of 0, which it takes for
-/// 2^-127.
+/// `log(x)`; undefined for negative `x`, where browsers ignore the sign, and for 0, which they
+/// treat as 2^-127.
 #[inline]
 pub fn log(x: f32x8) -> f32x8 {
     let (exponent, r) = split(x);
@@ -83,12 +82,12 @@ pub fn log(x: f32x8) -> f32x8 {
 pub fn log2(x: f32x8) -> f32x8 {
     let (exponent, r) = split(x);
     let small = behind_the_first(r);
-    // `log2(e) - 1`, so that `r` itself is added without a rounding.
+    // `log2(e) - 1`, so that `r` itself is added without rounding.
     let more = f32x8::splat(0.442_695_05);
     unless_special(x, exponent + (r + (small + (r * more + small * more))))
 }
 
-/// `log(1 + r) - r`, for `1 + r` between the roots of 1/2 and 2.
+/// `log(1 + r) - r`, for `1 + r` between sqrt(1/2) and sqrt(2).
 #[inline(always)]
 fn behind_the_first(r: f32x8) -> f32x8 {
     let series = [
@@ -106,7 +105,7 @@ fn behind_the_first(r: f32x8) -> f32x8 {
     square * r * polynomial(r, series) - square * f32x8::splat(0.5)
 }
 
-/// The logarithm that was found; that of infinity and NaN is the number itself.
+/// The result of a logarithm; infinity and NaN are returned unchanged.
 #[inline(always)]
 fn unless_special(x: f32x8, found: f32x8) -> f32x8 {
     let usual = x.simd_lt(f32x8::splat(f32::INFINITY));
@@ -125,19 +124,19 @@ pub fn inverse_sqrt(x: f32x8) -> f32x8 {
     f32x8::splat(1.0) / x.sqrt()
 }
 
-/// `e^x` with the digits of a double.
+/// `e^x` in double precision.
 #[inline(always)]
 fn exp_wide(x: f64x8) -> f64x8 {
     power_of_2(x * f64x8::splat(LOG2_E))
 }
 
-/// The natural logarithm of what is above 0.
+/// The natural logarithm of a positive number, in double precision.
 #[inline(always)]
 fn log_wide(x: f64x8) -> f64x8 {
     logarithm(x) * f64x8::splat(LN_2)
 }
 
-/// The hyperbolic sine of at most 1, which a difference of powers would lose.
+/// The hyperbolic sine of a number of at most 1, where a difference of exponentials would cancel.
 #[inline(always)]
 fn small_sinh(x: f64x8) -> f64x8 {
     let square = x * x;
@@ -151,7 +150,7 @@ fn small_sinh(x: f64x8) -> f64x8 {
     x + x * square * double::polynomial(square, series)
 }
 
-/// The hyperbolic sine of what is at least 0.
+/// The hyperbolic sine of a non-negative number.
 #[inline(always)]
 fn sinh_wide(x: f64x8) -> f64x8 {
     let half = f64x8::splat(0.5);
@@ -182,7 +181,7 @@ pub fn cosh(x: f32x8) -> f32x8 {
 #[inline]
 pub fn tanh(x: f32x8) -> f32x8 {
     let size = widen(x.abs());
-    // Above, the nearest float is 1.
+    // Beyond this, the nearest float is 1.
     let within = size
         .simd_gt(f64x8::splat(20.0))
         .bitselect(f64x8::splat(20.0), size);
@@ -198,7 +197,7 @@ pub fn asinh(x: f32x8) -> f32x8 {
     (keep_special(x.abs(), narrow(result))) | sign_of(x)
 }
 
-/// `acosh(x)`; no number below 1.
+/// `acosh(x)`; NaN for `x` below 1.
 #[inline]
 pub fn acosh(x: f32x8) -> f32x8 {
     let wide = widen(x);
@@ -208,7 +207,8 @@ pub fn acosh(x: f32x8) -> f32x8 {
     below.bitselect(f32x8::splat(f32::NAN), keep_special(x, result))
 }
 
-/// `atanh(x)`; undefined outside of -1 to 1, where the browser gives half the logarithm all the same.
+/// `atanh(x)`; undefined outside -1 to 1, where browsers evaluate the logarithmic formula all the
+/// same.
 #[inline]
 pub fn atanh(x: f32x8) -> f32x8 {
     let (one, size) = (f64x8::splat(1.0), widen(x.abs()));
@@ -219,10 +219,10 @@ pub fn atanh(x: f32x8) -> f32x8 {
     x.abs().simd_lt(one).bitselect(result, beyond)
 }
 
-/// Below, a number is the nearest float to its inverse hyperbolic sine and tangent.
+/// Below this, the inverse hyperbolic sine and tangent round to their argument.
 const TINY: f64 = 1.0 / 8192.0;
 
-/// Infinity and NaN stay as they are.
+/// Returns infinity and NaN unchanged.
 #[inline(always)]
 fn keep_special(x: f32x8, result: f32x8) -> f32x8 {
     let finite = x.abs().simd_lt(f32x8::splat(f32::INFINITY));

@@ -1,6 +1,6 @@
-//! Numbers that look as if thrown, the same on every machine.
+//! A deterministic hash for pseudo-random numbers.
 
-/// A number that looks as if thrown; each seed has its own.
+/// A pseudo-random number determined by the seed. The function is a bijection.
 pub const fn hash(seed: u32) -> u32 {
     let mut x = seed.wrapping_mul(0x9e37_79b1) ^ 0x85eb_ca6b;
     x = (x ^ (x >> 15)).wrapping_mul(0x2c1b_3c6d);

@@ -1,8 +1,9 @@
-//! Integers, and what turns them into floats and back (GLSL ES 3.00 sections 5.4.1, 5.9).
+//! Integer arithmetic, and conversions between integers and floats (GLSL ES 3.00 sections 5.4.1 and
+//! 5.9).
 
 use wide::{f32x8, i32x8, u32x8};
 
-/// `int(x)`; what is out of range is the lowest.
+/// `int(x)`; the lowest integer if `x` is out of range.
 #[inline(always)]
 pub fn int_of_float(x: f32x8) -> i32x8 {
     let limit = f32x8::splat(2_147_483_648.0);
@@ -12,7 +13,7 @@ pub fn int_of_float(x: f32x8) -> i32x8 {
     bytemuck::cast(within.bitselect(whole, lowest))
 }
 
-/// `uint(x)`; what is negative or too large is 0.
+/// `uint(x)`; 0 if `x` is negative or too large.
 #[inline(always)]
 pub fn uint_of_float(x: f32x8) -> u32x8 {
     let half = f32x8::splat(2_147_483_648.0);
@@ -23,19 +24,19 @@ pub fn uint_of_float(x: f32x8) -> u32x8 {
     (rest ^ top) & !negative
 }
 
-/// `float(x)`
+/// `float(x)` of an `int`
 #[inline(always)]
 pub fn float_of_int(x: i32x8) -> f32x8 {
     f32x8::from_i32x8(x)
 }
 
-/// `float(x)`
+/// `float(x)` of a `uint`
 #[inline(always)]
 pub fn float_of_uint(x: u32x8) -> f32x8 {
     f32x8::from(x.to_array().map(|x| x as f32))
 }
 
-/// Lane by lane.
+/// Applies a function to each lane.
 #[inline(always)]
 fn each_int(x: i32x8, y: i32x8, f: impl Fn(i32, i32) -> i32) -> i32x8 {
     let (x, y) = (x.to_array(), y.to_array());
@@ -43,7 +44,7 @@ fn each_int(x: i32x8, y: i32x8, f: impl Fn(i32, i32) -> i32) -> i32x8 {
     i32x8::from([(); 8].map(|()| both.next().map_or(0, |(x, y)| f(x, y))))
 }
 
-/// Lane by lane.
+/// Applies a function to each lane.
 #[inline(always)]
 fn each_uint(x: u32x8, y: u32x8, f: impl Fn(u32, u32) -> u32) -> u32x8 {
     let (x, y) = (x.to_array(), y.to_array());
@@ -51,8 +52,8 @@ fn each_uint(x: u32x8, y: u32x8, f: impl Fn(u32, u32) -> u32) -> u32x8 {
     u32x8::from([(); 8].map(|()| both.next().map_or(0, |(x, y)| f(x, y))))
 }
 
-/// `x / y`; undefined by zero, where the browser divides by -1, and where it overflows, which gives 1
-/// there.
+/// `x / y`. Undefined for division by zero, where browsers divide by -1, and for overflow, where
+/// they return 1.
 #[inline]
 pub fn divide_int(x: i32x8, y: i32x8) -> i32x8 {
     each_int(x, y, |x, y| match y {
@@ -61,7 +62,7 @@ pub fn divide_int(x: i32x8, y: i32x8) -> i32x8 {
     })
 }
 
-/// `x / y`; undefined by zero, where the browser divides by the largest number.
+/// `x / y`. Undefined for division by zero, where browsers divide by the largest integer.
 #[inline]
 pub fn divide_uint(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, |x, y| {
@@ -69,8 +70,8 @@ pub fn divide_uint(x: u32x8, y: u32x8) -> u32x8 {
     })
 }
 
-/// `x % y`; undefined of negative numbers, where the browser gives what has the sign of `y`, and by
-/// zero, where it gives 0.
+/// `x % y`. Undefined for negative operands, where the result in browsers has the sign of `y`, and
+/// for zero divisors, where it is 0.
 #[inline]
 pub fn remainder_int(x: i32x8, y: i32x8) -> i32x8 {
     each_int(x, y, |x, y| {
@@ -83,7 +84,7 @@ pub fn remainder_int(x: i32x8, y: i32x8) -> i32x8 {
     })
 }
 
-/// `x % y`; undefined by zero, where the browser divides by the largest number.
+/// `x % y`. Undefined for zero divisors, where browsers divide by the largest integer.
 #[inline]
 pub fn remainder_uint(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, |x, y| {
@@ -92,19 +93,19 @@ pub fn remainder_uint(x: u32x8, y: u32x8) -> u32x8 {
     })
 }
 
-/// `x << y`, by the lowest five bits.
+/// `x << y`, using the low five bits of `y`.
 #[inline]
 pub fn shift_left(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, u32::wrapping_shl)
 }
 
-/// `x >> y` of a signed number, by the lowest five bits.
+/// `x >> y` of a signed integer, using the low five bits of `y`.
 #[inline]
 pub fn shift_right_int(x: i32x8, y: u32x8) -> i32x8 {
     each_int(x, bytemuck::cast(y), |x, y| x.wrapping_shr(y as u32))
 }
 
-/// `x >> y` of an unsigned number, by the lowest five bits.
+/// `x >> y` of an unsigned integer, using the low five bits of `y`.
 #[inline]
 pub fn shift_right_uint(x: u32x8, y: u32x8) -> u32x8 {
     each_uint(x, y, u32::wrapping_shr)

@@ -1,25 +1,27 @@
-//! Angles and ratios for which single precision has too few digits.
+//! Trigonometric functions of large angles and extreme ratios, for which single precision is
+//! insufficient.
 
 use super::double::{atan, bits, narrow, of_bits, polynomial, round, widen};
 use super::single::sign_of;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use wide::{f32x8, f64x8, u64x8};
 
-/// From here on a quarter turn in two parts has too few digits.
+/// From this magnitude on, the two-part reduction by pi/2 is not precise enough.
 const HUGE: f32 = 268_435_456.0;
 
-/// The first 256 binary digits of `2 / PI` after the point.
+/// The first 256 bits of `2 / PI` after the binary point.
 const TWO_OVER_PI: [u128; 2] = [
     0xa2f9_836e_4e44_1529_fc27_57d1_f534_ddc0,
     0xdb62_9599_3c43_9041_fe51_63ab_debb_c561,
 ];
 
-/// An angle as so many quarter turns and the rest, which is at most an eighth of a turn.
+/// Range reduction: the number of quarter turns (multiples of pi/2), and the remainder, at most
+/// pi/4 in magnitude.
 #[inline(always)]
 fn reduce(x: f32x8) -> (u64x8, f64x8) {
     let wide = widen(x);
     let (whole, quarters) = round(wide * f64x8::splat(FRAC_2_PI));
-    // The first part of PI / 2 has 25 digits, so that its product is exact.
+    // The first part of pi/2 has 25 significant bits, so that the product is exact.
     let rest = wide
         - whole * f64x8::splat(f64::from_bits(0x3ff9_21fb_5000_0000))
         - whole * f64x8::splat(f64::from_bits(0x3e51_10b4_611a_6263));
@@ -31,7 +33,7 @@ fn reduce(x: f32x8) -> (u64x8, f64x8) {
     }
 }
 
-/// The same where an angle may be of any size.
+/// Range reduction for finite angles of any size.
 #[cold]
 fn reduce_huge(x: f32x8, quarters: u64x8, rest: f64x8) -> (u64x8, f64x8) {
     let mut quarters = quarters.to_array();
@@ -44,12 +46,12 @@ fn reduce_huge(x: f32x8, quarters: u64x8, rest: f64x8) -> (u64x8, f64x8) {
     (u64x8::from(quarters), f64x8::from(rest))
 }
 
-/// Of a finite number of at least [`HUGE`]: it is multiplied with those digits of `2 / PI` that can
-/// change the last two of the whole quarter turns, and all behind them.
+/// Payne-Hanek range reduction of a finite number of at least [`HUGE`]: multiplies it by the bits
+/// of `2 / PI` that affect the last two bits of the number of quarter turns or the fraction.
 fn reduce_one(x: f32) -> (u64, f64) {
     let bits = x.abs().to_bits();
     let digits = u128::from(bits & 0x7f_ffff | 0x80_0000);
-    // The number is its digits times two to this.
+    // The value is `digits * 2^exponent`.
     let exponent = (bits >> 23).saturating_sub(150);
     let skipped = exponent.saturating_sub(2);
     let [high, low] = TWO_OVER_PI;
@@ -69,7 +71,7 @@ fn reduce_one(x: f32) -> (u64, f64) {
     }
 }
 
-/// The sine and the cosine of at most an eighth of a turn.
+/// Sine and cosine of an angle of at most pi/4.
 #[inline(always)]
 fn sine_cosine(x: f64x8) -> (f64x8, f64x8) {
     let square = x * x;
@@ -99,7 +101,7 @@ fn sine_cosine(x: f64x8) -> (f64x8, f64x8) {
     (sine, cosine)
 }
 
-/// The sine of an angle that is so many quarter turns larger.
+/// The sine of `rest` plus a number of quarter turns.
 #[inline(always)]
 fn sine_after(quarters: u64x8, rest: f64x8) -> f64x8 {
     let (sine, cosine) = sine_cosine(rest);
@@ -115,25 +117,25 @@ fn is_odd(quarters: u64x8) -> f64x8 {
     of_bits(u64x8::ZERO - (quarters & u64x8::splat(1)))
 }
 
-/// The sine of an angle and so many quarter turns more.
+/// The sine of an angle plus a number of quarter turns.
 #[cold]
 pub(super) fn sine_and(x: f32x8, more: u32) -> f32x8 {
     let (quarters, rest) = reduce(x);
     narrow(sine_after(quarters + u64x8::splat(more.into()), rest))
 }
 
-/// The tangent.
+/// `tan(x)` of an angle of any size.
 #[cold]
 pub(super) fn tan(x: f32x8) -> f32x8 {
     let (quarters, rest) = reduce(x);
     narrow(sine_after(quarters, rest) / sine_after(quarters + u64x8::splat(1), rest))
 }
 
-/// The angle of any pair of numbers, of 0 and 0 it is 0.
+/// `atan(y, x)` of any pair of numbers; 0 if both are 0.
 #[cold]
 pub(super) fn atan2(y: f32x8, x: f32x8) -> f32x8 {
     let (height, width) = (widen(y.abs()), widen(x.abs()));
-    // Equal ones may both be infinite, and have no ratio then.
+    // If both are equal the ratio is 1, also for two infinities.
     let same = height.simd_eq(width);
     let angle = atan(same.bitselect(f64x8::splat(1.0), height / width));
     let left = widen_mask(x.is_sign_negative());
@@ -143,7 +145,7 @@ pub(super) fn atan2(y: f32x8, x: f32x8) -> f32x8 {
     angle | sign_of(y)
 }
 
-/// A mask of floats as one of doubles.
+/// Widens a mask of floats to a mask of doubles.
 #[inline(always)]
 fn widen_mask(mask: f32x8) -> f64x8 {
     widen(mask.bitselect(f32x8::splat(1.0), f32x8::ZERO)).simd_gt(f64x8::ZERO)

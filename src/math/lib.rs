@@ -1,7 +1,7 @@
-//! The built-in functions of eight numbers at a time, computed the same way on every machine: for
-//! constants, and for the pixels of a run. Beside them a hash for whatever has to look random.
+//! Deterministic implementations of the built-in functions, for eight numbers at a time (SIMD):
+//! used for constant folding and by the VM. Also a hash for pseudo-random numbers.
 //!
-//! What the language leaves undefined is what the browser makes of it.
+//! Where the specification leaves a result undefined, it is what browsers compute.
 
 mod common;
 mod double;
@@ -34,13 +34,13 @@ pub use trigonometric::{acos, asin, atan, atan2, cos, sin, tan};
 
 use wide::f32x8;
 
-/// A function of one number.
+/// Evaluates a SIMD function for one number.
 pub fn of_one(f: impl Fn(f32x8) -> f32x8, x: f32) -> f32 {
     let [first, ..] = f(f32x8::splat(x)).to_array();
     first
 }
 
-/// A function of two numbers.
+/// Evaluates a SIMD function of two operands for one pair of numbers.
 pub fn of_two(f: impl Fn(f32x8, f32x8) -> f32x8, x: f32, y: f32) -> f32 {
     of_one(|x| f(x, f32x8::splat(y)), x)
 }

@@ -1,4 +1,4 @@
-//! Several small numbers in one (GLSL ES 3.00 section 8.4).
+//! Packing and unpacking functions (GLSL ES 3.00 section 8.4).
 
 use super::common::{max, min, round_even};
 use super::integer::{float_of_int, float_of_uint, int_of_float};
@@ -52,20 +52,20 @@ pub fn unpack_half(p: u32x8) -> [f32x8; 2] {
     halves(p).map(|x| f32x8::from(x.to_array().map(|x| half_value(x as u16))))
 }
 
-/// The lower and the upper 16 bits.
+/// The low and high 16 bits.
 #[inline(always)]
 fn halves(p: u32x8) -> [u32x8; 2] {
     [p & u32x8::splat(0xffff), p >> 16_u32]
 }
 
-/// The lower 16 bits of two numbers, those of the second above.
+/// Packs the low 16 bits of two numbers, the second in the high half.
 #[inline(always)]
 fn join(x: f32x8, y: f32x8, f: impl Fn(f32x8) -> i32x8) -> u32x8 {
     let (x, y): (u32x8, u32x8) = (bytemuck::cast(f(x)), bytemuck::cast(f(y)));
     (x & u32x8::splat(0xffff)) | (y << 16_u32)
 }
 
-/// The 16 bits that are nearest to a number.
+/// Rounds a float to half precision (16 bits).
 pub fn half_bits(x: f32) -> u16 {
     let sign = if x.is_sign_negative() { 0x8000 } else { 0 };
     let bits = x.abs().to_bits();
@@ -74,16 +74,16 @@ pub fn half_bits(x: f32) -> u16 {
     } else if bits >= 0x4780_0000 {
         0x7c00
     } else if bits >= 0x3880_0000 {
-        // Rounded to even, with the exponent counted from another zero.
+        // Rounds to nearest even, with the exponent bias of half precision.
         let odd = bits >> 13 & 1;
         ((bits - 0x3800_0000 + 0xfff + odd) >> 13) as u16
     } else {
-        // Too small for a leading one: counted in steps of 2^-24.
+        // Subnormal in half precision: a multiple of 2^-24.
         (x.abs() * 16_777_216.0).round_ties_even() as u16
     }
 }
 
-/// The number that 16 bits stand for.
+/// Converts half precision (16 bits) to a float.
 pub fn half_value(bits: u16) -> f32 {
     let (exponent, rest) = (bits >> 10 & 0x1f, (bits & 0x3ff) as f32);
     let size = match exponent {

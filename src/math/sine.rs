@@ -1,6 +1,6 @@
 //! The sine in double precision.
 
-/// The sine of an angle of any size, which has as many digits as a turn of it leaves.
+/// The sine of an angle in radians. The precision decreases with the magnitude of the angle.
 pub fn sine(angle: f64) -> f64 {
     let turns = angle / std::f64::consts::TAU;
     let mut x = (turns - turns.round()) * std::f64::consts::TAU;
@@ -11,7 +11,7 @@ pub fn sine(angle: f64) -> f64 {
         x = -2.0 * quarter - x;
     }
     let square = x * x;
-    // Its series, from the smallest part on.
+    // The Taylor series, evaluated from the smallest term on.
     let factors = [21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0];
     let sum = factors
         .iter()

@@ -1,15 +1,15 @@
-//! Eight lanes in single precision, and their digits.
+//! Helpers for eight lanes in single precision.
 //!
-//! No multiplication is fused with an addition, so that every machine gives the same digits.
+//! Multiplications and additions are never fused, so that results are identical on all machines.
 
 use wide::{f32x8, i32x8, u32x8};
 
-/// Added to a float and taken away again, it leaves the nearest whole number; the lowest bits of the
-/// sum are that number.
+/// Adding and subtracting it rounds a float to the nearest integer; the low bits of the sum are
+/// that integer.
 const ROUNDER: f32 = 12_582_912.0;
 
-/// The nearest whole number, and a number whose lowest bits are those of it in two's complement;
-/// below 2^21.
+/// Rounds to the nearest integer, for magnitudes below 2^21. Also returns a number whose low bits
+/// are that integer in two's complement.
 #[inline(always)]
 pub(super) fn round(x: f32x8) -> (f32x8, u32x8) {
     let rounder = f32x8::splat(ROUNDER);
@@ -31,10 +31,10 @@ pub(super) fn polynomial<const N: usize>(x: f32x8, coefficients: [f32; N]) -> f3
     sum
 }
 
-/// `x * 2^n`; `n` are the lowest bits that [`round`] gives, from -252 to 254.
+/// `x * 2^n` for `n` from -252 to 254, in the low bits as returned by [`round`].
 #[inline(always)]
 pub(super) fn scale(x: f32x8, n: u32x8) -> f32x8 {
-    // In two steps, since a power itself may be too large or too small for a float.
+    // In two steps, since `2^n` itself may overflow or underflow.
     let n: i32x8 = bytemuck::cast(n << 16_u32);
     let half = n >> 17_u32;
     let rest = (n >> 16_u32) - half;
@@ -47,9 +47,9 @@ fn power(n: i32x8) -> f32x8 {
     bytemuck::cast((n + i32x8::splat(127)) << 23_u32)
 }
 
-/// Exponent and rest of a number, its sign left out: `x = 2^exponent * (1 + rest)`, where `1 + rest`
-/// lies between the roots of 1/2 and 2. Numbers without a leading one are given one, as in the browser:
-/// 0 is taken for 2^-127.
+/// Splits the magnitude of a number: `x = 2^exponent * (1 + rest)`, with `1 + rest` between
+/// sqrt(1/2) and sqrt(2). Subnormals are treated as if they had an implicit leading one, as in
+/// browsers: 0 becomes 2^-127.
 #[inline(always)]
 pub(super) fn split(x: f32x8) -> (f32x8, f32x8) {
     let from = i32x8::splat(0x3f35_04f3);
@@ -61,7 +61,7 @@ pub(super) fn split(x: f32x8) -> (f32x8, f32x8) {
     )
 }
 
-/// The signs alone, to be put on what has none.
+/// The sign bits, to be combined with magnitudes.
 #[inline(always)]
 pub(crate) fn sign_of(x: f32x8) -> f32x8 {
     x & f32x8::splat(-0.0)

@@ -1,11 +1,10 @@
-//! Against the numbers that double precision gives.
+//! Accuracy tests against double precision.
 
 use super::common::clamp;
 use super::*;
 use wide::{f32x8, i32x8, u32x8};
 
-/// Numbers of all sizes and both signs: every exponent, and digits that a generator of random numbers
-/// chooses, always the same ones.
+/// Pseudo-random floats of both signs and all exponents, the same in every run.
 fn numbers(count: usize) -> impl Iterator<Item = f32> {
     let mut state = 0x9e37_79b9_u32;
     std::iter::repeat_with(move || {
@@ -18,7 +17,7 @@ fn numbers(count: usize) -> impl Iterator<Item = f32> {
     .take(count)
 }
 
-/// How many floats lie between two numbers, at most.
+/// The error in ULP (units in the last place).
 fn ulps(found: f32, expected: f64) -> f64 {
     let nearest = expected as f32;
     if found == nearest || found.is_nan() && nearest.is_nan() {
@@ -29,7 +28,8 @@ fn ulps(found: f32, expected: f64) -> f64 {
     (f64::from(found) - expected).abs() / unit
 }
 
-/// A function of one number keeps within so many units in the last place of what doubles give.
+/// Checks that the error of a unary function stays within `bound` ULP of a double-precision
+/// reference.
 #[track_caller]
 fn check(
     f: impl Fn(f32x8) -> f32x8,
@@ -48,7 +48,7 @@ fn check(
     assert!(worst.0 <= bound, "{} units at {:e}", worst.0, worst.1);
 }
 
-/// A function of one number at chosen places, bit for bit but for the bits of NaN.
+/// Checks a unary function at selected points, bit by bit except for the payload of NaN.
 #[track_caller]
 fn exactly(f: impl Fn(f32x8) -> f32x8, pairs: &[(f32, f32)]) {
     for (x, expected) in pairs {
@@ -150,7 +150,7 @@ fn powers_and_logarithms_are_right_but_for_the_last_digit() {
     exactly(log2, &[(8.0, 3.0), (0.25, -2.0), (INF, INF), (NAN, NAN)]);
 }
 
-/// What Chromium computes, drawing by software, where the specification leaves the result undefined.
+/// Undefined results are those of Chromium's software renderer.
 #[test]
 fn what_is_undefined_is_what_the_browser_makes_of_it() {
     exactly(log2, &[(-8.0, 3.0), (0.0, -127.0), (-0.0, -127.0)]);

@@ -1,21 +1,23 @@
-//! Angles (GLSL ES 3.00 section 8.1).
+//! Angle and trigonometric functions (GLSL ES 3.00 section 8.1).
 //!
-//! What is usual is computed in single precision; large angles, and what has no ratio, in double.
+//! Common cases are computed in single precision; large angles and extreme ratios in double
+//! precision.
 
 use super::large;
 use super::single::{polynomial, round, sign_of};
 use std::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 use wide::{f32x8, u32x8};
 
-/// From here on a quarter turn in four parts has too few digits.
+/// From this magnitude on, the four-part reduction by pi/2 is not precise enough.
 const LARGE: f32 = 8192.0;
 
-/// A quarter turn: three parts of so few digits that their products with whole numbers below 2^13 are
-/// exact, and the rest.
+/// pi/2 as a sum: three parts with few enough significant bits that their products with integers
+/// below 2^13 are exact, and the rest.
 const QUARTER: [f32; 4] = [1.570_312_5, 4.837_513e-4, 7.549_533_6e-8, 2.563_344e-12];
 
-/// An angle below [`LARGE`] as the rest after whole quarter turns, which is at most an eighth of a
-/// turn, and a number whose lowest bits count these.
+/// Range reduction of an angle below [`LARGE`]: the remainder after subtracting quarter turns
+/// (multiples of pi/2), at most pi/4 in magnitude, and a number whose low bits are the number of
+/// quarter turns.
 #[inline(always)]
 fn reduce(x: f32x8) -> (f32x8, u32x8) {
     let (whole, quarters) = round(x * f32x8::splat(FRAC_2_PI));
@@ -26,7 +28,7 @@ fn reduce(x: f32x8) -> (f32x8, u32x8) {
     (rest, quarters)
 }
 
-/// The sine and the cosine of at most an eighth of a turn.
+/// Sine and cosine of an angle of at most pi/4.
 #[inline(always)]
 fn sine_cosine(x: f32x8) -> (f32x8, f32x8) {
     let square = x * x;
@@ -44,7 +46,7 @@ fn is_odd(quarters: u32x8) -> f32x8 {
     bytemuck::cast(u32x8::ZERO - bit)
 }
 
-/// The sine of an angle and so many quarter turns more.
+/// The sine of an angle plus a number of quarter turns.
 #[inline(always)]
 fn sine_and(x: f32x8, more: u32) -> f32x8 {
     let (rest, quarters) = reduce(x);
@@ -87,7 +89,7 @@ pub fn tan(x: f32x8) -> f32x8 {
     }
 }
 
-/// The arc sine of at most 1/2, or of the root of its square.
+/// The arc sine of a number of at most 1/2, given with its square.
 #[inline(always)]
 fn small_asin(x: f32x8, square: f32x8) -> f32x8 {
     let series = [
@@ -100,8 +102,7 @@ fn small_asin(x: f32x8, square: f32x8) -> f32x8 {
     x + x * square * polynomial(square, series)
 }
 
-/// The arc sine of a number without its sign, or half the arc cosine of it above 1/2, and which of the
-/// two.
+/// For magnitudes up to 1/2 the arc sine, above that half the arc cosine; and a mask of the latter.
 #[inline(always)]
 fn arc(size: f32x8) -> (f32x8, f32x8) {
     let (half, one) = (f32x8::splat(0.5), f32x8::splat(1.0));
@@ -111,7 +112,7 @@ fn arc(size: f32x8) -> (f32x8, f32x8) {
     (small_asin(x, square), above)
 }
 
-/// `asin(x)`; no number outside of -1 to 1.
+/// `asin(x)`; NaN outside -1 to 1.
 #[inline]
 pub fn asin(x: f32x8) -> f32x8 {
     let (angle, above) = arc(x.abs());
@@ -119,7 +120,7 @@ pub fn asin(x: f32x8) -> f32x8 {
     angle | sign_of(x)
 }
 
-/// `acos(x)`; no number outside of -1 to 1.
+/// `acos(x)`; NaN outside -1 to 1.
 #[inline]
 pub fn acos(x: f32x8) -> f32x8 {
     let (angle, above) = arc(x.abs());
@@ -131,10 +132,10 @@ pub fn acos(x: f32x8) -> f32x8 {
     x.simd_lt(f32x8::ZERO).bitselect(far, near)
 }
 
-/// The tangent of an eighth and of three eighths of half a turn.
+/// tan(pi/8) and tan(3pi/8), where the range reduction of `atan` switches.
 const TURNS: [f32; 2] = [0.414_213_57, 2.414_213_7];
 
-/// The arc tangent of at most `TURNS[0]`.
+/// The arc tangent of a number of at most tan(pi/8).
 #[inline(always)]
 fn small_atan(x: f32x8) -> f32x8 {
     let square = x * x;
@@ -159,7 +160,7 @@ pub fn atan(x: f32x8) -> f32x8 {
     (from + small_atan(above / below)) | sign_of(x)
 }
 
-/// `atan(y, x)`; undefined where both are 0, where the browser gives 0.
+/// `atan(y, x)`; undefined if both are 0, where browsers return 0.
 #[inline]
 pub fn atan2(y: f32x8, x: f32x8) -> f32x8 {
     let (height, width) = (y.abs(), x.abs());
@@ -175,7 +176,7 @@ pub fn atan2(y: f32x8, x: f32x8) -> f32x8 {
     let angle = steep.bitselect(f32x8::splat(FRAC_PI_2) - angle, angle);
     let left = x.is_sign_negative();
     let angle = left.bitselect(f32x8::splat(PI) - angle, angle) | sign_of(y);
-    // Others have no ratio, or none that a float holds.
+    // Otherwise, the ratio is undefined or not representable as a float.
     let usual = long.simd_gt(f32x8::splat(1e-30)) & long.simd_lt(f32x8::splat(1e30));
     if usual.all() {
         angle

@@ -1,4 +1,4 @@
-//! The files of each target, as they are to be written.
+//! Builds the output files of each target.
 
 use super::order::{Destination, MainChoice, Order, Target};
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
@@ -8,10 +8,10 @@ use super::{Composed, Project, ScriptModule, glsl, html, json, module, react, re
 use shaderlint_semantic::{Pass, Stage};
 use std::path::{Path, PathBuf};
 
-/// Makes the files of a target.
+/// Builds the files of a target.
 ///
 /// # Errors
-/// Where the project does not go into what was asked for.
+/// If the target does not support the project.
 pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Build, BuildError> {
     let output = order.output.path();
     let one = |text: String| Build::of(vec![file(output, text)]);
@@ -40,13 +40,13 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
     }
 }
 
-/// A module and its types beside it.
+/// A module and its type declarations.
 fn typed(path: &Path, module: ScriptModule) -> Vec<File> {
     let types = file(&path.with_extension("d.ts"), module.types);
     vec![file(path, module.code), types]
 }
 
-/// The shaders of the passes, and those of the other stage beside them.
+/// The shaders of the passes, each with its partner of the other stage.
 fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build, BuildError> {
     let mut remarks = Vec::new();
     let mut passes = glsl(project, composed);
@@ -74,7 +74,7 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
         ([(Stage::Fragment, vertex), ..], Destination::Folder(folder)) if is_one => {
             vec![file(&folder.join("pass.vert"), vertex.as_str())]
         }
-        // Each has its own beside it.
+        // Each shader has its own partner.
         _ => {
             let pairs = files.iter().zip(&partners);
             let pairs = pairs.map(|(named, (stage, partner))| {
@@ -86,14 +86,14 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
     for (own, (stage, _)) in files.iter_mut().zip(&partners) {
         own.path = shader_path(&own.path, *stage);
     }
-    // Beside standard output lies nothing.
+    // Standard output takes only the first file.
     if order.output != Destination::Standard {
         files.extend(beside);
     }
     Ok(Build { files, remarks })
 }
 
-/// How files of a stage end.
+/// The file extension of a stage.
 fn ending(stage: Stage) -> &'static str {
     match stage {
         Stage::Fragment => "frag",
@@ -101,8 +101,8 @@ fn ending(stage: Stage) -> &'static str {
     }
 }
 
-/// Where the shader of a stage goes, where the shaders of a pass have this name: who asks for
-/// `points.frag` or `points.glsl` gets the fragment shader there and the vertex shader beside it.
+/// The path of a stage's shader for a given output name: for `points.frag` or `points.glsl` the
+/// fragment shader has that name and the vertex shader is next to it.
 fn shader_path(name: &Path, stage: Stage) -> PathBuf {
     let names_vertices = name.extension().is_some_and(|e| e == ending(Stage::Vertex));
     match stage {

@@ -1,5 +1,5 @@
-//! What a user puts onto a channel: `image.0=buffer_a`, `1=photo.jpg,nearest,clamp`, `0=keyboard`,
-//! and by the name of its sampler `u_tex0=photo.jpg`.
+//! Channel orders of the user: `image.0=buffer_a`, `1=photo.jpg,nearest,clamp`, `0=keyboard`, or
+//! with the name of a sampler, `u_tex0=photo.jpg`.
 
 use super::parts::{near, unknown_pass};
 use super::{
@@ -7,49 +7,50 @@ use super::{
 };
 use shaderlint_semantic::{Pass, channel};
 
-/// An order of the user for one channel.
+/// An order of the user that sets the input of one channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ChannelOrder {
-    /// The pass; without one it is the Image, or every pass that has the sampler.
+    /// The pass; `None` is the Image, or every pass that declares the sampler.
     pub pass: Option<PassRole>,
-    /// The channel.
+    /// The channel, by number or sampler.
     pub channel: ChannelName,
-    /// What it shall read.
+    /// The input to put on the channel.
     pub source: ChannelSource,
-    /// How; `None` keeps what is there, or what is usual.
+    /// `nearest`, `linear` or `mipmap`; `None` keeps the current or default filter.
     pub filter: Option<&'static str>,
-    /// How; `None` keeps what is there, or what is usual.
+    /// `clamp` or `repeat`; `None` keeps the current or default wrap mode.
     pub wrap: Option<&'static str>,
-    /// Whether pictures are turned upside down; `None` keeps what is there, or what is usual.
+    /// Whether images are flipped vertically; `None` keeps the current or default setting.
     pub vflip: Option<bool>,
 }
 
-/// How a user names a channel.
+/// How a user refers to a channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ChannelName {
-    /// By its number.
+    /// Its number.
     Number(u8),
-    /// By the sampler that reads it.
+    /// The name of the sampler that reads it.
     Sampler(String),
 }
 
-/// What a channel shall read.
+/// The input that an order puts on a channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ChannelSource {
-    /// What a pass of the project draws.
+    /// The output of a pass of the project.
     Pass(PassRole),
-    /// A device.
+    /// A device: keyboard, camera or microphone.
     Device(InputKind),
-    /// A file, by its path.
+    /// The path of a file.
     File(String),
 }
 
 impl ChannelOrder {
-    /// Reads an order.
+    /// Parses an order.
     pub fn read(text: &str) -> Result<ChannelOrder, String> {
         let wrong = || {
             format!(
-                "`{text}` is no channel; write it like `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`"
+                "expected `[PASS.]N=SOURCE`, found `{text}`; examples: `0=keyboard`, \
+                 `image.1=photo.jpg`, `buffer_a.0=buffer_a`"
             )
         };
         let (place, source) = text.split_once('=').ok_or_else(wrong)?;
@@ -67,9 +68,7 @@ impl ChannelOrder {
             Some(number) => ChannelName::Number(number),
             None if is_name => ChannelName::Sampler(channel.to_string()),
             None => {
-                return Err(
-                    "a channel is a number from 0 to 3, or the name of a sampler".to_string(),
-                );
+                return Err("expected a channel from 0 to 3, or the name of a sampler".to_string());
             }
         };
         let mut order = ChannelOrder {
@@ -93,7 +92,7 @@ impl ChannelOrder {
         Ok(order)
     }
 
-    /// Takes a word behind the source; tells whether it is one.
+    /// Applies a sampling word after the source; returns whether it is one.
     fn take_word(&mut self, word: &str) -> bool {
         let known = SAMPLING.into_iter().find(|known| *known == word);
         match known {
@@ -105,7 +104,7 @@ impl ChannelOrder {
         true
     }
 
-    /// Changes what it says of how a channel is read.
+    /// Applies the sampling words to the settings of a sampler.
     fn set_sampling(&self, sampler: &mut SamplerSettings) {
         if let Some(word) = self.filter {
             sampler.filter = word.to_string();
@@ -118,7 +117,7 @@ impl ChannelOrder {
 }
 
 impl ProjectPass {
-    /// The channel that a sampler reads.
+    /// The number of the channel that a sampler reads.
     fn channel_of(&self, sampler: &str) -> Option<u8> {
         let is_it = |i: &&Input| match &i.uniform {
             Some(name) => name == sampler,
@@ -129,31 +128,31 @@ impl ProjectPass {
     }
 }
 
-/// The words that say how a channel is read.
+/// The words for sampler settings.
 const SAMPLING: [&str; 7] = [
     "nearest", "linear", "mipmap", "clamp", "repeat", "flip", "noflip",
 ];
 
-/// The words that name a device.
+/// The words for devices.
 const DEVICES: [(&str, InputKind); 3] = [
     ("keyboard", InputKind::Keyboard),
     ("webcam", InputKind::Webcam),
     ("mic", InputKind::Microphone),
 ];
 
-/// What to say of a source that is neither a file nor a word.
+/// The error for a source that is neither a file nor a known word.
 pub fn unknown_source(text: &str) -> String {
     let how = text.rsplit_once(',').map(|(_, word)| word.trim());
     if let Some(how) = how
         && let Some(word) = near(how, SAMPLING)
     {
-        return format!("there is no file `{text}`; did you mean `{word}` by `{how}`?");
+        return format!("file `{text}` not found; did you mean `{word}` instead of `{how}`?");
     }
     let devices = DEVICES.iter().map(|(word, _)| *word);
     match near(text, devices.chain(PassRole::ALL.map(PassRole::name))) {
-        Some(word) => format!("there is no file `{text}`; did you mean `{word}`?"),
+        Some(word) => format!("file `{text}` not found; did you mean `{word}`?"),
         None => format!(
-            "there is no file `{text}`; a channel reads a file, a pass such as `buffer_a`, \
+            "file `{text}` not found; a channel reads a file, a pass such as `buffer_a`, \
              `keyboard`, `webcam` or `mic`"
         ),
     }
@@ -170,19 +169,19 @@ fn source_of(text: &str) -> ChannelSource {
     }
 }
 
-/// A file that goes onto a channel.
+/// A media file for a channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Media {
-    /// Its name.
+    /// The file name.
     pub name: String,
-    /// What it is.
+    /// The kind of input, detected from the content.
     pub kind: InputKind,
-    /// Its content as `data:` addresses; six for the faces of a cube map.
+    /// The content as `data:` URLs; six for the faces of a cube map.
     pub urls: Vec<String>,
 }
 
 impl Project {
-    /// Carries an order out. `media` is the file that it names.
+    /// Applies an order. `media` is the file that it refers to.
     pub fn put(&mut self, order: &ChannelOrder, media: Option<Media>) -> Result<(), String> {
         let (kind, id) = self.source_kind(order, media.as_ref())?;
         for (pass, channel) in self.places_of(order)? {
@@ -191,7 +190,7 @@ impl Project {
             };
             let old = pass.inputs.iter().rposition(|i| i.channel == channel);
             let mut input = match old.map(|at| pass.inputs.remove(at)) {
-                // Music of an export stays music, and keeps its sampler.
+                // Music in an export stays music and keeps its sampler settings.
                 Some(old) if old.kind.takes(kind) => Input { kind, ..old },
                 old => Input {
                     uniform: old.and_then(|o| o.uniform),
@@ -209,10 +208,10 @@ impl Project {
         Ok(())
     }
 
-    /// The passes that an order is for, by their indexes, and the channel of each.
+    /// The passes that an order applies to, by index, each with its channel.
     ///
     /// # Errors
-    /// Where there is no such pass or channel.
+    /// If there is no such pass or channel.
     pub fn places_of(&self, order: &ChannelOrder) -> Result<Vec<(usize, u8)>, String> {
         let is_wanted = |pass: &ProjectPass, role: PassRole| {
             let is_it = pass.kind != Pass::Buffer || pass.output == role.output();
@@ -236,12 +235,12 @@ impl Project {
         let pass = all().find(|(_, p)| is_wanted(p, role));
         let (index, pass) = pass.ok_or_else(|| self.no_pass(role))?;
         match pass.wrapper == Wrapper::Player && number > 3 {
-            true => Err("a channel is a number from 0 to 3".to_string()),
+            true => Err("expected a channel from 0 to 3".to_string()),
             false => Ok(vec![(index, number)]),
         }
     }
 
-    /// The kind of input that an order asks for, and the id of the pass that it names.
+    /// The kind of input for an order, and the id of the pass that it refers to.
     fn source_kind(
         &self,
         order: &ChannelOrder,
@@ -262,7 +261,7 @@ impl Project {
                 let kind = match role {
                     PassRole::Buffer(_) => InputKind::Buffer,
                     PassRole::Cubemap => InputKind::Cubemap,
-                    _ => return Err(format!("no channel can read the pass `{}`", role.name())),
+                    _ => return Err(format!("channels cannot read the pass `{}`", role.name())),
                 };
                 if !self.draws(role.kind(), &id) {
                     return Err(self.no_pass(*role));
@@ -274,7 +273,7 @@ impl Project {
 }
 
 impl Project {
-    /// What to say where a sampler is named that no pass has.
+    /// The error for a sampler that no pass declares.
     fn no_sampler(&self, wanted: &str) -> String {
         let mut names: Vec<&str> = Vec::new();
         let inputs = self.passes.iter().flat_map(|p| &p.inputs);
@@ -284,20 +283,20 @@ impl Project {
             }
         }
         match names.is_empty() {
-            true => format!("there is no sampler `{wanted}`"),
+            true => format!("unknown sampler `{wanted}`"),
             false => format!(
-                "there is no sampler `{wanted}`; there is `{}`",
+                "unknown sampler `{wanted}`; the shader has `{}`",
                 names.join("`, `")
             ),
         }
     }
 
-    /// What to say where a pass is named that the project does not have.
+    /// The error for a pass that is not in the project.
     fn no_pass(&self, wanted: PassRole) -> String {
         let drawn = self.passes.iter().filter(|p| p.kind != Pass::Common);
         let names: Vec<String> = drawn.map(|p| format!("`{}`", p.slug())).collect();
         format!(
-            "there is no pass `{}`; there is {}",
+            "the project has no pass `{}`; it has {}",
             wanted.name(),
             names.join(", ")
         )
@@ -305,7 +304,7 @@ impl Project {
 }
 
 impl InputKind {
-    /// Whether a file of another kind can take the place of what a channel of this kind reads.
+    /// Whether a file of another kind can replace an input of this kind.
     pub fn takes(self, file: InputKind) -> bool {
         use InputKind::{Cubemap, Music, MusicStream, Texture};
         self == file
@@ -324,7 +323,7 @@ mod tests {
     #[test]
     fn a_misspelt_word_is_told_from_a_file() {
         let said = |text: &str| unknown_source(text);
-        assert!(said("keyboard,neerest").ends_with("did you mean `nearest` by `neerest`?"));
+        assert!(said("keyboard,neerest").ends_with("did you mean `nearest` instead of `neerest`?"));
         assert!(said("keybord").ends_with("did you mean `keyboard`?"));
         assert!(said("photo,summer.jpg").contains("a channel reads a file"));
     }

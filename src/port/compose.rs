@@ -1,41 +1,42 @@
-//! Each pass as the player compiles it: its header, every Common in order, its own code.
+//! Composes each pass as the player compiles it: header, Common passes in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
 use shaderlint_semantic::{Channels, Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
-/// One pass, ready to be compiled.
+/// A pass that is ready to be compiled.
 pub struct PassUnit {
     /// Index of the pass in the project.
     pub pass: usize,
-    /// What it draws.
+    /// The kind of pass.
     pub kind: Pass,
-    /// Who declares what stands around its code.
+    /// Who declares the uniforms and `main`.
     pub wrapper: Wrapper,
-    /// The stage that it is for.
+    /// The shader stage.
     pub stage: Stage,
-    /// By channel: whether its texture has mipmaps, where that is known.
+    /// By channel: whether its texture has mipmaps; `None` if unknown.
     pub mipmapped: [Option<bool>; 4],
-    /// Header, Commons and code, in the order in which they are compiled.
+    /// Header, Common passes and code, in the order in which they are compiled.
     pub files: Vec<FileId>,
-    /// What came of checking it, once that was asked for.
+    /// The result of the check, computed on first use.
     checked: OnceLock<Checked>,
 }
 
-/// A project whose texts lie in one address space. Each of its passes is checked at most once.
+/// A project with all texts in one address space. Each pass is checked at most once.
 pub struct Composed {
-    /// The texts: headers, then Commons, then passes.
+    /// The texts: headers, then Common passes, then other passes.
     pub sources: Arc<Sources>,
-    /// The passes that run, in the order of the project. A project of Commons alone has those.
+    /// The passes that run, in project order. A project that has only Common passes has those.
     pub units: Vec<PassUnit>,
-    /// The pass that each text is the code of; headers are of none.
+    /// By text: the pass that it is the code of; `None` for headers.
     owners: Vec<Option<usize>>,
-    /// What each pass of the project was, as far as it decides what is compiled.
+    /// By pass of the project: everything that determines the compiled text.
     keys: Vec<UnitKey>,
 }
 
-/// What of a pass decides what is compiled: what its channels are, its code, and what goes around it.
+/// Everything that determines the compiled text of a pass: its channels, its code, and the text
+/// around it.
 #[derive(PartialEq, Eq)]
 struct UnitKey(Pass, Wrapper, Channels, [Arc<str>; 3]);
 
@@ -47,7 +48,7 @@ impl UnitKey {
 }
 
 impl Composed {
-    /// What a pass means, and what is wrong with it.
+    /// The result of checking a pass.
     pub fn analysis<'a>(&self, unit: &'a PassUnit) -> &'a Checked {
         unit.checked.get_or_init(|| {
             analyze(&Unit {
@@ -64,24 +65,24 @@ impl Composed {
         })
     }
 
-    /// Whether the browser would refuse a pass.
+    /// Whether the browser would reject a pass.
     pub fn has_errors(&self) -> bool {
         self.units.iter().any(|u| self.analysis(u).has_errors())
     }
 
-    /// Whether it is what a project is put together to, so that what was checked of it holds.
+    /// Whether it was composed from this state of the project, so that its checks are still valid.
     pub fn is_of(&self, project: &Project) -> bool {
         let keys = project.passes.iter().map(UnitKey::of);
         self.keys.iter().eq(keys.collect::<Vec<_>>().iter())
     }
 
-    /// Index of the pass whose code a text is.
+    /// Index of the pass that a text is the code of.
     pub fn owner(&self, file: FileId) -> Option<usize> {
         self.owners.get(file.0 as usize).copied().flatten()
     }
 }
 
-/// Puts the passes of a project together. `path` is the file that the user gave. Returns `None` when
+/// Composes the passes of a project. `path` is the input file given by the user. Returns `None` if
 /// the texts are too large to be addressed.
 pub fn compose(project: &Project, path: &str) -> Option<Composed> {
     let mut sources = Sources::new();
@@ -129,7 +130,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
     })
 }
 
-/// The headers, one for each kind of pass and types of channels.
+/// The headers, one for each combination of pass kind and channel types.
 fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(Pass, Channels, FileId)>> {
     let mut headers: Vec<(Pass, Channels, FileId)> = Vec::new();
     for pass in project
@@ -146,7 +147,7 @@ fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(Pass, Channe
     Some(headers)
 }
 
-/// Adds the texts of some passes; gives their indexes and files.
+/// Adds the texts of the selected passes. Returns their indexes and files.
 fn add(
     project: &Project,
     sources: &mut Sources,
@@ -168,7 +169,8 @@ fn add(
 mod tests {
     use super::*;
 
-    /// `__LINE__` goes on counting behind the header and every Common, as in the text that is compiled.
+    /// `__LINE__` keeps counting after the header and after every Common pass, as in the compiled
+    /// text.
     #[test]
     fn lines_are_counted_through_all_texts() {
         let json = r#"{"renderpass":[

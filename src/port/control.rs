@@ -1,53 +1,53 @@
-//! Uniforms that the user of a page sets.
+//! Controls: uniforms that the user sets on the page.
 
 use serde::Serialize;
 
-/// How a control is shown.
+/// The widget of a control.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ControlKind {
-    /// A slider of fractions.
+    /// A slider for a float.
     Float,
-    /// A slider of whole numbers.
+    /// A slider for an integer.
     Int,
-    /// A check box.
+    /// A checkbox.
     Bool,
-    /// A colour.
+    /// A colour picker.
     Color,
-    /// A place in the picture.
+    /// A position in the image.
     Point,
-    /// Several sliders.
+    /// One slider per component.
     Vector,
-    /// One of some values.
+    /// A list of named values.
     Choice,
-    /// A button.
+    /// A button that sets the value for one frame.
     Event,
 }
 
-/// A value with its name.
+/// A named value of a list.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ControlChoice {
-    /// The name.
+    /// The label in the list.
     pub label: String,
-    /// The value.
+    /// The value of the uniform.
     pub value: f64,
 }
 
-/// A uniform that the user sets.
+/// A control.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct UniformControl {
-    /// The uniform.
+    /// The name of the uniform.
     pub name: String,
-    /// What people call it.
+    /// The label on the page.
     pub label: String,
-    /// How it is shown.
+    /// The widget.
     pub kind: ControlKind,
-    /// Its value at first, as many numbers as it takes.
+    /// The initial value, with one number per component.
     pub value: Vec<f64>,
-    /// The smallest values.
+    /// The minimum of each component.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub min: Vec<f64>,
-    /// The largest values.
+    /// The maximum of each component.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub max: Vec<f64>,
     /// The values to choose from.
@@ -55,7 +55,7 @@ pub struct UniformControl {
     pub choices: Vec<ControlChoice>,
 }
 
-/// Colours of controls, so that two are seen to be two.
+/// Initial colours, so that several controls differ.
 const PALETTE: [[f64; 3]; 4] = [
     [0.95, 0.55, 0.2],
     [0.15, 0.45, 0.85],
@@ -64,7 +64,7 @@ const PALETTE: [[f64; 3]; 4] = [
 ];
 
 impl UniformControl {
-    /// A control with the same value and range in all lanes.
+    /// A control with the same value and range in all components.
     pub fn even(
         name: &str,
         kind: ControlKind,
@@ -88,7 +88,7 @@ impl UniformControl {
         }
     }
 
-    /// A colour; `number` counts the colours before it.
+    /// A colour control; `number` is the number of colours before it.
     pub fn color(name: &str, lanes: usize, number: usize) -> UniformControl {
         let color = PALETTE.get(number % PALETTE.len()).unwrap_or(&[1.0; 3]);
         let mut control = UniformControl::even(name, ControlKind::Color, lanes, (0.0, 1.0, 1.0));

@@ -1,11 +1,11 @@
-//! Who made a shader, and who may do what with it, as far as its text says.
+//! Author and licence of a shader, from its export or its comments.
 
 use super::{Info, Project};
 
-/// Most characters of a licence line that are kept.
+/// Maximum length of a licence line, in characters.
 const MAX_LINE: usize = 200;
 
-/// The first line of a comment that speaks of a licence, without the marks of the comment.
+/// The first line of a comment that mentions a licence, without comment markers.
 pub fn license_words(code: &str) -> Option<String> {
     let is_about = |line: &str| {
         let line = line.to_ascii_lowercase();
@@ -29,7 +29,7 @@ pub fn license_words(code: &str) -> Option<String> {
     Some(text.chars().take(MAX_LINE).collect())
 }
 
-/// Address of the shader's page, where its id is one.
+/// URL of the shader's page; empty without a valid id.
 pub(super) fn link(info: &Info) -> String {
     let is_id =
         (4..=8).contains(&info.id.len()) && info.id.bytes().all(|b| b.is_ascii_alphanumeric());
@@ -40,20 +40,20 @@ pub(super) fn link(info: &Info) -> String {
     }
 }
 
-/// What the code says of its licence; for an export that says nothing, what ShaderToy says.
+/// The licence stated in the code; for an export without one, ShaderToy's default.
 pub(super) fn license(project: &Project) -> String {
     let said = project.passes.iter().find_map(|p| license_words(&p.code));
     match said {
         Some(words) => words,
-        None if project.is_export => "No licence is given in the code; on ShaderToy that means \
+        None if project.is_export => "The code states no licence; ShaderToy's default is \
              Creative Commons BY-NC-SA 3.0."
             .to_string(),
         None => String::new(),
     }
 }
 
-/// Title, author, link and licence of an export, a line each, in signs that end no comment. A
-/// file of the user's own says of itself what is to be said.
+/// Title, author, URL and licence of an export, one per line, escaped for use in comments. Other
+/// files contain their own credits.
 pub(super) fn lines(project: &Project) -> Vec<String> {
     if !project.is_export {
         return Vec::new();
@@ -68,8 +68,8 @@ pub(super) fn lines(project: &Project) -> Vec<String> {
     lines.filter(|line| !line.is_empty()).collect()
 }
 
-/// A text on one line: without control characters, signs that change the direction of writing, line
-/// separators, and the backslash, which would join the next line to a comment.
+/// A text on one line: without control characters, bidirectional controls, line separators and
+/// backslashes, which would continue a comment on the next line.
 fn plain(text: &str) -> String {
     let is_kept = |c: &char| {
         !c.is_control()
@@ -79,7 +79,7 @@ fn plain(text: &str) -> String {
     line.trim().replace("*/", "* /").replace("??", "? ?")
 }
 
-/// Whether a line holds a comment, or lies inside one as far as its start tells.
+/// Whether a line contains a comment or looks like the inside of one.
 fn is_comment(line: &str) -> bool {
     let start = line.trim_start();
     line.contains("//") || line.contains("/*") || start.starts_with('*') || !start.contains(';')

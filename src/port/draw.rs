@@ -1,35 +1,35 @@
-//! How a pass of a whole shader is drawn, where that is not one triangle over the picture, in bytes.
+//! How a pass that is a complete shader is drawn, if not as one triangle over the image in bytes.
 
 use serde::Serialize;
 use std::sync::Arc;
 
-/// How a pass is drawn.
+/// Draw settings of a pass.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct PassDraw {
-    /// The width and height of what it draws into; without them those of the picture.
+    /// Width and height of the target; `None` is the size of the image.
     pub size: Option<[SizeTerm; 2]>,
-    /// Whether it draws into floats.
+    /// Whether the target has float components.
     pub is_float: bool,
-    /// The other shader of the pair, where the text brings it: for a fragment shader the vertex
+    /// The shader of the other stage, if the file provides it: for a fragment shader the vertex
     /// shader.
     pub partner: Option<Arc<str>>,
-    /// Whether the text is a vertex shader that is run for many numbered vertices.
+    /// Whether the text is a vertex shader that runs for many numbered vertices.
     pub has_vertices: bool,
 }
 
-/// A size, as a term of the picture's size and of what the user sets.
+/// A size as an expression of the image size and of controls.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 #[serde(untagged)]
 pub enum SizeTerm {
-    /// A number.
+    /// A constant.
     Number(f64),
-    /// `$WIDTH` and `$HEIGHT` of the picture, or a control.
+    /// `$WIDTH` or `$HEIGHT` of the image, or the value of a control.
     Name(String),
-    /// A function of terms, by its name in the player.
+    /// A call of a function of the player, by name, with its arguments.
     Call(&'static str, Vec<SizeTerm>),
 }
 
-/// The functions of terms, with how many terms each takes at least and at most.
+/// The functions, with the minimum and maximum number of arguments.
 const FUNCTIONS: &[(&str, usize, usize)] = &[
     ("floor", 1, 1),
     ("ceil", 1, 1),
@@ -47,14 +47,14 @@ const FUNCTIONS: &[(&str, usize, usize)] = &[
     ("max", 1, 8),
 ];
 
-/// How deep terms may stand in each other.
+/// Maximum nesting depth of expressions.
 const MAX_DEPTH: usize = 32;
 
 impl SizeTerm {
-    /// Reads a term like `max($WIDTH * 0.5, 1)`. Gives the part that cannot be read.
+    /// Parses an expression such as `max($WIDTH * 0.5, 1)`.
     ///
     /// # Errors
-    /// Where it is none.
+    /// Returns the rest of the text that cannot be parsed.
     pub fn read(text: &str) -> Result<SizeTerm, String> {
         let mut reader = DrawReader {
             rest: text.trim_start(),
@@ -98,7 +98,7 @@ impl<'t> DrawReader<'t> {
         self.chain(&signs, DrawReader::factor)
     }
 
-    /// Terms with operators of one rank between them.
+    /// Parses left-associative operators of one precedence level.
     fn chain(
         &mut self,
         signs: &[(char, &'static str)],

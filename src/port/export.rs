@@ -1,8 +1,8 @@
-//! The JSON that ShaderToy projects are exported as.
+//! The JSON of ShaderToy exports.
 //!
-//! Three shapes occur: the REST API's `{"Shader": {...}}` with numeric ids and `ctype`, the site's
-//! own endpoint and export, an array or object with string ids and `type`, and the bare object that
-//! the site's editor saves. All carry `info` and `renderpass`.
+//! There are three forms: the REST API's `{"Shader": {...}}` with numeric ids and `ctype`; the
+//! website's own endpoint and export, an array or object with string ids and `type`; and the bare
+//! object that the website's editor saves. All contain `info` and `renderpass`.
 
 use super::{Info, Input, InputKind, OutputId, PassRole, Project, ProjectPass, SamplerSettings};
 use serde_json::Value;
@@ -10,34 +10,34 @@ use shaderlint_semantic::{GuessedKind, Pass, guess};
 use shaderlint_text::json::mend_escapes;
 use std::fmt;
 
-/// Most passes a project may have; ShaderToy itself loads 8, and the largest seen has 11.
+/// Maximum number of passes; ShaderToy itself loads 8, and the largest known export has 11.
 const MAX_PASSES: usize = 16;
-/// Largest export that is read, in bytes; it may carry its media.
+/// Maximum size of an export in bytes; it may contain its media.
 pub const MAX_EXPORT: usize = 128 * 1024 * 1024;
 
-/// Why a text is no project.
+/// Why a text is not a project.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ProjectError {
-    /// It is no JSON.
+    /// Invalid JSON.
     Json {
         /// 1-based.
         line: usize,
         /// 1-based.
         column: usize,
-        /// What the JSON parser says.
+        /// The message of the JSON parser.
         message: String,
     },
-    /// It is JSON, but no ShaderToy export.
+    /// Valid JSON, but not a ShaderToy export.
     NotAnExport,
-    /// It is what the site's API answers where it has no shader to give: what it says.
+    /// An error response of ShaderToy's API, with its message.
     Answer(String),
-    /// It is larger than [`MAX_EXPORT`].
+    /// Larger than [`MAX_EXPORT`]: the size in bytes.
     TooLarge(usize),
-    /// Something in it is not as it should be.
+    /// A missing or invalid field.
     Field {
-        /// Where, like `renderpass[1].type`.
+        /// JSON path, such as `renderpass[1].type`.
         path: String,
-        /// What is wrong.
+        /// The error message.
         message: String,
     },
 }
@@ -53,13 +53,19 @@ impl fmt::Display for ProjectError {
                 write!(f, "line {line}, column {column}: {message}")
             }
             ProjectError::NotAnExport => {
-                write!(f, "this is no ShaderToy export: it has no `renderpass`")
+                write!(f, "not a ShaderToy export: `renderpass` is missing")
             }
             ProjectError::Answer(said) => {
-                write!(f, "this is no shader, but an answer of the site: {said}")
+                write!(
+                    f,
+                    "expected a shader, found an error from ShaderToy: {said}"
+                )
             }
             ProjectError::TooLarge(size) => {
-                write!(f, "this export has {size} bytes; {MAX_EXPORT} are allowed")
+                write!(
+                    f,
+                    "the export has {size} bytes, but the limit is {MAX_EXPORT}"
+                )
             }
             ProjectError::Field { path, message } => write!(f, "`{path}`: {message}"),
         }
@@ -76,7 +82,7 @@ fn field(path: impl Into<String>, message: impl Into<String>) -> ProjectError {
 }
 
 impl Project {
-    /// Reads an export of any of the three shapes.
+    /// Parses an export in any of the three forms.
     pub fn from_json(text: &str) -> Result<Project, ProjectError> {
         if text.len() > MAX_EXPORT {
             return Err(ProjectError::TooLarge(text.len()));
@@ -95,7 +101,7 @@ impl Project {
         let shader = the_shader(&json)?;
         let passes = list(shader.get("renderpass"));
         if passes.is_empty() || passes.len() > MAX_PASSES {
-            let message = format!("{} passes; 1 to {MAX_PASSES} are allowed", passes.len());
+            let message = format!("expected 1 to {MAX_PASSES} passes, found {}", passes.len());
             return Err(field("renderpass", message));
         }
         let passes = passes
@@ -115,19 +121,19 @@ impl Project {
         Ok(project)
     }
 
-    /// The code that is put before every other pass.
+    /// The Common passes, which are put before every other pass.
     pub fn commons(&self) -> impl Iterator<Item = &ProjectPass> {
         self.passes.iter().filter(|p| p.kind == Pass::Common)
     }
 }
 
-/// The object that holds the passes.
+/// The object that contains the passes.
 fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
     let shader = match json {
         Value::Array(all) if all.iter().filter(|s| s.get("renderpass").is_some()).count() > 1 => {
             return Err(field(
                 "[1]",
-                "there are several shaders in this file; give one at a time",
+                "the file contains several shaders; only one is supported",
             ));
         }
         Value::Array(all) => all.first().unwrap_or(json),
@@ -141,7 +147,7 @@ fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
     }
 }
 
-/// The values of a list, or of an object in its place; nothing where there is neither.
+/// The values of an array or of an object; empty for anything else.
 fn list(value: Option<&Value>) -> Vec<&Value> {
     match value {
         Some(Value::Array(all)) => all.iter().collect(),
@@ -150,7 +156,7 @@ fn list(value: Option<&Value>) -> Vec<&Value> {
     }
 }
 
-/// There is at most one Image, one cube map and one sound.
+/// Checks that there is at most one Image, one cube map and one sound pass.
 fn check_passes(project: &Project) -> Result<(), ProjectError> {
     for (kind, word) in [
         (Pass::Image, "image"),
@@ -159,14 +165,14 @@ fn check_passes(project: &Project) -> Result<(), ProjectError> {
     ] {
         let count = project.passes.iter().filter(|p| p.kind == kind).count();
         if count > 1 {
-            let message = format!("{count} passes of type `{word}`; only one is allowed");
+            let message = format!("expected one pass of type `{word}`, found {count}");
             return Err(field("renderpass", message));
         }
     }
     Ok(())
 }
 
-/// Gives the buffers that do not say what they write to the letters that are free, in order.
+/// Assigns the free buffer letters, in order, to buffers without an output id.
 fn name_buffers(project: &mut Project) {
     let mut free: Vec<OutputId> = (0..4).rev().filter_map(OutputId::buffer).collect();
     free.retain(|id| !project.draws(Pass::Buffer, &id.0));
@@ -186,7 +192,7 @@ fn text(value: Option<&Value>) -> String {
     }
 }
 
-/// The first of some fields that says something.
+/// The first of several fields that is not empty.
 fn first_text(of: &Value, names: &[&str]) -> String {
     let mut all = names.iter().map(|name| text(of.get(name)));
     all.find(|t| !t.is_empty()).unwrap_or_default()
@@ -222,13 +228,13 @@ fn read_pass(pass: &Value, path: &str) -> Result<ProjectPass, ProjectError> {
         "" => told_kind(output.as_ref(), &name, code).ok_or_else(|| {
             field(
                 format!("{path}.type"),
-                "the type of the pass is missing, and neither its name nor its code tells it",
+                "the pass type is missing and cannot be inferred from the name or the code",
             )
         })?,
         other => {
             return Err(field(
                 format!("{path}.type"),
-                format!("`{}` is no type of pass", plain(other)),
+                format!("unknown pass type `{}`", plain(other)),
             ));
         }
     };
@@ -244,7 +250,7 @@ fn read_pass(pass: &Value, path: &str) -> Result<ProjectPass, ProjectError> {
     })
 }
 
-/// What a pass without a type is: as what it writes to, its name or its code tell.
+/// Infers the kind of a pass without a type from its output, its name or its code.
 fn told_kind(output: Option<&OutputId>, name: &str, code: &str) -> Option<Pass> {
     let by_output = output.and_then(|o| match o.0.as_str() {
         OutputId::IMAGE => Some(Pass::Image),
@@ -260,8 +266,8 @@ fn told_kind(output: Option<&OutputId>, name: &str, code: &str) -> Option<Pass> 
     by_output.or_else(by_name).or_else(by_code)
 }
 
-/// What a channel reads; `None` where nothing is on it. What has no channel takes the one of its place
-/// in the list.
+/// Parses the input of a channel; `None` if it is empty. An input without a channel number gets the
+/// number of its position.
 fn read_input(input: &Value, place: usize, path: &str) -> Result<Option<Input>, ProjectError> {
     let word = first_text(input, &["type", "ctype"]);
     let channel = match text(input.get("channel")).as_str() {
@@ -271,18 +277,18 @@ fn read_input(input: &Value, place: usize, path: &str) -> Result<Option<Input>, 
     let Some(channel) = channel.filter(|c| *c < 4) else {
         return Err(field(
             format!("{path}.channel"),
-            "a channel is a number from 0 to 3",
+            "expected a channel from 0 to 3",
         ));
     };
     if word.is_empty() {
         return Ok(None);
     }
-    // What nobody knows is a picture that is not there.
+    // Unknown kinds become an empty texture.
     let kind = InputKind::of(&word).unwrap_or(InputKind::Texture);
     let src = first_text(input, &["filepath", "src"]);
     let urls = data_addresses(input, &src, path)?;
     if urls.is_empty() && climbs(&src) {
-        let message = format!("`{}` leaves the folder of the shader", plain(&src));
+        let message = format!("`{}` is outside of the shader's folder", plain(&src));
         let field_name = match text(input.get("filepath")) == src {
             true => "filepath",
             false => "src",
@@ -299,7 +305,7 @@ fn read_input(input: &Value, place: usize, path: &str) -> Result<Option<Input>, 
     }))
 }
 
-/// Whoever leaves a sampler out has the usual one; one that is there means what it says.
+/// A missing sampler has the default settings.
 fn read_sampler(kind: InputKind, sampler: &Value) -> SamplerSettings {
     if sampler.is_null() {
         return SamplerSettings::usual(kind);
@@ -312,7 +318,7 @@ fn read_sampler(kind: InputKind, sampler: &Value) -> SamplerSettings {
     }
 }
 
-/// The files that the input itself carries, as `--target json` writes them.
+/// The embedded files of an input, as `--target json` writes them.
 fn data_addresses(input: &Value, src: &str, path: &str) -> Result<Vec<String>, ProjectError> {
     let data = list(input.get("data"));
     let given: Vec<String> = match data.is_empty() {
@@ -322,25 +328,22 @@ fn data_addresses(input: &Value, src: &str, path: &str) -> Result<Vec<String>, P
     };
     match given.iter().all(|url| url.starts_with("data:")) {
         true => Ok(given),
-        false => Err(field(
-            format!("{path}.data"),
-            "only `data:` addresses are taken",
-        )),
+        false => Err(field(format!("{path}.data"), "expected a `data:` URL")),
     }
 }
 
-/// A text from outside, short and without signs that a terminal obeys.
+/// Untrusted text, shortened and without control characters.
 pub(super) fn plain(text: &str) -> String {
     let kept = text.chars().filter(|c| !c.is_control());
     kept.take(80).collect()
 }
 
-/// Whether a path names something above the folder that it starts in.
+/// Whether a path contains `..`.
 fn climbs(path: &str) -> bool {
     path.split(['/', '\\']).any(|part| part == "..")
 }
 
-/// The id of what is read. The REST API names a buffer by the picture that stands for it.
+/// The id of an input. The REST API identifies a buffer by its preview image.
 fn source_id(kind: InputKind, id: &str, src: &str) -> String {
     let output = OutputId::new(id);
     if kind != InputKind::Buffer || output.number().is_some() {
@@ -405,7 +408,7 @@ mod tests {
         assert_eq!(Project::from_json(json).unwrap_err().to_string(), expected);
     }
 
-    /// What exports of other programs and of former times look like.
+    /// Exports of other programs and older versions.
     #[test]
     fn what_is_missing_or_of_another_type_is_made_up_for() {
         let json = "\u{feff}{\"info\":null,\"renderpass\":[null,{\"name\":\"\\ud800 Image\",\"code\":\"\",
@@ -433,30 +436,30 @@ mod tests {
     #[test]
     fn errors_tell_the_place() {
         check("{", "line 1, column 1: EOF while parsing an object");
-        check("{}", "this is no ShaderToy export: it has no `renderpass`");
+        check("{}", "not a ShaderToy export: `renderpass` is missing");
         check(
             r#"{"renderpass":[{"type":"foo","code":""}]}"#,
-            "`renderpass[0].type`: `foo` is no type of pass",
+            "`renderpass[0].type`: unknown pass type `foo`",
         );
         check(
             r#"{"renderpass":[{"code":""}]}"#,
-            "`renderpass[0].type`: the type of the pass is missing, and neither its name nor its code \
-             tells it",
+            "`renderpass[0].type`: the pass type is missing and cannot be inferred from the name or \
+             the code",
         );
         check(
             r#"{"Error":"Shader not found"}"#,
-            "this is no shader, but an answer of the site: Shader not found",
+            "expected a shader, found an error from ShaderToy: Shader not found",
         );
         check(
             r#"{"renderpass":[{"type":"image","code":"","inputs":[{"type":"texture","channel":0,
                 "filepath":"/media/../../secret.png"}]}]}"#,
-            "`renderpass[0].inputs[0].filepath`: `/media/../../secret.png` leaves the folder of the \
-             shader",
+            "`renderpass[0].inputs[0].filepath`: `/media/../../secret.png` is outside of the \
+             shader's folder",
         );
         let two = r#"{"renderpass":[{"type":"image","code":""},{"type":"image","code":""}]}"#;
         check(
             two,
-            "`renderpass`: 2 passes of type `image`; only one is allowed",
+            "`renderpass`: expected one pass of type `image`, found 2",
         );
     }
 }

@@ -1,25 +1,25 @@
-//! What the page tells of code that does not compile: the checker's words, which say more than the
-//! browser's.
+//! Findings shown on the page for code that does not compile: they are more detailed than the
+//! messages of the browser.
 
 use super::Composed;
 use serde::Serialize;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{Sources, Span};
 
-/// More errors than this only come from each other.
+/// Maximum number of findings; further errors are mostly consequential.
 const MAX_FINDINGS: usize = 20;
 
-/// An error, with places as JavaScript counts them.
+/// An error with positions in UTF-16 units, as JavaScript counts them.
 #[derive(Serialize, PartialEq, Eq)]
 pub(super) struct FindingData {
     rule: &'static str,
     message: String,
-    /// The place itself comes first.
+    /// The primary label comes first.
     labels: Vec<LabelData>,
     notes: Vec<String>,
 }
 
-/// A place, and what is said of it.
+/// A labelled span.
 #[derive(Serialize, PartialEq, Eq)]
 struct LabelData {
     file: usize,
@@ -28,7 +28,7 @@ struct LabelData {
     text: String,
 }
 
-/// The errors of all passes, each once.
+/// The errors of all passes, without duplicates.
 pub(super) fn findings(composed: &Composed) -> Vec<FindingData> {
     let mut found: Vec<FindingData> = Vec::new();
     for unit in &composed.units {
@@ -46,7 +46,7 @@ pub(super) fn findings(composed: &Composed) -> Vec<FindingData> {
     found
 }
 
-/// An error in the user's text; one that the player's own text is blamed for has no place to show.
+/// An error in the user's text; errors in the player's own text have no position to show.
 fn finding(sources: &Sources, error: &Diagnostic) -> Option<FindingData> {
     let mut labels = vec![label(sources, error.span, &error.label)?];
     let others = error.labels.iter();

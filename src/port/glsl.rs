@@ -1,10 +1,10 @@
-//! The shaders alone, as text.
+//! Plain shaders as text.
 
 use super::{Composed, Project, Wrapper, credits};
 use shaderlint_semantic::Stage;
 use shaderlint_text::{FileId, Role};
 
-/// The vertex shader of every pass: one triangle that covers the picture.
+/// The vertex shader of every pass: one triangle that covers the image.
 pub const VERTEX: &str = "#version 300 es\n\
 #ifdef GL_ES\n\
 precision highp float;\n\
@@ -17,19 +17,19 @@ void main() {\n    gl_Position = vec4(pos, 0.0, 1.0);\n}\n";
 /// A pass as the two shaders of a WebGL2 program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct GlslPass {
-    /// What the user calls it.
+    /// The name shown to the user.
     pub name: String,
-    /// What its file is called, without ending.
+    /// The file name without extension.
     pub slug: &'static str,
-    /// The stage that the pass is written for; vertices where it draws points by itself.
+    /// The stage of the pass's own code; vertex if it draws vertices itself.
     pub stage: Stage,
-    /// Its shader.
+    /// The shader of that stage.
     pub text: String,
-    /// The shader of the other stage that goes with it.
+    /// The shader of the other stage.
     pub partner: String,
 }
 
-/// The shaders of each pass, in the order of the project.
+/// The shaders of each pass, in project order.
 pub fn glsl(project: &Project, composed: &Composed) -> Vec<GlslPass> {
     let pass = |unit: &super::PassUnit| {
         let pass = project.passes.get(unit.pass)?;
@@ -50,7 +50,7 @@ pub fn glsl(project: &Project, composed: &Composed) -> Vec<GlslPass> {
     composed.units.iter().filter_map(pass).collect()
 }
 
-/// Puts who made it before a whole shader, but behind a `#version`, which must come first.
+/// Puts the credits before a complete shader, but after a `#version`, which must come first.
 fn headed(project: &Project, shader: String) -> String {
     let lines = credits::lines(project);
     let credits: String = lines.iter().map(|line| format!("// {line}\n")).collect();
@@ -62,8 +62,8 @@ fn headed(project: &Project, shader: String) -> String {
     }
 }
 
-/// Puts who made it behind the `#version`, which must come first. As many lines of uniforms are joined,
-/// so that every line of the user's keeps its number: `__LINE__` tells it.
+/// Puts the credits after the `#version`, which must come first. To keep the line numbers of the
+/// user's code, and so the value of `__LINE__`, as many lines of uniforms are joined.
 pub(super) fn signed(project: &Project, shader: String) -> String {
     let credits = credits::lines(project);
     let Some((version, mut rest)) = shader.split_once('\n') else {
@@ -86,8 +86,8 @@ pub(super) fn signed(project: &Project, shader: String) -> String {
     text + rest
 }
 
-/// The texts as the player joins them: behind every text of the user but the last comes a line
-/// break.
+/// Concatenates the texts as the player does: with a line break after every text of the user except
+/// the last.
 fn joined(composed: &Composed, files: &[FileId]) -> String {
     let mut text = String::new();
     for (i, file) in files.iter().enumerate() {

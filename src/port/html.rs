@@ -1,7 +1,8 @@
-//! One page that plays a project, with everything in it and nothing fetched.
+//! A single HTML page that plays a project, without external resources.
 //!
-//! What comes from outside travels as JSON in an element that no browser runs, with every character
-//! escaped that could end the element; the policy lets only the page's own script and style in.
+//! Untrusted data is embedded as JSON in an element that is not executed, with every character
+//! escaped that could end the element. The content security policy allows only the page's own
+//! script and style.
 
 use super::payload::payload;
 use super::script::{MOUNT, PLAYER, escape};
@@ -33,13 +34,14 @@ const PAGE_SCRIPTS: [&str; 18] = [
     include_str!("player/page/page.js"),
 ];
 
-/// What stands between the player and the page: a module that the page gives away ends here.
+/// Separates the player from the page's own code in the script: a module exported by the page ends
+/// here.
 const BORDER: &str = "// The page begins here.\n";
 
-/// What a page does that a server shows.
+/// Script of a served page.
 const LIVE: &str = include_str!("player/live.js");
 
-/// The page. One that a server shows has a version, and loads itself anew when there is another.
+/// The page. A served page has a version and reloads itself when there is a newer one.
 pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> String {
     let (live, follow) = match version {
         Some(version) => (LIVE, format!("followChanges('{version}', player);\n")),
@@ -70,8 +72,8 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
     )
 }
 
-/// A script without the lines that are comments, which are a quarter of it and for whoever works on
-/// the player, and with half of the indentation. What looks like one inside a template literal would go too; there is none.
+/// Removes comment lines, which are a quarter of the script, and half of the indentation.
+/// Comment-like lines inside template literals would be removed too, but there are none.
 fn without_comments(script: &str) -> String {
     let mut out = String::with_capacity(script.len());
     let mut in_block = false;
@@ -87,7 +89,7 @@ fn without_comments(script: &str) -> String {
     out
 }
 
-/// A script that nobody is given to read, without what stands before its lines.
+/// Removes the indentation of a script that users do not read.
 fn without_indentation(script: &str) -> String {
     let lines = script
         .split_inclusive('\n')
@@ -95,7 +97,7 @@ fn without_indentation(script: &str) -> String {
     lines.collect()
 }
 
-/// Puts values into the places `{{name}}` of a template; what a value holds is never looked at.
+/// Replaces the placeholders `{{name}}` of a template. Placeholders in the values are not replaced.
 fn fill(template: &str, values: &[(&str, &str)]) -> String {
     let room: usize = values.iter().map(|(_, v)| v.len()).sum();
     let mut out = String::with_capacity(template.len() + room);
@@ -111,7 +113,7 @@ fn fill(template: &str, values: &[(&str, &str)]) -> String {
     out
 }
 
-/// What a server shows until there is a page: why there is none.
+/// The page that a server shows until the first build succeeds, with the error.
 pub fn waiting_page(message: &str, version: &str) -> String {
     let script = format!("{LIVE}followChanges('{version}', null);\n");
     let style =
@@ -119,15 +121,15 @@ pub fn waiting_page(message: &str, version: &str) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
-         <title>no page yet</title>\n<style>{style}</style>\n<p>{}</p>\n\
-         <p>This page loads itself anew when the file is saved.</p>\n<script>{script}</script>\n",
+         <title>No page yet</title>\n<style>{style}</style>\n<p>{}</p>\n\
+         <p>This page reloads when you save the file.</p>\n<script>{script}</script>\n",
         policy(&script, style, Some(version)),
         attribute(message)
     )
 }
 
-/// The content security policy: nothing but this script and this style, no request to any host; only
-/// a page that a server shows may ask that server for news.
+/// The content security policy: only this script and this style, and no requests to any host. A
+/// served page may connect to its server.
 fn policy(script: &str, style: &str, version: Option<&str>) -> String {
     let connect = version.map_or("'none'", |_| "'self'");
     let hash = |text: &str| BASE64_STANDARD.encode(Sha256::digest(text));
@@ -139,7 +141,7 @@ fn policy(script: &str, style: &str, version: Option<&str>) -> String {
     )
 }
 
-/// Escapes text so that it can stand in an element or in a quoted attribute.
+/// Escapes text for use in an element or a quoted attribute.
 fn attribute(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -182,7 +184,7 @@ mod tests {
         );
     }
 
-    /// A line inside a literal may begin like a comment.
+    /// A line inside a literal could start like a comment.
     #[test]
     fn no_literal_of_the_page_goes_on_in_the_next_line() {
         for script in PLAYER.iter().chain(&PAGE_SCRIPTS) {

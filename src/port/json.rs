@@ -1,7 +1,7 @@
-//! The project itself, in the shape of the site's exports.
+//! Writes a project as a ShaderToy export.
 //!
-//! Ids are those of exports, inputs stand by channel, samplers say what they mean, and what channels
-//! read is carried along. [`Project::from_json`] reads it back.
+//! Ids are those of exports, inputs are sorted by channel, sampler settings are normalised, and
+//! media are embedded. [`Project::from_json`] reads it back.
 
 use super::{Input, Project, ProjectPass};
 use serde_json::{Map, Value, json};
@@ -27,7 +27,7 @@ pub fn json(project: &Project) -> String {
         },
         "renderpass": passes,
     });
-    // Only maps with other keys than strings, and failing writers, make this fail.
+    // Serialisation fails only for maps with keys that are not strings, and for failing writers.
     serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
 }
 

@@ -1,9 +1,9 @@
-//! ShaderToy in, WebGL2 out.
+//! Ports ShaderToy projects to WebGL2.
 //!
-//! A [`Project`] is what ShaderToy knows of a shader: passes, and what their channels read.
-//! [`compose`] puts each pass together as the player compiles it; [`html`] and [`glsl`] write what
-//! comes of it. The user's text is never reprinted: it travels as it is, behind the player's own
-//! header. Only the languages of the feature `naga` are written anew, from the checked program.
+//! A [`Project`] contains what ShaderToy stores of a shader: passes and the inputs of their
+//! channels. [`compose`] assembles each pass as the player compiles it; [`html`] and [`glsl`] write
+//! the result. The user's text is never reformatted: it is copied unchanged after the player's
+//! header. Only the languages of the feature `naga` are generated from the checked program.
 
 mod build;
 mod channel;

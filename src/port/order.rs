@@ -1,45 +1,45 @@
-//! What is asked for: a target, and where it goes.
+//! Build orders: a target and a destination.
 
 #[cfg(feature = "naga")]
 use super::naga::{FirstRow, TargetLanguage};
 use std::fmt;
 use std::path::Path;
 
-/// What is made of a project.
+/// An output format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Target {
-    /// One page with everything in it
+    /// HTML page that contains everything
     Html,
-    /// A fragment shader for each pass, and the vertex shader
+    /// Fragment shader of each pass, and the vertex shader
     Glsl,
-    /// An ES module without dependencies, which exports `mount(canvas, options)`
+    /// JavaScript module without dependencies that exports `mount(canvas, options)`
     Module,
-    /// A module for three.js: a RawShaderMaterial and its update function
+    /// Module for three.js: a RawShaderMaterial and its update function
     Three,
-    /// A React component, over a module beside it
+    /// React component, and the module that it imports
     React,
-    /// The project itself, as an export
+    /// ShaderToy export of the project
     Json,
-    /// A WGSL shader for each pass, for WebGPU
+    /// WGSL shader of each pass, for WebGPU
     #[cfg(feature = "naga")]
     Wgsl,
-    /// A SPIR-V module for each pass, for Vulkan
+    /// SPIR-V module of each pass, for Vulkan
     #[cfg(feature = "naga")]
     Spirv,
-    /// An HLSL shader for each pass, for Direct3D
+    /// HLSL shader of each pass, for Direct3D
     #[cfg(feature = "naga")]
     Hlsl,
-    /// An MSL shader for each pass, for Metal
+    /// MSL shader of each pass, for Metal
     #[cfg(feature = "naga")]
     Msl,
 }
 
 impl Target {
-    /// What the ending of a file's name asks for.
+    /// The target for the extension of a path.
     ///
     /// # Errors
-    /// Where it asks for nothing that can be made.
+    /// If the extension does not correspond to a target.
     pub fn of_path(path: &Path) -> Result<Target, BadEnding> {
         Ok(
             match path.extension().and_then(|e| e.to_str()).unwrap_or("") {
@@ -64,7 +64,7 @@ impl Target {
         )
     }
 
-    /// How the names of its files end.
+    /// The file extension.
     pub fn ending(self) -> &'static str {
         match self {
             Target::Html => "html",
@@ -94,7 +94,7 @@ impl Target {
         }
     }
 
-    /// Whether it is shaders alone, which read nothing themselves.
+    /// Whether the output consists of shaders only, without their inputs.
     pub fn is_shaders(self) -> bool {
         !matches!(
             self,
@@ -103,12 +103,12 @@ impl Target {
     }
 }
 
-/// The ending of a file's name that tells no target.
+/// An extension without a target.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum BadEnding {
-    /// This program was built without its language.
+    /// The extension of a language that this build does not include.
     NotBuilt(String),
-    /// It is that of something else.
+    /// Any other extension.
     Unknown(String),
 }
 
@@ -117,16 +117,16 @@ impl fmt::Display for BadEnding {
         match self {
             BadEnding::NotBuilt(ending) => write!(
                 f,
-                "this program was built without the language of `.{ending}` files; build it with \
+                "this build does not support `.{ending}` files; rebuild with \
                  `cargo install --path . --features naga`"
             ),
             BadEnding::Unknown(ending) => {
-                write!(f, "nothing is made for the ending `.{ending}`; ")?;
+                write!(f, "unknown output extension `.{ending}`; ")?;
                 f.write_str(match ending.as_str() {
-                    "vert" => "write `-o NAME.frag`, and the vertex shader lies beside it",
-                    "jsx" | "tsx" => "say `--target react`",
-                    "ts" => "say `--target module`; its types lie beside it",
-                    _ => "`.html`, `.js`, `.json` and `.frag` tell the target, or say `--target`",
+                    "vert" => "use `-o NAME.frag`, which writes NAME.vert as well",
+                    "jsx" | "tsx" => "use `--target react`",
+                    "ts" => "use `--target module`, which writes its types as well",
+                    _ => "use `.html`, `.js`, `.json` or `.frag`, or set `--target`",
                 })
             }
         }
@@ -137,40 +137,40 @@ impl fmt::Display for BadEnding {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum MainChoice {
-    /// The player's header, then the code as it is
+    /// Prepend the player's header and keep the code unchanged
     #[default]
     Wrap,
-    /// `mainImage` becomes `main`, where the picture stays the same
+    /// Rewrite `mainImage` as `main` where the image provably stays the same
     Rewrite,
 }
 
-/// What is asked for.
+/// A build order.
 #[derive(Clone, Copy, Debug)]
 pub struct Order<'a> {
-    /// What is to be made.
+    /// The output format.
     pub target: Target,
     /// How plain shaders get their `main`.
     pub main: MainChoice,
-    /// Where it goes.
+    /// Where the output goes.
     pub output: Destination<'a>,
-    /// Whether what a host must know of a shader in another language is written beside it.
+    /// Whether to write the resource interface of a shader in another language as JSON.
     #[cfg(feature = "naga")]
     pub interface: bool,
-    /// Which row of a picture lies first, drawn by a shader in another language.
+    /// Which row of the image a shader in another language draws first.
     #[cfg(feature = "naga")]
     pub first_row: FirstRow,
-    /// The version of a page that a server shows; it loads itself anew when it hears of another.
+    /// The version of a served page, which reloads itself when the server announces another.
     pub version: Option<&'a str>,
 }
 
-/// Where what is made goes.
+/// The destination of a build.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Destination<'a> {
-    /// Nowhere yet: one file without a name.
+    /// Standard output: one file without a name.
     Standard,
-    /// To this file; files beside it get its name.
+    /// A file; further files get its name with another extension.
     File(&'a Path),
-    /// Into this folder, under names of their own, where it is shaders.
+    /// A folder, for shaders with generated names.
     Folder(&'a Path),
 }
 

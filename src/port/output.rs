@@ -1,4 +1,4 @@
-//! What is to be written, and what is to be said of it.
+//! Output files, and remarks about passes.
 
 #[cfg(feature = "naga")]
 use super::naga::Refused;
@@ -9,21 +9,21 @@ use shaderlint_text::Span;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A file that is to be written.
+/// An output file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct File {
-    /// Its path, like that of the order.
+    /// The path to write, relative like the path of the order.
     pub path: PathBuf,
-    /// What it holds.
+    /// The content.
     pub content: Vec<u8>,
 }
 
-/// What is to be written, and what is to be said of it.
+/// The result of a build.
 #[derive(Default)]
 pub struct Build {
-    /// The files, the one that was asked for first.
+    /// The files; the requested one comes first.
     pub files: Vec<File>,
-    /// The passes that could not be made as asked for.
+    /// Remarks about passes that could not be built as requested.
     pub remarks: Vec<Remark>,
 }
 
@@ -36,12 +36,12 @@ impl Build {
     }
 }
 
-/// Why nothing can be made.
+/// Why a build fails.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum BuildError {
-    /// Modules for three.js have no place for a cube map pass.
+    /// The project has a cube map pass, which modules for three.js do not support.
     Cubemap,
-    /// These passes do not go into one file.
+    /// Several passes, with these names, cannot be written to one file.
     NeedsFolder(Vec<String>),
 }
 
@@ -49,13 +49,12 @@ impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             BuildError::Cubemap => f.write_str(
-                "three.js gets the Image and its buffers; this has a cube map pass. \
-                 Write a module instead, with `--target module`",
+                "three.js modules do not support cube map passes; use `--target module` instead",
             ),
             BuildError::NeedsFolder(names) => write!(
                 f,
-                "this has {} passes ({}); write a page, with `-o FILE.html`, or name a folder, with \
-                 `-o FOLDER`",
+                "the project has {} passes ({}); use `-o FILE.html` for a page, or `-o FOLDER` for \
+                 several files",
                 names.len(),
                 names.join(", ")
             ),
@@ -70,19 +69,20 @@ pub(super) fn file(path: &Path, content: impl Into<Vec<u8>>) -> File {
     }
 }
 
-/// What is to become a file.
+/// A shader to be written.
 pub(super) struct NamedPass {
-    /// What the user calls it.
+    /// The name shown to the user.
     pub name: String,
-    /// What its file is called in a folder.
+    /// The file name in a folder, without extension.
     pub slug: String,
-    /// How that ends.
+    /// The file extension.
     pub ending: &'static str,
-    /// What it holds.
+    /// The content of the file.
     pub content: Vec<u8>,
 }
 
-/// One pass may become the file named; several go into a folder, under names of their own.
+/// A single pass is written to the output file; several passes go into a folder, with generated
+/// names.
 pub(super) fn named(order: Order, passes: Vec<NamedPass>) -> Result<Vec<File>, BuildError> {
     let folder = match order.output {
         Destination::Folder(folder) => folder,
@@ -109,32 +109,32 @@ pub(super) fn named(order: Order, passes: Vec<NamedPass>) -> Result<Vec<File>, B
     Ok(files)
 }
 
-/// What is to be said of a pass that could not be made as asked for.
+/// A remark about a pass that could not be built as requested.
 pub struct Remark {
-    /// What the user calls the pass.
+    /// The name of the pass.
     pub pass: String,
-    /// How bad it is; nothing is written if it is an error.
+    /// The severity; nothing is written after an error.
     pub severity: Severity,
-    /// What is wrong.
+    /// The text of the remark.
     pub message: String,
-    /// Where; empty where it is the whole pass.
+    /// The span of the cause; empty for the whole pass.
     pub span: Span,
     rule: &'static str,
 }
 
 impl Remark {
-    /// A pass that was to be rewritten, and is not.
+    /// `mainImage` was not rewritten.
     pub(super) fn kept(pass: String, reason: &NotSafe) -> Remark {
         Remark {
             pass,
             severity: Severity::Warning,
-            message: format!("this stays behind the player's header: {}", reason.message),
+            message: format!("`mainImage` was not rewritten: {}", reason.message),
             span: reason.span,
             rule: "kept-main",
         }
     }
 
-    /// A pass that has no form in the language that was asked for.
+    /// A pass cannot be translated to the target language.
     #[cfg(feature = "naga")]
     pub(super) fn refused(pass: String, reason: &Refused) -> Remark {
         Remark {
@@ -146,7 +146,7 @@ impl Remark {
         }
     }
 
-    /// The remark as a finding.
+    /// The remark as a diagnostic.
     pub fn diagnostic(&self) -> Diagnostic {
         let message = self.message.clone();
         Diagnostic::new(

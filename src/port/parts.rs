@@ -1,17 +1,17 @@
-//! A project whose passes lie in files of their own, known by their names.
+//! Projects with one file per pass, identified by file name.
 
 use super::{Info, OutputId, Project, ProjectPass, ShaderError};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
-/// What a file is for.
+/// The pass that a file is for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum PassRole {
-    /// The picture.
+    /// The image.
     Image,
-    /// Code for all passes.
+    /// Code shared by all passes.
     Common,
-    /// A buffer, by its number from 0 for A to 3 for D.
+    /// A buffer, from 0 for A to 3 for D.
     Buffer(u8),
     /// The cube map.
     Cubemap,
@@ -20,7 +20,7 @@ pub enum PassRole {
 }
 
 impl PassRole {
-    /// The role that a name tells by its last words: `image`, `buffer_a`, `myBufB`, `x.common`.
+    /// The role that the last words of a name indicate: `image`, `buffer_a`, `myBufB`, `x.common`.
     pub fn of_name(name: &str) -> Option<PassRole> {
         let words = words(name);
         let last = words.last()?.as_str();
@@ -51,7 +51,7 @@ impl PassRole {
         }
     }
 
-    /// As it is written in options and file names.
+    /// The name in options and file names.
     pub const fn name(self) -> &'static str {
         match self {
             PassRole::Image => "image",
@@ -65,7 +65,7 @@ impl PassRole {
         }
     }
 
-    /// What kind of pass it is.
+    /// The kind of pass.
     pub const fn kind(self) -> Pass {
         match self {
             PassRole::Image => Pass::Image,
@@ -76,7 +76,7 @@ impl PassRole {
         }
     }
 
-    /// What it writes to.
+    /// The id of its output; `None` for Common.
     pub fn output(self) -> Option<OutputId> {
         match self {
             PassRole::Image => Some(OutputId(OutputId::IMAGE.to_string())),
@@ -89,7 +89,7 @@ impl PassRole {
 }
 
 impl PassRole {
-    /// All there are.
+    /// All roles.
     pub const ALL: [PassRole; 8] = [
         PassRole::Image,
         PassRole::Buffer(0),
@@ -102,18 +102,18 @@ impl PassRole {
     ];
 }
 
-/// What to say of a name that is no pass.
+/// The error for an unknown pass name.
 pub fn unknown_pass(name: &str) -> String {
     match near(name, PassRole::ALL.map(PassRole::name)) {
-        Some(near) => format!("`{name}` is no pass; did you mean `{near}`?"),
+        Some(near) => format!("unknown pass `{name}`; did you mean `{near}`?"),
         None => format!(
-            "`{name}` is no pass; there are `image`, `buffer_a` to `buffer_d`, `cubemap`, `sound` \
-             and `common`"
+            "unknown pass `{name}`; expected `image`, `buffer_a` to `buffer_d`, `cubemap`, \
+             `sound` or `common`"
         ),
     }
 }
 
-/// The word that somebody meant who wrote another.
+/// The most similar word, if it is similar enough.
 pub(super) fn near<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let name = name.to_lowercase();
     let all = words.into_iter();
@@ -122,7 +122,8 @@ pub(super) fn near<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> 
     (distance <= 1 + name.chars().count() / 4).then_some(word)
 }
 
-/// The words of a name, in lower case: they end at signs, and where a capital follows a small letter.
+/// Splits a name into lower-case words, at punctuation and where a capital follows a lower-case
+/// letter.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut was_small = false;
@@ -139,25 +140,25 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// A file and what it is for.
+/// A file and its role.
 #[derive(Clone, Debug)]
 pub struct PassFile {
-    /// What it is for.
+    /// The pass that it is for.
     pub role: PassRole,
-    /// Its path, as the user gave it.
+    /// The path given by the user.
     pub file: String,
-    /// What it holds.
+    /// The content.
     pub code: Arc<str>,
 }
 
-/// Why files make no project.
+/// Why files do not form a project.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum PartsError {
-    /// Two files are for the same.
+    /// Two files have the same role.
     Twice(PassRole, String, String),
-    /// No file is the Image.
+    /// No file has the role Image.
     NoImage,
-    /// A file cannot be read as a pass.
+    /// A file cannot be used as a pass.
     Shader(String, ShaderError),
 }
 
@@ -165,10 +166,10 @@ impl std::fmt::Display for PartsError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             PartsError::Twice(role, a, b) => {
-                write!(f, "{a} and {b} are both for the pass `{}`", role.name())
+                write!(f, "{a} and {b} both define the pass `{}`", role.name())
             }
             PartsError::NoImage => f.write_str(
-                "no file is for the pass `image`; call one `image.glsl`, or say `--pass image=FILE`",
+                "no file defines the pass `image`; name one `image.glsl`, or use `--pass image=FILE`",
             ),
             PartsError::Shader(file, error) => write!(f, "{file}: {error}"),
         }
@@ -176,10 +177,10 @@ impl std::fmt::Display for PartsError {
 }
 
 impl Project {
-    /// A project of several files, of whose channels nothing is known yet: [`Project::resolve`].
+    /// A project of several files with unknown channels; [`Project::resolve`] determines these.
     ///
     /// # Errors
-    /// Where they do not make one project.
+    /// If the files do not form a project.
     pub fn from_parts(title: &str, mut parts: Vec<PassFile>) -> Result<Project, PartsError> {
         parts.sort_by_key(|p| p.role);
         for pair in parts.windows(2) {

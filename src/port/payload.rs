@@ -1,4 +1,4 @@
-//! What the player is handed: the project as JSON.
+//! The project as JSON for the player.
 
 use super::findings::{FindingData, findings};
 use super::media::is_gray;
@@ -30,7 +30,7 @@ struct Payload<'a> {
     findings: Vec<FindingData>,
 }
 
-/// What draws stand-ins.
+/// A generator of stand-ins.
 #[derive(Serialize)]
 struct MediaData {
     name: &'static str,
@@ -54,7 +54,7 @@ pub(super) struct PassData<'a> {
     pub(super) own: Option<OwnData<'a>>,
 }
 
-/// What the player must know of a shader that brings its own uniforms.
+/// The additional data of a shader that declares its own uniforms.
 #[derive(Serialize)]
 pub(super) struct OwnData<'a> {
     vertex: &'a str,
@@ -95,7 +95,7 @@ pub(super) struct InputData<'a> {
     stand_in: Option<StandInData>,
 }
 
-/// What is drawn for a file that is not at hand.
+/// The stand-in for a missing file.
 #[derive(Serialize)]
 struct StandInData {
     #[serde(rename = "standIn")]
@@ -117,7 +117,7 @@ struct TunableData {
     end: usize,
 }
 
-/// The project as the player reads it.
+/// The project in the form that the player reads.
 pub(super) fn payload(project: &Project, composed: &Composed) -> String {
     let sources = &composed.sources;
     let payload = Payload {
@@ -137,7 +137,7 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
         media: media(project),
         findings: findings(composed),
     };
-    // Only maps with other keys than strings, and failing writers, make this fail.
+    // Serialisation fails only for maps with keys that are not strings, and for failing writers.
     serde_json::to_string(&payload).unwrap_or_default()
 }
 
@@ -150,7 +150,7 @@ fn text<'a>(project: &Project, owner: Option<usize>, file: &'a SourceFile) -> Pa
     }
 }
 
-/// The passes that run, in the order of the project.
+/// The passes that run, in project order.
 pub(super) fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassData<'a>> {
     let running: Vec<_> = composed
         .units
@@ -214,7 +214,7 @@ fn kind_word(kind: Pass) -> &'static str {
     }
 }
 
-/// The generators that some channel needs, each once.
+/// The generators that channels need, without duplicates.
 fn media(project: &Project) -> Vec<MediaData> {
     let inputs = project.passes.iter().flat_map(|p| &p.inputs);
     let mut used: Vec<Generator> = Vec::new();
@@ -275,7 +275,7 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
     }
 }
 
-/// The tunable numbers of all passes, each once, and with offsets as JavaScript counts them.
+/// The tunable numbers of all passes, without duplicates, with offsets in UTF-16 units.
 fn all_tunables(composed: &Composed) -> Vec<TunableData> {
     let mut found: Vec<TunableData> = Vec::new();
     let mut known: FxHashSet<u32> = FxHashSet::default();
@@ -295,7 +295,7 @@ fn all_tunables(composed: &Composed) -> Vec<TunableData> {
     found
 }
 
-/// Counts the UTF-16 units before places, each from the place before it on where that comes first.
+/// Converts byte offsets to UTF-16 offsets, incrementally for increasing offsets.
 #[derive(Default)]
 struct Units {
     file: Option<FileId>,

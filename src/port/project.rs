@@ -1,168 +1,170 @@
-//! ShaderToy projects: passes, and what their channels read.
+//! ShaderToy projects: passes and the inputs of their channels.
 
 use super::{Bindings, PassDraw, StandIn, UniformControl};
 use shaderlint_host::Preset;
 use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
 use std::sync::Arc;
 
-/// A ShaderToy project.
+/// A ShaderToy project, or a complete shader of another host.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Project {
-    /// Who made it, and what it is called.
+    /// Title, author and similar data.
     pub info: Info,
-    /// Its passes, in the order of the export.
+    /// The passes, in the order of the export.
     pub passes: Vec<ProjectPass>,
-    /// Whether it comes from an export, so that ShaderToy's terms hold and passes have names.
+    /// Whether it comes from an export, so that ShaderToy's licence terms apply and passes have
+    /// names.
     pub is_export: bool,
-    /// What its whole shaders are written in.
+    /// The host of its complete shaders.
     pub host: Option<&'static Preset>,
-    /// How many of the controls the text itself describes: the first ones.
+    /// The number of controls that the text itself describes; they come first.
     pub described: usize,
     /// The uniforms that the user sets.
     pub controls: Vec<UniformControl>,
-    /// What is to be told of how it was read.
+    /// Notes about how the input was interpreted.
     pub notes: Vec<String>,
-    /// The texts that it asks for beside its own, by their paths from its folder.
+    /// Companion files that have not been read yet, by their paths relative to the project's
+    /// folder.
     pub wanted: Vec<String>,
 }
 
-/// Who made a project, and what it is called; all of it is text from outside.
+/// Descriptive data of a project. All of it is untrusted.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Info {
-    /// The id in the address of its page.
+    /// The id in the URL of its page.
     pub id: String,
-    /// Its title.
+    /// The title.
     pub name: String,
-    /// Its author.
+    /// The user name of the author.
     pub author: String,
-    /// What the author wrote about it.
+    /// The author's description.
     pub description: String,
-    /// Its tags.
+    /// The tags.
     pub tags: Vec<String>,
 }
 
-/// A pass.
+/// A pass of a project.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ProjectPass {
-    /// What it draws.
+    /// The kind of pass.
     pub kind: Pass,
-    /// Its name, which tells nothing certain.
+    /// The name in the export, which has no fixed meaning.
     pub name: String,
-    /// Its code.
+    /// The code of the user.
     pub code: Arc<str>,
-    /// What its channels read.
+    /// The inputs of its channels.
     pub inputs: Vec<Input>,
-    /// What it writes to.
+    /// The id of its output.
     pub output: Option<OutputId>,
     /// Who declares its uniforms and `main`.
     pub wrapper: Wrapper,
-    /// What goes before the code of a whole shader.
+    /// Text before the code of a complete shader.
     pub before: Arc<str>,
-    /// What goes behind it.
+    /// Text after it.
     pub behind: Arc<str>,
-    /// What a whole shader is given.
+    /// The values of the uniforms and varyings of a complete shader.
     pub bound: Bindings,
-    /// The stage that the code is for.
+    /// The shader stage of the code.
     pub stage: Stage,
-    /// How a whole shader is drawn.
+    /// How a complete shader is drawn.
     pub draw: PassDraw,
-    /// Path of its own file, where it has one.
+    /// Path of its file; `None` in an export.
     pub file: Option<String>,
 }
 
-/// Who declares what stands around the code of a pass: its uniforms, its output and `main`.
+/// Who declares the uniforms, the output and `main` of a pass.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Wrapper {
     /// ShaderToy's player.
     Player,
-    /// The code itself, a whole WebGL2 shader.
+    /// The code itself, a complete WebGL2 shader.
     Own,
 }
 
-/// What a pass writes to, as inputs name it: the id that exports use.
+/// The id of a pass's output in exports. Inputs refer to it.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct OutputId(pub String);
 
 /// The ids of the buffers A to D.
 const BUFFERS: [&str; 4] = ["4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"];
-/// The numbers that the REST API has for them.
+/// The ids of the buffers A to D in the REST API.
 const BUFFER_NUMBERS: [&str; 4] = ["257", "258", "259", "260"];
 
 impl OutputId {
-    /// What the picture is written to.
+    /// The output of the Image pass.
     pub const IMAGE: &'static str = "4dfGRr";
-    /// What the cube map is written to.
+    /// The output of the cube map pass.
     pub const CUBE: &'static str = "4dX3Rr";
-    /// What the sound is written to.
+    /// The output of the sound pass.
     pub const SOUND: &'static str = "XsfGRr";
 
-    /// The id as exports write it, for that of an export or of the REST API.
+    /// Normalises an id of an export or of the REST API.
     pub fn new(id: &str) -> OutputId {
         let number = BUFFER_NUMBERS.iter().position(|n| *n == id);
         let id = number.and_then(|i| BUFFERS.get(i)).map_or(id, |b| b);
         OutputId(id.to_string())
     }
 
-    /// A buffer, by its number from 0 to 3.
+    /// The id of a buffer, by number from 0 to 3.
     pub fn buffer(number: usize) -> Option<OutputId> {
         BUFFERS.get(number).map(|id| OutputId(id.to_string()))
     }
 
-    /// What a buffer of a whole shader is called that its sampler names.
+    /// The id of a buffer with a name, in a complete shader.
     pub fn of_dialect(name: &str) -> OutputId {
         OutputId(format!("own:{name}"))
     }
 
-    /// The number of the buffer that it is.
+    /// The number of the buffer, from 0 to 3.
     pub fn number(&self) -> Option<usize> {
         BUFFERS.iter().position(|id| *id == self.0)
     }
 }
 
-/// What a channel reads.
+/// The input of a channel.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Input {
-    /// Number of the channel; ShaderToy has 0 to 3.
+    /// The channel number; 0 to 3 in ShaderToy.
     pub channel: u8,
-    /// The sampler of a whole shader that reads it; `None` for ShaderToy's `iChannel`s.
+    /// The sampler of a complete shader that reads it; `None` for ShaderToy's `iChannel`s.
     pub uniform: Option<String>,
     /// The type of that sampler.
     pub sampler_type: Sampler,
-    /// What kind of thing it is.
+    /// The kind of input.
     pub kind: InputKind,
-    /// Its id; for a buffer the [`OutputId`] of the pass.
+    /// The id in the export; for a buffer the [`OutputId`] of the pass.
     pub id: String,
-    /// Where the site keeps it.
+    /// The path on ShaderToy.
     pub src: String,
-    /// How it is sampled.
+    /// The sampler settings.
     pub sampler: SamplerSettings,
-    /// How sound lies in its texture.
+    /// The layout of sound in its texture.
     pub signal: SignalForm,
-    /// Name of the file that the user gave for it.
+    /// Name of the file that the user provided.
     pub name: String,
-    /// That file as `data:` addresses, six for a cube map; none where no file is at hand.
+    /// That file as `data:` URLs, six for a cube map; empty if there is no file.
     pub urls: Vec<String>,
-    /// What is drawn where no file is at hand.
+    /// The stand-in for a missing file.
     pub stand_in: Option<StandIn>,
 }
 
-/// How sound lies in a texture.
+/// The layout of sound in a texture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SignalForm {
-    /// Its spectrum, and above that its wave, in the red component.
+    /// The spectrum, and above it the waveform, in the red component.
     Both,
-    /// Its spectrum alone, in gray.
+    /// The spectrum only, in gray.
     Spectrum,
-    /// Its wave alone, in gray.
+    /// The waveform only, in gray.
     Wave,
-    /// Its spectrum at the bottom and above that those of the frames before, in all components.
+    /// The spectrum at the bottom and above it those of previous frames, in all components.
     History,
-    /// The sum of its spectra from the start, in gray: one a second where it is loudest.
+    /// The sum of the spectra since the start, in gray: increases by one per second at full level.
     Sum,
 }
 
 impl SignalForm {
-    /// As the player calls it.
+    /// The name in the player.
     pub const fn word(self) -> &'static str {
         match self {
             SignalForm::Both => "",
@@ -183,7 +185,7 @@ pub enum InputKind {
 }
 
 impl InputKind {
-    /// The kind that a word of an export names.
+    /// The kind for the name in an export.
     pub fn of(word: &str) -> Option<InputKind> {
         Some(match word {
             "texture" => InputKind::Texture,
@@ -200,7 +202,7 @@ impl InputKind {
         })
     }
 
-    /// As exports write it.
+    /// The name in an export.
     pub const fn word(self) -> &'static str {
         match self {
             InputKind::Texture => "texture",
@@ -216,7 +218,7 @@ impl InputKind {
         }
     }
 
-    /// The type of the channel that reads it.
+    /// The sampler type of a channel with this input.
     pub const fn sampler(self) -> Sampler {
         match self {
             InputKind::Cubemap => Sampler::SamplerCube,
@@ -226,25 +228,25 @@ impl InputKind {
     }
 }
 
-/// How an input is sampled. The words are the export's own; unknown ones mean the same to the player
-/// as those named last.
+/// Sampler settings, with the words of the export. Unknown words have the meaning of the last
+/// listed one.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct SamplerSettings {
-    /// `linear`, `mipmap`, else nearest.
+    /// `linear`, `mipmap`, or anything else for nearest.
     pub filter: String,
-    /// `clamp`, else repeat.
+    /// `clamp`, or anything else for repeat.
     pub wrap: String,
-    /// Whether the picture is turned upside down.
+    /// Whether images are flipped vertically.
     pub vflip: bool,
 }
 
 impl SamplerSettings {
-    /// Whether it reads smaller levels of a texture.
+    /// Whether it uses mipmaps.
     pub fn has_mipmaps(&self) -> bool {
         self.filter == "mipmap"
     }
 
-    /// What most inputs of a kind are set to on the site.
+    /// The settings that most inputs of a kind have on ShaderToy.
     pub fn usual(kind: InputKind) -> SamplerSettings {
         let (filter, wrap, vflip) = match kind {
             InputKind::Texture => ("mipmap", "repeat", true),
@@ -262,7 +264,7 @@ impl SamplerSettings {
 }
 
 impl Input {
-    /// An input that holds nothing yet, sampled as most of its kind are.
+    /// An input without content, with the default sampler settings of its kind.
     pub fn empty(channel: u8, kind: InputKind) -> Input {
         Input {
             channel,
@@ -281,15 +283,15 @@ impl Input {
 }
 
 impl Project {
-    /// Whether some pass of a kind draws what an id names.
+    /// Whether a pass of a kind has this output id.
     pub fn draws(&self, kind: Pass, id: &str) -> bool {
         let mut all = self.passes.iter().filter(|p| p.kind == kind);
         all.any(|p| p.output.as_ref().is_some_and(|o| o.0 == id))
     }
 
-    /// What ShaderToy's player does with music whose file it cannot load: nothing is on the channel.
-    /// It makes a spectrum and a wave up only for music that is loaded and muted. Gives the channels,
-    /// like `image.0`.
+    /// Removes music with a missing file from its channels, as ShaderToy's player does. The player
+    /// synthesises a spectrum and waveform only for music that is loaded and muted. Returns the
+    /// channels, such as `image.0`.
     pub fn unload_music(&mut self) -> Vec<String> {
         let is_lost = |i: &Input| {
             matches!(i.kind, InputKind::Music | InputKind::MusicStream) && i.urls.is_empty()
@@ -304,8 +306,9 @@ impl Project {
         channels
     }
 
-    /// What ShaderToy's player does with two channels that read one buffer in two ways: the wrap
-    /// that was loaded last holds for all, and in each pass the filter of the last channel.
+    /// Shares sampler settings between channels that read the same buffer, as ShaderToy's player
+    /// does: the last loaded wrap mode applies to all, and in each pass the filter of the last
+    /// channel.
     pub fn share_samplers(&mut self) {
         let is_shared = |i: &Input| {
             i.kind == InputKind::Buffer || (i.kind == InputKind::Cubemap && i.id == OutputId::CUBE)
@@ -341,7 +344,7 @@ impl Project {
 }
 
 impl ProjectPass {
-    /// A pass with nothing but its code.
+    /// A pass that has only code.
     pub fn new(kind: Pass, code: impl Into<Arc<str>>) -> ProjectPass {
         ProjectPass {
             kind,
@@ -359,7 +362,7 @@ impl ProjectPass {
         }
     }
 
-    /// What the pass is called in file names and options: `image`, `buffer_a`, `common`.
+    /// The name in file names and options: `image`, `buffer_a`, `common`.
     pub fn slug(&self) -> &'static str {
         match self.kind {
             Pass::Image => "image",
@@ -376,7 +379,7 @@ impl ProjectPass {
         }
     }
 
-    /// What the user calls it; for a pass without a name, what it draws and its place.
+    /// The name shown to the user; for a pass without a name, its kind or index.
     pub fn title(&self, index: usize) -> String {
         if !self.name.is_empty() {
             return self.name.clone();
@@ -388,7 +391,7 @@ impl ProjectPass {
         }
     }
 
-    /// By channel: whether its texture has mipmaps; not known of a channel without input.
+    /// By channel: whether its texture has mipmaps; `None` for a channel without input.
     pub fn mipmapped(&self) -> [Option<bool>; 4] {
         let mut mipmapped = [None; 4];
         for input in &self.inputs {
@@ -399,7 +402,7 @@ impl ProjectPass {
         mipmapped
     }
 
-    /// The type of each channel; a channel without input is a `sampler2D`.
+    /// The sampler type of each channel; `sampler2D` for a channel without input.
     pub fn channels(&self) -> Channels {
         let mut channels = [Some(Sampler::Sampler2D); 4];
         for input in &self.inputs {

@@ -1,8 +1,8 @@
-//! Repairs of old ShaderToy code that need to know the player: the fixes of errors for which the
-//! language alone has no answer.
+//! Repairs of old ShaderToy code that depend on the player: fixes for errors that the language
+//! alone cannot resolve.
 //!
-//! Each is added to the error that it mends, so that the same engine applies these and the fixes that
-//! the errors bring along.
+//! Each is attached to the error that it fixes, so that the same engine applies these and the fixes
+//! of the errors themselves.
 
 use super::dialect::PLACES;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
@@ -13,7 +13,7 @@ use shaderlint_syntax::ast::{
 };
 use shaderlint_text::{Edit, Role, Span};
 
-/// Adds repairs to the errors of a pass.
+/// Attaches repairs to the errors of a pass.
 pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
     let mut globals = None;
     for index in 0..errors.len() {
@@ -22,7 +22,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
         };
         let Some(kind) = found.kind else { continue };
         let fix = match kind {
-            // The name is what the language objects to: another one is the only way.
+            // The language objects to the name, so renaming is the only fix.
             error::BUILTIN_REDEFINITION => found.fix.clone().map(|fix| Fix {
                 applicability: Applicability::Safe,
                 ..fix
@@ -47,7 +47,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
     }
 }
 
-/// The function that the player or the browser calls.
+/// The entry function of the user.
 fn entry(program: &Program) -> Option<&FunctionDecl> {
     let name = program.names.get(program.dialect.host().entry?.name)?;
     program.tree.functions.iter().find(|f| {
@@ -65,7 +65,7 @@ fn span_of(program: &Program, token: TokenId) -> Option<Span> {
     token.is_direct().then_some(token.span)
 }
 
-/// `gl_FragColor` in `mainImage` is its first parameter.
+/// Replaces `gl_FragColor` in `mainImage` by its first parameter.
 fn output(program: &Program) -> Option<Fix> {
     let main = entry(program)?;
     let color = program.tree.params(main.params).first()?.ident?;
@@ -80,10 +80,10 @@ fn output(program: &Program) -> Option<Fix> {
             is_plain.then(|| Edit::replace(t.span, color))
         })
         .collect();
-    Some(Fix::safe(format!("write to `{color}`"), edits?))
+    Some(Fix::safe(format!("assign to `{color}`"), edits?))
 }
 
-/// A `layout` that desktops take and WebGL2 does not: both stages find each other by names there.
+/// Removes a `layout` that desktop GLSL accepts and WebGL2 does not: the stages match by name.
 fn layout(program: &Program, at: Span) -> Option<Fix> {
     let all = globals(program).flat_map(|(qualifiers, _)| qualifiers);
     let found = all
@@ -92,10 +92,11 @@ fn layout(program: &Program, at: Span) -> Option<Fix> {
     let next = span_of(program, found.extent.last + 1)?;
     let gone = Span::new(program.span(found.extent).start, next.start);
     let is_whole = program.is_direct(found.extent);
-    is_whole.then(|| Fix::safe("leave the `layout` away", vec![Edit::delete(gone)]))
+    is_whole.then(|| Fix::safe("remove the `layout` qualifier", vec![Edit::delete(gone)]))
 }
 
-/// The initial value of a uniform, which desktops know: the page has a control that starts there.
+/// Removes the initial value of a uniform, which desktop GLSL accepts: the page has a control with
+/// that initial value.
 fn initial(program: &Program, at: Span) -> Option<Fix> {
     let (_, declarator) = globals(program).find(|(qualifiers, d)| {
         let is_uniform = qualifiers.iter().any(|q| q.kind == QualifierKind::Uniform);
@@ -107,11 +108,14 @@ fn initial(program: &Program, at: Span) -> Option<Fix> {
         .map_or(declarator.ident.token, |s| s.extent.last);
     let from = span_of(program, last)?.end;
     let edit = Edit::delete(Span::new(from, at.end));
-    Some(Fix::safe("leave the initial value to the page", vec![edit]))
+    Some(Fix::safe(
+        "remove the initial value; the page sets it",
+        vec![edit],
+    ))
 }
 
-/// A `varying` of ShaderToy code is an input that no vertex shader of the player writes; where it is
-/// the place in the picture, that can be computed.
+/// Replaces a `varying` in ShaderToy code, which no vertex shader of the player writes, if its name
+/// means the position in the image.
 fn varying(program: &Program, word: Span) -> Option<Fix> {
     if !program.dialect.is_shadertoy() {
         return None;
@@ -131,19 +135,19 @@ fn varying(program: &Program, word: Span) -> Option<Fix> {
             return None;
         }
         let line = format!("#define {name} (gl_FragCoord.xy / iResolution.xy)");
-        let title = format!("make `{name}` the place in the picture");
+        let title = format!("define `{name}` as the position in the image");
         Some(Fix::safe(title, vec![Edit::replace(whole, line)]))
     })
 }
 
-/// The qualifiers and parameters with which the player calls the entry.
+/// Corrects the qualifiers and parameters of the entry function.
 fn signature(program: &Program, header: Span) -> Option<Fix> {
     let entry = program.dialect.host().entry?;
     let mut functions = program.tree.functions.iter();
     let decl = functions.find(|f| program.span(f.header) == header)?;
     let params = program.tree.params(decl.params);
     let mut edits = Vec::new();
-    // Sound was once asked for by its time alone.
+    // Older sound shaders had only the time as a parameter.
     if let (EntryResult::Returned, [time]) = (entry.result, params) {
         let at = span_of(program, time.extent.first)?.start;
         edits.push(Edit::insert(at, "in int, "));
@@ -159,7 +163,7 @@ fn signature(program: &Program, header: Span) -> Option<Fix> {
     (!edits.is_empty()).then(|| Fix::safe(title, edits))
 }
 
-/// Gives a parameter a direction. The inner `None` is a parameter that has it already.
+/// Gives a parameter a direction. The inner `None` means that it already has it.
 fn direct(program: &Program, param: &Param, wanted: &str) -> Option<Option<Edit>> {
     use QualifierKind::{In, Inout, Out};
     let mut qualifiers = program.tree.qualifiers(param.qualifiers).iter();
@@ -177,8 +181,8 @@ fn direct(program: &Program, param: &Param, wanted: &str) -> Option<Option<Edit>
     })
 }
 
-/// Gives all global variables whose first value is not constant that value at the start of the entry,
-/// in the order in which they are declared.
+/// Moves the non-constant initial values of global variables to the start of the entry function, in
+/// order of declaration.
 fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
     let main = entry(program)?;
     let open = span_of(program, program.tree.stmt(main.body?).extent.first)?;
@@ -207,7 +211,7 @@ fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
         values.push_str(&value.statement);
     }
     edits.push(Edit::insert(open.end, values));
-    let title = "set the values that are not constant at the start of the entry function";
+    let title = "assign the non-constant values at the start of the entry function";
     (edits.len() > 1).then(|| Fix::safe(title, edits))
 }
 
@@ -232,16 +236,16 @@ fn globals(program: &Program) -> impl Iterator<Item = (&[Qualifier], &Declarator
 }
 
 struct LateValue {
-    /// Where the part with the value starts: behind the name and its sizes.
+    /// Start of the part with the value: after the name and its array sizes.
     from: u32,
     statement: String,
 }
 
-/// How a variable gets its value later. Not where a parameter of the entry hides what is named, and
-/// not where the value gives an array its size.
+/// Assigns the initial value of a variable later; `None` if a parameter of the entry function hides
+/// a name in it, or if the value determines an array size.
 fn late_value(program: &Program, main: &FunctionDecl, of: &Declarator) -> Option<LateValue> {
     let tree = &program.tree;
-    // A value may come through macros; its ends may not.
+    // The value may come from macros, but not its first and last token.
     span_of(program, of.extent.first).and(span_of(program, of.extent.last))?;
     let sizes = tree.arrays(of.arrays);
     if sizes.iter().any(|s| s.size.is_none()) {

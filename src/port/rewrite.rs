@@ -1,9 +1,9 @@
-//! `mainImage` as the `main` of a plain WebGL2 shader: its first parameter becomes the output
-//! variable, its second `gl_FragCoord.xy`.
+//! Rewrites `mainImage` as the `main` of a plain WebGL2 shader: the first parameter becomes the
+//! output variable, the second `gl_FragCoord.xy`.
 //!
-//! That is done only where it is proved to draw the same picture: what comes of it is checked again,
-//! and its `main` compared with what `mainImage` was, operation by operation. Everywhere else the
-//! reason is told, and the pass stays behind the player's header.
+//! The rewrite is used only if it provably draws the same image: the result is checked again, and
+//! its `main` is compared with `mainImage` operation by operation. Otherwise the reason is
+//! reported, and the pass keeps the player's header.
 
 use super::glsl::signed;
 use super::same::{Added, Lowered, is_same};
@@ -18,7 +18,7 @@ use shaderlint_text::{Edit, Role, Span, apply_edits};
 /// Why a pass cannot be rewritten.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NotSafe {
-    /// Where the reason stands; empty where it stands nowhere.
+    /// The span of the cause; empty if there is none.
     pub span: Span,
     /// The reason.
     pub message: String,
@@ -31,7 +31,7 @@ fn not_safe(span: Span, message: impl Into<String>) -> NotSafe {
     }
 }
 
-/// The fragment shader of a pass, with `mainImage` made `main`.
+/// The fragment shader of a pass, with `mainImage` rewritten as `main`.
 pub fn rewrite(project: &Project, composed: &Composed, unit: &PassUnit) -> Result<String, NotSafe> {
     if unit.wrapper == Wrapper::Own {
         return Err(not_safe(Span::default(), "the pass has its own `main`"));
@@ -71,20 +71,20 @@ pub fn rewrite(project: &Project, composed: &Composed, unit: &PassUnit) -> Resul
             .iter()
             .all(|e| f.base <= e.span.start && e.span.end <= f.span().end)
     });
-    let own = own.ok_or_else(|| not_safe(main.header, "`mainImage` stands in Common"))?;
+    let own = own.ok_or_else(|| not_safe(main.header, "`mainImage` is in Common"))?;
     let changed = apply_edits(&own.text, own.base, edits)
-        .map_err(|_| not_safe(main.header, "its parts overlap"))?;
+        .map_err(|_| not_safe(main.header, "the edits overlap"))?;
     text.push_str(&changed);
     prove(program, &main, &rewriting, &text)?;
     Ok(signed(project, text))
 }
 
-/// Checks what came of it, and compares what it does with what the pass did.
+/// Checks the rewritten shader and proves that it is equivalent to the pass.
 fn prove(program: &Program, main: &Main, how: &Rewriting, text: &str) -> Result<(), NotSafe> {
     let made = analyze_alone(text.to_string(), Role::User);
-    let made = made.ok_or_else(|| not_safe(main.header, "it is too large"))?;
+    let made = made.ok_or_else(|| not_safe(main.header, "the shader is too large"))?;
     if let Some(problem) = made.diagnostics.first() {
-        let message = format!("what comes of it does not compile: {}", problem.message);
+        let message = format!("the rewritten shader does not compile: {}", problem.message);
         return Err(not_safe(main.header, message));
     }
     let pass = Lowered {
@@ -103,10 +103,7 @@ fn prove(program: &Program, main: &Main, how: &Rewriting, text: &str) -> Result<
     };
     match main_image(program, main).is_some_and(|image| is_same(&pass, image, &made, &added)) {
         true => Ok(()),
-        false => Err(not_safe(
-            main.header,
-            "a `main` could not be shown to do the same",
-        )),
+        false => Err(not_safe(main.header, "equivalence could not be proved")),
     }
 }
 
@@ -122,7 +119,7 @@ fn main_image(program: &Program, main: &Main) -> Option<FunctionRef> {
         .find(is_it)
 }
 
-/// What is known of `mainImage`.
+/// The declaration of `mainImage`.
 struct Main<'a> {
     decl: &'a FunctionDecl,
     color: Param,
@@ -157,7 +154,7 @@ fn find_main<'a>(program: &'a Program) -> Result<Main<'a>, NotSafe> {
     };
     let header = program.span(decl.header);
     let [color, coord] = tree.params(decl.params) else {
-        return Err(not_safe(header, "`mainImage` has other parameters"));
+        return Err(not_safe(header, "`mainImage` has unexpected parameters"));
     };
     let (Some(color_ident), Some(coord_ident), Some(body)) = (color.ident, coord.ident, decl.body)
     else {
@@ -168,7 +165,7 @@ fn find_main<'a>(program: &'a Program) -> Result<Main<'a>, NotSafe> {
         .iter()
         .all(|t| program.token(*t).is_some_and(|t| t.is_direct()));
     if !program.is_direct(decl.header) || !is_direct {
-        return Err(not_safe(header, "a macro makes `mainImage`"));
+        return Err(not_safe(header, "a macro defines `mainImage`"));
     }
     let plain = |p: &Param, wanted: &[QualifierKind]| {
         tree.qualifiers(p.qualifiers)
@@ -178,7 +175,7 @@ fn find_main<'a>(program: &'a Program) -> Result<Main<'a>, NotSafe> {
             && matches!(tree.ty(p.ty).base, TypeBase::Word(_))
     };
     if !plain(color, &[QualifierKind::Out]) || !plain(coord, &[QualifierKind::In]) {
-        return Err(not_safe(header, "`mainImage` has unusual qualifiers"));
+        return Err(not_safe(header, "`mainImage` has unexpected parameters"));
     }
     let span_of = |token: TokenId| program.token(token).map_or(Span::default(), |t| t.span);
     Ok(Main {
@@ -193,7 +190,7 @@ fn find_main<'a>(program: &'a Program) -> Result<Main<'a>, NotSafe> {
     })
 }
 
-/// Nothing else may go by the names that become global.
+/// Checks that the names that become global are not used otherwise.
 fn check_names(program: &Program, main: &Main) -> Result<(), NotSafe> {
     let name = program.names.get(main.color_name);
     let in_user_text =
@@ -201,7 +198,7 @@ fn check_names(program: &Program, main: &Main) -> Result<(), NotSafe> {
     for variable in &program.variables {
         if Some(variable.name) == name && variable.function.is_none() {
             let span = in_user_text(variable.token).unwrap_or(main.header);
-            let message = format!("`{}` is a global name already", main.color_name);
+            let message = format!("`{}` is already a global variable", main.color_name);
             return Err(not_safe(span, message));
         }
     }
@@ -211,7 +208,7 @@ fn check_names(program: &Program, main: &Main) -> Result<(), NotSafe> {
             .function(main.color_name)
             .is_some();
     if is_taken {
-        let message = format!("`{}` is the name of something else too", main.color_name);
+        let message = format!("`{}` is already a function or struct", main.color_name);
         return Err(not_safe(main.header, message));
     }
     let functions = &program.functions;
@@ -223,13 +220,13 @@ fn check_names(program: &Program, main: &Main) -> Result<(), NotSafe> {
     if let Some(call) = called {
         return Err(not_safe(
             program.expr_span(call.expr),
-            "the player's functions are called",
+            "the code calls `mainImage` or `st_assert`",
         ));
     }
     Ok(())
 }
 
-/// What is written anew must not meet a macro, and no line may move where its number is asked for.
+/// Checks that inserted names are not macros, and that `__LINE__` is not used.
 fn check_macros(program: &Program, main: &Main, edits: &[Edit]) -> Result<(), NotSafe> {
     let words: Vec<&str> = edits
         .iter()
@@ -238,7 +235,7 @@ fn check_macros(program: &Program, main: &Main, edits: &[Edit]) -> Result<(), No
     for definition in &program.tokens.macros {
         let name = program.names.text(definition.name);
         if name == "__LINE__" && definition.predefined && definition.uses > 0 {
-            let message = "`__LINE__` would be another number";
+            let message = "`__LINE__` would change";
             return Err(not_safe(main.header, message));
         }
         if !definition.predefined && words.contains(&name) {
@@ -260,14 +257,14 @@ fn first_user(program: &Program) -> u32 {
         .map_or(0, |f| f.base)
 }
 
-/// How `mainImage` becomes the `main`.
+/// The edits that turn `mainImage` into `main`.
 struct Rewriting {
     edits: Vec<Edit>,
-    /// Whether the output is set to zero first.
+    /// Whether the output is set to zero at the start.
     clears: bool,
-    /// Whether there is a variable in the place of the second parameter.
+    /// Whether a local variable replaces the second parameter.
     has_local: bool,
-    /// Whether the output is made opaque at the end.
+    /// Whether alpha is set to 1.0 at the end.
     is_opaque: bool,
 }
 
@@ -276,10 +273,10 @@ impl Rewriting {
         let is_opaque = kind == Pass::Image;
         let jump = jump_of(program, main);
         if let (true, Some(jump)) = (is_opaque, jump) {
-            let message = "it returns early, and ShaderToy makes the picture opaque at the end";
+            let message = "early return skips ShaderToy's opaque alpha";
             return Err(not_safe(program.span(jump), message));
         }
-        // A part of the output that is read before it is written is 0, as in a parameter.
+        // A component of the output that is read before it is written is 0, as in a parameter.
         let clears = !is_only_assigned(program, main)
             || jump.is_some()
             || !is_assigned_at_last(program, main);
@@ -320,7 +317,7 @@ impl Rewriting {
     }
 }
 
-/// A `return` in `mainImage`.
+/// The first `return` in `mainImage`.
 fn jump_of(program: &Program, main: &Main) -> Option<Extent> {
     let tree = &program.tree;
     let body = tree.stmt(main.decl.body?).extent;
@@ -333,7 +330,7 @@ fn jump_of(program: &Program, main: &Main) -> Option<Extent> {
     jumps.next().map(|s| s.extent)
 }
 
-/// Whether a statement of the body itself, not of one inside it, gives all of the output a value.
+/// Whether a top-level statement of the body assigns the complete output.
 fn is_assigned_at_last(program: &Program, main: &Main) -> bool {
     let tree = &program.tree;
     let token = main.color.ident.map(|i| i.token);
@@ -352,7 +349,7 @@ fn is_assigned_at_last(program: &Program, main: &Main) -> bool {
     })
 }
 
-/// Whether every use of the output gives all of it a value.
+/// Whether every use of the output is an assignment of all its components.
 fn is_only_assigned(program: &Program, main: &Main) -> bool {
     let token = main.color.ident.map(|i| i.token);
     let is_color = |id: ExprId| {
@@ -369,7 +366,7 @@ fn is_only_assigned(program: &Program, main: &Main) -> bool {
     uses == exprs.iter().filter(is_assigned).count()
 }
 
-/// Whether only blanks stand before a place on its line.
+/// Whether a position is the first on its line.
 fn tree_line_start(program: &Program, span: Span) -> bool {
     let Some(file) = program.sources.file_at(span.start) else {
         return false;
@@ -384,8 +381,8 @@ fn tree_line_start(program: &Program, span: Span) -> bool {
         .is_some_and(|line| line.is_empty())
 }
 
-/// The uses of the second parameter; `None` where one comes through a macro, so that the name must
-/// stay.
+/// The uses of the second parameter; `None` if one comes from a macro, so that the name must be
+/// kept.
 fn direct_uses(program: &Program, main: &Main) -> Option<Vec<Span>> {
     let ident = main.coord.ident?;
     let id = (0..)
@@ -413,7 +410,7 @@ fn direct_uses(program: &Program, main: &Main) -> Option<Vec<Span>> {
     Some(spans)
 }
 
-/// Version, precisions, the uniforms that the code names, and the output.
+/// Version, precisions, the uniforms that the code mentions, and the output.
 fn header(composed: &Composed, unit: &PassUnit, main: &Main) -> String {
     let prelude = unit.files.first().and_then(|f| composed.sources.file(*f));
     let mut text = String::from(

@@ -1,9 +1,9 @@
-//! Whether a rewritten pass does what the pass did: both are compared as the middle form, operation by
-//! operation, under the names that the rewriting gives to the output and the place in the picture.
+//! Proves that a rewritten pass is equivalent to the original: compares the IR of both, operation
+//! by operation, with the names that the rewrite gives to the output and the coordinate.
 //!
-//! `--verify` runs both and compares pixels, which shows that they are the same where it looked, and
-//! needs inputs and time. A rewritten pass is written without anybody looking, so it is proved, for
-//! all inputs; a shader that takes too long to be run is no exception.
+//! `--verify` runs both and compares pixels, which shows equality only for the samples and needs
+//! inputs and time. A rewritten pass is written without a check by the user, so equivalence is
+//! proved for all inputs, even for a shader that takes too long to run.
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
@@ -11,26 +11,26 @@ use shaderlint_ir::{
 };
 use shaderlint_semantic::{FunctionRef, Program, Value, VariableId};
 
-/// A checked shader and its middle form.
+/// A checked shader and its IR.
 pub(super) struct Lowered<'a> {
     pub(super) program: &'a Program,
     pub(super) module: &'a Module,
 }
 
-/// What the rewriting has put around the body of `mainImage`.
+/// The code that the rewrite added around the body of `mainImage`.
 pub(super) struct Added<'a> {
-    /// The output, which was the first parameter.
+    /// The output variable, formerly the first parameter.
     pub(super) color: &'a str,
-    /// Whether the output starts at zero, as the parameter did.
+    /// Whether the output is set to zero at the start, like the parameter.
     pub(super) clears: bool,
-    /// A variable in the place of the second parameter; without one, it is `gl_FragCoord.xy`.
+    /// The local variable that replaces the second parameter; `None` if that is `gl_FragCoord.xy`.
     pub(super) coordinate: Option<&'a str>,
-    /// Whether the output is made opaque at the end.
+    /// Whether alpha is set to 1.0 at the end.
     pub(super) is_opaque: bool,
 }
 
-/// Whether `main` of a rewritten shader does what `mainImage` of a pass did, and everything that it
-/// calls or that runs before it.
+/// Whether `main` of the rewritten shader is equivalent to `mainImage` of the pass, including
+/// everything that it calls or that runs before it.
 pub(super) fn is_same(pass: &Lowered, image: FunctionRef, made: &Lowered, added: &Added) -> bool {
     let mut pair = ShaderPair {
         a: pass,
@@ -45,7 +45,7 @@ pub(super) fn is_same(pass: &Lowered, image: FunctionRef, made: &Lowered, added:
     pair.entries(image, added).is_some() && pair.globals().is_some() && pair.others().is_some()
 }
 
-/// Two shaders, walked side by side. Whatever returns nothing has found a difference.
+/// Two shaders that are compared in parallel. `None` results mean a difference.
 struct ShaderPair<'a> {
     a: &'a Lowered<'a>,
     b: &'a Lowered<'a>,
@@ -54,18 +54,18 @@ struct ShaderPair<'a> {
     ops: FxHashMap<OpId, OpId>,
     functions: FxHashMap<FunctionRef, FunctionRef>,
     queue: Vec<(FunctionRef, FunctionRef)>,
-    /// The second parameter and `gl_FragCoord`, whose first two lanes it is.
+    /// The second parameter and `gl_FragCoord`, whose first two components it equals.
     coordinate: Option<(VariableId, VariableId)>,
 }
 
-/// An operation, or a step that is more than operations.
+/// An operation, or a control flow step.
 #[derive(Clone, Copy)]
 enum ComparedItem {
     Op(OpId),
     Step(Step),
 }
 
-/// The steps of a region, their operations one by one.
+/// The items of a region, with each operation separately.
 fn items(module: &Module, region: Region) -> Vec<ComparedItem> {
     let mut items = Vec::new();
     for step in module.steps(region) {
@@ -82,13 +82,13 @@ fn holds(is_so: bool) -> Option<()> {
 }
 
 impl Lowered<'_> {
-    /// What a variable is called; nothing for one that lowering made.
+    /// The name of a variable; `None` for one created by lowering.
     fn name(&self, id: VariableId) -> Option<&str> {
         let variable = self.program.variable(id)?;
         Some(self.program.names.text(variable.name))
     }
 
-    /// The variable of a kind that is called so.
+    /// The variable with a name and a kind.
     fn named(&self, name: &str, root: Root) -> Option<VariableId> {
         let ids = (0..self.module.variables.len() as u32).map(VariableId);
         let is_it = |id: &VariableId| {
@@ -98,7 +98,7 @@ impl Lowered<'_> {
         ids.into_iter().find(is_it)
     }
 
-    /// What an item stores, and where.
+    /// The variable and path that an item stores to, and the value.
     fn store(&self, item: ComparedItem) -> Option<(VariableId, &[Access], &Op)> {
         let ComparedItem::Op(op) = item else {
             return None;
@@ -111,7 +111,7 @@ impl Lowered<'_> {
         Some((place.variable, path, self.module.op(value)))
     }
 
-    /// Whether two items write a constant to a part of a variable.
+    /// Whether two items store a constant to a component of a variable.
     fn sets(&self, items: &[ComparedItem], to: VariableId, path: &[Access], value: f32) -> bool {
         let [ComparedItem::Op(_), store] = items else {
             return false;
@@ -129,7 +129,7 @@ impl Lowered<'_> {
 }
 
 impl ShaderPair<'_> {
-    /// Compares the entries, without what the rewriting has added.
+    /// Compares the entry functions, without the code that the rewrite added.
     fn entries(&mut self, image: FunctionRef, added: &Added) -> Option<()> {
         let of = self.a.module.function(image)?;
         let &[color, place] = self.a.module.parameters(of) else {
@@ -144,7 +144,7 @@ impl ShaderPair<'_> {
             holds(self.b.sets(start, output, &[], 0.0))?;
             theirs = rest;
         }
-        // It is a variable only of a shader that names it.
+        // The variable exists only in a shader that mentions it.
         let fragment = self.b.named("gl_FragCoord", Root::Input);
         match added.coordinate {
             None => self.coordinate = fragment.map(|f| (place, f)),
@@ -164,7 +164,7 @@ impl ShaderPair<'_> {
         }
         let ours = items(self.a.module, of.body?);
         self.items(&ours, theirs)?;
-        // The browser does not index outputs by what is computed.
+        // The browser rejects outputs with computed indices.
         let mut places = self.b.module.places.iter().filter(|p| p.variable == output);
         holds(places.all(|p| {
             let mut path = self.b.module.path(p).iter();
@@ -188,7 +188,7 @@ impl ShaderPair<'_> {
         (is_copy && path.is_empty()).then_some(variable)
     }
 
-    /// Compares the first values of globals, those of outputs aside.
+    /// Compares the initial values of globals, except those of outputs.
     fn globals(&mut self) -> Option<()> {
         let own = |side: &Lowered| {
             let all = items(side.module, side.module.globals);
@@ -199,7 +199,7 @@ impl ShaderPair<'_> {
             let mut kept: Vec<ComparedItem> = Vec::new();
             for item in all {
                 match is_output(&item) {
-                    // The value that it would get goes with it.
+                    // Its initial value is removed with it.
                     true => drop(kept.pop()),
                     false => kept.push(item),
                 }
@@ -288,7 +288,7 @@ impl ShaderPair<'_> {
     fn looped(&mut self, a: LoopId, b: LoopId) -> Option<()> {
         let (a, b) = (*self.a.module.looped(a)?, *self.b.module.looped(b)?);
         holds(a.tests_first == b.tests_first && a.condition.is_some() == b.condition.is_some())?;
-        // Only a test that comes first has been seen before the body.
+        // Only a loop that tests first has its test before the body.
         if a.tests_first {
             self.region(a.test, b.test)?;
         }
@@ -315,7 +315,7 @@ impl ShaderPair<'_> {
         Some(())
     }
 
-    /// Whether two values are those of operations that were found to be the same.
+    /// Whether two values come from operations that were found to be equal.
     fn value(&self, a: OpId, b: OpId) -> Option<()> {
         holds(self.ops.get(&a) == Some(&b))
     }
@@ -401,7 +401,7 @@ impl ShaderPair<'_> {
         Some(())
     }
 
-    /// Whether two variables take each other's place; told at the first sight by what they are.
+    /// Whether two variables correspond; decided at their first occurrence by name and kind.
     fn variable(&mut self, a: VariableId, b: VariableId) -> Option<()> {
         if self.variables.contains_key(&a) || self.back.contains_key(&b) {
             return holds(self.variables.get(&a) == Some(&b) && self.back.get(&b) == Some(&a));
@@ -411,7 +411,7 @@ impl ShaderPair<'_> {
         self.take(a, b)
     }
 
-    /// Has two variables of one type take each other's place.
+    /// Records that two variables of the same type correspond.
     fn take(&mut self, a: VariableId, b: VariableId) -> Option<()> {
         let (ours, theirs) = (self.a.module.variable(a)?, self.b.module.variable(b)?);
         let name = |side: &Lowered, ty| side.program.type_name(ty);
@@ -423,7 +423,7 @@ impl ShaderPair<'_> {
     }
 }
 
-/// What an operation is, without its operands; nothing for those that are compared on their own.
+/// The kind of an operation without its operands; `None` for kinds that are compared separately.
 fn shape(kind: OpKind) -> Option<OpKind> {
     const NONE: OpId = OpId(0);
     Some(match kind {
@@ -460,7 +460,7 @@ fn shape(kind: OpKind) -> Option<OpKind> {
     })
 }
 
-/// A value as what tells it from all others, the zeros and what is no number from each other too.
+/// The bits of a value, which also distinguish 0.0 from -0.0 and different NaNs.
 fn bits_of(value: &Value) -> (u8, u32) {
     match *value {
         Value::Bool(v) => (0, u32::from(v)),
@@ -474,7 +474,7 @@ fn bits_of(value: &Value) -> (u8, u32) {
 mod tests {
     use crate::{Project, rewrite};
 
-    /// What is written for an Image, or why it is not.
+    /// The rewritten Image pass, or the reason why it was not rewritten.
     fn rewritten(code: &str) -> Result<String, String> {
         let mut project = Project::draft("", code, None).unwrap();
         let composed = project.resolve("").unwrap();
@@ -511,7 +511,7 @@ mod tests {
     fn what_might_not_do_the_same_is_kept() {
         kept(
             &format!("{HEAD} for (int i = 0; i < 4; i++) c[i] = p.x; }}"),
-            "what comes of it does not compile: a fragment output takes a constant index only",
+            "the rewritten shader does not compile: a fragment output must be indexed with a constant",
         );
         kept(
             &format!("#define a 0.5\n{HEAD} c = vec4(a); }}"),
@@ -527,15 +527,15 @@ mod tests {
         );
         kept(
             &format!("{HEAD} c = vec4(__LINE__); }}"),
-            "`__LINE__` would be another number",
+            "`__LINE__` would change",
         );
         kept(
             &format!("float c;\n{HEAD} c = vec4(1); }}"),
-            "`c` is a global name already",
+            "`c` is already a global variable",
         );
         kept(
             &format!("{HEAD} c = vec4(p[int(iTime)]); }}"),
-            "a `main` could not be shown to do the same",
+            "equivalence could not be proved",
         );
     }
 }

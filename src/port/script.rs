@@ -1,12 +1,12 @@
-//! The player's code, and modules made of it.
+//! The player's code, and the modules made from it.
 
 use super::payload::payload;
 use super::{Composed, ControlKind, Project, UniformControl, credits};
 
-/// What shaders are given that bring their own uniforms, which the module for three.js has, too.
+/// Values of uniforms, shared with the module for three.js.
 const SOURCES: &str = include_str!("player/sources.js");
 
-/// The player, in the order in which its files use each other.
+/// The files of the player, in order of dependency.
 pub(super) const PLAYER: [&str; 17] = [
     include_str!("player/types.js"),
     SOURCES,
@@ -27,7 +27,7 @@ pub(super) const PLAYER: [&str; 17] = [
     include_str!("player/listen.js"),
 ];
 
-/// The end of a module, which puts the player on a canvas.
+/// The end of a module, which exports `mount`.
 pub(super) const MOUNT: &str = include_str!("player/mount.js");
 const MATERIALS: &str = include_str!("player/materials.js");
 const THREE: &str = include_str!("player/three.js");
@@ -39,9 +39,9 @@ const REACT_TYPES: &str = include_str!("player/react.d.ts");
 /// A JavaScript module and its TypeScript types.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ScriptModule {
-    /// The code.
+    /// The content of the `.js` file.
     pub code: String,
-    /// The types, as a `.d.ts` file.
+    /// The content of the `.d.ts` file.
     pub types: String,
 }
 
@@ -73,7 +73,7 @@ pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
     }
 }
 
-/// A React component over [`module`], which it imports under this name.
+/// A React component that imports [`module`] under this name.
 pub fn react(project: &Project, module_name: &str) -> ScriptModule {
     let import = serde_json::to_string(&format!("./{module_name}")).unwrap_or_default();
     ScriptModule {
@@ -85,7 +85,7 @@ pub fn react(project: &Project, module_name: &str) -> ScriptModule {
     }
 }
 
-/// Types in which the uniforms that the user sets are named, each with what is known of it.
+/// Declares the uniforms that the user sets, with documentation, in the type declarations.
 fn with_uniforms(types: &str, project: &Project, type_of: fn(&UniformControl) -> String) -> String {
     let lines = project.controls.iter().map(|control| {
         let (about, ty) = (about(control), type_of(control));
@@ -102,7 +102,7 @@ fn with_uniforms(types: &str, project: &Project, type_of: fn(&UniformControl) ->
     }
 }
 
-/// What is said of a uniform, as words that no comment ends at.
+/// The documentation of a uniform, escaped for use in a comment.
 fn about(control: &UniformControl) -> String {
     let numbers = |values: &[f64]| match values {
         [first, rest @ ..] if rest.iter().all(|v| v == first) => first.to_string(),
@@ -120,12 +120,12 @@ fn about(control: &UniformControl) -> String {
         let (min, max) = (numbers(&control.min), numbers(&control.max));
         parts.push(format!("from {min} to {max}"));
     }
-    parts.push(format!("at first {}", numbers(&control.value)));
+    parts.push(format!("default {}", numbers(&control.value)));
     let line = parts.join("; ").replace("*/", "* /");
     line.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// What a module without dependencies takes for a uniform.
+/// The TypeScript type of a uniform in a module without dependencies.
 fn number_type(control: &UniformControl) -> String {
     match (control.kind, control.value.len()) {
         (ControlKind::Bool | ControlKind::Event, 1) => "boolean".to_string(),
@@ -134,7 +134,7 @@ fn number_type(control: &UniformControl) -> String {
     }
 }
 
-/// What three.js has for a uniform.
+/// The TypeScript type of a uniform in a module for three.js.
 fn three_type(control: &UniformControl) -> String {
     let inner = match (control.kind, control.value.len()) {
         (ControlKind::Bool, 1) => "boolean".to_string(),
@@ -150,7 +150,7 @@ fn project_constant(project: &Project, composed: &Composed) -> String {
     format!("/** @type {{ProjectData}} */\nconst PROJECT = {data};\n\n")
 }
 
-/// Who made the shader, as a comment that its words cannot end.
+/// The credits as a comment, escaped for use in scripts.
 fn comment(project: &Project) -> String {
     let lines = credits::lines(project);
     let lines: String = lines
@@ -169,7 +169,7 @@ fn comment(project: &Project) -> String {
     }
 }
 
-/// Escapes JSON so that it can stand in an HTML element and in JavaScript.
+/// Escapes JSON for use in an HTML element and in JavaScript.
 pub(super) fn escape(json: &str) -> String {
     let mut out = String::with_capacity(json.len() + json.len() / 16);
     let mut from = 0;
@@ -211,9 +211,9 @@ mod tests {
         let mut project = Project::from_shader("", code).unwrap();
         project.controls[0].label = "a */ b".to_string();
         let module = with_uniforms(MOUNT_TYPES, &project, number_type);
-        let wanted = "export interface Uniforms {\n  /** a * / b; from 0.5 to 4.5; at first 2.5 */\n  \
-            gain: number;\n  /** at first 0 */\n  on: boolean;\n  \
-            /** at first [0.95, 0.55, 0.2] */\n  tint: [number, number, number];\n}\n";
+        let wanted = "export interface Uniforms {\n  /** a * / b; from 0.5 to 4.5; default 2.5 */\n  \
+            gain: number;\n  /** default 0 */\n  on: boolean;\n  \
+            /** default [0.95, 0.55, 0.2] */\n  tint: [number, number, number];\n}\n";
         assert!(module.contains(wanted), "{module}");
         let three = with_uniforms(THREE_TYPES, &project, three_type);
         assert!(three.contains("  tint: IUniform<Color>;\n"), "{three}");

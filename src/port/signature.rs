@@ -1,11 +1,12 @@
-//! What a file of media is, by its first bytes: names lie, and a browser looks at the bytes too.
+//! Detects the type of a media file by its first bytes: extensions can be wrong, and browsers check
+//! the content too.
 
 use super::InputKind;
 
-/// How many of a file's bytes tell what it is.
+/// How many bytes of a file are inspected.
 const HEAD: usize = 4096;
 
-/// The kind of input that a file is, with its media type; `None` for what no browser shows or plays.
+/// The kind of input and media type of a file; `None` for types that browsers do not support.
 pub fn kind_of_bytes(bytes: &[u8]) -> Option<(InputKind, &'static str)> {
     let head = bytes.get(..HEAD).unwrap_or(bytes);
     picture(head).or_else(|| film_or_music(head)).or_else(|| {
@@ -14,7 +15,7 @@ pub fn kind_of_bytes(bytes: &[u8]) -> Option<(InputKind, &'static str)> {
     })
 }
 
-/// The media type that the ending of a file's name tells.
+/// The media type for the extension of a file name.
 pub fn kind_of_name(path: &str) -> Option<&'static str> {
     let ending = path.rsplit_once('.')?.1.to_ascii_lowercase();
     Some(match ending.as_str() {
@@ -44,7 +45,7 @@ fn picture(head: &[u8]) -> Option<(InputKind, &'static str)> {
         [b'G', b'I', b'F', b'8', b'7' | b'9', b'a', ..] => "image/gif",
         _ if riff(head) == Some(b"WEBP") => "image/webp",
         _ if is_brand(b"avif") || is_brand(b"avis") => "image/avif",
-        // The size of the second header, which tells the version of the format.
+        // The size of the second header, which identifies the version of the format.
         [b'B', b'M', ..]
             if matches!(
                 head.get(14..18),
@@ -68,10 +69,10 @@ fn film_or_music(head: &[u8]) -> Option<(InputKind, &'static str)> {
         [b'f', b'L', b'a', b'C', ..] => (InputKind::Music, "audio/flac"),
         [b'I', b'D', b'3', ..] => (InputKind::Music, "audio/mpeg"),
         _ if riff(head) == Some(b"WAVE") => (InputKind::Music, "audio/wav"),
-        // Music alone has a brand of its own; pictures of this family were found before.
+        // Only audio has a brand of its own; images of this family were matched before.
         _ if first.is_some_and(|b| b.starts_with(b"M4A")) => (InputKind::Music, "audio/mp4"),
         _ if first.is_some_and(|b| !PICTURES.contains(&b)) => (InputKind::Video, "video/mp4"),
-        // A frame of MPEG sound: eleven bits that are set, then version, layer, rate and frequency.
+        // A frame of MPEG audio: eleven set bits, then version, layer, bit rate and frequency.
         [0xff, second, third, ..]
             if second & 0xe6 == 0xe2
                 && second & 0x18 != 0x08
@@ -85,44 +86,44 @@ fn film_or_music(head: &[u8]) -> Option<(InputKind, &'static str)> {
     })
 }
 
-/// Brands of the family of MP4 that are pictures which browsers do not show.
+/// Brands of MP4-like files that are images which browsers do not support.
 const PICTURES: [&[u8]; 6] = [b"heic", b"heix", b"hevc", b"hevx", b"mif1", b"msf1"];
 
-/// What a RIFF file holds.
+/// The form type of a RIFF file.
 fn riff(head: &[u8]) -> Option<&[u8; 4]> {
     let is_riff = head.starts_with(b"RIFF");
     head.get(8..12).filter(|_| is_riff)?.try_into().ok()
 }
 
-/// The brands that a file of the family of MP4 names, its own first.
+/// The brands of an MP4-like file, its major brand first.
 fn brands(head: &[u8]) -> impl Iterator<Item = &[u8]> {
     let size = match head.get(..8) {
         Some([a, b, c, d, b'f', b't', b'y', b'p']) => u32::from_be_bytes([*a, *b, *c, *d]),
         _ => 0,
     };
     let brands = head.get(8..head.len().min(size as usize)).unwrap_or(&[]);
-    // Behind the first stands a version.
+    // A version number follows the major brand.
     let others = brands.chunks_exact(4).enumerate();
     others.filter(|(i, _)| *i != 1).map(|(_, brand)| brand)
 }
 
-/// How ShaderToy's volume file begins: a signature, three sizes, the number of components, a layout,
-/// and a format (0 for bytes, 10 for floats).
+/// The header of ShaderToy's volume files: a signature, three sizes, the number of components, a
+/// layout, and a format (0 for bytes, 10 for floats).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct VolumeHead {
-    /// Width, height and depth.
+    /// Width, height and depth in texels.
     pub size: [u32; 3],
-    /// How many components a texel has, 1 to 4.
+    /// Number of components of a texel, 1 to 4.
     pub components: usize,
-    /// How many bytes a component has: 1 where it is a byte, 4 where it is a float.
+    /// Size of a component in bytes: 1 for bytes, 4 for floats.
     pub width: usize,
 }
 
 impl VolumeHead {
-    /// Where the data begin, in bytes.
+    /// Offset of the data, in bytes.
     pub const LENGTH: usize = 20;
 
-    /// Reads the head of a file that has just as much data as that asks for.
+    /// Parses the header of a file with the exact amount of data that it specifies.
     pub fn read(file: &[u8]) -> Option<VolumeHead> {
         let field = |at: usize| {
             let four = file.get(at..at + 4)?.try_into().ok()?;
@@ -145,26 +146,26 @@ impl VolumeHead {
     }
 }
 
-/// What a file that is no media is, as messages go on behind its name.
+/// The error for a file that is not a supported media file.
 pub fn why_not(bytes: &[u8]) -> &'static str {
     let head = bytes.get(..HEAD).unwrap_or(bytes);
     let text = String::from_utf8_lossy(head).to_lowercase();
     match head {
         [] => "the file is empty",
         _ if text.contains("<svg") => {
-            "this is SVG, a document that may hold scripts; save the picture as PNG"
+            "SVG is not supported because it can contain scripts; save the image as PNG"
         }
         _ if text.trim_start().starts_with("<!doctype") || text.contains("<html") => {
-            "this is a page of HTML, perhaps saved in the place of the file"
+            "this is an HTML page, perhaps saved instead of the file"
         }
-        [0x1a, 0x45, 0xdf, 0xa3, ..] => "this is Matroska; save the film as WebM or MP4",
+        [0x1a, 0x45, 0xdf, 0xa3, ..] => "Matroska is not supported; save the video as WebM or MP4",
         _ if brands(head).next().is_some() => {
-            "this is HEIC or a relation of it, which browsers do not show; save the picture as PNG"
+            "browsers do not support HEIC and similar formats; save the image as PNG"
         }
         [b'I', b'I', b'*', 0, ..] | [b'M', b'M', 0, b'*', ..] => {
-            "this is TIFF, which browsers do not show; save the picture as PNG"
+            "browsers do not support TIFF; save the image as PNG"
         }
-        _ => "this is no picture, film, music or volume that browsers read",
+        _ => "not an image, video, audio or volume file that browsers support",
     }
 }
 

@@ -1,4 +1,4 @@
-//! A shader file as a project: a pass of ShaderToy, or a whole shader of any dialect.
+//! A shader file as a project: a ShaderToy pass, or a complete shader of any host.
 
 use super::dialect::{self, Clues, Plan, PlannedPass, Recognised, TextsBeside, bind, recognise};
 use super::{
@@ -15,7 +15,7 @@ use shaderlint_semantic::{
 pub enum ShaderError {
     /// It is a vertex shader.
     Vertex,
-    /// It has none of ShaderToy's entry functions, and no `main`.
+    /// It has no entry function of ShaderToy and no `main`.
     NoEntry,
     /// It is too large to be addressed.
     TooLarge,
@@ -24,31 +24,29 @@ pub enum ShaderError {
 impl std::fmt::Display for ShaderError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            ShaderError::Vertex => "this is a vertex shader; give the fragment shader",
-            ShaderError::NoEntry => {
-                "this has neither `mainImage`, which every ShaderToy shader has, nor `main`"
-            }
-            ShaderError::TooLarge => "this is too large",
+            ShaderError::Vertex => "this is a vertex shader; pass the fragment shader instead",
+            ShaderError::NoEntry => "no entry point: expected `mainImage` (ShaderToy) or `main`",
+            ShaderError::TooLarge => "the shader is too large",
         })
     }
 }
 
 impl Project {
-    /// A project of a shader file. Its channels are of the types that their lookups need, and empty.
+    /// A project of a shader file. Its channels have the types that their lookups require, and no
+    /// content.
     ///
     /// # Errors
-    /// Where no page of ours can show it.
+    /// If the page cannot show it.
     pub fn from_shader(title: &str, code: &str) -> Result<Project, ShaderError> {
         let mut project = Project::draft(title, code, None)?;
         project.resolve("")?;
         Ok(project)
     }
 
-    /// A project of a shader file, of whose channels nothing is known yet. `host` is who
-    /// runs it, as the user says.
+    /// A project of a shader file, with unknown channels. `host` is the host given by the user.
     ///
     /// # Errors
-    /// Where its text shows that no page of ours can show it.
+    /// If its text shows that the page cannot show it.
     pub fn draft(
         title: &str,
         code: &str,
@@ -57,11 +55,11 @@ impl Project {
         Project::draft_beside(title, code, host, &TextsBeside::new())
     }
 
-    /// The same of a text that others stand beside: those that it still asks for are in
-    /// [`Project::wanted`].
+    /// Like [`Project::draft`], for a text with companion files. Those that have not been read yet
+    /// are in [`Project::wanted`].
     ///
     /// # Errors
-    /// Where its text shows that no page of ours can show it.
+    /// If its text shows that the page cannot show it.
     pub fn draft_beside(
         title: &str,
         code: &str,
@@ -94,9 +92,9 @@ impl Project {
         Ok(project)
     }
 
-    /// A WebGL1 fragment shader as a project that is to be made WebGL2, under the version of the
-    /// language that it will have; `None` where the text is none, or where its host completes it.
-    /// Nothing is asked of it yet: [`Project::draft`] takes what comes of it.
+    /// A WebGL1 fragment shader as a project to be converted to WebGL2, with the new `#version`;
+    /// `None` for other shaders, or if the host completes them. The result is the input of
+    /// [`Project::draft`].
     pub fn modernized(&self, text: &str) -> Option<Project> {
         let is_whole = self.host.is_some_and(|h| !h.declares()) && self.passes.len() == 1;
         let is_old = is_whole && guess(text).kind == Some(GuessedKind::WebGl1);
@@ -150,11 +148,11 @@ impl Project {
         })
     }
 
-    /// Puts the passes together, and gives the channels of shader files the types that their lookups
-    /// need. Those of an export are what it says. `path` is the file that the user gave.
+    /// Composes the passes and gives the channels of shader files the types that their lookups
+    /// require. Channels of an export keep their types. `path` is the input file given by the user.
     ///
     /// # Errors
-    /// Where no page of ours can show what comes of it.
+    /// If the page cannot show the result.
     pub fn resolve(&mut self, path: &str) -> Result<Composed, ShaderError> {
         let composed = compose(self, path).ok_or(ShaderError::TooLarge)?;
         if self.is_export {
@@ -184,10 +182,10 @@ impl Project {
         self.renew(composed, path)
     }
 
-    /// The passes put together, anew where something has changed that decides what is compiled.
+    /// Returns the composed passes, composed again if the project has changed.
     ///
     /// # Errors
-    /// Where they are too large to be addressed.
+    /// If they are too large to be addressed.
     pub fn renew(&self, composed: Composed, path: &str) -> Result<Composed, ShaderError> {
         match composed.is_of(self) {
             true => Ok(composed),
@@ -195,7 +193,7 @@ impl Project {
         }
     }
 
-    /// What is to be told of how a shader file was read, and what was made up for it.
+    /// Notes about how a shader file was interpreted and which values are assumed.
     pub fn remarks(&self) -> Vec<String> {
         let mut told = self.notes.clone();
         let quoted = |names: Vec<&str>| format!("`{}`", names.join("`, `"));
@@ -218,15 +216,12 @@ impl Project {
         let guessed = names(|b| &b.guessed);
         let zeros = names(|b| &b.zeros);
         for (names, what) in [
-            (
-                set,
-                "nothing sets these uniforms, so the page has controls for them",
-            ),
+            (set, "unknown uniforms, set by controls on the page"),
             (
                 guessed,
-                "nothing gives these varyings, so they hold the place in the picture",
+                "unknown varyings, set to the position in the image",
             ),
-            (zeros, "nothing sets these uniforms, so they are zeros"),
+            (zeros, "unknown uniforms, set to zero"),
         ] {
             if !names.is_empty() && self.host.is_some() {
                 told.push(format!("{what}: {}", quoted(names)));
@@ -236,10 +231,10 @@ impl Project {
     }
 }
 
-/// What a WebGL2 shader starts with.
+/// The first line of a WebGL2 shader.
 const VERSION: &str = "#version 300 es\n";
 
-/// A pass that is a whole shader.
+/// A pass that is a complete shader.
 fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, ShaderError> {
     let best = dialect::best(planned.candidates).ok_or(ShaderError::TooLarge)?;
     if let Some(note) = best.note.filter(|n| !notes.contains(n)) {
@@ -257,7 +252,7 @@ fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, Sha
     })
 }
 
-/// Adds the controls that are new. What a text said of one before it was repaired stays.
+/// Adds controls with new names. A control found before a repair is kept.
 fn add_controls(all: &mut Vec<UniformControl>, more: &[UniformControl]) {
     for control in more {
         if !all.iter().any(|c| c.name == control.name) {
@@ -265,7 +260,7 @@ fn add_controls(all: &mut Vec<UniformControl>, more: &[UniformControl]) {
         }
     }
 }
-/// The channels that code reads, as inputs of the types that its lookups need.
+/// The channels that the code reads, as inputs of the types that its lookups require.
 fn channels_used(program: &Program, kind: Pass) -> Vec<Input> {
     if kind == Pass::Common {
         return Vec::new();

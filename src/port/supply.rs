@@ -1,19 +1,19 @@
-//! What a project reads and the converter does not have, and what stands in its place.
+//! Inputs of a project that are not available, and their substitutes.
 
 use super::export::plain;
 use super::{Input, InputKind, OutputId, Project, ProjectPass};
 use shaderlint_semantic::Pass;
 
-/// Something that is not at hand.
+/// An input that is not available.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Missing {
-    /// What reads it, like `image.0`.
+    /// The channel, such as `image.0`.
     pub place: String,
-    /// What it is.
+    /// What is missing.
     pub what: String,
-    /// What stands in its place.
+    /// What the channel shows instead.
     pub stand_in: String,
-    /// How to supply it; empty where it cannot be.
+    /// How to provide it; empty if that is not possible.
     pub help: String,
 }
 
@@ -27,11 +27,11 @@ impl std::fmt::Display for Missing {
     }
 }
 
-const BLACK: &str = "it is black";
-const SIGNAL: &str = "a made-up spectrum and wave stand for it, as on the site";
-const TUNE: &str = "a tune of our own is played for it";
+const BLACK: &str = "the channel is black";
+const SIGNAL: &str = "using a synthetic spectrum and waveform, as on ShaderToy";
+const TUNE: &str = "using a synthetic tune";
 
-/// What is missing, in the order of the passes.
+/// The missing inputs, in the order of the passes.
 pub fn missing(project: &Project) -> Vec<Missing> {
     let passes = project.passes.iter().filter(|p| p.kind != Pass::Common);
     let all = passes.flat_map(|pass| pass.inputs.iter().map(move |input| (pass, input)));
@@ -56,15 +56,15 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
             return None;
         }
         InputKind::Buffer => (
-            "no pass draws the buffer that it reads".to_string(),
-            "it stays empty, as on the site".to_string(),
+            "no pass draws this buffer".to_string(),
+            "the channel stays empty, as on ShaderToy".to_string(),
         ),
         InputKind::Webcam => (
-            "the camera is asked for on the page".to_string(),
-            "until then it is black".to_string(),
+            "the page asks for the camera".to_string(),
+            "until then the channel is black".to_string(),
         ),
         InputKind::Microphone => (
-            "the microphone is asked for on the page".to_string(),
+            "the page asks for the microphone".to_string(),
             SIGNAL.to_string(),
         ),
         InputKind::Music | InputKind::MusicStream => (lacks("music", input), drawn(input)),
@@ -79,10 +79,10 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
         None => place.clone(),
     };
     let help = if is_file {
-        // Shells read brackets as patterns.
+        // Shells treat brackets as patterns.
         let name = input.uniform.as_ref().filter(|n| !n.contains('['));
         let channel = name.unwrap_or(&place);
-        format!("give it with `--channel {channel}=FILE`, or drop a file onto the page")
+        format!("use `--channel {channel}=FILE`, or drop a file on the page")
     } else {
         String::new()
     };
@@ -94,26 +94,22 @@ fn missing_input(project: &Project, pass: &ProjectPass, input: &Input) -> Option
     })
 }
 
-/// What an input reads instead of its file.
+/// What a channel without its file shows.
 fn drawn(input: &Input) -> String {
     let is_music = matches!(input.kind, InputKind::Music | InputKind::MusicStream);
     match input.stand_in {
         Some(_) if is_music => TUNE.to_string(),
-        Some(stand_in) if stand_in.title.is_empty() => "something like it is drawn".to_string(),
-        Some(stand_in) => format!("something like `{}` is drawn for it", stand_in.title),
+        Some(stand_in) if stand_in.title.is_empty() => "using a generated stand-in".to_string(),
+        Some(stand_in) => format!("using a generated stand-in for `{}`", stand_in.title),
         None if is_music => SIGNAL.to_string(),
         None => BLACK.to_string(),
     }
 }
 
 fn lacks(word: &str, input: &Input) -> String {
-    let article = if word == "music" { "" } else { "a " };
     match input.src.as_str() {
-        "" => format!("it reads {article}{word}, and there is none"),
-        src => format!(
-            "it reads {article}{word} ({}) that lies on the site",
-            plain(src)
-        ),
+        "" => format!("no {word} file given"),
+        src => format!("{word} file {} is not available", plain(src)),
     }
 }
 
@@ -132,11 +128,11 @@ mod tests {
         assert_eq!(
             said,
             [
-                "image.0: it reads a texture (/media/a/x.jpg) that lies on the site; it is black; \
-                 give it with `--channel image.0=FILE`, or drop a file onto the page",
-                "image.2: no pass draws the buffer that it reads; it stays empty, as on the site",
-                "image.3: the microphone is asked for on the page; a made-up spectrum and wave \
-                 stand for it, as on the site",
+                "image.0: texture file /media/a/x.jpg is not available; the channel is black; use \
+                 `--channel image.0=FILE`, or drop a file on the page",
+                "image.2: no pass draws this buffer; the channel stays empty, as on ShaderToy",
+                "image.3: the page asks for the microphone; using a synthetic spectrum and waveform, \
+                 as on ShaderToy",
             ]
         );
     }

@@ -1,5 +1,5 @@
-//! The files of the languages that naga writes: of the passes of a project, and of whole shaders of
-//! both stages, whatever their uniforms mean.
+//! Translation with naga: of the passes of a project, and of complete shaders of both stages,
+//! whatever their uniforms mean.
 
 use super::naga::{LowerOptions, Refused, TranslatedShader, lower, translate, write};
 use super::order::Order;
@@ -11,7 +11,7 @@ use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Each pass in another language; those that have no place there are told of.
+/// Translates each pass; passes that cannot be translated become remarks.
 pub(super) fn translated(
     order: Order,
     project: &Project,
@@ -33,26 +33,26 @@ pub(super) fn translated(
     files(order, made)
 }
 
-/// A whole shader, which brings its own uniforms and `main`.
+/// A complete shader, with its own uniforms and `main`.
 pub struct WholeShader {
-    /// The path that the user gave.
+    /// The path given by the user.
     pub path: String,
-    /// Its stage.
+    /// The shader stage.
     pub stage: Stage,
-    /// What is known of it.
+    /// The result of the check.
     pub checked: Checked,
 }
 
-/// Whole shaders of one program.
+/// The complete shaders of one run.
 pub struct WholeShaders {
     /// Their texts.
     pub sources: Arc<Sources>,
-    /// The shaders.
+    /// One for each input file.
     pub shaders: Vec<WholeShader>,
 }
 
-/// Checks shaders, given with path and stage, where all of them are whole: they have a `#version`, or
-/// compile as WebGL1.
+/// Checks shaders, given with path and stage. Returns `None` unless all are complete: they have a
+/// `#version`, or compile as WebGL1.
 pub fn whole_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<WholeShaders> {
     let mut sources = Sources::new();
     let mut added = Vec::new();
@@ -76,7 +76,7 @@ pub fn whole_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<Whol
         });
         let is_whole = match kind {
             GuessedKind::Versioned => true,
-            // What a host completes may look like this too.
+            // A shader fragment for a host can look like this too.
             GuessedKind::WebGl1 => !is_wrong(&checked),
             _ => false,
         };
@@ -97,11 +97,11 @@ fn is_wrong(checked: &Checked) -> bool {
     checked.diagnostics.iter().any(is_error)
 }
 
-/// Whole shaders in another language. The varyings of a vertex and a fragment shader that are given
-/// together have the same numbers.
+/// Translates complete shaders. The varyings of a vertex and a fragment shader in the same run get
+/// the same locations.
 ///
 /// # Errors
-/// Where several shaders are to go into one file.
+/// If several shaders are to be written to one file.
 pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, BuildError> {
     let Some(language) = order.target.language() else {
         return Ok(Build::default());
@@ -136,14 +136,14 @@ pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, Buil
     files(order, made)
 }
 
-/// What came of a shader.
+/// The result for one shader.
 struct ShaderOutcome {
     title: String,
     slug: String,
     outcome: Result<Option<TranslatedShader>, Refused>,
 }
 
-/// The files of all shaders; none where one is refused.
+/// The files of all shaders; none if one cannot be translated.
 fn files(order: Order, all: Vec<ShaderOutcome>) -> Result<Build, BuildError> {
     let ending = order.target.language().map_or("", |l| l.ending());
     let mut remarks = Vec::new();
@@ -160,7 +160,7 @@ fn files(order: Order, all: Vec<ShaderOutcome>) -> Result<Build, BuildError> {
                 });
                 interfaces.push(done.interface);
             }
-            // The compiler's own errors are told anyway.
+            // Compile errors are reported separately.
             Ok(None) => {}
             Err(refused) => remarks.push(Remark::refused(made.title, &refused)),
         }

@@ -1,9 +1,10 @@
-//! For programs that read as people do: one line a finding, with all that belongs to it.
+//! A compact format for programs that read text: one line per finding, including its fix, labels
+//! and notes.
 //!
-//! `path:line:column: severity rule: message; replace ... with ... at 5:3,9 6:1; 5:3: remark; note`
+//! `path:line:column: severity rule: message; replace ... with ... at 5:3,9 6:1; 5:3: label; note`
 //!
-//! Of places on one line the first names it. Remarks and notes stand where there is no fix; a note is
-//! told with the first finding that has it.
+//! Places on the same line share its number. Labels and notes are printed for findings without a
+//! fix only, and each note once per run.
 
 use super::place::{clean, location_name};
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
@@ -11,17 +12,17 @@ use shaderlint_text::{Edit, Sources, Span};
 use std::collections::HashSet;
 use std::io::{self, Write};
 
-/// Longest piece of code that is written out although the place tells which it is, in characters.
+/// Longest replaced code that is quoted next to its position, in characters.
 const MAX_OLD: usize = 24;
-/// Longest text of a fix that is written out whenever it is put in, in characters.
+/// Longest replacement that is quoted in full each time, in characters.
 const MAX_NEW: usize = 60;
 
-/// What was told already. A note is told once: it is the same for all findings that have it.
+/// The texts printed so far. A note that many findings share is printed once.
 #[derive(Default)]
 pub struct Told(HashSet<String>);
 
 impl Told {
-    /// Whether a text is new.
+    /// Whether a text was not printed before.
     fn is_new(&mut self, text: &str) -> bool {
         self.0.insert(text.to_string())
     }
@@ -50,7 +51,7 @@ pub fn write(
     for used in &diagnostic.macros {
         write!(out, "; in macro `{}`", clean(&used.name))?;
     }
-    // A fix says what to do and where; the page of the rule says why.
+    // A fix says what to do and where; the documentation of the rule says why.
     if diagnostic.fix.is_some() {
         return out.write_all(b"\n");
     }
@@ -68,7 +69,7 @@ pub fn write(
     out.write_all(b"\n")
 }
 
-/// The other places of a finding, by what is said of them.
+/// The secondary labels of a finding, grouped by message.
 fn labels(sources: &Sources, diagnostic: &Diagnostic) -> Vec<(String, Vec<String>)> {
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for label in &diagnostic.labels {
@@ -88,7 +89,7 @@ fn place(sources: &Sources, at: u32) -> String {
     position.map_or("1:1".to_string(), |p| format!("{}:{}", p.line, p.column))
 }
 
-/// A place beside another: its file is named where it is another one.
+/// A position, with its file if that differs from the file of `beside`.
 fn other_place(sources: &Sources, at: u32, beside: Span) -> String {
     let here = location_name(sources, beside);
     let there = location_name(sources, Span::at(at));
@@ -99,7 +100,7 @@ fn other_place(sources: &Sources, at: u32, beside: Span) -> String {
     }
 }
 
-/// Places in one text: of those on the same line, the line stands with the first only.
+/// Positions in one text; positions on the same line share its number.
 fn joined(places: &[String]) -> String {
     let mut text = String::new();
     let mut last = "";
@@ -115,9 +116,9 @@ fn joined(places: &[String]) -> String {
     text
 }
 
-/// What to write: ``replace `1` with `1.0` at 5:3, 6:7``.
+/// The edits of a fix: ``replace `1` with `1.0` at 5:3, 6:7``.
 fn told_fix(sources: &Sources, fix: &Fix, at: Span, told: &mut Told) -> String {
-    // The same edit in several places is told once.
+    // The same edit in several places is printed once.
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for edit in &fix.edits {
         let what = told_edit(sources, edit, told);
@@ -151,7 +152,7 @@ fn told_fix(sources: &Sources, fix: &Fix, at: Span, told: &mut Told) -> String {
     format!("{grade}{}", all.join(", "))
 }
 
-/// The first and last line that an edit takes away, where it takes away whole lines of this text.
+/// The first and last line that an edit deletes, if it deletes whole lines and nothing else.
 fn whole_lines(sources: &Sources, edit: &Edit) -> Option<(u32, u32)> {
     let file = sources.file_at(edit.span.start)?;
     let (start, end) = (file.position(edit.span.start), file.position(edit.span.end));
@@ -159,7 +160,7 @@ fn whole_lines(sources: &Sources, edit: &Edit) -> Option<(u32, u32)> {
     (is_whole && edit.text.is_empty()).then_some((start.line, end.line - 1))
 }
 
-/// Whether what an edit takes away is written out.
+/// Whether the replaced code is short enough to be quoted.
 fn is_short(sources: &Sources, edit: &Edit) -> bool {
     let old = sources.text(edit.span);
     old.chars().count() <= MAX_OLD && !old.contains('\n')
@@ -187,7 +188,7 @@ fn told_edit(sources: &Sources, edit: &Edit, told: &mut Told) -> String {
     }
 }
 
-/// Code on one line.
+/// Code, with line breaks escaped.
 fn code(text: &str) -> String {
     let text = text.replace('\r', "").replace('\n', "\\n");
     clean(&text)

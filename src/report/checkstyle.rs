@@ -6,7 +6,7 @@ use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 use std::io::{self, Write};
 
-/// Writes what comes first.
+/// Writes everything before the first file.
 pub fn begin(out: &mut impl Write) -> io::Result<()> {
     out.write_all(b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<checkstyle version=\"4.3\">\n")
 }
@@ -32,7 +32,7 @@ pub fn file(
     out.write_all(b"  </file>\n")
 }
 
-/// Writes what comes last.
+/// Writes everything after the last file.
 pub fn end(out: &mut impl Write) -> io::Result<()> {
     out.write_all(b"</checkstyle>\n")
 }

@@ -1,5 +1,4 @@
-//! The lines of source that a finding is shown with: cut to a readable width, and free of
-//! characters that would upset a terminal.
+//! The source lines shown with a finding, cut to a readable width and cleaned for terminals.
 
 use super::place::{clean_char, location_name};
 use codespan_reporting::files::{Error, Files};
@@ -8,41 +7,42 @@ use shaderlint_text::{FileId, SourceFile, Sources, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Widest line that is shown whole, in characters.
+/// Widest line that is shown completely, in characters.
 const MAX_WIDTH: usize = 160;
-/// What is shown of a wider line before the place of interest.
+/// Number of characters shown before the position of interest in a wider line.
 const LEAD: usize = 60;
 
-/// A line of source as it is shown.
+/// One source line as shown.
 struct ExcerptLine {
-    /// Its number in the file, 1-based.
+    /// Line number in the file, from 1.
     number: u32,
-    /// Address of the first byte that is shown.
+    /// Address of the first byte shown.
     from: u32,
-    /// Address behind the last byte that is shown.
+    /// Address after the last byte shown.
     to: u32,
-    /// Where it starts in the excerpt.
+    /// Start in the excerpt.
     start: usize,
-    /// Bytes put in front, for what was cut away.
+    /// Length in bytes of the mark that replaces the removed beginning.
     prefix: usize,
-    /// Characters cut away in front.
+    /// Number of characters removed at the beginning.
     cut: usize,
 }
 
-/// The lines of one file.
+/// The shown lines of one file.
 struct ExcerptPart {
     name: String,
     text: String,
     lines: Vec<ExcerptLine>,
 }
 
-/// All lines that one finding needs.
+/// All source lines shown with one finding.
 pub struct Excerpt {
     parts: Vec<(u32, ExcerptPart)>,
 }
 
 impl Excerpt {
-    /// Cuts out what `diagnostic` points at. A span over several lines is shown by its first line.
+    /// Collects the lines of the labels of `diagnostic`. Of a span over several lines only the
+    /// first is shown.
     pub fn new(sources: &Sources, diagnostic: &Diagnostic) -> Excerpt {
         let mut by_file: BTreeMap<FileId, Vec<Span>> = BTreeMap::new();
         let labels = diagnostic.labels.iter().map(|l| l.span);
@@ -61,8 +61,8 @@ impl Excerpt {
         }
     }
 
-    /// The part that holds a span, and the span's range in it. A span that goes on over lines ends
-    /// with its first.
+    /// The part that contains a span, and its range there. A span over several lines is cut at the
+    /// end of the first.
     pub fn range(&self, span: Span) -> Option<(usize, Range<usize>)> {
         self.parts.iter().enumerate().find_map(|(i, (_, part))| {
             let line = part
@@ -95,7 +95,7 @@ impl ExcerptPart {
             if last == Some(number) {
                 continue;
             }
-            // The renderer shows a single line between two others.
+            // The renderer fills a gap of one line itself.
             if last.is_some_and(|l| l + 2 == number) {
                 part.push_line(file, number - 1, Span::at(file.base));
             }
@@ -136,7 +136,7 @@ impl ExcerptPart {
     }
 }
 
-/// The part of a line that is shown, and how many bytes come before it.
+/// The shown part of a line, and the number of bytes removed before it.
 fn cut(line: &str, focus: usize) -> (usize, &str) {
     if line.len() <= MAX_WIDTH {
         return (0, line);
@@ -178,7 +178,7 @@ impl<'a> Files<'a> for Excerpt {
             .checked_sub(1)
             .and_then(|i| part.lines.get(i))
             .ok_or(Error::FileMissing)?;
-        // The renderer takes lines with neighbouring indices for neighbours in the file.
+        // The renderer treats lines with consecutive indices as adjacent.
         Ok(line.number as usize - 1)
     }
 

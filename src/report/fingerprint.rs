@@ -1,12 +1,12 @@
-//! What stays the same of a finding when lines above it come and go.
+//! Identifies findings independently of the lines above them.
 
 use sha2::{Digest, Sha256};
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 use std::collections::HashMap;
 
-/// A fingerprint for each finding of one input: of its pass, its rule, the text of its line without
-/// blanks, and how many like it come before.
+/// Computes a fingerprint for each finding of one input, from its pass, its rule, its line without
+/// white space, and the number of equal findings before it.
 pub fn fingerprints(sources: &Sources, found: &[Diagnostic]) -> Vec<String> {
     let mut seen: HashMap<[u8; 32], u32> = HashMap::new();
     found
@@ -39,7 +39,7 @@ pub fn fingerprints(sources: &Sources, found: &[Diagnostic]) -> Vec<String> {
         .collect()
 }
 
-/// A fingerprint of texts.
+/// Hashes several texts into one fingerprint.
 pub fn digest<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
     let mut hash = Sha256::new();
     for text in texts {

@@ -1,5 +1,5 @@
-//! Workflow commands of GitHub Actions, which become annotations. Columns count UTF-16 units, as the
-//! site's own editor does.
+//! Workflow commands of GitHub Actions, which become annotations. Columns count UTF-16 units, as
+//! the editor of GitHub does.
 
 use super::place::{path, placed_message, region};
 use shaderlint_diagnostic::{Diagnostic, Severity};
@@ -25,7 +25,7 @@ pub fn write(
     )?;
     if let Some((start, end)) = region(sources, d.span) {
         write!(out, ",line={},endLine={}", start.line, end.line)?;
-        // Columns are taken for places of the last line where there are several.
+        // GitHub would interpret the columns of several lines as columns of the last line.
         if start.line == end.line {
             write!(out, ",col={},endColumn={}", start.utf16, end.utf16)?;
         }
@@ -37,14 +37,14 @@ pub fn write(
     writeln!(out, ",title={}::{}", property(d.rule), data(&message))
 }
 
-/// Text behind the `::`.
+/// Escapes the message after `::`.
 fn data(text: &str) -> String {
     text.replace('%', "%25")
         .replace('\r', "%0D")
         .replace('\n', "%0A")
 }
 
-/// Text of a property.
+/// Escapes the value of a property.
 fn property(text: &str) -> String {
     data(text).replace(':', "%3A").replace(',', "%2C")
 }

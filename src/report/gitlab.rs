@@ -1,4 +1,4 @@
-//! GitLab's code quality report.
+//! GitLab code quality report.
 
 use super::fingerprint::digest;
 use super::place::{path, placed_message, region};
@@ -22,7 +22,7 @@ pub fn write(
     };
     let begin = region(sources, d.span).map_or(1, |(start, _)| start.line);
     let path = path(sources, d.span, root);
-    // Of all findings in all files, those of the same fingerprint count as one.
+    // GitLab merges findings with the same fingerprint, even across files.
     let fingerprint = digest([path, fingerprint]);
     let value = json!({
         "description": placed_message(sources, d),

@@ -1,4 +1,4 @@
-//! For people: the finding with an excerpt of the source, rendered by codespan-reporting.
+//! The format for people: the finding with a source excerpt, rendered by codespan-reporting.
 
 use super::excerpt::Excerpt;
 use super::place::clean;
@@ -19,13 +19,25 @@ pub fn write(
     let excerpt = Excerpt::new(sources, diagnostic);
     let shown = convert(diagnostic, &excerpt);
     let config = Config::default();
+    let mut text = Vec::new();
     let result = if color {
-        emit_to_write_style(&mut Colored(&mut *out), &config, &excerpt, &shown)
+        emit_to_write_style(&mut Colored(&mut text), &config, &excerpt, &shown)
     } else {
-        emit_to_io_write(&mut *out, &config, &excerpt, &shown)
+        emit_to_io_write(&mut text, &config, &excerpt, &shown)
     };
-    result.map_err(io::Error::other)
+    result.map_err(io::Error::other)?;
+    // codespan-reporting calls its lowest severity a note.
+    let note = text.windows(NOTE.len()).position(|part| part == NOTE);
+    if let (Severity::Info, Some(at)) = (diagnostic.severity, note) {
+        text.splice(at..at + NOTE.len(), INFO.iter().copied());
+    }
+    out.write_all(&text)
 }
+
+/// How a finding of severity info starts in codespan-reporting.
+const NOTE: &[u8] = b"note[";
+/// How it starts here.
+const INFO: &[u8] = b"info[";
 
 fn convert(diagnostic: &Diagnostic, excerpt: &Excerpt) -> cs::Diagnostic<usize> {
     let severity = match diagnostic.severity {
@@ -66,7 +78,7 @@ fn convert(diagnostic: &Diagnostic, excerpt: &Excerpt) -> cs::Diagnostic<usize> 
     shown
 }
 
-/// The macros that the code came through, the one that stands in the text first.
+/// The macros that the code was expanded from, outermost first.
 fn macro_note(diagnostic: &Diagnostic) -> Option<String> {
     const SHOWN: usize = 4;
     let names: Vec<String> = diagnostic
@@ -77,7 +89,7 @@ fn macro_note(diagnostic: &Diagnostic) -> Option<String> {
         .collect();
     match names.as_slice() {
         [] => None,
-        [one] => Some(format!("it comes from the macro {one}")),
+        [one] => Some(format!("expanded from macro {one}")),
         [first, rest @ ..] => {
             let mut through = rest
                 .iter()
@@ -88,14 +100,12 @@ fn macro_note(diagnostic: &Diagnostic) -> Option<String> {
             if rest.len() > SHOWN {
                 through.push_str(&format!(" and {} more", rest.len() - SHOWN));
             }
-            Some(format!(
-                "it comes from the macro {first}, through {through}"
-            ))
+            Some(format!("expanded from macro {first}, via {through}"))
         }
     }
 }
 
-/// Puts codespan's styles into ANSI escape sequences.
+/// Translates the styles of codespan-reporting to ANSI escape sequences.
 struct Colored<W: Write>(W);
 
 impl<W: Write> Colored<W> {
@@ -157,7 +167,7 @@ impl<W: Write> WriteStyle for Colored<W> {
     }
 }
 
-/// Renders one finding as people see it, without colour.
+/// Renders one finding without colour.
 pub fn render(sources: &Sources, diagnostic: &Diagnostic) -> String {
     let mut out = Vec::new();
     // Writing to memory cannot fail.

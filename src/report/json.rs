@@ -1,4 +1,4 @@
-//! For programs: one object, or one object a line. The README describes the fields.
+//! JSON for programs: one object, or one object per line. The README documents the fields.
 
 use super::summary::{ReadAs, Summary};
 use serde::Serialize;
@@ -7,7 +7,7 @@ use shaderlint_diagnostic::{Diagnostic, Label, MacroUse};
 use shaderlint_text::{Edit, Position, Sources, Span};
 use std::io::{self, Write};
 
-/// Number of the schema; it changes when a field changes its meaning.
+/// Version of the schema; it changes when the meaning of a field changes.
 const SCHEMA: u32 = 1;
 
 #[derive(Serialize)]
@@ -105,7 +105,7 @@ struct JsonDiagnostic<'a> {
     part: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
     host: Option<String>,
-    /// What the file is read as that was checked; it may be another, which includes this one.
+    /// How the checked file was interpreted; the finding may be in a file that it includes.
     #[serde(skip_serializing_if = "Option::is_none")]
     read_as: Option<&'a str>,
 }
@@ -162,7 +162,7 @@ fn convert<'a>(
     }
 }
 
-/// Writes what comes before the first finding.
+/// Writes everything before the first finding.
 pub fn begin(out: &mut impl Write) -> io::Result<()> {
     let version = env!("CARGO_PKG_VERSION");
     write!(
@@ -171,7 +171,7 @@ pub fn begin(out: &mut impl Write) -> io::Result<()> {
     )
 }
 
-/// Writes one finding of the one object.
+/// Writes one finding as an element of the array.
 pub fn write(
     out: &mut impl Write,
     sources: &Sources,
@@ -183,7 +183,7 @@ pub fn write(
     Ok(())
 }
 
-/// Writes one finding as a line of its own.
+/// Writes one finding on its own line.
 pub fn write_line(
     out: &mut impl Write,
     sources: &Sources,
@@ -194,7 +194,7 @@ pub fn write_line(
     out.write_all(b"\n")
 }
 
-/// Writes what comes behind the last finding.
+/// Writes everything after the last finding.
 pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     let unrun = summary.unrun_functions.iter();
     let unrun: Vec<_> = unrun

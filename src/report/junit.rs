@@ -1,5 +1,5 @@
-//! JUnit XML: a suite a file, a failed case an error or warning. An info is a case that passed and
-//! says something; a file without findings is a case that passed.
+//! JUnit XML: one suite per file, one failed case per error or warning. An info is a case that
+//! passes with output; a file without findings is one case that passes.
 
 use super::human::render;
 use super::place::placed_message;
@@ -8,7 +8,7 @@ use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
 use std::io::{self, Write};
 
-/// Writes what comes first.
+/// Writes everything before the first file.
 pub fn begin(out: &mut impl Write) -> io::Result<()> {
     out.write_all(b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"shaderlint\">\n")
 }
@@ -43,16 +43,16 @@ pub fn file(
             "    <testcase name=\"{} at {line}:{column}\" classname=\"{name}\">",
             d.rule
         )?;
-        let told = render(sources, d);
-        let told = escape(told.trim_end());
+        let text = render(sources, d);
+        let text = escape(text.trim_end());
         if is_failure(d) {
             let (kind, message) = (d.severity.name(), escape(&placed_message(sources, d)));
             writeln!(
                 out,
-                "      <failure type=\"{kind}\" message=\"{message}\">{told}</failure>"
+                "      <failure type=\"{kind}\" message=\"{message}\">{text}</failure>"
             )?;
         } else {
-            writeln!(out, "      <system-out>{told}</system-out>")?;
+            writeln!(out, "      <system-out>{text}</system-out>")?;
         }
         out.write_all(b"    </testcase>\n")?;
     }
@@ -63,7 +63,7 @@ fn is_failure(d: &Diagnostic) -> bool {
     d.severity != Severity::Info
 }
 
-/// Writes what comes last.
+/// Writes everything after the last file.
 pub fn end(out: &mut impl Write) -> io::Result<()> {
     out.write_all(b"</testsuites>\n")
 }

@@ -1,7 +1,7 @@
-//! Output formats: the only place with line numbers, colour and JSON.
+//! Output formats. Only this crate deals with line numbers, colour and JSON.
 //!
-//! A [`Reporter`] is given the findings file by file and writes them as it goes; [`Reporter::finish`]
-//! writes what comes last. One file per format.
+//! A [`Reporter`] receives the findings file by file and writes them at once; [`Reporter::finish`]
+//! writes what follows the last file. Each format has its own module.
 
 mod agent;
 mod checkstyle;
@@ -34,39 +34,39 @@ use std::io::{self, Write};
 pub enum Format {
     /// With excerpts of the source, for people.
     Human,
-    /// One line a finding.
+    /// One line per finding.
     Short,
-    /// One line a finding, with its fix, its other places and its notes.
+    /// One line per finding, with its fix, labels and notes.
     Agent,
     /// One JSON object.
     Json,
-    /// One JSON object a line, one line a finding.
+    /// One JSON object per line, one line per finding.
     Jsonl,
     /// SARIF 2.1.0.
     Sarif,
     /// Workflow commands of GitHub Actions.
     Github,
-    /// GitLab's code quality report.
+    /// GitLab code quality report.
     Gitlab,
     /// JUnit XML.
     Junit,
     /// Checkstyle XML.
     Checkstyle,
-    /// How often each rule found something.
+    /// The number of findings of each rule.
     Statistics,
 }
 
-/// Most findings of one input that are printed.
+/// Maximum number of findings printed for one input.
 const MAX_PRINTED: usize = 200;
 
-/// What is said at the end, in the formats for people.
+/// What the formats for people print at the end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ReportEnd {
-    /// Nothing.
+    /// No summary.
     None,
-    /// What was found, if anything was.
+    /// The number of findings, if there are any.
     Counts,
-    /// What was looked at, found, and not looked at.
+    /// What was checked and found, and where rules did not run.
     All,
 }
 
@@ -77,14 +77,14 @@ pub struct Reporter<W: Write> {
     color: bool,
     pages: Pages,
     ending: ReportEnd,
-    /// The folder that the paths of the formats for services count from; ends with a slash.
+    /// Base folder of paths in the formats that services read; ends with a slash.
     root: String,
     summary: Summary,
-    /// How many findings were printed.
+    /// Number of findings printed.
     printed: usize,
-    /// What an agent was told already.
+    /// The texts that the agent format printed already.
     told: agent::Told,
-    /// How often each name was reported, for the formats that sum up.
+    /// Number of findings by rule, for the statistics and SARIF.
     names: BTreeMap<&'static str, usize>,
 }
 
@@ -106,47 +106,48 @@ impl<W: Write> Reporter<W> {
         }
     }
 
-    /// Lets the formats that explain rules do so.
+    /// Sets the function that returns the documentation of a rule, for SARIF.
     pub fn with_pages(mut self, pages: Pages) -> Reporter<W> {
         self.pages = pages;
         self
     }
 
-    /// Says at the end what was looked at, what was not, and how many findings can be fixed.
+    /// Prints at the end what was checked, where rules did not run, and how many findings can be
+    /// fixed.
     pub fn summing_up(mut self) -> Reporter<W> {
         self.ending = ReportEnd::All;
         self
     }
 
-    /// Says nothing at the end, but in the formats that always do.
+    /// Prints no summary, except in the formats that always have one.
     pub fn without_summary(mut self) -> Reporter<W> {
         self.ending = ReportEnd::None;
         self
     }
 
-    /// Names files from this folder in the formats that services read: they know no other.
+    /// Sets the folder that paths are relative to in the formats that services read.
     pub fn inside(mut self, folder: &str) -> Reporter<W> {
         self.root = format!("{}/", folder.trim_end_matches('/'));
         self
     }
 
-    /// Whether the format says what each input was read as.
+    /// Whether the format prints how each input was interpreted.
     pub fn tells_readings(&self) -> bool {
         matches!(self.format, Format::Json | Format::Jsonl)
     }
 
-    /// Counts findings that were mended before they could be reported.
+    /// Counts findings that were fixed before they could be reported.
     pub fn add_fixed(&mut self, count: usize) {
         self.summary.fixed += count;
     }
 
-    /// Counts findings that `--fix` would mend, and others with a fix.
+    /// Counts findings that `--fix` would fix, and others with a fix.
     pub fn add_offer(&mut self, safe: usize, others: usize) {
         self.summary.fixable += safe;
         self.summary.suggested += others;
     }
 
-    /// Sends on what was written so far.
+    /// Flushes the output.
     pub fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
     }
@@ -161,7 +162,7 @@ impl<W: Write> Reporter<W> {
         self.input(name, sources, diagnostics, &Scope::default())
     }
 
-    /// Writes the findings of one input file, and counts what was looked at in it.
+    /// Writes the findings of one input file, and adds its scope to the summary.
     pub fn input(
         &mut self,
         name: &str,
@@ -248,7 +249,7 @@ impl<W: Write> Reporter<W> {
         Ok(())
     }
 
-    /// Writes the lines that sum up.
+    /// Writes the summary.
     fn sum_up(&mut self) -> io::Result<()> {
         let summary = &self.summary;
         let lines = match self.ending {
@@ -256,7 +257,7 @@ impl<W: Write> Reporter<W> {
             ReportEnd::Counts if summary.findings() == 0 => Vec::new(),
             ReportEnd::Counts => {
                 let files = summary::count(summary.files, "file");
-                vec![format!("{} in {files}", summary.counts())]
+                vec![format!("Found {} in {files}", summary.counts())]
             }
             ReportEnd::All => summary.lines(),
         };
@@ -277,7 +278,7 @@ impl<W: Write> Reporter<W> {
         }
     }
 
-    /// Writes what comes behind the last file, and tells how much was found.
+    /// Writes what follows the last file, and returns the totals.
     pub fn finish(mut self) -> io::Result<Summary> {
         if self.summary.files == 0 {
             self.begin()?;
@@ -311,7 +312,7 @@ impl<W: Write> Reporter<W> {
     }
 }
 
-/// The findings that are printed where there are too many: the worst, in the order of the text.
+/// The findings to print if there are too many: the most severe, in source order.
 fn worst(found: &[Diagnostic]) -> Vec<Diagnostic> {
     let mut order: Vec<usize> = (0..found.len()).collect();
     order.sort_by_key(|i| std::cmp::Reverse(found.get(*i).map(|d| d.severity)));

@@ -1,22 +1,22 @@
-//! Where findings stand, and text that a terminal may show.
+//! Positions of findings, and text that is safe to show in a terminal.
 
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::{Position, Sources, Span};
 
-/// Where a finding starts and ends in its file; `None` for a pass of an export, whose code does not
-/// stand in the file as such.
+/// The start and end of a span in its file; `None` for a pass of an export, because its code is
+/// escaped in the file.
 pub(super) fn region(sources: &Sources, span: Span) -> Option<(Position, Position)> {
     let file = sources.file_at(span.start).filter(|f| f.part.is_none())?;
     Some((file.position(span.start), file.position(span.end)))
 }
 
-/// The path of the file that holds a span, from the folder `root` where it lies in there.
+/// The path of the file that contains a span, relative to `root` if it is inside of it.
 pub(super) fn path<'a>(sources: &'a Sources, span: Span, root: &str) -> &'a str {
     let path = sources.file_at(span.start).map_or("", |f| &f.path);
     path.strip_prefix(root).unwrap_or(path)
 }
 
-/// The message, with the place in its pass where the file has no place for it.
+/// The message, prefixed with the position in the pass if the file itself has no position for it.
 pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
     let message = clean(&diagnostic.message);
     let file = sources.file_at(diagnostic.span.start);
@@ -30,7 +30,7 @@ pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> Stri
     }
 }
 
-/// Path of the file that holds a span, with the pass where there are several.
+/// The path of the file that contains a span, with the pass if the file has several.
 pub(super) fn location_name(sources: &Sources, span: Span) -> String {
     match sources.file_at(span.start) {
         Some(file) => match &file.part {
@@ -41,8 +41,8 @@ pub(super) fn location_name(sources: &Sources, span: Span) -> String {
     }
 }
 
-/// Text without control characters, those that nobody sees, and those that turn the direction of
-/// writing, which could make a terminal show something else. Each is replaced by something of the same length.
+/// Replaces control characters, invisible characters and bidirectional overrides, with which a
+/// terminal could show other text. Replacements keep the length in bytes.
 pub(super) fn clean(text: &str) -> String {
     text.chars().map(clean_char).collect()
 }
@@ -50,12 +50,12 @@ pub(super) fn clean(text: &str) -> String {
 pub(super) fn clean_char(c: char) -> char {
     match c {
         '\t' => c,
-        // Three bytes each in UTF-8, like U+FFFD.
+        // Three bytes each in UTF-8, as U+FFFD.
         '\u{200b}'..='\u{200f}'
         | '\u{2028}'..='\u{202e}'
         | '\u{2060}'..='\u{2069}'
         | '\u{feff}' => '\u{fffd}',
-        // Two bytes each, like U+00A4.
+        // Two bytes each, as U+00A4.
         '\u{ad}' => '\u{a4}',
         c if c.is_control() && c.len_utf8() == 1 => '?',
         c if c.is_control() => '\u{a4}',

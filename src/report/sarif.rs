@@ -1,4 +1,4 @@
-//! SARIF 2.1.0. Columns count Unicode scalar values, which the document says itself.
+//! SARIF 2.1.0. Columns count Unicode scalar values, as `columnKind` declares.
 
 use super::place::{path, placed_message, region};
 use serde_json::{Value, json};
@@ -6,10 +6,10 @@ use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{Edit, Sources, Span};
 use std::io::{self, Write};
 
-/// The page of a rule or a compile error, by its name.
+/// Returns the documentation of a rule or a compile error by name.
 pub type Pages = fn(&str) -> Option<&'static str>;
 
-/// Writes what comes before the first finding.
+/// Writes everything before the first finding.
 pub fn begin(out: &mut impl Write) -> io::Result<()> {
     out.write_all(
         b"{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{\
@@ -70,7 +70,7 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-/// Gives an object one more member.
+/// Adds a member to an object.
 fn put(object: &mut Value, name: &str, value: Value) {
     if let Value::Object(members) = object {
         members.insert(name.to_string(), value);
@@ -105,7 +105,7 @@ fn region_of(sources: &Sources, span: Span) -> Option<Value> {
     }))
 }
 
-/// The edits of a fix, all of which lie in one file.
+/// The edits of a fix, which all are in one file.
 fn changes(sources: &Sources, edits: &[Edit], root: &str) -> Option<Value> {
     let first = edits.first()?;
     let replacements: Option<Vec<Value>> = edits
@@ -119,7 +119,7 @@ fn changes(sources: &Sources, edits: &[Edit], root: &str) -> Option<Value> {
     Some(json!([{"artifactLocation": {"uri": uri}, "replacements": replacements?}]))
 }
 
-/// A path as a relative or `file:` address.
+/// A path as a relative reference or a `file:` URI.
 fn uri(path: &str) -> String {
     let mut out = String::new();
     if path.starts_with('/') {
@@ -138,7 +138,7 @@ fn uri(path: &str) -> String {
     out
 }
 
-/// Writes what comes behind the last finding: the tool and the rules that found something.
+/// Writes everything after the last finding: the tool and the rules that have findings.
 pub fn end(out: &mut impl Write, names: &[&'static str], pages: Pages) -> io::Result<()> {
     let rules: Vec<Value> = names.iter().map(|name| rule(name, pages)).collect();
     let tool = json!({
@@ -158,7 +158,9 @@ fn rule(name: &str, pages: Pages) -> Value {
         return json!({"id": name});
     };
     let body = page.split_once('\n').map_or("", |(_, body)| body).trim();
-    let summary = body.split("\n\n").next().unwrap_or("").replace('\n', " ");
+    // The first paragraph lists the properties of the rule.
+    let mut paragraphs = body.split("\n\n").filter(|p| !p.starts_with("**"));
+    let summary = paragraphs.next().unwrap_or("").replace('\n', " ");
     json!({
         "id": name,
         "shortDescription": {"text": summary},

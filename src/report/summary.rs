@@ -1,83 +1,83 @@
-//! What the last lines of a run say: what was looked at, what was found, and what was not looked at.
+//! The summary: what was checked, what was found, and where rules did not run.
 
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use std::collections::BTreeSet;
 
-/// Most names in one line.
+/// Maximum number of function names in one line.
 const MAX_NAMES: usize = 5;
 
-/// What an input was read as.
+/// How an input was interpreted.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct ReadAs {
-    /// Who runs its shaders, by the names that `--host` takes.
+    /// The hosts of its shaders, as names that `--host` accepts.
     pub hosts: Vec<&'static str>,
-    /// What it is, in words, as `-v` says it.
+    /// A description, as `-v` prints it.
     pub read_as: String,
 }
 
-/// What was looked at in one input, and what was not.
+/// What was checked in one input, and what was not.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Scope {
-    /// Shaders that were read in it.
+    /// Number of shaders.
     pub shaders: usize,
-    /// What it was read as, where the format says that.
+    /// How the input was interpreted, for the formats that print it.
     pub read_as: Option<ReadAs>,
-    /// Shaders in which no rule ran, since they have errors outside their functions.
+    /// Number of shaders that rules skipped because of errors outside functions.
     pub unrun_shaders: usize,
-    /// The functions in which no rule ran, since they have errors.
+    /// The functions that rules skipped because of errors.
     pub unrun_functions: Vec<String>,
-    /// The names that hosts have to declare for its parts of shaders.
+    /// The names that hosts have to declare for the shader fragments of this input.
     pub open_names: BTreeSet<String>,
-    /// Findings that are not handed on, since there are too many.
+    /// Number of findings dropped because there are too many.
     pub left_out: usize,
-    /// Errors that were not asked for.
+    /// Number of errors that `--only` hides.
     pub hidden: usize,
-    /// Findings that were there before.
+    /// Number of findings in the baseline.
     pub known: usize,
-    /// Rules whose findings fail the run, by name.
+    /// For each finding of a rule with `fail = true`, the name of the rule.
     pub failing: Vec<&'static str>,
 }
 
-/// How many findings there were.
+/// The totals of a run.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Summary {
-    /// Files looked at.
+    /// Number of files checked.
     pub files: usize,
-    /// Files that hold shaders.
+    /// Number of files that contain shaders.
     pub holding: usize,
-    /// Shaders looked at.
+    /// Number of shaders checked.
     pub shaders: usize,
-    /// Errors.
+    /// Number of findings with severity error.
     pub errors: usize,
-    /// Warnings.
+    /// Number of findings with severity warning.
     pub warnings: usize,
-    /// Infos.
+    /// Number of findings with severity info.
     pub infos: usize,
-    /// Findings that `--fix` would mend.
+    /// Number of findings that `--fix` would fix.
     pub fixable: usize,
-    /// Findings that `--unsafe-fixes` would mend besides.
+    /// Number of further findings that `--unsafe-fixes` would fix.
     pub suggested: usize,
-    /// Findings that have been mended.
+    /// Number of findings that were fixed.
     pub fixed: usize,
-    /// Findings that were counted and not printed.
+    /// Number of findings that were counted but not printed.
     pub left_out: usize,
-    /// Errors that were not asked for.
+    /// Number of errors that `--only` hides.
     pub hidden: usize,
-    /// Findings that were there before.
+    /// Number of findings in the baseline.
     pub known: usize,
-    /// Findings of rules that fail the run.
+    /// Number of findings of rules with `fail = true`.
     pub failing: usize,
-    /// The names of those rules.
+    /// The names of these rules.
     pub failing_rules: BTreeSet<&'static str>,
-    /// Files that hold parts of shaders which lack names.
+    /// Number of files with shader fragments that use undeclared names.
     pub parts: usize,
-    /// Those names.
+    /// These names.
     pub open_names: BTreeSet<String>,
-    /// Shaders in which no rule ran.
+    /// Number of shaders that rules skipped.
     pub unrun_shaders: usize,
-    /// Functions in which no rule ran, in the order of the text, and the file of each.
+    /// The functions that rules skipped, in source order, each with its file.
     pub unrun_functions: Vec<(String, String)>,
-    /// The inputs, and what each was read as, where the format says that.
+    /// How each input was interpreted, for the formats that print it.
     pub readings: Vec<(String, ReadAs)>,
 }
 
@@ -91,7 +91,7 @@ impl Summary {
         }
     }
 
-    /// Counts what was looked at.
+    /// Adds the counts of one input.
     pub fn enter(&mut self, input: &str, scope: &Scope) {
         self.shaders += scope.shaders;
         let read_as = scope.read_as.iter().cloned();
@@ -106,7 +106,7 @@ impl Summary {
         self.open_names.extend(scope.open_names.iter().cloned());
         self.failing += scope.failing.len();
         self.failing_rules.extend(&scope.failing);
-        // A function may stand in several passes.
+        // Several passes may contain the same function.
         let mut seen = BTreeSet::new();
         let functions = scope.unrun_functions.iter();
         let functions: Vec<&String> = functions.filter(|f| seen.insert(*f)).collect();
@@ -114,12 +114,12 @@ impl Summary {
         self.unrun_functions.extend(named);
     }
 
-    /// All findings.
+    /// The number of findings of all severities.
     pub fn findings(&self) -> usize {
         self.errors + self.warnings + self.infos
     }
 
-    /// `2 errors, 1 warning`; empty where nothing is found.
+    /// `2 errors, 1 warning`; empty if there are no findings.
     pub fn counts(&self) -> String {
         let found = [
             (self.errors, "error"),
@@ -131,19 +131,19 @@ impl Summary {
         found.join(", ")
     }
 
-    /// `3 can be fixed with --fix`, if any can.
+    /// `3 fixable with --fix`, if there are any.
     pub fn fixes(&self) -> Option<String> {
         match (self.fixable, self.suggested) {
             (0, 0) => None,
-            (0, n) => Some(format!("{n} can be fixed with --unsafe-fixes")),
-            (n, 0) => Some(format!("{n} can be fixed with --fix")),
+            (0, n) => Some(format!("{n} fixable with --unsafe-fixes")),
+            (n, 0) => Some(format!("{n} fixable with --fix")),
             (n, m) => Some(format!(
-                "{n} can be fixed with --fix, {m} more with --unsafe-fixes"
+                "{n} fixable with --fix, {m} more with --unsafe-fixes"
             )),
         }
     }
 
-    /// What was looked at: `12 shaders in 9 files`.
+    /// What was checked: `12 shaders in 9 files`.
     fn looked_at(&self) -> String {
         let shaders = match self.shaders {
             0 => "no shader".to_string(),
@@ -157,22 +157,25 @@ impl Summary {
         }
     }
 
-    /// The lines that sum up.
+    /// The lines of the summary.
     pub fn lines(&self) -> Vec<String> {
         if self.files == 0 {
             return Vec::new();
         }
         let found = match self.counts() {
-            found if found.is_empty() => format!("{}, no findings", self.looked_at()),
-            found => format!("{}: {found}", self.looked_at()),
+            found if !found.is_empty() => format!("Found {found} ({})", self.looked_at()),
+            _ if self.shaders == 0 => {
+                format!("No shaders found in {}", count(self.files, "file"))
+            }
+            _ => format!("All checks passed ({})", self.looked_at()),
         };
         let known = (self.known > 0).then(|| format!("{} in the baseline", self.known));
         let hidden = (self.hidden > 0).then(|| {
             let hidden = count(self.hidden, "error");
-            format!("{hidden} left out by --only")
+            format!("{hidden} hidden by --only")
         });
-        let fixed = (self.fixed > 0).then(|| format!("{} fixed", count(self.fixed, "finding")));
-        let first: Vec<String> = [fixed, Some(found), known, hidden, self.fixes()]
+        let fixed = (self.fixed > 0).then(|| format!("fixed {}", count(self.fixed, "finding")));
+        let first: Vec<String> = [Some(found), fixed, known, hidden, self.fixes()]
             .into_iter()
             .flatten()
             .collect();
@@ -184,9 +187,8 @@ impl Summary {
                 .map(|r| format!("`{r}`"))
                 .collect();
             let which = count(self.failing, "finding");
-            let verb = if self.failing == 1 { "fails" } else { "fail" };
             lines.push(format!(
-                "{which} of {} {verb} the run, as the configuration says",
+                "Failed because of {which} of {} (`fail = true`)",
                 rules.join(", ")
             ));
         }
@@ -194,7 +196,7 @@ impl Summary {
         lines
     }
 
-    /// Where rules did not run.
+    /// The lines about functions and shaders that rules skipped.
     fn unrun(&self) -> Vec<String> {
         let mut lines = Vec::new();
         let functions = &self.unrun_functions;
@@ -202,35 +204,35 @@ impl Summary {
             let is_one_file = self.files == 1;
             let name = |(function, file): &(String, String)| match is_one_file {
                 true => format!("`{function}`"),
-                false => format!("`{function}` of {file}"),
+                false => format!("`{function}` in {file}"),
             };
             let mut names: Vec<String> = functions.iter().take(MAX_NAMES).map(name).collect();
             if functions.len() > MAX_NAMES {
                 names.push(format!("{} more", functions.len() - MAX_NAMES));
             }
             lines.push(format!(
-                "rules did not run in {} with errors: {}",
+                "Rules skipped {} with errors: {}",
                 count(functions.len(), "function"),
                 names.join(", ")
             ));
         }
         if self.unrun_shaders > 0 {
             lines.push(format!(
-                "rules did not run in {}, whose errors reach beyond one function",
+                "Rules skipped {} with errors outside functions",
                 count(self.unrun_shaders, "shader")
             ));
         }
         if self.parts > 0 {
             let files = match self.parts {
-                1 => "1 file is a part of a shader".to_string(),
-                n => format!("{n} files are parts of shaders"),
+                1 => "1 file is a shader fragment".to_string(),
+                n => format!("{n} files are shader fragments"),
             };
             let names = match self.open_names.len() {
-                1 => "1 name comes".to_string(),
-                n => format!("{n} names come"),
+                1 => "1 name".to_string(),
+                n => format!("{n} names"),
             };
             lines.push(format!(
-                "{files}; {names} from what completes them: `[host]` in shaderlint.toml makes them checked"
+                "{files} using {names} from a host; set `[host]` in shaderlint.toml to check them"
             ));
         }
         lines

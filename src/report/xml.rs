@@ -1,8 +1,8 @@
-//! Text inside XML.
+//! Escaping of text for XML.
 
 use super::place::clean;
 
-/// Text as it stands in an element or an attribute.
+/// Escapes text for an element or an attribute.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for (i, line) in text.split('\n').enumerate() {
@@ -16,7 +16,7 @@ pub fn escape(text: &str) -> String {
                 '>' => out.push_str("&gt;"),
                 '"' => out.push_str("&quot;"),
                 '\'' => out.push_str("&apos;"),
-                // The two that no XML may hold, even by number.
+                // Noncharacters that XML does not allow, even as character references.
                 '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
                 c => out.push(c),
             }

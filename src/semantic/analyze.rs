@@ -1,4 +1,5 @@
-//! One shader from files to findings: what is wrong, and whose fault it is.
+//! Analysis of one shader from files to findings, including error attribution to macro definitions
+//! and directives.
 
 use super::blame::attribute;
 use super::builtins::Stage;
@@ -12,14 +13,14 @@ use shaderlint_syntax::Search;
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
 
-/// Checks a complete fragment shader without a host: the short way in. `None` where it is too large.
+/// Checks a complete fragment shader without a host. `None` if it is too large.
 pub fn analyze_alone(code: String, role: Role) -> Option<Checked> {
     let mut sources = Sources::new();
     let file = sources.add("", None, role, code)?;
     Some(analyze_files(sources, &[file]))
 }
 
-/// The same for the tests of all layers above.
+/// The same, for tests of higher layers.
 pub fn analyze_fragment(code: &str) -> Checked {
     let mut sources = Sources::new();
     let file = sources.add("test", None, Role::User, code);
@@ -37,8 +38,8 @@ fn analyze_files(sources: Sources, files: &[FileId]) -> Checked {
     })
 }
 
-/// Reads and checks a part of a shader in each way in which a host may take it, the likeliest first:
-/// what is wrong in all of them is wrong.
+/// Checks a shader fragment in every way in which a host may complete it, most likely first; only
+/// errors that occur in all of them are kept.
 pub fn analyze_part(readings: &[Unit], search: &mut Search) -> Option<Checked> {
     let (first, others) = readings.split_first()?;
     let mut analysis = analyze_within(first, search);
@@ -47,7 +48,7 @@ pub fn analyze_part(readings: &[Unit], search: &mut Search) -> Option<Checked> {
             break;
         }
         if !search.pays(analysis.program.size()) {
-            // What the others would say is not known.
+            // The results of the other readings are unknown.
             analysis.open.is_any = true;
             analysis.open.unknown.clear();
             analysis
@@ -69,8 +70,8 @@ pub fn analyze_part(readings: &[Unit], search: &mut Search) -> Option<Checked> {
     Some(analysis)
 }
 
-/// Keeps the names that are unknown in each way in which a host may take a part: what only one stage
-/// or version has is known in that.
+/// Keeps the names that are unknown in every reading of a shader fragment; a name of one stage or
+/// version is known in that reading.
 pub fn confirm_unknown(readings: &[Unit], unknown: &mut Vec<Diagnostic>) {
     for reading in readings {
         if unknown.is_empty() {
@@ -84,12 +85,12 @@ fn keep_common(unknown: &mut Vec<Diagnostic>, others: &[Diagnostic]) {
     unknown.retain(|d| others.iter().any(|o| o.span == d.span));
 }
 
-/// Reads and checks one shader, and finds whose fault its errors are.
+/// Checks one shader and attributes its errors.
 pub fn analyze(unit: &Unit) -> Checked {
     analyze_within(unit, &mut Search::for_text())
 }
 
-/// Does so for a text that may be read in several ways, with what is left of its search.
+/// As [`analyze`], with a search budget shared between several readings of a text.
 pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
     let Checked {
         program,
@@ -98,7 +99,7 @@ pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
         wholeness,
     } = analyze_once(unit, search);
     let mut diagnostics = attribute(unit, &program, diagnostics, search);
-    // An entry that stands behind an `#if` without its end is there, only not read.
+    // The entry function may be inside an `#if` without `#endif`.
     if diagnostics
         .iter()
         .any(|d| d.is(error::UNBALANCED_CONDITIONAL))
@@ -117,7 +118,7 @@ pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
     }
 }
 
-/// Keeps what is said of the user's text, without what it says of a host's.
+/// Keeps findings in the user's text and removes references to the host's text.
 fn keep_own(sources: &Sources, diagnostics: &mut Vec<Diagnostic>) {
     let is_user = |span: Span| {
         let file = sources.file_at(span.start);
@@ -134,7 +135,7 @@ fn limit(diagnostics: &mut Vec<Diagnostic>) {
         diagnostics.truncate(MAX_ERRORS);
         if let Some(last) = diagnostics.last_mut() {
             last.notes.push(format!(
-                "there may be more: only the first {MAX_ERRORS} errors are told"
+                "only the first {MAX_ERRORS} errors are reported; there may be more"
             ));
         }
     }

@@ -1,29 +1,29 @@
-//! Who calls whom.
+//! The call graph.
 
 use super::lists::Lists;
 use super::{FunctionRef, Program};
 use std::collections::VecDeque;
 
-/// Calls between a shader's functions, each under its number, by who is called and by who calls.
+/// Calls between a shader's functions, indexed by callee and by caller.
 #[derive(Default, Debug)]
 pub struct CallGraph {
-    /// By call: who calls, `None` at global scope, and who is called.
+    /// By call: the caller (`None` at global scope) and the callee.
     calls: Vec<(Option<FunctionRef>, FunctionRef)>,
-    /// Numbers of calls, by callee.
+    /// Indices of calls, by callee.
     of: Lists<u32>,
-    /// Numbers of calls, by caller.
+    /// Indices of calls, by caller.
     by: Lists<u32>,
     functions: usize,
 }
 
 impl CallGraph {
-    /// The calls in the text of a shader, in its order.
+    /// The calls of a shader, in source order.
     pub fn of(program: &Program) -> CallGraph {
         let calls = program.calls.iter().map(|c| (c.caller, c.callee));
         CallGraph::new(program.functions.len(), calls.collect())
     }
 
-    /// Calls between so many functions: who calls, and who is called.
+    /// A graph over `functions` functions, with the caller and callee of each call.
     pub fn new(functions: usize, calls: Vec<(Option<FunctionRef>, FunctionRef)>) -> CallGraph {
         let numbered = || calls.iter().zip(0..);
         let by = |((caller, _), i): (&(Option<FunctionRef>, _), u32)| Some(((*caller)?.0, i));
@@ -35,12 +35,12 @@ impl CallGraph {
         }
     }
 
-    /// The numbers of the calls of a function.
+    /// Indices of the calls to a function.
     pub fn calls_of(&self, callee: FunctionRef) -> &[u32] {
         self.of.get(callee.0)
     }
 
-    /// The numbers of the calls in a function.
+    /// Indices of the calls inside a function.
     pub fn calls_by(&self, caller: FunctionRef) -> &[u32] {
         self.by.get(caller.0)
     }
@@ -57,7 +57,7 @@ impl CallGraph {
         calls.filter_map(|&i| Some(self.calls.get(i as usize)?.1))
     }
 
-    /// Whether each function is reached from `entry`, by number. `entry` itself is.
+    /// By function: whether it is reachable from `entry`, which itself is.
     pub fn reached_from(&self, entry: FunctionRef) -> Vec<bool> {
         let mut reached = vec![false; self.functions];
         let mut todo = vec![entry];
@@ -71,7 +71,7 @@ impl CallGraph {
         reached
     }
 
-    /// Whether each function is one of some, or reaches one by calls, by number.
+    /// By function: whether it satisfies `is_goal` or calls, directly or indirectly, one that does.
     pub fn reaching(&self, is_goal: impl Fn(FunctionRef) -> bool) -> Vec<bool> {
         let mut reaching = vec![false; self.functions];
         for function in self.bottom_up() {
@@ -84,12 +84,12 @@ impl CallGraph {
         reaching
     }
 
-    /// All functions, each behind those that it calls.
+    /// All functions, each after those that it calls.
     pub fn bottom_up(&self) -> Vec<FunctionRef> {
         let mut order = Vec::with_capacity(self.functions);
         let mut open = vec![false; self.functions];
         for root in 0..self.functions as u32 {
-            // A function comes a second time when all that it calls is done.
+            // A function is visited a second time when all its callees are done.
             let mut todo = vec![(FunctionRef(root), false)];
             while let Some((next, is_done)) = todo.pop() {
                 if is_done {

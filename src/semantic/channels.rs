@@ -1,4 +1,4 @@
-//! The types of ShaderToy's channels where only the code tells them: those that its lookups need.
+//! Infers the types of ShaderToy's channels from the lookups in the code.
 
 use super::builtins::Builtins;
 use super::dialect::Channels;
@@ -7,11 +7,11 @@ use super::types::{Base, Sampler, Type};
 use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::{Expr, ExprId, ExprKind};
 
-/// The types that a channel may be of. Of two that fit as many lookups the first holds.
+/// Types that a channel can have. If two fit equally many lookups, the first wins.
 const CANDIDATES: [Sampler; 3] = [Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D];
 
-/// The type of each channel that most of its lookups fit, in a shader that was checked with channels
-/// of any type. `None` is a channel that is not looked up.
+/// For each channel the type that most of its lookups fit, in a shader checked with channels of any
+/// type. `None` if the channel is not used.
 pub fn needed_channels(program: &Program) -> Channels {
     let mut fits = [[0_u32; CANDIDATES.len()]; 4];
     let names = [0, 1, 2, 3].map(|i| program.names.get(&format!("iChannel{i}")));
@@ -54,7 +54,8 @@ fn channel_of(program: &Program, expr: ExprId, names: [Option<Name>; 4]) -> Opti
     channel.filter(|_| is_global)
 }
 
-/// Whether a function of this name takes these arguments, if the one at a position is such a sampler.
+/// Whether a function of this name accepts these arguments if the one at `position` is such a
+/// sampler.
 fn may_take(
     program: &Program,
     name: Name,

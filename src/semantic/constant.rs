@@ -1,7 +1,7 @@
-//! Values known before the shader runs (GLSL ES 3.00 section 4.3.3).
+//! Values of constant expressions (GLSL ES 3.00 section 4.3.3).
 //!
-//! Every value is a run of scalars: a vector's components, a matrix column by column, an array
-//! element by element, a struct member by member.
+//! Every value is a sequence of scalars: the components of a vector, a matrix by columns, an array
+//! by elements, a struct by members.
 
 use super::types::Scalar;
 
@@ -19,7 +19,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// Converted as a constructor converts (section 5.4.1).
+    /// Converts it as a constructor does (section 5.4.1).
     pub fn to(self, scalar: Scalar) -> Value {
         match scalar {
             Scalar::Bool => Value::Bool(self.as_bool()),
@@ -29,7 +29,7 @@ impl Value {
         }
     }
 
-    /// As `bool(x)`.
+    /// The result of `bool(x)`.
     pub fn as_bool(self) -> bool {
         match self {
             Value::Bool(v) => v,
@@ -39,7 +39,7 @@ impl Value {
         }
     }
 
-    /// As `int(x)`.
+    /// The result of `int(x)`.
     pub fn as_int(self) -> i32 {
         match self {
             Value::Bool(v) => v as i32,
@@ -49,7 +49,7 @@ impl Value {
         }
     }
 
-    /// As `uint(x)`; a negative float, whose conversion is undefined, goes through `int`.
+    /// The result of `uint(x)`; a negative float, where it is undefined, is converted via `int`.
     pub fn as_uint(self) -> u32 {
         match self {
             Value::Bool(v) => v as u32,
@@ -60,7 +60,7 @@ impl Value {
         }
     }
 
-    /// As a number that holds all that the scalars hold.
+    /// As an `f64`, which represents every scalar exactly.
     pub fn as_double(self) -> f64 {
         match self {
             Value::Bool(v) => v as u8 as f64,
@@ -70,7 +70,7 @@ impl Value {
         }
     }
 
-    /// As `float(x)`.
+    /// The result of `float(x)`.
     pub fn as_float(self) -> f32 {
         match self {
             Value::Bool(v) => v as u8 as f32,
@@ -81,7 +81,7 @@ impl Value {
     }
 }
 
-/// `int(x)`. What is out of range is undefined; ANGLE gives what the processor does.
+/// `int(x)`. Out-of-range values are undefined; ANGLE uses the result of the processor.
 fn float_to_int(x: f32) -> i32 {
     if (-2_147_483_648.0..2_147_483_648.0).contains(&x) {
         x as i32
@@ -90,7 +90,7 @@ fn float_to_int(x: f32) -> i32 {
     }
 }
 
-/// A run of values in a [`Pool`]; empty where nothing is known.
+/// A range of values in a [`Pool`]; empty if the value is unknown.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Constant {
     start: u32,
@@ -98,7 +98,7 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// Nothing is known.
+    /// An unknown value.
     pub const NONE: Constant = Constant { start: 0, len: 0 };
 
     /// Whether the value is known.
@@ -106,12 +106,12 @@ impl Constant {
         self.len > 0
     }
 
-    /// How many scalars it is made of; 0 where they are not known.
+    /// Number of scalars; 0 if the value is unknown.
     pub const fn scalars(self) -> u32 {
         self.len
     }
 
-    /// `len` scalars from the one with number `from`; nothing where it has fewer.
+    /// `len` scalars starting at index `from`; unknown if there are fewer.
     pub fn part(self, from: u32, len: u32) -> Constant {
         if from.checked_add(len).is_some_and(|end| end <= self.len) {
             Constant {
@@ -124,17 +124,17 @@ impl Constant {
     }
 }
 
-/// Holds the values of all constants of a shader.
+/// Storage for the values of all constants of a shader.
 #[derive(Clone, Default, Debug)]
 pub struct Pool {
     values: Vec<Value>,
 }
 
 impl Pool {
-    /// Most scalars that are kept; constants beyond are treated as unknown.
+    /// Maximum number of stored scalars; further constants are treated as unknown.
     const LIMIT: usize = 4_000_000;
 
-    /// Stores values.
+    /// Stores a sequence of scalars.
     pub fn add(&mut self, values: impl IntoIterator<Item = Value>) -> Constant {
         let start = self.values.len();
         if start > Pool::LIMIT {
@@ -147,8 +147,7 @@ impl Pool {
         }
     }
 
-    /// Stores the values of constants, end to end, each as `f` makes it; nothing where one of them
-    /// is not known.
+    /// Stores the concatenated values of constants, each mapped by `f`; unknown if one of them is.
     pub fn join(
         &mut self,
         parts: impl IntoIterator<Item = Constant>,
@@ -168,7 +167,7 @@ impl Pool {
         }
     }
 
-    /// Stores the values of a constant as `f` makes them.
+    /// Stores the values of a constant mapped by `f`.
     pub fn map(&mut self, of: Constant, f: impl Fn(Value) -> Value) -> Constant {
         let start = self.values.len();
         if start > Pool::LIMIT {

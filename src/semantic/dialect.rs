@@ -1,11 +1,11 @@
-//! Who runs the shader, and what that host puts around it.
+//! Who runs a shader, and detection of what a text is written for.
 
 use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
 use shaderlint_syntax::{Feature, Version};
 use std::ops::Range;
 
-/// Lookups that only GLSL ES 1.00 has, and that its shaders hardly do without.
+/// Lookups that only GLSL ES 1.00 has, used in most of its shaders.
 const OLD_LOOKUPS: [BuiltinId; 2] = [BuiltinId::Texture2D, BuiltinId::TextureCube];
 /// Lookups that only GLSL ES 3.00 has.
 const NEW_LOOKUPS: [BuiltinId; 3] = [
@@ -14,40 +14,40 @@ const NEW_LOOKUPS: [BuiltinId; 3] = [
     BuiltinId::TextureLod,
 ];
 
-/// The kinds of ShaderToy pass.
+/// Kinds of ShaderToy passes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Pass {
-    /// Draws the picture.
+    /// Renders the visible image.
     Image,
-    /// Draws into a buffer.
+    /// Renders into a buffer.
     Buffer,
-    /// Draws a cube map.
+    /// Renders a cube map.
     Cubemap,
-    /// Computes sound.
+    /// Computes sound samples.
     Sound,
-    /// Put before every other pass; never runs alone.
+    /// Code prepended to every other pass; never runs alone.
     Common,
 }
 
 /// Who runs the shader.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Dialect {
-    /// ShaderToy's player, which puts a header before the pass.
+    /// ShaderToy, which adds a header before the pass.
     ShaderToy(Pass),
-    /// A page, which compiles the text as it stands or completes it first.
+    /// A web page, which compiles the text as it is or completes it first.
     WebGl,
 }
 
-/// The type of each channel of a pass; `None` where it is not known.
+/// Type of each channel of a pass; `None` if it is unknown.
 pub type Channels = [Option<Sampler>; 4];
 
-/// The output of a part that writes to `gl_FragColor` and is compiled as GLSL ES 3.00, where its host
-/// declares none.
+/// Output declaration for a fragment that writes to `gl_FragColor` and is compiled as GLSL ES 3.00,
+/// if its host declares none.
 pub const PART_OUTPUT: &str =
     "out highp vec4 host_FragColor;\n#define gl_FragColor host_FragColor\n";
 
-/// What is put before a part of a shader, behind its `#version`: every default precision and, since
-/// hosts that compile as GLSL ES 3.00 do the same, the words of 1.00 as macros.
+/// Declarations added before a shader fragment, after its `#version`: default precisions and, as
+/// hosts that compile as GLSL ES 3.00 do, macros for the names of 1.00.
 pub fn part_declarations(version: Version, stage: Stage) -> String {
     const SAMPLERS: [&str; 2] = ["sampler2D", "samplerCube"];
     const NEW_SAMPLERS: [&str; 13] = [
@@ -88,61 +88,61 @@ pub fn part_declarations(version: Version, stage: Stage) -> String {
 }
 
 impl Dialect {
-    /// Whether the ShaderToy player runs it.
+    /// Whether ShaderToy runs it.
     pub const fn is_shadertoy(self) -> bool {
         matches!(self, Dialect::ShaderToy(_))
     }
 }
 
-/// What a text seems to be written for.
+/// What a text is probably written for.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Guess {
-    /// What the text itself tells; `None` where it tells nothing.
+    /// Kind of text; `None` if nothing indicates it.
     pub kind: Option<GuessedKind>,
-    /// The stage, where the text tells it.
+    /// Stage, if the text indicates it.
     pub stage: Option<Stage>,
     /// Whether it defines `main`.
     pub has_main: bool,
-    /// Whether it sets a default precision, which WebGL1 asks every fragment shader for.
+    /// Whether it sets a default precision, which WebGL1 requires in every fragment shader.
     pub has_precision: bool,
-    /// Whether it declares attributes, which every vertex shader has.
+    /// Whether it declares attributes, as every vertex shader does.
     pub has_attribute: bool,
     /// Whether its `#version` is 300.
     pub is_300: bool,
-    /// Whether it shows that a program completes it: by an `#include`, by a `#pragma` that is none
-    /// of GLSL.
+    /// Whether it contains an `#include` or a `#pragma` outside GLSL, so that a program must
+    /// complete it.
     pub is_completed: bool,
 }
 
 impl Guess {
-    /// Whether ShaderToy's player runs the text.
+    /// Whether it is a ShaderToy pass.
     pub fn is_shadertoy(&self) -> bool {
         matches!(self.kind, Some(GuessedKind::ShaderToy(_)))
     }
 }
 
-/// What a text is written for, as far as its words tell.
+/// Kind of text, judged by its words.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum GuessedKind {
-    /// A ShaderToy pass.
+    /// A ShaderToy pass of this kind.
     ShaderToy(Pass),
-    /// It has a `#version`.
+    /// Has a `#version`.
     Versioned,
-    /// It uses words of GLSL ES 1.00, and has no `#version`.
+    /// Uses names of GLSL ES 1.00 and has no `#version`.
     WebGl1,
-    /// It has a `main` and words of GLSL ES 3.00, but no `#version`.
+    /// Has a `main` and names of GLSL ES 3.00, but no `#version`.
     WebGl2,
 }
 
 impl GuessedKind {
-    /// Whether texts of this kind are compiled as they stand, or by a host that is known.
+    /// Whether texts of this kind are complete, or completed by a known host.
     pub fn is_whole(self) -> bool {
         matches!(self, GuessedKind::ShaderToy(_) | GuessedKind::Versioned)
     }
 }
 
-/// Guesses by the words of a text what it is written for. A `#version` says most, then ShaderToy's
-/// entry functions, then the words that only one version of the language has.
+/// Guesses from the words of a text what it is written for: first from `#version`, then from
+/// ShaderToy's entry functions, then from words of only one version of the language.
 pub fn guess(text: &str) -> Guess {
     let has = |word: &str| text.contains(word);
     let mut seen = Seen::default();
@@ -176,7 +176,7 @@ pub fn guess(text: &str) -> Guess {
     } else {
         None
     };
-    // Every pass of ShaderToy is a fragment shader, whatever it mentions.
+    // Every ShaderToy pass is a fragment shader, whatever names it contains.
     let stage = match kind {
         Some(GuessedKind::ShaderToy(_)) => Some(Stage::Fragment),
         _ if seen.vertex => Some(Stage::Vertex),
@@ -193,8 +193,8 @@ pub fn guess(text: &str) -> Guess {
     }
 }
 
-/// Whether a text has directives that only a program understands which completes it: `#include`,
-/// `#import`, and a `#pragma` that is none of GLSL ES (section 3.4) and takes something.
+/// Whether a text has directives that only a program completing it understands: `#include`,
+/// `#import`, or a `#pragma` with arguments that is not one of GLSL ES (section 3.4).
 fn is_completed(text: &str) -> bool {
     let word_of = |text: &str| {
         let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -223,13 +223,13 @@ fn is_completed(text: &str) -> bool {
     })
 }
 
-/// Whether a text needs GLSL ES 3.00: it has keywords, types or numbers that the language has only
-/// since then, or declares interfaces by `in` and `out`.
+/// Whether a text needs GLSL ES 3.00: it contains keywords, types or literals that only this
+/// version has, or declares `in` and `out` variables.
 pub fn needs_300(text: &str) -> bool {
     first_of_300(text).is_some()
 }
 
-/// Where the first word of a text is that only GLSL ES 3.00 has.
+/// Position of the first word that only GLSL ES 3.00 has.
 pub fn first_of_300(text: &str) -> Option<Range<usize>> {
     use shaderlint_syntax::{Lexer, RawKind, TokenKind, WordClass, classify};
     let is_new = |word: &str| {
@@ -247,7 +247,7 @@ pub fn first_of_300(text: &str) -> Option<Range<usize>> {
     let mut depth = 0_u32;
     let mut in_directive = false;
     let mut starts = true;
-    // Words that the text itself declares, in which GLSL ES 1.00 leaves it free.
+    // Names declared by the text itself, which GLSL ES 1.00 allows.
     let mut own: Vec<&str> = Vec::new();
     let mut last = "";
     loop {
@@ -285,7 +285,7 @@ pub fn first_of_300(text: &str) -> Option<Range<usize>> {
     }
 }
 
-/// Words that tell the stage. Behind a `#version` no other word tells anything.
+/// Words that indicate a vertex shader, even after a `#version`.
 const VERTEX_WORDS: [&str; 5] = [
     "attribute",
     "gl_Position",
@@ -306,7 +306,7 @@ struct Seen {
     precision: bool,
     attribute: bool,
     is_300: bool,
-    /// How often `mainImage` stands there.
+    /// Number of occurrences of `mainImage`.
     entries: u32,
 }
 
@@ -333,7 +333,7 @@ impl Seen {
             }
             behind_hash = token.kind == RawKind::Hash;
         }
-        // A text with a `main` of its own may call ShaderToy's entry itself.
+        // A text with its own `main` may call `mainImage` itself.
         if self.defines_main && self.entries > 1 {
             self.pass = None;
         }
@@ -372,8 +372,8 @@ impl Seen {
     }
 }
 
-/// Whether what stands around `mainImage` makes it ShaderToy's, or one that is meant as such: others
-/// take more parameters, or give a value.
+/// Whether the context of `mainImage` fits ShaderToy's entry function: others have more parameters
+/// or return a value.
 fn may_be_entry(last: &str, behind: &str) -> bool {
     let params = behind.trim_start().strip_prefix('(');
     let params = params.and_then(|p| p.split(['(', ')', '{', ';']).next());

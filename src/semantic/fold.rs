@@ -1,4 +1,4 @@
-//! Built-in functions of constants.
+//! Constant folding of built-in functions.
 
 use super::constant::Value;
 use super::types::{Scalar, Type};
@@ -6,26 +6,26 @@ use super::undefined::Undefined;
 use shaderlint_math as math;
 use shaderlint_math::{of_one, of_two};
 
-/// Computes a built-in function. `args` are the scalars of each argument; `None` where the result is
-/// not known.
+/// Evaluates a built-in function. `args` has the scalars of each argument; `None` if the result is
+/// unknown.
 pub type Fold = fn(args: &[&[Value]]) -> Option<Vec<Value>>;
 
-/// Computes a built-in function of a matrix of so many columns.
+/// Evaluates a built-in function of a matrix with this many columns.
 pub type MatrixFold = fn(columns: usize, args: &[&[Value]]) -> Option<Vec<Value>>;
 
-/// How a built-in function is computed of constants (GLSL ES 3.00 chapter 8).
+/// How a built-in function is evaluated for constant arguments (GLSL ES 3.00 chapter 8).
 #[derive(Clone, Copy, Debug)]
 pub enum Folding {
-    /// It is not: its result is no constant.
+    /// Never; the result is not a constant expression.
     Never,
     /// From the scalars of the arguments.
     Values(Fold),
-    /// From the scalars of a matrix of so many columns.
+    /// From the scalars of a matrix, with its number of columns.
     ByColumns(MatrixFold),
 }
 
 impl Folding {
-    /// The result; `first` is the type of the first argument.
+    /// Evaluates the function; `first` is the type of the first argument.
     pub fn fold(self, first: Type, args: &[&[Value]]) -> Option<Vec<Value>> {
         match self {
             Folding::Never => None,
@@ -81,7 +81,7 @@ pub(super) fn smoothstep(args: &[&[Value]]) -> Option<Vec<Value>> {
     triple(args, |e0, e1, x| {
         let (e0, e1, x) = (e0.as_float(), e1.as_float(), x.as_float());
         let t = ((x - e0) / (e1 - e0)).clamp(0.0, 1.0);
-        // What is no number counts as 0.
+        // NaN counts as 0.
         let t = if t.is_nan() { 0.0 } else { t };
         Value::Float(t * t * (3.0 - 2.0 * t))
     })
@@ -128,7 +128,7 @@ fn zero_of(like: Value) -> Value {
     }
 }
 
-/// Makes 0 of the components that are undefined.
+/// Sets the components whose result is undefined to 0.
 pub(super) fn set_undefined_to_zero(made: &mut [Value], undefined: Undefined, args: &[&[Value]]) {
     for (i, value) in made.iter_mut().enumerate() {
         let operand = |number: usize| Some(at(args.get(number)?, i)?.as_double());
@@ -154,7 +154,7 @@ pub(super) fn map(args: &[&[Value]], f: impl Fn(f32) -> f32) -> Option<Vec<Value
     each(args, |x| Value::Float(f(x.as_float())))
 }
 
-/// The component `i` of an argument; a scalar has the same everywhere.
+/// Component `i` of an argument; a scalar is the same for all.
 fn at(arg: &[Value], i: usize) -> Option<Value> {
     if arg.len() == 1 {
         arg.first().copied()
@@ -247,7 +247,7 @@ pub(super) fn refract(args: &[&[Value]]) -> Option<Vec<Value>> {
     }))
 }
 
-/// A matrix of so many columns, its rows made columns.
+/// Transposes a matrix with this many columns.
 pub(super) fn transpose(columns: usize, args: &[&[Value]]) -> Option<Vec<Value>> {
     let &[m] = args else { return None };
     let rows = m.len() / columns;
@@ -255,7 +255,7 @@ pub(super) fn transpose(columns: usize, args: &[&[Value]]) -> Option<Vec<Value>>
     (0..m.len()).map(at).collect()
 }
 
-/// A number from -1 to 1 in 16 bits.
+/// Encodes a number from -1 to 1 in 16 bits.
 pub(super) fn snorm_bits(x: f32) -> u16 {
     ((x.clamp(-1.0, 1.0) * 32767.0).round() as i16) as u16
 }

@@ -1,53 +1,53 @@
-//! Hosts: who runs a shader, what stands around its text there, and what it has to define.
+//! Hosts: who runs a shader, the text added to it, and the entry function that it must define.
 
 use super::builtins::Stage;
 use super::dialect::{Channels, Dialect, Pass};
 use super::types::Sampler;
 
-/// Who runs a shader.
+/// A host that runs shaders.
 #[derive(Debug)]
 pub struct Host {
-    /// What it runs, as people call it; `None` where the stage and the version say it.
+    /// Display name of what it runs; `None` if stage and version describe it.
     pub runs: Option<&'static str>,
-    /// How notes call it.
+    /// Name of the host in notes.
     pub called: &'static str,
-    /// The stage of all that it runs, if there is one alone.
+    /// The stage of all shaders that it runs; `None` if it runs both.
     pub stage: Option<Stage>,
     /// The function that every shader must define.
     pub entry: Option<EntryPoint>,
-    /// Whether it shows the result without its alpha.
+    /// Whether it ignores the alpha of the output.
     pub hides_alpha: bool,
-    /// Names that it had in former times: the old one, what it is called now, and since when.
+    /// Renamed identifiers: old name, current name, year of the change.
     pub renamed: &'static [(&'static str, &'static str, &'static str)],
     prelude: &'static [Piece],
-    /// How many lines that has: `__LINE__` goes on counting behind them.
+    /// Number of lines of the original prelude; `__LINE__` continues from it.
     lines: usize,
 }
 
-/// The function at which a shader starts.
+/// Entry function of a shader.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct EntryPoint {
-    /// Its name.
+    /// Name of the function.
     pub name: &'static str,
-    /// How it is declared.
+    /// Declaration, as shown in messages.
     pub signature: &'static str,
-    /// Where what it computes goes.
+    /// How it returns its result.
     pub result: EntryResult,
 }
 
-/// Where what an entry computes goes.
+/// How an entry function returns its result.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EntryResult {
-    /// To outputs of the shader.
+    /// By writing to outputs of the shader.
     Outputs,
-    /// To its first parameter, which the host writes to its own output.
+    /// By its first parameter, which the host copies to its own output.
     Parameter,
-    /// It is returned to the host.
+    /// As the return value.
     Returned,
 }
 
-/// Whether a shader may start at a function of this name: it is `main`, or a host calls it. What
-/// parameters it takes, the host says.
+/// Whether a function of this name may be an entry function: it is `main` or called by a host. The
+/// host determines its parameters.
 pub fn starts_a_shader(name: &str) -> bool {
     matches!(
         name,
@@ -55,7 +55,7 @@ pub fn starts_a_shader(name: &str) -> bool {
     )
 }
 
-/// The number of the channel that ShaderToy's player gives this name.
+/// The index of the ShaderToy channel with this name.
 pub fn channel(name: &str) -> Option<u8> {
     match name.strip_prefix("iChannel")?.as_bytes() {
         [digit @ b'0'..=b'3'] => Some(digit - b'0'),
@@ -64,23 +64,23 @@ pub fn channel(name: &str) -> Option<u8> {
 }
 
 impl EntryPoint {
-    /// Whether the host's text declares the function, and calls it from a `main` of its own.
+    /// Whether the host declares the function and calls it from its own `main`.
     pub fn is_called_by_host(self) -> bool {
         self.result != EntryResult::Outputs
     }
 }
 
-/// A part of what a host puts before a shader.
+/// A piece of the text that a host adds before a shader.
 #[derive(Debug)]
 enum Piece {
     Text(&'static str),
-    /// The four channels, each of one of these types.
+    /// The four channel uniforms, each with one of these types.
     Channels(&'static [Sampler]),
     /// A struct for each channel.
     ChannelStructs,
 }
 
-/// The six lines that the renderer of ShaderToy's player puts first.
+/// The first six lines added by ShaderToy's renderer.
 const RENDERER: Piece = Piece::Text(
     "#version 300 es\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n\
      precision mediump sampler3D;\n#endif\n#define HW_PERFORMANCE 1\n",
@@ -110,7 +110,7 @@ const MAIN_SOUND: EntryPoint = EntryPoint {
     result: EntryResult::Returned,
 };
 
-/// A page, which compiles the text as it stands or completes it first.
+/// A web page, which compiles the text as it is or completes it first.
 static PAGE: Host = Host {
     runs: None,
     called: "the host",
@@ -122,11 +122,11 @@ static PAGE: Host = Host {
     lines: 0,
 };
 
-/// What all passes of ShaderToy have: its player puts a header before them, in the order of its
-/// `effect.js`: the renderer's lines, then uniforms, prototypes and `main`.
+/// Common to all ShaderToy passes: ShaderToy adds a header in the order of its `effect.js`: the
+/// renderer's lines, then uniforms, prototypes and `main`.
 const PLAYER: Host = Host {
     runs: None,
-    called: "the ShaderToy player",
+    called: "ShaderToy",
     stage: Some(Stage::Fragment),
     entry: None,
     hides_alpha: false,
@@ -188,13 +188,13 @@ static SOUND: Host = Host {
 static COMMON: Host = Host {
     runs: Some("ShaderToy common code"),
     prelude: &[RENDERER, UNIFORMS, CHANNELS],
-    // As in an Image.
+    // As for an Image pass.
     lines: 53,
     ..PLAYER
 };
 
 impl Pass {
-    /// ShaderToy's player, as it runs passes of this kind.
+    /// ShaderToy as the host of passes of this kind.
     pub fn host(self) -> &'static Host {
         match self {
             Pass::Image => &IMAGE,
@@ -217,8 +217,8 @@ impl Dialect {
 }
 
 impl Host {
-    /// The text that it puts before a shader whose channels are of these types. It has as many lines
-    /// as the host's own, so that a shader's `__LINE__` is what it is there.
+    /// The text added before a shader with channels of these types. It has as many lines as the
+    /// host's own, so that `__LINE__` has the same values.
     pub fn prelude(&self, channels: Channels) -> String {
         let mut text = String::new();
         for piece in self.prelude {
@@ -252,7 +252,7 @@ impl Host {
 mod tests {
     use super::*;
 
-    /// The lines of ShaderToy's own headers, counted in its player and asked of it.
+    /// The header lengths of ShaderToy, counted in its code and confirmed on the site.
     #[test]
     fn the_first_line_of_a_pass_has_the_number_that_it_has_on_the_site() {
         let all = [

@@ -1,4 +1,4 @@
-//! One check of a parsed shader, with the types of its channels found out where they are not known.
+//! Checks a parsed shader and infers the types of its channels where they are unknown.
 
 use super::channels::needed_channels;
 use super::checker::{MAX_ERRORS, Parsed, Problems, check};
@@ -8,7 +8,7 @@ use super::unit::Unit;
 use shaderlint_syntax::Search;
 use std::sync::Arc;
 
-/// Checks a shader, with the types of its channels found out where they are not known.
+/// Checks a shader and infers the types of its channels where they are unknown.
 pub(super) fn judge(parsed: Parsed, unit: &Unit, search: &mut Search) -> (Program, Problems) {
     match unit.infer_channels {
         true => check_with_any_channels(parsed, unit, search),
@@ -16,12 +16,12 @@ pub(super) fn judge(parsed: Parsed, unit: &Unit, search: &mut Search) -> (Progra
     }
 }
 
-/// Checks a shader whose channels may be of any type. Only where something is wrong with channels of
-/// two dimensions, its lookups are asked for others.
+/// Checks a shader with channels of unknown types. Only if there are errors with 2D channels, other
+/// types are inferred from its lookups.
 ///
-/// A count that ends early chooses well enough. Where it ended by lookups that do not fit two
-/// dimensions, either they are more than those that do, and the other channels are taken; or at least
-/// as many do, which would all be errors with the others.
+/// A check that stops early is good enough for this choice: if it stopped because of lookups that
+/// do not fit 2D, either they are the majority and the other types are used, or at least as many
+/// fit 2D and would all be errors with the other types.
 fn check_with_any_channels(
     parsed: Parsed,
     unit: &Unit,
@@ -44,7 +44,8 @@ fn check_with_any_channels(
 }
 
 impl Program {
-    /// The shader as it was before it was checked. What is known of it goes with it.
+    /// Takes the parsed shader out of the program for another check, dropping the results of this
+    /// one.
     pub(super) fn take_parsed(&mut self) -> Parsed {
         Parsed {
             sources: Arc::clone(&self.sources),

@@ -1,8 +1,8 @@
-//! Meaning: types, scopes and the checks that the browser's compiler makes.
+//! Semantic analysis: types, scopes and the checks of the browser's compiler.
 //!
-//! [`check`] takes a parsed shader and gives a [`Program`], which later layers read and never
-//! change, and what is wrong. The rules follow GLSL ES 3.00 and 1.00 as ANGLE, the compiler of the
-//! browsers, reads them.
+//! [`check`] takes a parsed shader and returns a [`Program`], which later layers only read, and the
+//! errors. The rules follow GLSL ES 3.00 and 1.00 as implemented by ANGLE, the compiler used by
+//! browsers.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod analyze;

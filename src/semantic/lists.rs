@@ -1,10 +1,10 @@
-//! Many short lists in one piece of memory.
+//! Many short lists in one allocation.
 
-/// Lists by number. Shaders have thousands of functions and variables, most with one use or two: a
-/// list of its own for each would cost more than what is in it.
+/// Lists by index. Shaders have thousands of functions and variables with few uses each, so
+/// separate lists would cost more than their contents.
 #[derive(Debug)]
 pub struct Lists<T> {
-    /// By list: where it starts in `entries`; then where the last one ends.
+    /// Start of each list in `entries`, and the end of the last one.
     starts: Vec<u32>,
     entries: Vec<T>,
 }
@@ -19,8 +19,8 @@ impl<T> Default for Lists<T> {
 }
 
 impl<T: Copy> Lists<T> {
-    /// Makes `count` lists of entries that each name their list. The order within a list stays;
-    /// an entry whose list there is not is left out.
+    /// Creates `count` lists from entries tagged with their list. Order within a list is preserved;
+    /// entries with a list out of range are dropped.
     pub fn of(count: usize, all: impl Iterator<Item = (u32, T)> + Clone) -> Lists<T> {
         let mut starts = vec![0; count + 1];
         let mut first = None;
@@ -51,7 +51,7 @@ impl<T: Copy> Lists<T> {
         Lists { starts, entries }
     }
 
-    /// A list; empty where there is none of this number.
+    /// The list with this index; empty if there is none.
     pub fn get(&self, number: u32) -> &[T] {
         let start = self.starts.get(number as usize).copied().unwrap_or(0);
         let end = self.starts.get(number as usize + 1).copied().unwrap_or(0);

@@ -1,15 +1,15 @@
-//! Where each variable is named.
+//! Uses of each variable.
 
 use super::lists::Lists;
 use crate::{Program, Resolution, VariableId};
 use shaderlint_syntax::ast::{ExprId, Extent};
 
-/// The expressions that name variables, in the order of the tree.
+/// Expressions that refer to variables, in tree order.
 #[derive(Default, Debug)]
 pub struct Mentions(Lists<ExprId>);
 
 impl Mentions {
-    /// Finds the names of all variables in a shader.
+    /// Collects the uses of all variables in a shader.
     pub fn of(program: &Program) -> Mentions {
         let named = program.exprs.iter().zip(0..).filter_map(|(info, i)| {
             let Resolution::Variable(v) = info.resolution else {
@@ -20,12 +20,12 @@ impl Mentions {
         Mentions(Lists::of(program.variables.len(), named))
     }
 
-    /// The expressions that name a variable.
+    /// The expressions that refer to a variable.
     pub fn all(&self, variable: VariableId) -> &[ExprId] {
         self.0.get(variable.0)
     }
 
-    /// Where a variable is first named among some tokens.
+    /// The first use of a variable in a token range.
     pub fn first_in(
         &self,
         program: &Program,
@@ -39,7 +39,7 @@ impl Mentions {
         next.copied()
     }
 
-    /// Whether a variable is named among some tokens.
+    /// Whether a variable is used in a token range.
     pub fn is_in(&self, program: &Program, variable: VariableId, extent: Extent) -> bool {
         self.first_in(program, variable, extent).is_some()
     }

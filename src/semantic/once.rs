@@ -1,4 +1,5 @@
-//! One shader from files to findings, each of which stands where the compiler stumbles.
+//! Analysis of one shader from files to findings, each at the position where the compiler reports
+//! it.
 
 use super::blame::calls::gather;
 use super::builtins::Stage;
@@ -12,7 +13,7 @@ use shaderlint_syntax::{ParseOptions, Preprocessed, Search, parse, preprocess};
 use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
-/// Reads and checks one shader: every error stands where the compiler stumbles.
+/// Checks one shader; every error is at the position where the compiler reports it.
 pub(super) fn analyze_once(unit: &Unit, search: &mut Search) -> Checked {
     let is_fragment = unit.stage == Stage::Fragment;
     let Preprocessed {
@@ -57,9 +58,9 @@ pub(super) fn analyze_once(unit: &Unit, search: &mut Search) -> Checked {
         false => corrected.settle(parsed, parse.diagnostics, unit, search),
     };
     let program = looked.program;
-    // Of half a shader only what the preprocessor says is certain.
+    // If preprocessing stopped early, only the preprocessor's findings are certain.
     if !gave_up {
-        // What the lexer says of a piece of a foreign form is no second mistake.
+        // A lexer error inside a foreign construct is not a second mistake.
         let is_told = |d: &Diagnostic| {
             let mut forms = translated.diagnostics.iter().map(|form| form.span);
             d.is(error::INVALID_NUMBER) && forms.any(|form| form != d.span && form.contains(d.span))
@@ -87,8 +88,8 @@ pub(super) fn analyze_once(unit: &Unit, search: &mut Search) -> Checked {
     }
 }
 
-/// A NUL ends the shader. What is then missing is that one mistake; where nothing is missing, the
-/// rest of the text is only not used.
+/// A NUL ends the shader. If something is then missing, the NUL is the error; otherwise the rest of
+/// the text is just ignored.
 fn judge_cut(sources: &Sources, cut: Span, diagnostics: &mut Vec<Diagnostic>) {
     let count = diagnostics.len();
     diagnostics.retain(|d| d.span.end < cut.start && !d.has(Facet::EndsEarly));
@@ -103,11 +104,11 @@ fn judge_cut(sources: &Sources, cut: Span, diagnostics: &mut Vec<Diagnostic>) {
     });
     if severity == Severity::Error || rest.is_some_and(|r| !r.trim_matches(['\0', '\n']).is_empty())
     {
-        let message = "a NUL character ends the shader here";
+        let message = "NUL character ends the shader";
         let kind = error::INVALID_CHARACTER;
         diagnostics.push(
             Diagnostic::of(kind, severity, cut, message)
-                .note("the browser reads nothing of what stands behind it"),
+                .note("the browser ignores everything after it"),
         );
     }
 }

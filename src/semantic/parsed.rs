@@ -1,4 +1,4 @@
-//! A parsed shader, as the checker and who explains its problems read it.
+//! A parsed shader as used by the checker and by `explain`.
 
 use super::builtins::{Builtins, Stage};
 use super::dialect::Dialect;
@@ -11,7 +11,7 @@ use shaderlint_syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version}
 use shaderlint_text::{Role, Sources, Span};
 use std::ops::Deref;
 
-/// A shader before anything is known of its meaning.
+/// A shader before semantic analysis.
 #[derive(Clone, Copy)]
 pub(super) struct ParsedView<'a> {
     pub sources: &'a Sources,
@@ -25,7 +25,7 @@ pub(super) struct ParsedView<'a> {
 }
 
 impl<'a> ParsedView<'a> {
-    /// Whether the version of the language has something.
+    /// Whether the version of the language supports a feature.
     pub fn has(&self, feature: Feature) -> bool {
         self.version.has(feature)
     }
@@ -53,7 +53,7 @@ impl<'a> ParsedView<'a> {
         self.span(Extent::token(id))
     }
 
-    /// Where code stands: in a macro's definition, if its body supplied all of it.
+    /// Source span of code: in a macro's definition, if its body supplied all of it.
     pub fn span(&self, extent: Extent) -> Span {
         self.tokens.place(self.sources, extent.first, extent.last)
     }
@@ -66,12 +66,12 @@ impl<'a> ParsedView<'a> {
         self.sources.text(self.expr_span(id))
     }
 
-    /// Whether all tokens of a node stand in the text just so, outside any macro call.
+    /// Whether all tokens of a node are in the source text, outside any macro call.
     pub fn is_direct(&self, extent: Extent) -> bool {
         self.tokens.are_direct(extent.first, extent.last)
     }
 
-    /// Whether a token stands in text that a host put before the user's.
+    /// Whether a token is in a host's prelude.
     pub fn is_prelude(&self, token: TokenId) -> bool {
         let span = self.token_span(token);
         self.sources
@@ -79,13 +79,13 @@ impl<'a> ParsedView<'a> {
             .is_some_and(|f| f.role == Role::Prelude)
     }
 
-    /// Whether the host declares the shader's outputs, and hands what is computed on to them.
+    /// Whether the host declares the shader's outputs and forwards the result to them.
     pub fn is_called_by_host(&self) -> bool {
         let entry = self.dialect.host().entry;
         entry.is_none_or(EntryPoint::is_called_by_host)
     }
 
-    /// The token of a literal number, through parentheses and signs.
+    /// The token of a number literal, looking through parentheses and signs.
     pub fn literal_token(&self, id: ExprId) -> Option<Token> {
         let mut at = id;
         loop {
@@ -101,7 +101,7 @@ impl<'a> ParsedView<'a> {
         }
     }
 
-    /// Where a name is declared at global scope behind a token.
+    /// Where a name is declared at global scope after a token.
     pub fn declared_later(&self, name: Name, token: TokenId) -> Option<Span> {
         let tree = self.tree;
         tree.items.iter().find_map(|item| {
@@ -122,12 +122,12 @@ impl<'a> ParsedView<'a> {
     }
 }
 
-/// A shader whose expressions have types, as far as it is checked.
+/// A shader with the types of its expressions, as far as it has been checked.
 pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
-    /// What is known of expressions, by their numbers.
+    /// Types and values of expressions, by [`ExprId`].
     fn exprs(&self) -> &[ExprInfo];
 
-    /// The structs and blocks that are declared.
+    /// The structs and blocks declared so far.
     fn structs(&self) -> &[Struct];
 
     fn info(&self, id: ExprId) -> ExprInfo {
@@ -143,7 +143,7 @@ pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
         type_name(ty, |id| struct_name(self.structs(), self.names, id))
     }
 
-    /// What types mean in this shader.
+    /// Type information of this shader.
     fn types(&self) -> Types<'_> {
         Types {
             structs: self.structs(),
@@ -151,7 +151,7 @@ pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
         }
     }
 
-    /// The variable that an expression names, parentheses aside.
+    /// The variable that an expression refers to, ignoring parentheses.
     fn variable_of(&self, id: ExprId) -> Option<VariableId> {
         match self.info(self.tree.unparen(id)).resolution {
             Resolution::Variable(id) => Some(id),
@@ -159,7 +159,8 @@ pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
         }
     }
 
-    /// An expression and all that stands in it, backwards: the operands come right before it.
+    /// An expression and its subexpressions in reverse order; operands are stored directly before
+    /// it.
     fn subtree(&self, id: ExprId) -> impl Iterator<Item = (ExprId, &ExprInfo, &'a Expr)> {
         let tree = self.tree;
         let extent = tree.expr(id).extent;

@@ -1,9 +1,9 @@
-//! Parts of shaders, which a host completes before a browser sees them: what is wrong in them
-//! whatever stands around them.
+//! Shader fragments, which a host completes before a browser sees them: keeps the errors that occur
+//! in any completion.
 //!
-//! What a part does not declare is a hole that fits everywhere: a value of any type, a type, or a
-//! macro that stands for anything, so that the syntax around it is not judged. Groups of `#if` that
-//! hang on a name of the host may be there or not.
+//! Anything that a fragment does not declare may be anything: a value of any type, a type, or a
+//! macro, so the syntax around it is not checked. Groups of `#if` that depend on a name of the host
+//! may be included or not.
 
 use super::program::{Function, Program};
 use rustc_hash::FxHashSet;
@@ -15,39 +15,39 @@ use shaderlint_syntax::{
 use shaderlint_text::{Role, Span};
 use std::collections::BTreeSet;
 
-/// How much of a shader its text holds.
+/// How much of a shader a text contains.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Wholeness {
-    /// All of it.
+    /// A complete shader.
     Whole,
-    /// A part: something may stand before and behind it.
+    /// A shader fragment: other code may come before and after it.
     Part,
-    /// A part that may be cut anywhere: others may close its braces.
+    /// A fragment that may be cut anywhere: other code may close its braces.
     Piece,
-    /// A part in which something is left out, too.
+    /// A fragment with omissions inside.
     Excerpt,
 }
 
-/// Most calls of empty macros that are looked at.
+/// Maximum number of calls of empty macros that are considered.
 const MAX_EMPTY_CALLS: usize = 1_000;
-/// Farthest that a bracket's partner is looked for, in tokens.
+/// Maximum distance to a matching bracket, in tokens.
 const MAX_LOOK: usize = 400;
 
-/// What a part leaves open.
+/// What cannot be resolved in a fragment.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Open {
-    /// The names that it does not declare itself, and its host has to.
+    /// Names that are not declared in the fragment and must come from its host.
     pub names: BTreeSet<String>,
-    /// Whether anything in it depends on what completes it.
+    /// Whether any finding depends on the completion.
     pub is_any: bool,
-    /// Whether those are only names that are not declared, so that code without them is known.
+    /// Whether only undeclared names are unresolved, so that code without them is fully known.
     pub is_names_only: bool,
-    /// What there is to report about those names, in the order of the text: one for each, at its
-    /// first use. Whoever knows what completes the part decides how severe it is.
+    /// Findings about those names in source order, one per name at its first use. Their severity
+    /// depends on what is known about the host.
     pub unknown: Vec<Diagnostic>,
 }
 
-/// Keeps what is wrong whatever the host of a part is, and says what is left open.
+/// Keeps the errors that occur with any host of a fragment and returns what is unresolved.
 pub(super) fn keep_certain(
     program: &Program,
     wholeness: Wholeness,
@@ -71,7 +71,7 @@ pub(super) fn keep_certain(
         if !is_torn && part.is_likely(d) {
             d.severity = Severity::Warning;
             d.notes
-                .push("its host may have another form of it".to_string());
+                .push("the host may define another overload".to_string());
             return true;
         }
         part.is_certain(d, is_torn)
@@ -89,21 +89,21 @@ pub(super) fn keep_certain(
     }
 }
 
-/// What is known of a part.
+/// A shader fragment under analysis.
 struct Part<'p> {
     program: &'p Program,
     wholeness: Wholeness,
-    /// Places of the tokens that the user sees, in the order of the text.
+    /// Spans and indices of the user's tokens, in source order.
     places: Vec<(Span, u32)>,
-    /// Names that the part or the language declares.
+    /// Names declared by the fragment or the language.
     known: FxHashSet<Name>,
-    /// The functions that it declares, or its host, and where.
+    /// Functions declared by the fragment or its host, and where.
     own_functions: Vec<(Name, Span)>,
-    /// Names that a group which is left out declares otherwise.
+    /// Names with another declaration in a skipped group.
     ambiguous: FxHashSet<Name>,
-    /// The calls of macros that stand for nothing.
+    /// Calls of macros with an empty body.
     empty_calls: Vec<Span>,
-    /// The groups that hang on names of the host, without those inside others.
+    /// Outermost groups that depend on names of the host.
     undecided: Vec<Span>,
 }
 
@@ -136,7 +136,7 @@ impl<'p> Part<'p> {
         }
         match d.certainty() {
             Certainty::Never => false,
-            // Programs that put something into a text mark the place by characters of ASCII.
+            // Placeholders of template programs use ASCII characters.
             Certainty::Syntax if d.is(error::INVALID_CHARACTER) => {
                 !self.program.sources.text(d.span).is_ascii()
             }
@@ -145,8 +145,8 @@ impl<'p> Part<'p> {
         }
     }
 
-    /// Whether an error is one in spite of what a host could do: a call does not fit the only form of
-    /// a function that the part itself defines.
+    /// Whether an error is likely although a host could resolve it: a call does not match the only
+    /// overload of a function that the fragment defines.
     fn is_likely(&self, d: &Diagnostic) -> bool {
         let declared = |span: Span| self.own_functions.iter().find(|(_, own)| *own == span);
         let Some((name, place)) = d.labels.iter().find_map(|l| declared(l.span)) else {
@@ -161,8 +161,8 @@ impl<'p> Part<'p> {
             && self.hangs_on_nothing(d)
     }
 
-    /// Whether an error of the syntax may come of what is left out, or of a macro elsewhere that
-    /// holds a brace.
+    /// Whether a syntax error may be caused by omitted code, or by a macro elsewhere that contains
+    /// a brace.
     fn is_torn_apart(&self, d: &Diagnostic, is_torn: bool) -> bool {
         let is_brace = is_unclosed_brace(d);
         let is_outside = d.subject == Subject::OuterStatement;
@@ -174,8 +174,8 @@ impl<'p> Part<'p> {
             || is_torn && (is_brace || d.is(error::LOCAL_FUNCTION))
     }
 
-    /// Whether what was taken for the head of a function without its type is a call: a statement that
-    /// a host puts into a function.
+    /// Whether an apparent function header without a type is a call: a statement that a host
+    /// inserts into a function.
     fn is_call(&self, d: &Diagnostic) -> bool {
         let kind = |i: usize| self.token(i).map_or(TokenKind::End, |t| t.kind);
         let at = self.at(d.span.start);
@@ -191,8 +191,8 @@ impl<'p> Part<'p> {
             && behind.is_some_and(|i| kind(i) != TokenKind::LeftBrace)
     }
 
-    /// Whether a brace is wrong whatever stands before and behind a piece: a function follows one
-    /// that is not closed, or ends before one that is not opened.
+    /// Whether a brace is wrong whatever comes before and after the fragment: a function follows an
+    /// unclosed one, or ends before an unopened one.
     fn is_inside(&self, d: &Diagnostic) -> bool {
         let functions = self
             .program
@@ -208,30 +208,30 @@ impl<'p> Part<'p> {
         }
     }
 
-    /// Whether an error between types comes through no name or macro that the host decides on.
+    /// Whether a type error involves no name or macro that the host determines.
     fn hangs_on_nothing(&self, d: &Diagnostic) -> bool {
         let is_unsure = |i: usize| {
             let token = self.token(i).filter(|t| t.kind == TokenKind::Identifier);
             let before = i.checked_sub(1).and_then(|b| self.token(b));
-            // What is declared right here is known.
+            // Names declared right here are known.
             let is_declared = before.is_some_and(|b| b.kind == TokenKind::Type);
             !is_declared && token.is_some_and(|t| self.is_ambiguous(t))
         };
         !self.statement(d.span).any(is_unsure) && !d.macros.iter().any(|m| self.is_open_macro(m))
     }
 
-    /// Whether an error between types holds for every host.
+    /// Whether a type error occurs with every host.
     fn means_that(&self, d: &Diagnostic, is_torn: bool) -> bool {
-        // There may be other overloads elsewhere.
+        // The host may define other overloads.
         if self.is_of_own_call(d) {
             return false;
         }
         let Some(kind) = d.kind else { return true };
         match kind {
-            // Other releases of a host have other members.
+            // Members may differ between releases of a host.
             error::NO_SUCH_FIELD => d.labels.iter().any(|l| self.is_user(l.span)),
             error::MISSING_RETURN => !is_torn && !self.holds_group(d.span),
-            // A host may put a prototype or another body in.
+            // A host may add a prototype or another body.
             error::REDEFINITION | error::FUNCTION_MISMATCH => {
                 let is_own = d.labels.iter().any(|l| self.is_user(l.span));
                 is_own && !is_torn && !d.labels.iter().any(|l| self.is_undecided(l.span))
@@ -243,15 +243,15 @@ impl<'p> Part<'p> {
                     && is_sure(d.span)
                     && d.labels.iter().all(|l| is_sure(l.span))
             }
-            // The word behind the point may be a macro, too.
+            // The name after the dot may be a macro.
             error::INVALID_SWIZZLE => {
                 let word = self.program.sources.text(d.span);
                 word.chars().all(|c| "xyzwrgbastpq".contains(c))
             }
             error::BAD_DIRECTIVE => self.is_bad_everywhere(d.span),
-            // Its members may all stand in groups.
+            // All its members may be in groups.
             error::INVALID_STRUCT => self.undecided.is_empty(),
-            // Some hosts make a function of their own of `main`.
+            // Some hosts rename `main`.
             error::RETURN_TYPE => !is_torn && !self.is_in_main(d.span),
             error::INVALID_PARAMETER => !is_torn,
             _ => true,
@@ -266,7 +266,7 @@ impl<'p> Part<'p> {
         })
     }
 
-    /// Whether a directive that is not well formed is one of GLSL, and none that a host writes anew.
+    /// Whether a malformed directive is one of GLSL that a host would not rewrite.
     fn is_bad_everywhere(&self, span: Span) -> bool {
         let Some(file) = self.program.sources.file_at(span.start) else {
             return false;
@@ -278,7 +278,7 @@ impl<'p> Part<'p> {
         let end = word.find(|c: char| !c.is_ascii_alphabetic());
         let word = word.get(..end.unwrap_or(word.len())).unwrap_or("");
         let rest = line.split('\n').next().unwrap_or("");
-        // Hosts with a preprocessor of their own take more conditions.
+        // Hosts with their own preprocessor accept more conditions.
         DIRECTIVES.contains(&word)
             && !word.starts_with("if")
             && !matches!(word, "version" | "elif")
@@ -294,7 +294,7 @@ impl<'p> Part<'p> {
         self.program.sources.is_user(span.start)
     }
 
-    /// Whether nothing of the user's text follows a place, but closing braces of its host.
+    /// Whether nothing of the user's text follows a position, except closing braces of its host.
     fn is_at_end(&self, span: Span) -> bool {
         let at = self.at(span.start);
         let own = |i: usize| {
@@ -304,13 +304,13 @@ impl<'p> Part<'p> {
         own(at).is_none() || own(at + 1).is_none()
     }
 
-    /// The first token at or behind an address.
+    /// Index of the first token at or after an address.
     fn at(&self, address: u32) -> usize {
         self.places
             .partition_point(|(span, _)| span.start < address && span.end <= address)
     }
 
-    /// The tokens of the statement around a place.
+    /// Token range of the statement around a position.
     fn statement(&self, span: Span) -> std::ops::Range<usize> {
         let at = self.at(span.start);
         let ends = |i: &usize| {
@@ -321,7 +321,7 @@ impl<'p> Part<'p> {
         from.map_or(at.saturating_sub(MAX_LOOK), |f| f + 1)..to
     }
 
-    /// Whether a token is a word that nothing here declares, and that may be a macro of the host.
+    /// Whether a token is an undeclared identifier that may be a macro of the host.
     fn is_unknown(&self, index: usize) -> bool {
         let before = index.checked_sub(1).and_then(|i| self.token(i));
         let is_member = before.is_some_and(|t| t.kind == TokenKind::Dot);
@@ -330,8 +330,8 @@ impl<'p> Part<'p> {
         })
     }
 
-    /// Whether a word that may be a macro can mend an error of the syntax: it stands at the place or
-    /// beside it, or takes the place as an argument that no function can take.
+    /// Whether an identifier that may be a macro can explain a syntax error: it is at or next to
+    /// the position, or the position is an argument that only a macro can accept.
     fn is_excused(&self, d: &Diagnostic) -> bool {
         use TokenKind as T;
         let at = self.at(d.span.start);
@@ -379,8 +379,8 @@ impl<'p> Part<'p> {
         None
     }
 
-    /// Whether a place lies in the arguments of an unknown word, beside a word of the language that
-    /// only a macro can take.
+    /// Whether a position is in the arguments of an unknown name, next to a keyword that only a
+    /// macro can accept.
     fn is_of_macro(&self, at: usize) -> bool {
         use TokenKind as T;
         let kind = |i: usize| self.token(i).map_or(T::End, |t| t.kind);
@@ -405,8 +405,8 @@ impl<'p> Part<'p> {
         false
     }
 
-    /// Whether the statement around a token, as it is written, opens and closes different numbers of
-    /// parentheses and brackets. The head of a loop holds several.
+    /// Whether the statement around a token opens and closes different numbers of parentheses or
+    /// brackets. Loop headers consist of several.
     fn is_unbalanced(&self, at: usize) -> bool {
         use TokenKind as T;
         let mut open = [0_i32; 2];
@@ -425,8 +425,8 @@ impl<'p> Part<'p> {
         open != [0, 0]
     }
 
-    /// Whether the text at a place holds words that nothing declares, or what is no GLSL at all: a
-    /// correction may have taken them out of the tokens.
+    /// Whether the text at a position contains undeclared names or characters outside GLSL, which a
+    /// correction may have removed from the tokens.
     fn is_foreign(&self, span: Span) -> bool {
         let text = self.program.sources.text(span);
         let mut lexer = Lexer::new(text, 0);
@@ -450,8 +450,7 @@ impl<'p> Part<'p> {
         }
     }
 
-    /// Whether a macro without a meaning, which a host may give it, is called in the statement
-    /// around a token.
+    /// Whether the statement around a token calls an empty macro, which a host may define.
     fn is_empty_call(&self, at: usize) -> bool {
         let start = |i: usize| self.places.get(i).map_or(u32::MAX, |(span, _)| span.start);
         let statement = self.statement(Span::at(start(at)));
@@ -466,13 +465,13 @@ impl<'p> Part<'p> {
         self.ambiguous.contains(&Name(token.value))
     }
 
-    /// Whether a host may give a macro another meaning: it defines it itself, or before the part
-    /// asks for it.
+    /// Whether a host may define a macro differently: it defines the macro itself, or tests it
+    /// before the fragment does.
     fn is_open_macro(&self, used: &MacroUse) -> bool {
         let definition = used.definition;
         let mut macros = self.program.tokens.macros.iter();
         let own = macros.find(|m| m.name_span == definition);
-        // One name for another: hosts call what GLSL ES 1.00 has by its newer name.
+        // A macro for another name: hosts map names of GLSL ES 1.00 to newer ones.
         let is_renaming = own.is_some_and(
             |m| matches!(m.body.as_slice(), [one] if one.token.kind == TokenKind::Identifier),
         );
@@ -480,13 +479,13 @@ impl<'p> Part<'p> {
         self.is_undecided(definition) || is_of_host && !is_renaming
     }
 
-    /// Whether a place lies in a group that the host may leave out.
+    /// Whether a position is in a group that the host may skip.
     fn is_undecided(&self, span: Span) -> bool {
         !span.is_empty() && holds(&self.undecided, span)
     }
 
-    /// Whether the function whose name or head stands at a place holds a group that the host
-    /// decides on.
+    /// Whether the function with its name or header at a position contains a group that the host
+    /// controls.
     fn holds_group(&self, span: Span) -> bool {
         let functions = self.program.tree.functions.iter();
         let around = functions
@@ -495,7 +494,7 @@ impl<'p> Part<'p> {
         around.is_none_or(|extent| self.undecided.iter().any(|g| extent.contains(*g)))
     }
 
-    /// Whether an error says that no form of a function fits which is none of the language.
+    /// Whether an error says that no overload of a user-defined function matches.
     fn is_of_own_call(&self, d: &Diagnostic) -> bool {
         let is_declaration = |span: Span| self.own_functions.iter().any(|(_, own)| *own == span);
         if d.labels.iter().any(|l| is_declaration(l.span)) {
@@ -518,7 +517,7 @@ impl<'p> Part<'p> {
     }
 }
 
-/// The names that a part declares itself, and those of the language that it uses.
+/// Names declared by a fragment, and the built-in names that it uses.
 fn known_names(program: &Program) -> FxHashSet<Name> {
     let mut known = FxHashSet::default();
     known.extend(program.variables.iter().map(|v| v.name));
@@ -541,12 +540,12 @@ fn known_names(program: &Program) -> FxHashSet<Name> {
     known
 }
 
-/// Whether an error is about a brace without its partner.
+/// Whether an error is about an unmatched brace.
 fn is_unclosed_brace(d: &Diagnostic) -> bool {
     d.is(error::UNCLOSED_DELIMITER) && d.subject.is_brace()
 }
 
-/// The calls of macros that stand for nothing, as the user sees them.
+/// Calls of empty macros, in the user's text.
 fn empty_calls(program: &Program) -> Vec<Span> {
     let is_empty = |e: &&Expansion| {
         let definition = program.tokens.macros.get(e.definition.0 as usize);
@@ -556,14 +555,13 @@ fn empty_calls(program: &Program) -> Vec<Span> {
     calls.map(|e| e.call).take(MAX_EMPTY_CALLS).collect()
 }
 
-/// The names that a group which is left out declares as something else than the part does, or as a
-/// macro.
+/// Names that a skipped group declares differently than the fragment does, or as a macro.
 fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
     let mut found = FxHashSet::default();
     if undecided.is_empty() || program.tokens.inactive.is_empty() {
         return found;
     }
-    // The names that are declared, each with the words of its types.
+    // Declared names, each with the word of its type.
     let mut declared: FxHashSet<(Name, &str)> = FxHashSet::default();
     let mut names: FxHashSet<Name> = FxHashSet::default();
     for pair in program.tokens.tokens.windows(2) {
@@ -596,7 +594,7 @@ fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
     found
 }
 
-/// Groups without those that lie in others, in the order of the text.
+/// Groups that are not inside other groups, in source order.
 fn outermost(groups: &[Span]) -> Vec<Span> {
     let mut all = groups.to_vec();
     all.sort_by_key(|g| (g.start, std::cmp::Reverse(g.end)));
@@ -609,14 +607,14 @@ fn outermost(groups: &[Span]) -> Vec<Span> {
     outer
 }
 
-/// Whether one of the spans, which do not overlap and are in order, holds another.
+/// Whether one of the spans, which are ordered and do not overlap, contains another.
 fn holds(spans: &[Span], inner: Span) -> bool {
     let behind = spans.partition_point(|s| s.start <= inner.start);
     let before = behind.checked_sub(1).and_then(|i| spans.get(i));
     before.is_some_and(|s| s.contains(inner))
 }
 
-/// Whether a word before a name does not declare it.
+/// Whether a word before a name means that it is not declared there.
 fn is_statement_word(word: &str) -> bool {
     matches!(
         word,
@@ -624,7 +622,7 @@ fn is_statement_word(word: &str) -> bool {
     )
 }
 
-/// The words of a text that follow a word, each with that word.
+/// Pairs of adjacent words in a text.
 fn word_pairs(text: &str) -> Vec<(&str, &str)> {
     let mut lexer = Lexer::new(text, 0);
     let mut before: Option<&str> = None;

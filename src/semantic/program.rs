@@ -1,4 +1,4 @@
-//! What is known of a shader once it has been checked. Nothing in it ever changes.
+//! The result of checking a shader. It is immutable.
 
 use super::builtins::{BuiltinId, Builtins, Overload, Stage};
 use super::constant::{Constant, Pool, Value};
@@ -18,27 +18,27 @@ pub struct VariableId(pub u32);
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct FunctionRef(pub u32);
 
-/// Where a variable lives and who may write to it.
+/// Storage class of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Storage {
-    /// Declared in a function.
+    /// Local variable of a function.
     Local,
-    /// Declared at global scope.
+    /// Global variable without a storage qualifier.
     Global,
-    /// A parameter.
+    /// Parameter of a function.
     Param(Direction),
-    /// `uniform`, a member of a nameless uniform block included.
+    /// `uniform`, including members of a uniform block without an instance name.
     Uniform,
-    /// `in` of the stage; `attribute`, `varying` in the fragment shader.
+    /// `in` variable; `attribute`, or `varying` in the fragment shader.
     Input,
-    /// `out` of the stage; `varying` in the vertex shader.
+    /// `out` variable; `varying` in the vertex shader.
     Output,
 }
 
-/// How a parameter passes values.
+/// Direction of a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Direction {
-    /// `in`, or nothing.
+    /// `in` or no qualifier.
     In,
     /// `const in`
     ConstIn,
@@ -49,17 +49,17 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Whether the caller's value is read.
+    /// Whether the argument's value is read.
     pub const fn reads(self) -> bool {
         !matches!(self, Direction::Out)
     }
 
-    /// Whether the caller's variable is written to.
+    /// Whether the argument is assigned.
     pub const fn writes(self) -> bool {
         matches!(self, Direction::Out | Direction::Inout)
     }
 
-    /// As it is written.
+    /// The qualifier in source form.
     pub const fn name(self) -> &'static str {
         match self {
             Direction::In => "in",
@@ -73,45 +73,45 @@ impl Direction {
 /// A variable, parameter or named constant.
 #[derive(Clone, Debug)]
 pub struct Variable {
-    /// Its name.
+    /// Declared name.
     pub name: Name,
-    /// Its type.
+    /// Declared type.
     pub ty: Type,
-    /// Where it lives.
+    /// Storage class.
     pub storage: Storage,
     /// Whether it was declared `const`.
     pub is_const: bool,
-    /// Its value, if it is a constant.
+    /// Value, if it is a known constant.
     pub constant: Constant,
-    /// The token that declares it; `None` for what the language defines.
+    /// Token that declares it; `None` for a built-in variable.
     pub token: Option<TokenId>,
-    /// The function that it belongs to.
+    /// Function that declares it; `None` at global scope.
     pub function: Option<FunctionRef>,
-    /// The variable of an outer scope that has the same name.
+    /// Variable of the same name in an outer scope.
     pub hides: Option<VariableId>,
-    /// Whether anything writes to it after its declaration.
+    /// Whether it is assigned after its declaration.
     pub written: bool,
-    /// Whether anything reads it.
+    /// Whether its value is read anywhere.
     pub read: bool,
 }
 
 /// A parameter of a function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Parameter {
-    /// Its type.
+    /// Declared type.
     pub ty: Type,
-    /// How it passes values.
+    /// `in`, `out` or `inout`.
     pub direction: Direction,
 }
 
 /// A function that the shader declares.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// Its name.
+    /// Declared name.
     pub name: Name,
-    /// Its parameters.
+    /// Parameters in order.
     pub params: Vec<Parameter>,
-    /// What it returns.
+    /// Return type.
     pub returns: Type,
     /// The first declaration.
     pub declaration: FunctionId,
@@ -127,106 +127,106 @@ impl Function {
     }
 }
 
-/// A call of one of the shader's functions.
+/// A call of a user-defined function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Call {
-    /// The function that calls; `None` at global scope.
+    /// Calling function; `None` at global scope.
     pub caller: Option<FunctionRef>,
-    /// The function that is called.
+    /// Called function.
     pub callee: FunctionRef,
-    /// The call.
+    /// The call expression.
     pub expr: ExprId,
 }
 
-/// What a name or call stands for.
+/// What a name or call refers to.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Resolution {
-    /// Nothing to resolve, or nothing found.
+    /// Nothing to resolve, or not resolved.
     #[default]
     None,
     /// A variable.
     Variable(VariableId),
-    /// A function of the shader.
+    /// A user-defined function.
     Function(FunctionRef),
-    /// A built-in function: the number of its overload in [`Builtins`].
+    /// A built-in function: index of its overload in [`Builtins`].
     Builtin(u32),
-    /// The constructor of a struct, by its number.
+    /// A struct constructor, by struct index.
     Struct(u32),
 }
 
-/// What is known of an expression.
+/// Type, value and resolution of an expression.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ExprInfo {
-    /// Its type.
+    /// Type of the value.
     pub ty: Type,
-    /// Its value, if it is known.
+    /// Value, if it is known at compile time.
     pub constant: Constant,
-    /// What it stands for.
+    /// What the name or call refers to.
     pub resolution: Resolution,
-    /// How deep the browser's tree below it is, folded constants not counted.
+    /// Height of the browser's tree below it, not counting folded constants.
     pub height: u16,
     /// Whether it is a constant expression (GLSL ES 3.00 section 4.3.3).
     pub is_const: bool,
 }
 
-// Every expression has one.
+// Size limit: there is one per expression.
 const _: () = assert!(size_of::<ExprInfo>() <= 28);
 
 impl ExprInfo {
-    /// An expression that was reported.
+    /// An expression with a reported error.
     pub const ERROR: ExprInfo = ExprInfo {
         ty: Type::ERROR,
         constant: Constant::NONE,
         resolution: Resolution::None,
         height: 0,
-        // Nothing more is said of it, so it passes for a constant too.
+        // Avoids follow-up errors about constants.
         is_const: true,
     };
 }
 
 /// A checked shader.
 pub struct Program {
-    /// The files.
+    /// Files that make up the shader.
     pub sources: Arc<Sources>,
-    /// The tokens.
+    /// Preprocessed tokens, macros and comments.
     pub tokens: Tokens,
-    /// The words.
+    /// Interned words.
     pub names: Names,
-    /// The tree.
+    /// Syntax tree.
     pub tree: Tree,
     /// The version of the language.
     pub version: Version,
-    /// The stage.
+    /// Vertex or fragment.
     pub stage: Stage,
-    /// Who runs it.
+    /// Host that runs it.
     pub dialect: Dialect,
-    /// By [`ExprId`].
+    /// Results by [`ExprId`].
     pub exprs: Vec<ExprInfo>,
-    /// All variables.
+    /// Variables by [`VariableId`].
     pub variables: Vec<Variable>,
-    /// All functions.
+    /// Functions by [`FunctionRef`].
     pub functions: Vec<Function>,
-    /// All structs and blocks.
+    /// Structs and blocks by index.
     pub structs: Vec<Struct>,
-    /// All calls of the shader's functions, in the order of the text.
+    /// Calls of user-defined functions, in source order.
     pub calls: Vec<Call>,
-    /// By the order of [`Tree::declarator_lists`]: the variable that each declares.
+    /// By index in [`Tree::declarator_lists`]: the variable that each declares.
     pub declared: Vec<Option<VariableId>>,
-    /// By the order of [`Tree::param_lists`]: the variable that each declares in a definition.
+    /// By index in [`Tree::param_lists`]: the variable that each declares in a definition.
     pub declared_params: Vec<Option<VariableId>>,
-    /// The values of constants.
+    /// Values of constants.
     pub pool: Pool,
-    /// Whether errors were found before the types were looked at.
+    /// Whether errors were found before type checking.
     pub(super) had_errors: bool,
 }
 
 impl Program {
-    /// How many tokens and macro calls it has.
+    /// Number of tokens and macro calls.
     pub fn size(&self) -> usize {
         self.tokens.tokens.len() + self.tokens.expansions.len()
     }
 
-    /// What is known of an expression.
+    /// Type, value and resolution of an expression.
     pub fn expr(&self, id: ExprId) -> &ExprInfo {
         self.exprs.get(id.0 as usize).unwrap_or(&ExprInfo::ERROR)
     }
@@ -236,7 +236,7 @@ impl Program {
         self.expr(id).ty
     }
 
-    /// The scalars of a constant expression; empty where the value is not known.
+    /// The scalars of a constant expression; empty if the value is unknown.
     pub fn values(&self, id: ExprId) -> &[Value] {
         self.pool.values(self.expr(id).constant)
     }
@@ -246,12 +246,12 @@ impl Program {
         self.pool.scalar(self.expr(id).constant)
     }
 
-    /// A variable, if the number is this program's.
+    /// The variable with this id; `None` if the id is not from this program.
     pub fn variable(&self, id: VariableId) -> Option<&Variable> {
         self.variables.get(id.0 as usize)
     }
 
-    /// The variable that an expression names, parentheses aside.
+    /// The variable that an expression refers to, ignoring parentheses.
     pub fn variable_of(&self, id: ExprId) -> Option<VariableId> {
         match self.expr(self.tree.unparen(id)).resolution {
             Resolution::Variable(id) => Some(id),
@@ -259,7 +259,7 @@ impl Program {
         }
     }
 
-    /// A function, if the number is this program's.
+    /// The function with this id; `None` if the id is not from this program.
     pub fn function(&self, id: FunctionRef) -> Option<&Function> {
         self.functions.get(id.0 as usize)
     }
@@ -269,7 +269,7 @@ impl Program {
         self.overload_called(id).map(|o| o.function)
     }
 
-    /// The form of a built-in function that an expression calls.
+    /// The overload of a built-in function that an expression calls.
     pub fn overload_called(&self, id: ExprId) -> Option<&'static Overload> {
         match self.expr(id).resolution {
             Resolution::Builtin(overload) => {
@@ -279,7 +279,7 @@ impl Program {
         }
     }
 
-    /// The function that runs for each pixel or vertex: `mainImage` and its kin, or `main`.
+    /// The function that runs for each pixel or vertex: `main`, or ShaderToy's entry function.
     pub fn entry(&self) -> Option<FunctionRef> {
         let name = self.names.get(self.dialect.host().entry?.name)?;
         let is_entry = |f: &Function| f.definition.is_some() && f.name == name;
@@ -287,68 +287,68 @@ impl Program {
         Some(FunctionRef(at as u32))
     }
 
-    /// The precision that the language gives one of its own variables.
+    /// The precision of a built-in variable.
     pub fn builtin_precision(&self, name: Name) -> Option<QualifierKind> {
         Builtins::of(self.version, self.stage)
             .variable(self.names.text(name))?
             .precision
     }
 
-    /// Whether a place is in the user's text, and not in what a host puts around it.
+    /// Whether a position is in the user's text rather than in text added by a host.
     pub fn is_user(&self, span: Span) -> bool {
         !span.is_empty() && self.sources.is_user(span.start)
     }
 
-    /// Where the name of a variable stands that the text declares.
+    /// Where the text declares a variable.
     pub fn declared_at(&self, variable: &Variable) -> Option<Span> {
         variable.token.and_then(|t| self.token(t)).map(|t| t.span)
     }
 
-    /// What declares a variable; `None` for a parameter and for what the language defines.
+    /// The declarator of a variable; `None` for parameters and built-in variables.
     pub fn declarator_of(&self, variable: VariableId) -> Option<&Declarator> {
         let at = self.declared.iter().position(|d| *d == Some(variable))?;
         self.tree.declarator_lists.get(at)
     }
 
-    /// A token.
+    /// The token with this id.
     pub fn token(&self, id: TokenId) -> Option<&Token> {
         self.tokens.tokens.get(id as usize)
     }
 
-    /// Where a node stands, as the user sees it.
+    /// Source span of a node in the user's text.
     pub fn span(&self, extent: Extent) -> Span {
         let of = |id| self.token(id).map_or(Span::default(), |t| t.span);
         of(extent.first).to(of(extent.last))
     }
 
-    /// Where an expression stands.
+    /// Source span of an expression in the user's text.
     pub fn expr_span(&self, id: ExprId) -> Span {
         self.span(self.tree.expr(id).extent)
     }
 
-    /// The text of an expression as the user sees it.
+    /// Text of an expression in the user's source.
     pub fn expr_text(&self, id: ExprId) -> &str {
         self.sources.text(self.expr_span(id))
     }
 
-    /// Whether all tokens of a node stand in the user's text just so, outside any macro call.
+    /// Whether all tokens of a node are in the user's text, outside any macro call.
     pub fn is_direct(&self, extent: Extent) -> bool {
         self.tokens.are_direct(extent.first, extent.last)
     }
 
-    /// The macro calls that a token came through, innermost first.
+    /// The macro calls that produced a token, innermost first.
     pub fn macros_at(&self, token: TokenId) -> Vec<MacroUse> {
         self.token(token).map_or(Vec::new(), |t| {
             macro_uses(&self.tokens.expansions, &self.tokens.macros, &self.names, t)
         })
     }
 
-    /// A type as it is written.
+    /// A type in GLSL syntax.
     pub fn type_name(&self, ty: Type) -> String {
         type_name(ty, |id| struct_name(&self.structs, &self.names, id))
     }
 
-    /// The struct that a type is, arrays aside.
+    /// The struct of a type, ignoring arrays.
     pub fn struct_of(&self, ty: Type) -> Option<&Struct> {
         match ty.base {
             Base::Struct(id) | Base::Block(id) => self.structs.get(id as usize),
@@ -357,13 +357,13 @@ impl Program {
     }
 }
 
-/// Name of a struct in messages.
+/// Name of a struct for messages.
 pub(super) fn struct_name(structs: &[Struct], names: &Names, id: u16) -> String {
     let name = structs.get(id as usize).and_then(|s| s.name);
     name.map_or("struct".to_string(), |n| names.text(n).to_string())
 }
 
-/// A program can be kept by one thread and read by many.
+/// A program can be shared between threads.
 const _: () = {
     const fn is_shared<T: Send + Sync + 'static>() {}
     is_shared::<Program>();

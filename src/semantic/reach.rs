@@ -1,16 +1,16 @@
-//! Which statements are never left at their end, so that nothing behind them runs.
+//! Statements that never complete normally, so that code after them is unreachable.
 
 use crate::Program;
 use shaderlint_syntax::ast::*;
 
-/// By statement: whether what stands behind it never runs.
+/// By statement: whether the code after it is unreachable.
 #[derive(Default, Debug)]
 pub struct Reachability {
     ends: Vec<bool>,
 }
 
 impl Reachability {
-    /// Looks at every statement of a shader.
+    /// Analyses every statement of a shader.
     pub fn of(program: &Program) -> Reachability {
         let tree = &program.tree;
         let mut reach = Reachability {
@@ -35,7 +35,7 @@ impl Reachability {
         reach
     }
 
-    /// Whether what stands behind a statement never runs.
+    /// Whether the code after a statement is unreachable.
     pub fn ends(&self, stmt: StmtId) -> bool {
         self.ends.get(stmt.0 as usize).copied().unwrap_or(false)
     }

@@ -1,21 +1,21 @@
-//! What names mean where (GLSL ES 3.00 section 4.2).
+//! Scopes and name lookup (GLSL ES 3.00 section 4.2).
 
 use super::program::VariableId;
 use shaderlint_syntax::Name;
 use std::ops::Deref;
 
-/// What a name stands for.
+/// What a name refers to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Binding {
     /// A variable.
     Variable(VariableId),
-    /// One or more functions of the shader.
+    /// One or more user-defined functions.
     Function,
-    /// A struct, by its number.
+    /// A struct, by index.
     Struct(u32),
-    /// An interface block, by its number; its name stands for nothing, but is taken.
+    /// An interface block, by index; its name cannot be used or redeclared.
     Block(u32),
-    /// Something whose declaration was reported; fits everywhere.
+    /// A declaration with a reported error; accepted everywhere.
     Error,
 }
 
@@ -25,7 +25,7 @@ struct Entry {
     depth: u32,
 }
 
-/// What happens to scopes, in the order of the text.
+/// Scope operations in source order.
 #[derive(Clone, Copy, Debug)]
 enum ScopeStep {
     Push,
@@ -34,16 +34,15 @@ enum ScopeStep {
     DeclareGlobal(Name, Binding),
 }
 
-/// All that happened to the scopes of a shader, so that what a name stood for at some place can be
-/// asked later.
+/// Log of all scope operations of a shader, for later lookups at any position.
 #[derive(Default, Debug)]
 pub struct ScopeLog(Vec<ScopeStep>);
 
-/// How much had happened to the scopes at some place.
+/// A position in a [`ScopeLog`].
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct ScopeMark(u32);
 
-/// Scopes as they were at one place after the other.
+/// Replays a [`ScopeLog`] to look up names at earlier positions.
 pub struct PastScopes<'a> {
     log: &'a ScopeLog,
     at: ScopeMark,
@@ -51,7 +50,7 @@ pub struct PastScopes<'a> {
 }
 
 impl<'a> PastScopes<'a> {
-    /// The scopes before anything was declared.
+    /// Starts before any declaration.
     pub fn new(log: &'a ScopeLog) -> PastScopes<'a> {
         PastScopes {
             log,
@@ -60,7 +59,7 @@ impl<'a> PastScopes<'a> {
         }
     }
 
-    /// Goes to a place. It is quickest in the order of the text.
+    /// Moves to a position. Fastest in source order.
     pub fn go_to(&mut self, mark: ScopeMark) {
         if mark.0 < self.at.0 {
             *self = PastScopes::new(self.log);
@@ -72,13 +71,13 @@ impl<'a> PastScopes<'a> {
         self.at = mark;
     }
 
-    /// What names stand for at that place.
+    /// The bindings at the current position.
     pub fn bindings(&self) -> &NameBindings {
         &self.scopes
     }
 }
 
-/// The scopes of the place at hand, with all that happened to them.
+/// The current scopes and their log.
 #[derive(Default)]
 pub struct Scopes {
     bindings: NameBindings,
@@ -101,22 +100,22 @@ impl Scopes {
         self.step(ScopeStep::Pop);
     }
 
-    /// Declares a name in the innermost scope, hiding what it stood for outside.
+    /// Declares a name in the innermost scope, shadowing outer declarations.
     pub fn declare(&mut self, name: Name, binding: Binding) {
         self.step(ScopeStep::Declare(name, binding));
     }
 
-    /// Declares a name at global scope, while inner scopes may be open.
+    /// Declares a name at global scope while inner scopes may be open.
     pub fn declare_global(&mut self, name: Name, binding: Binding) {
         self.step(ScopeStep::DeclareGlobal(name, binding));
     }
 
-    /// How much has happened so far.
+    /// The current position in the log.
     pub fn mark(&self) -> ScopeMark {
         ScopeMark(self.log.0.len() as u32)
     }
 
-    /// All that happened.
+    /// The log of all operations.
     pub fn into_log(self) -> ScopeLog {
         self.log
     }
@@ -130,14 +129,14 @@ impl Deref for Scopes {
     }
 }
 
-/// The bindings of all names, with the scopes that are open.
+/// The current bindings of all names and the open scopes.
 #[derive(Default)]
 pub struct NameBindings {
-    /// By name.
+    /// Current binding, by name.
     entries: Vec<Option<Entry>>,
-    /// What was hidden, to be put back when its scope ends.
+    /// Shadowed bindings, restored when their scope ends.
     hidden: Vec<(Name, Option<Entry>)>,
-    /// Length of `hidden` when each open scope began.
+    /// Length of `hidden` at the start of each open scope.
     marks: Vec<usize>,
 }
 
@@ -151,12 +150,10 @@ impl NameBindings {
         }
     }
 
-    /// Opens a scope.
     fn push(&mut self) {
         self.marks.push(self.hidden.len());
     }
 
-    /// Closes the innermost scope.
     fn pop(&mut self) {
         let mark = self.marks.pop().unwrap_or(0);
         while self.hidden.len() > mark {
@@ -173,7 +170,7 @@ impl NameBindings {
         self.marks.len() as u32
     }
 
-    /// What a name stands for here.
+    /// The binding of a name at this point.
     #[inline]
     pub fn get(&self, name: Name) -> Option<Binding> {
         self.entries
@@ -183,13 +180,13 @@ impl NameBindings {
             .map(|e| e.binding)
     }
 
-    /// What a name stands for if it was declared in the innermost scope itself.
+    /// The binding of a name if it was declared in the innermost scope.
     pub fn get_here(&self, name: Name) -> Option<Binding> {
         let entry = self.entries.get(name.0 as usize).copied().flatten()?;
         (entry.depth == self.depth()).then_some(entry.binding)
     }
 
-    /// What a name stands for at global scope, if nothing hides it.
+    /// The binding of a name at global scope, if it is not shadowed.
     pub fn get_global(&self, name: Name) -> Option<Binding> {
         let entry = self.entries.get(name.0 as usize).copied().flatten()?;
         if entry.depth == 0 {
@@ -199,7 +196,7 @@ impl NameBindings {
         below.1.filter(|e| e.depth == 0).map(|e| e.binding)
     }
 
-    /// Declares a name in the innermost scope, hiding what it stood for outside.
+    /// Declares a name in the innermost scope, shadowing outer declarations.
     fn declare(&mut self, name: Name, binding: Binding) {
         let index = name.0 as usize;
         if self.entries.len() <= index {
@@ -217,7 +214,7 @@ impl NameBindings {
         }
     }
 
-    /// Declares a name at global scope, while inner scopes may be open.
+    /// Declares a name at global scope while inner scopes may be open.
     fn declare_global(&mut self, name: Name, binding: Binding) {
         if self.marks.is_empty() {
             return self.declare(name, binding);
@@ -238,7 +235,7 @@ impl NameBindings {
         }
     }
 
-    /// Every name that stands for something here, with what it stands for.
+    /// All names with a binding at this point.
     pub fn visible(&self) -> impl Iterator<Item = (Name, Binding)> {
         self.entries
             .iter()

@@ -1,5 +1,5 @@
-//! Between the corrections that the syntax allows, the one that means something: the shader is
-//! checked with each of them, and the one that leaves the fewest errors is taken.
+//! Chooses between corrections that are all syntactically valid: the shader is checked with each,
+//! and the one with the fewest errors is used.
 
 use super::checker::{Parsed, Problems};
 use super::judge::judge;
@@ -8,29 +8,29 @@ use super::unit::Unit;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Search, Token, parse_corrected};
 
-/// Most times that one shader is checked for it.
+/// Maximum number of checks of one shader.
 const MAX_LOOKS: usize = 8;
-/// Most tokens that are checked for it, what its checks try themselves not counted.
+/// Maximum number of tokens checked, not counting searches inside the checks.
 const MAX_TOKENS: usize = 100_000;
 
-/// How a shader that cannot be read as it stands was corrected.
+/// A shader with syntax errors and its possible corrections.
 pub(super) struct Corrected {
-    /// How it is written.
+    /// Version and stage.
     pub options: ParseOptions,
     /// The corrections to choose from.
     pub choices: Vec<Choice>,
-    /// Its tokens before any of them.
+    /// The tokens before any correction.
     pub original: Vec<Token>,
-    /// Names whose declarations are gone.
+    /// Names whose declarations were dropped.
     pub lost: Vec<Name>,
 }
 
-/// A shader, checked under some corrections.
+/// Result of checking a shader with some of the corrections.
 pub(super) struct Recheck {
     pub program: Program,
-    /// What the parser says.
+    /// Errors from the parser.
     pub syntax: Vec<Diagnostic>,
-    /// What the checker finds.
+    /// Errors from the checker.
     pub problems: Problems,
 }
 
@@ -43,15 +43,15 @@ impl Recheck {
         }
     }
 
-    /// How many errors there are.
+    /// Total number of errors.
     fn count(&self) -> usize {
         self.syntax.len() + self.problems.len()
     }
 }
 
 impl Corrected {
-    /// Checks the shader, parsed with the first correction of each choice and with `syntax` wrong
-    /// then, or with better ones. Returns all that is wrong with it, the syntax included.
+    /// Checks the shader, which was parsed with the first correction of each choice and the errors
+    /// in `syntax`, and tries the alternatives. Returns the best result, including syntax errors.
     pub fn settle(
         &self,
         parsed: Parsed,
@@ -92,7 +92,7 @@ impl Corrected {
         found
     }
 
-    /// Reads and checks the shader again with other corrections, until so many errors are found.
+    /// Parses and checks the shader with other corrections, stopping after `enough` errors.
     fn look(
         &self,
         found: &mut Recheck,
@@ -116,7 +116,7 @@ impl Corrected {
             self.options,
             &corrections,
         );
-        // Those of the syntax count too.
+        // Syntax errors count too.
         parsed.enough = enough.saturating_sub(parse.diagnostics.len());
         parsed.tree = parse.tree;
         parsed.tree.lost.extend(&self.lost);
@@ -142,7 +142,7 @@ mod tests {
     use shaderlint_text::{Role, Sources};
     use std::sync::Arc;
 
-    /// How many errors a check finds that is made for a goal.
+    /// Number of errors found by a check that may stop after `enough`.
     fn count(code: &str, enough: usize) -> usize {
         let dialect = Dialect::ShaderToy(Pass::Image);
         let mut sources = Sources::new();
@@ -184,9 +184,9 @@ mod tests {
     fn a_count_that_ends_early_tells_whether_there_are_fewer() {
         let heads = [
             "",
-            // Their uses tell that they are a `vec2` each.
+            // Their uses show that both are a `vec2`.
             "float v = p; v.x += 1.0; v.y += v.x; float w = p; w.x += 1.0; w.y += w.x;",
-            // With a channel of three dimensions all but one are right.
+            // With a 3D channel all but one lookup are valid.
             "c += texture(iChannel0, vec3(p, 0.0)); c += texture(iChannel0, p);
              c += textureLod(iChannel0, vec3(p, 1.0), 0.0); c += texture(iChannel0, vec3(p, 1.0));",
         ];

@@ -1,21 +1,21 @@
-//! Parts of shaders, as texts show them: statements without a function around them, names that are
-//! declared elsewhere. What such a part says for certain can still be judged.
+//! Splits shader snippets from documents: statements outside functions, names declared elsewhere.
+//! Such a snippet can still be checked in part.
 
 use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::ops::Range;
 
-/// What a part of a shader is made of.
+/// An item of a snippet, as a byte range.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum SnippetItem {
-    /// A directive, a function, a struct or a declaration that stands at global scope.
+    /// A directive, a function, a struct or a declaration at global scope.
     Global(Range<usize>),
-    /// A declaration that stands in a function, or may.
+    /// A declaration that is or may be inside a function.
     Declaration(Range<usize>),
     /// Any other statement.
     Statement(Range<usize>),
 }
 
-/// Splits a part of a shader. What belongs to no item is blank or a comment.
+/// Splits a snippet into items. The text between items is whitespace or comments.
 pub fn items(text: &str) -> Vec<SnippetItem> {
     let mut splitter = Splitter {
         text,
@@ -29,7 +29,7 @@ pub fn items(text: &str) -> Vec<SnippetItem> {
     items
 }
 
-/// Whether a part of a shader belongs into a function: it has statements outside of any.
+/// Whether a snippet is part of a function body: it has statements outside functions.
 pub fn is_body(text: &str) -> bool {
     let all = items(text);
     let defines = |item: &SnippetItem| match item {
@@ -61,7 +61,7 @@ struct Splitter<'a> {
     at: usize,
 }
 
-/// The tokens that are neither blank nor comment; line breaks are kept.
+/// The tokens except whitespace and comments; line breaks are kept.
 fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
     let mut lexer = Lexer::new(text, 0);
     let mut found = Vec::new();
@@ -87,7 +87,7 @@ fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
     }
 }
 
-/// Words that start what can only stand at global scope, or may as well.
+/// Keywords that start a declaration that is or may be at global scope.
 const GLOBAL: &[&str] = &[
     "struct",
     "uniform",
@@ -103,7 +103,7 @@ const GLOBAL: &[&str] = &[
     "smooth",
     "invariant",
 ];
-/// Words that start a statement and no declaration.
+/// Keywords that start a statement other than a declaration.
 const STATEMENT: &[&str] = &[
     "return", "else", "if", "for", "while", "do", "switch", "case", "default", "break", "continue",
     "discard",
@@ -119,7 +119,7 @@ impl Splitter<'_> {
         self.text.get(range).unwrap_or("")
     }
 
-    /// The next token at or behind an index that is no line break.
+    /// Index of the next token at or after an index that is not a line break.
     fn solid(&self, mut at: usize) -> usize {
         while self.kind(at) == Some(Kind::Newline) {
             at += 1;
@@ -163,7 +163,7 @@ impl Splitter<'_> {
             .is_some_and(|last| self.kind(last) == Some(Kind::Semicolon))
     }
 
-    /// Where the last token that was passed ends.
+    /// Where the last skipped token ends.
     fn end(&self) -> usize {
         let last = self
             .at
@@ -172,7 +172,7 @@ impl Splitter<'_> {
         last.map_or(self.text.len(), |t| t.1.end)
     }
 
-    /// Passes over one statement; tells whether it ends with a `}`.
+    /// Skips one statement; returns whether it ends with a `}`.
     fn pass_statement(&mut self) -> bool {
         let mut depth = 0_u32;
         let mut has_equal = false;

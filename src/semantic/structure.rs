@@ -1,11 +1,12 @@
-//! Which node stands in which.
+//! Parent links of the syntax tree.
 
 use crate::{FunctionRef, Program};
 use shaderlint_syntax::ast::*;
 
-/// The way up from every expression and statement.
+/// The parents of all expressions and statements.
 ///
-/// The tree stores children before parents, so one pass in reverse order hands everything down.
+/// The tree stores children before parents, so one pass in reverse order propagates everything
+/// down.
 #[derive(Default, Debug)]
 pub struct Structure {
     expr_parent: Ups,
@@ -14,13 +15,12 @@ pub struct Structure {
     stmt_function: Ups,
 }
 
-/// By number: the number of the node above. As many as a shader has nodes, so that each takes no
-/// more room than its number.
+/// Parent index by node index. Stored as plain `u32` to keep it small.
 #[derive(Default, Debug)]
 struct Ups(Vec<u32>);
 
 impl Ups {
-    /// The number of what is not there.
+    /// Marks a missing parent.
     const NONE: u32 = u32::MAX;
 
     fn new(count: usize) -> Ups {
@@ -42,7 +42,7 @@ impl Ups {
 }
 
 impl Structure {
-    /// Finds the parents of everything in a shader.
+    /// Computes the parents of all nodes of a shader.
     pub fn of(program: &Program) -> Structure {
         let tree = &program.tree;
         let mut structure = Structure {
@@ -83,7 +83,7 @@ impl Structure {
         }
     }
 
-    /// The expression that an expression is an operand of.
+    /// The expression of which this one is an operand.
     pub fn parent(&self, expr: ExprId) -> Option<ExprId> {
         self.expr_parent.at(expr.0).map(ExprId)
     }
@@ -98,23 +98,23 @@ impl Structure {
         self.stmt_parent.at(stmt.0).map(StmtId)
     }
 
-    /// A statement and those around it, innermost first.
+    /// A statement and its enclosing statements, innermost first.
     pub fn outwards(&self, stmt: StmtId) -> impl Iterator<Item = StmtId> {
         std::iter::successors(Some(stmt), |s| self.outer(*s))
     }
 
-    /// The function that a statement belongs to.
+    /// The function that contains a statement.
     pub fn function_of(&self, stmt: StmtId) -> Option<FunctionRef> {
         self.stmt_function.at(stmt.0).map(FunctionRef)
     }
 
-    /// The function that an expression belongs to.
+    /// The function that contains an expression.
     pub fn function_of_expr(&self, expr: ExprId) -> Option<FunctionRef> {
         self.function_of(self.stmt_of(expr)?)
     }
 }
 
-/// Calls `visit` with every direct operand of an expression, in the order of evaluation.
+/// Calls `visit` with every direct operand of an expression, in evaluation order.
 pub fn each_operand(tree: &Tree, expr: &Expr, mut visit: impl FnMut(ExprId)) {
     match expr.kind {
         ExprKind::Paren(a)
@@ -149,7 +149,7 @@ pub fn each_operand(tree: &Tree, expr: &Expr, mut visit: impl FnMut(ExprId)) {
     }
 }
 
-/// Calls `visit` with every statement that stands directly in a statement.
+/// Calls `visit` with every direct child statement of a statement.
 pub fn each_inner(tree: &Tree, stmt: &Stmt, mut visit: impl FnMut(StmtId)) {
     match stmt.kind {
         StmtKind::Block(body) | StmtKind::Switch { body, .. } => {
@@ -180,8 +180,8 @@ pub fn each_inner(tree: &Tree, stmt: &Stmt, mut visit: impl FnMut(StmtId)) {
     }
 }
 
-/// Calls `visit` with every expression that stands directly in a statement, not as an operand of
-/// another expression.
+/// Calls `visit` with every expression directly in a statement, excluding operands of other
+/// expressions.
 pub fn each_expr(tree: &Tree, stmt: &Stmt, mut visit: impl FnMut(ExprId)) {
     match stmt.kind {
         StmtKind::Expr(e) | StmtKind::Case(e) | StmtKind::Return(Some(e)) => visit(e),
@@ -207,7 +207,7 @@ pub fn each_expr(tree: &Tree, stmt: &Stmt, mut visit: impl FnMut(ExprId)) {
     }
 }
 
-/// Whether nothing makes use of the value of an expression.
+/// Whether the value of an expression is unused.
 pub fn is_dropped(program: &Program, structure: &Structure, expr: ExprId) -> bool {
     let tree = &program.tree;
     let mut at = expr;

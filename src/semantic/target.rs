@@ -1,10 +1,10 @@
-//! What an expression that is written to names.
+//! Targets of assignments.
 
 use super::{Program, VariableId};
 use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::*;
 
-/// The variable that an assignment to `target` writes to, wholly or in part.
+/// The variable that an assignment to `target` modifies, fully or in part.
 pub fn root(program: &Program, target: ExprId) -> Option<VariableId> {
     let mut at = target;
     while let ExprKind::Paren(inner) | ExprKind::Member(inner, _) | ExprKind::Index(inner, _) =
@@ -15,8 +15,8 @@ pub fn root(program: &Program, target: ExprId) -> Option<VariableId> {
     program.variable_of(at)
 }
 
-/// The components of a vector that a member expression picks, a bit each; `None` where it picks a
-/// member of a struct.
+/// Bit mask of the vector components that a member expression selects; `None` for a member of a
+/// struct.
 pub fn swizzled(program: &Program, object: ExprId, name: Name) -> Option<u8> {
     let text = program.names.text(name);
     let number = |c| {

@@ -1,31 +1,31 @@
-//! `#define NAME value // what it is (min~max)`: numbers that an author left to be tuned.
+//! `#define NAME value // description (min~max)`: numbers that an author marked as tunable.
 
 use crate::Program;
 use shaderlint_syntax::{MacroId, TokenKind};
 use shaderlint_text::Span;
 
-/// A number with the range that its author gives.
+/// A number with the range given by its author.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Tunable {
-    /// The macro.
+    /// The macro that defines it.
     pub definition: MacroId,
-    /// The name in the `#define`.
+    /// Span of the name in the `#define`.
     pub name: Span,
-    /// The value, with a sign before it if there is one.
+    /// Span of the value, including its sign.
     pub value_span: Span,
-    /// The value.
+    /// Value as written.
     pub value: f64,
-    /// Smallest value of the range.
+    /// Lower bound of the range.
     pub min: f64,
-    /// Largest value of the range.
+    /// Upper bound of the range.
     pub max: f64,
-    /// The range in the comment.
+    /// Span of the range in the comment.
     pub range: Span,
-    /// What the comment says, without the range.
+    /// Text of the comment without the range.
     pub label: String,
 }
 
-/// The tunable numbers of a shader, in the order of the text.
+/// The tunable numbers of a shader, in source order.
 pub fn tunables(program: &Program) -> Vec<Tunable> {
     let macros = &program.tokens.macros;
     let found = macros.iter().enumerate().filter_map(|(i, definition)| {
@@ -48,13 +48,13 @@ pub fn tunables(program: &Program) -> Vec<Tunable> {
     found.collect()
 }
 
-/// Whether a text may hold a tunable number: for callers that would have to check the whole shader
-/// to ask [`tunables`], and mostly would find none.
+/// Whether a text may contain a tunable number: a cheap test before the full check that
+/// [`tunables`] needs.
 pub fn may_hold_tunables(text: &str) -> bool {
     text.contains('~')
 }
 
-/// The number that is all that a macro holds.
+/// The number that is the whole body of a macro.
 fn number(program: &Program, definition: usize) -> Option<(Span, f64)> {
     let body = &program.tokens.macros.get(definition)?.body;
     let (sign, number) = match body.as_slice() {
@@ -64,7 +64,7 @@ fn number(program: &Program, definition: usize) -> Option<(Span, f64)> {
     };
     let value = match number.token.kind {
         TokenKind::Int => number.token.value as f64,
-        // As it is written, not as the 32 bits that it becomes: people read it again.
+        // The value as written rather than rounded to 32 bits, because people see it.
         TokenKind::Float => {
             let text = program.sources.text(number.token.span);
             text.trim_end_matches(['f', 'F']).parse().ok()?
@@ -77,20 +77,20 @@ fn number(program: &Program, definition: usize) -> Option<(Span, f64)> {
     })
 }
 
-/// A range in a comment.
+/// A numeric range in a comment.
 #[derive(Clone, PartialEq, Debug)]
 pub struct TunableRange {
-    /// Smallest value.
+    /// Lower bound.
     pub min: f64,
-    /// Largest value.
+    /// Upper bound.
     pub max: f64,
-    /// The range, with the parentheses around it.
+    /// Span of the range, including its parentheses.
     pub span: Span,
-    /// Its text.
+    /// Text of the range.
     pub text: String,
 }
 
-/// The range in the comment behind a place, on the same line, and that comment's text.
+/// The range in a comment after a position on the same line, and the text of that comment.
 pub fn range_behind(program: &Program, place: Span) -> Option<(TunableRange, &str)> {
     let comments = &program.tokens.comments;
     let next = comments.partition_point(|c| c.start < place.end);
@@ -113,7 +113,7 @@ pub fn range_behind(program: &Program, place: Span) -> Option<(TunableRange, &st
     Some((range, text))
 }
 
-/// `(80~400)`, `0.5 ~ 2.0`, `-1~1`: start, end, smallest and largest value.
+/// Parses `(80~400)`, `0.5 ~ 2.0` or `-1~1`: start, end, lower and upper bound.
 fn find_range(text: &str) -> Option<(usize, usize, f64, f64)> {
     let mut from = 0;
     while let Some(tilde) = text.get(from..)?.find('~').map(|i| i + from) {
@@ -129,7 +129,7 @@ fn find_range(text: &str) -> Option<(usize, usize, f64, f64)> {
         });
         let right = behind.trim_start();
         let len = right.find(|c: char| !is_part(c)).unwrap_or(right.len());
-        // A full stop behind the number ends a sentence.
+        // A full stop after the number ends a sentence.
         let high = right.get(..len)?.trim_end_matches('.');
         let right_end = tilde + 1 + (behind.len() - right.len()) + high.len();
         let low = left.get(start..).and_then(|t| t.parse::<f64>().ok());
@@ -148,8 +148,8 @@ fn find_range(text: &str) -> Option<(usize, usize, f64, f64)> {
     None
 }
 
-/// What a comment says of a number: the words before its range, or else those behind, without the
-/// one that only says that it may be changed.
+/// The description in a comment: the words before its range, or else those after it, without a
+/// leading "Tunable" or "Adjustable".
 fn label(comment: &str, range: &str) -> String {
     let text = comment
         .trim_start_matches(['/', '*'])

@@ -2,7 +2,7 @@
 
 use shaderlint_syntax::{Name, TypeWord};
 
-/// What a number or truth value is made of.
+/// Component type of numbers, vectors and matrices.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Scalar {
     /// `bool`
@@ -16,7 +16,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// As it is written.
+    /// The type's name in GLSL.
     pub const fn name(self) -> &'static str {
         match self {
             Scalar::Bool => "bool",
@@ -32,8 +32,8 @@ impl Scalar {
     }
 }
 
-/// What a texture is looked up in.
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// Sampler types.
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[rustfmt::skip]
 pub enum Sampler {
@@ -44,7 +44,7 @@ pub enum Sampler {
 }
 
 impl Sampler {
-    /// As it is written.
+    /// The type's name in GLSL.
     pub const fn name(self) -> &'static str {
         match self {
             Sampler::Sampler2D => "sampler2D",
@@ -65,7 +65,7 @@ impl Sampler {
         }
     }
 
-    /// Whether it has a default precision from the start (section 4.5.4).
+    /// Whether it has a predefined default precision (section 4.5.4).
     pub const fn has_default_precision(self) -> bool {
         matches!(self, Sampler::Sampler2D | Sampler::SamplerCube)
     }
@@ -74,38 +74,38 @@ impl Sampler {
 /// A type without the array size.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Base {
-    /// The type of something that was reported; fits everywhere, so that one mistake gives one
-    /// error.
+    /// The type of something with a reported error; compatible with everything, so that one mistake
+    /// gives one error.
     Error,
     /// `void`
     Void,
     /// A scalar (1 column, 1 row), vector (1 column) or matrix.
     Numeric {
-        /// What it is made of.
+        /// Component type.
         scalar: Scalar,
-        /// Columns: 1 for scalars and vectors.
+        /// Number of columns; 1 for scalars and vectors.
         columns: u8,
-        /// Rows: the number of components of a vector.
+        /// Number of rows; the number of components of a vector.
         rows: u8,
     },
     /// A sampler.
     Sampler(Sampler),
-    /// A struct, by its number in [`Program`](super::Program).
+    /// A struct, by index in [`Program`](super::Program).
     Struct(u16),
-    /// An interface block, by its number in [`Program`](super::Program).
+    /// An interface block, by index in [`Program`](super::Program).
     Block(u16),
 }
 
-/// A type. Arrays have one dimension; GLSL ES 3.00 has no more.
+/// A type. Arrays have one dimension, as in GLSL ES 3.00.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Type {
-    /// The type, or that of an array's elements.
+    /// The type, or the element type of an array.
     pub base: Base,
-    /// Size of the array; 0 for no array, [`Type::UNSIZED`] for one of unknown size.
+    /// Array size; 0 for no array, [`Type::UNSIZED`] for an unknown size.
     pub array: u32,
 }
 
-// It goes by value everywhere: it fits a register.
+// Passed by value everywhere, so it should fit in a register.
 const _: () = assert!(size_of::<Type>() <= 8);
 
 impl Type {
@@ -159,8 +159,8 @@ impl Type {
         }
     }
 
-    /// A struct, by its number. A shader with more of them than numbers is none that anyone wrote;
-    /// of those nothing is said.
+    /// A struct type, by index. Beyond the representable number of structs, the type is an error
+    /// type, so nothing is reported.
     pub const fn structure(id: u32) -> Type {
         let base = match id <= u16::MAX as u32 {
             true => Base::Struct(id as u16),
@@ -169,7 +169,7 @@ impl Type {
         Type { base, array: 0 }
     }
 
-    /// An interface block, by its number.
+    /// An interface block, by index.
     pub const fn block(id: u32) -> Type {
         match Type::structure(id).base {
             Base::Struct(id) => Type {
@@ -188,7 +188,7 @@ impl Type {
         }
     }
 
-    /// A type of the language.
+    /// The type of a built-in type name.
     pub const fn of_word(word: TypeWord) -> Type {
         use Sampler as S;
         use Scalar::*;
@@ -245,7 +245,7 @@ impl Type {
         }
     }
 
-    /// The type of an array's elements; the type itself if it is no array.
+    /// The element type of an array; the type itself if it is not an array.
     pub const fn element(self) -> Type {
         Type {
             base: self.base,
@@ -253,7 +253,7 @@ impl Type {
         }
     }
 
-    /// Whether it stands for something that was reported.
+    /// Whether it is [`Base::Error`].
     pub const fn is_error(self) -> bool {
         matches!(self.base, Base::Error)
     }
@@ -273,7 +273,7 @@ impl Type {
         matches!(self.base, Base::Sampler(_))
     }
 
-    /// The sampler that it is, if it is one and no array.
+    /// The sampler type; `None` for arrays and other types.
     pub const fn as_sampler(self) -> Option<Sampler> {
         match self.base {
             Base::Sampler(sampler) if self.array == 0 => Some(sampler),
@@ -281,7 +281,8 @@ impl Type {
         }
     }
 
-    /// Scalar, columns and rows of a number, vector or matrix that is no array.
+    /// Component type, columns and rows of a scalar, vector or matrix; `None` for arrays and other
+    /// types.
     pub const fn numeric(self) -> Option<(Scalar, u8, u8)> {
         match self.base {
             Base::Numeric {
@@ -293,7 +294,7 @@ impl Type {
         }
     }
 
-    /// What it is made of, arrays not counted.
+    /// Component type; `None` for arrays and other types.
     pub const fn scalar_kind(self) -> Option<Scalar> {
         match self.numeric() {
             Some((scalar, ..)) => Some(scalar),
@@ -301,7 +302,7 @@ impl Type {
         }
     }
 
-    /// Whether it is a single number or truth value.
+    /// Whether it is a single number or `bool`.
     pub const fn is_scalar(self) -> bool {
         matches!(self.numeric(), Some((_, 1, 1)))
     }
@@ -324,7 +325,7 @@ impl Type {
         }
     }
 
-    /// The same shape made of something else.
+    /// The same shape with another component type.
     pub const fn with_scalar(self, scalar: Scalar) -> Type {
         match self.base {
             Base::Numeric { columns, rows, .. } => Type {
@@ -343,47 +344,47 @@ impl Type {
 /// A member of a struct or block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Field {
-    /// Its name.
+    /// Name of the member.
     pub name: Name,
-    /// Its type.
+    /// Declared type.
     pub ty: Type,
-    /// The token that names it.
+    /// Index of the token that names it.
     pub token: u32,
 }
 
 /// A struct, or the members of an interface block.
 #[derive(Clone, Debug)]
 pub struct Struct {
-    /// Its name, if it has one.
+    /// Name; `None` if it is anonymous.
     pub name: Option<Name>,
-    /// The token that names it, or opens it.
+    /// Index of the token that names it, or of its `{`.
     pub token: u32,
-    /// Its members.
+    /// Members in order.
     pub fields: Vec<Field>,
-    /// What lies inside, at any depth.
+    /// Properties of its contents, at any depth.
     pub inside: Inside,
 }
 
-/// What lies inside a type, at any depth. Kept for each struct, so that no question about a type
-/// walks through structs again.
+/// Properties of the contents of a type at any depth. Cached per struct, so that queries do not
+/// traverse structs again.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Inside {
-    /// How deep structs nest: 0 for a type that is none.
+    /// Nesting depth of structs; 0 for other types.
     pub nesting: u32,
-    /// Whether there is an array.
+    /// Whether it contains an array.
     pub array: bool,
-    /// Whether there is a sampler.
+    /// Whether it contains a sampler.
     pub sampler: bool,
-    /// Whether there is an `int` or `uint`.
+    /// Whether it contains an `int` or `uint`.
     pub integer: bool,
     /// Size of a variable, in bytes.
     pub bytes: u64,
-    /// Size of a uniform, in bytes; each vector takes as much as a `vec4`.
+    /// Size of a uniform, in bytes; each vector uses the space of a `vec4`.
     pub uniform_bytes: u64,
 }
 
 impl Inside {
-    /// Looks into a type, given what is inside the struct that it is.
+    /// The contents of a type, given those of its struct.
     pub fn of(ty: Type, record: impl FnOnce(u16) -> Inside) -> Inside {
         let mut inside = match ty.base {
             Base::Struct(id) | Base::Block(id) => record(id),
@@ -414,7 +415,7 @@ impl Inside {
         inside
     }
 
-    /// Adds what is inside a member.
+    /// Adds the contents of a member.
     pub fn add(&mut self, member: Inside) {
         self.nesting = self.nesting.max(member.nesting + 1);
         self.array |= member.array;
@@ -441,7 +442,7 @@ fn numeric_name(scalar: Scalar, columns: u8, rows: u8) -> String {
     }
 }
 
-/// A type as it is written; `struct_name` names structs and blocks.
+/// A type in GLSL syntax; `struct_name` returns the names of structs and blocks.
 pub fn type_name(ty: Type, struct_name: impl Fn(u16) -> String) -> String {
     let base = match ty.base {
         Base::Error => "?".to_string(),

@@ -1,23 +1,23 @@
-//! Where the specification says that results are undefined (GLSL ES 3.00 sections 5.4.1, 5.9 and 8),
-//! as data: what is computed of constants, and what a run watches, read the same list.
+//! Operations with undefined results (GLSL ES 3.00 sections 5.4.1, 5.9 and 8) as data, used by
+//! constant folding and at run time.
 
-/// For which operands a result is undefined, component by component: in any of these cases, in each of
-/// which all comparisons hold. What is no number is in no case.
+/// The operands for which a result is undefined, by component: any of these cases, each with
+/// comparisons that must all hold. NaN is in no case.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Undefined(pub &'static [&'static [OperandTest]]);
 
 /// A comparison of an operand.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct OperandTest {
-    /// Which operand.
+    /// Index of the operand.
     pub operand: usize,
-    /// How it is compared.
+    /// Comparison operator.
     pub relation: Comparing,
-    /// With what.
+    /// Right-hand side of the comparison.
     pub with: ComparedWith,
 }
 
-/// How two numbers are compared.
+/// Comparison operators.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Comparing {
     /// `<`
@@ -32,10 +32,10 @@ pub enum Comparing {
     GreaterEqual,
 }
 
-/// What an operand is compared with.
+/// Right-hand side of a comparison.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum ComparedWith {
-    /// A number, which every kind of scalar holds.
+    /// A number that every scalar type can represent.
     Number(i64),
     /// Another operand.
     Operand(usize),
@@ -43,7 +43,7 @@ pub enum ComparedWith {
 
 use Comparing::{Equal, Greater, GreaterEqual, Less, LessEqual};
 
-/// An operand beside a number.
+/// A comparison of an operand with a number.
 const fn is(operand: usize, relation: Comparing, number: i64) -> OperandTest {
     OperandTest {
         operand,
@@ -52,7 +52,7 @@ const fn is(operand: usize, relation: Comparing, number: i64) -> OperandTest {
     }
 }
 
-/// An operand beside another.
+/// A comparison of two operands.
 const fn are(operand: usize, relation: Comparing, other: usize) -> OperandTest {
     OperandTest {
         operand,
@@ -62,7 +62,7 @@ const fn are(operand: usize, relation: Comparing, other: usize) -> OperandTest {
 }
 
 impl Undefined {
-    /// Nowhere.
+    /// Defined for all operands.
     pub const NEVER: Undefined = Undefined(&[]);
     /// `sqrt`
     pub const NEGATIVE: Undefined = Undefined(&[&[is(0, Less, 0)]]);
@@ -94,7 +94,7 @@ impl Undefined {
     /// `uint` of a `float`
     pub const NO_UINT: Undefined = Undefined(&[&[is(0, Less, 0)], &[is(0, GreaterEqual, 1 << 32)]]);
 
-    /// Whether the result is undefined for these operands; `None` stands for one that is not there.
+    /// Whether the result is undefined for these operands; `None` stands for a missing operand.
     pub fn holds(self, operand: impl Fn(usize) -> Option<f64>) -> bool {
         let is = |test: &OperandTest| {
             let with = match test.with {

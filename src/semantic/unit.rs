@@ -1,4 +1,4 @@
-//! A shader that is to be checked, and what is found.
+//! Input and result of the analysis of one shader.
 
 use super::builtins::Stage;
 use super::dialect::Dialect;
@@ -8,36 +8,36 @@ use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
-/// What makes up one shader.
+/// A shader to analyse.
 pub struct Unit<'a> {
-    /// All files.
+    /// All source files.
     pub sources: &'a Arc<Sources>,
-    /// Those of the shader, in the order in which they are compiled.
+    /// The files of the shader, in compilation order.
     pub files: &'a [FileId],
-    /// The stage it is written for.
+    /// Vertex or fragment.
     pub stage: Stage,
-    /// Who runs it.
+    /// Host that runs the shader.
     pub dialect: Dialect,
-    /// Whether the types of its channels are not known, and are to be what its uses need.
+    /// Whether the types of its channels are unknown and inferred from their uses.
     pub infer_channels: bool,
-    /// How much of the shader that is.
+    /// How much of a shader the files contain.
     pub wholeness: Wholeness,
 }
 
-/// A shader, checked.
+/// An analysed shader.
 pub struct Checked {
-    /// What is known of it.
+    /// The checked program.
     pub program: Program,
-    /// What the browser's compiler would refuse, in the order of the text.
+    /// Errors and warnings of the browser's compiler, in source order.
     pub diagnostics: Vec<Diagnostic>,
-    /// What a part leaves open.
+    /// What cannot be resolved in a shader fragment.
     pub open: Open,
-    /// How much of a shader that is.
+    /// How much of a shader the text contains.
     pub wholeness: Wholeness,
 }
 
 impl Checked {
-    /// Whether the browser would refuse it.
+    /// Whether the browser would reject it.
     pub fn has_errors(&self) -> bool {
         let mut all = self.diagnostics.iter();
         all.any(|d| d.severity == Severity::Error)

@@ -1,8 +1,8 @@
-//! The tree: syntax only, in flat vectors.
+//! The syntax tree, stored in flat vectors.
 //!
-//! Every node knows its first and last token; parentheses are nodes. Children are stored before
-//! their parents, so the expressions of one statement, taken in the order of their numbers, are in
-//! the order of evaluation, and nothing that walks or drops a tree needs to recurse.
+//! Every node records its first and last token; parentheses are nodes. Children are stored before
+//! their parents, so iterating over the expressions of a statement by index follows evaluation
+//! order, and walking or dropping a tree needs no recursion.
 
 use super::names::{Name, TypeWord};
 
@@ -32,26 +32,26 @@ ids! {
     StructId;
 }
 
-/// A run of entries in one of the tree's lists.
+/// A range of entries in one of the tree's lists.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct List {
-    /// First entry.
+    /// Index of the first entry.
     pub start: u32,
     /// Number of entries.
     pub len: u32,
 }
 
-/// First and last token of a node.
+/// First and last token of a node, both inclusive.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Extent {
-    /// First token.
+    /// Index of the first token.
     pub first: TokenId,
-    /// Last token, which belongs to the node.
+    /// Index of the last token, inclusive.
     pub last: TokenId,
 }
 
 impl Extent {
-    /// The extent of one token.
+    /// The extent of a single token.
     pub const fn token(token: TokenId) -> Extent {
         Extent {
             first: token,
@@ -59,12 +59,12 @@ impl Extent {
         }
     }
 
-    /// Whether `other` lies inside.
+    /// Whether `other` is inside this extent.
     pub fn contains(self, other: Extent) -> bool {
         self.first <= other.first && other.last <= self.last
     }
 
-    /// The smallest extent that holds both.
+    /// The smallest extent that contains both.
     pub fn to(self, other: Extent) -> Extent {
         Extent {
             first: self.first.min(other.first),
@@ -76,30 +76,30 @@ impl Extent {
 /// An expression (GLSL ES 3.00 section 5).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Expr {
-    /// What it is.
+    /// Variant and operands of the expression.
     pub kind: ExprKind,
-    /// Its tokens.
+    /// Token range of the expression.
     pub extent: Extent,
 }
 
-// A shader has thousands of them.
+// Size limits: a shader has thousands of these nodes.
 const _: () = assert!(size_of::<Expr>() <= 28);
 const _: () = assert!(size_of::<Stmt>() <= 36);
 
-/// The kinds of expression.
+/// Kinds of expressions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum ExprKind {
-    /// Could not be read; already reported.
+    /// Could not be parsed; an error has been reported.
     Error,
-    /// A variable.
+    /// Name of a variable.
     Name(Name),
-    /// A literal.
+    /// Integer literal, e.g. `1`.
     Int(i32),
-    /// A literal.
+    /// Unsigned literal, e.g. `1u`.
     Uint(u32),
-    /// A literal, kept as its bits.
+    /// Floating-point literal.
     Float(f32),
-    /// A literal.
+    /// `true` or `false`.
     Bool(bool),
     /// `( e )`
     Paren(ExprId),
@@ -107,20 +107,20 @@ pub enum ExprKind {
     Unary(UnaryOp, ExprId),
     /// `e op`
     Postfix(PostfixOp, ExprId),
-    /// `l op r`; the operator is the token behind `l`.
+    /// `l op r`; the operator is the token after `l`.
     Binary(BinaryOp, ExprId, ExprId),
-    /// `l op r`; `None` is the plain `=`. The operator is the token behind `l`.
+    /// `l op r`; `None` stands for plain `=`. The operator is the token after `l`.
     Assign(Option<BinaryOp>, ExprId, ExprId),
     /// `c ? a : b`
     Ternary(ExprId, ExprId, ExprId),
     /// `l , r`
     Comma(ExprId, ExprId),
-    /// `name(args)`: a function or the constructor of a struct; arguments in
+    /// `name(args)`: a call of a function or of a struct constructor, with the arguments in
     /// [`Tree::expr_lists`]. The name is the first token.
     Call(Name, List),
-    /// `type(args)`: the constructor of a type of the language or of an array.
+    /// `type(args)`: the constructor of a built-in type or of an array.
     Construct(TypeId, List),
-    /// `object.name(args)`. Only `length()` of an array exists.
+    /// `object.name(args)`; GLSL has only `length()` of arrays.
     Method(ExprId, Name, List),
     /// `object.field`; the field is the last token.
     Member(ExprId, Name),
@@ -128,7 +128,7 @@ pub enum ExprKind {
     Index(ExprId, ExprId),
 }
 
-/// Operators before an operand.
+/// Prefix operators.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum UnaryOp {
     /// `+`
@@ -145,7 +145,7 @@ pub enum UnaryOp {
     Decrement,
 }
 
-/// Operators behind an operand.
+/// Postfix operators.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum PostfixOp {
     /// `++`
@@ -154,8 +154,8 @@ pub enum PostfixOp {
     Decrement,
 }
 
-/// Operators between two operands.
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// Binary operators.
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum BinaryOp {
@@ -164,7 +164,7 @@ pub enum BinaryOp {
 }
 
 impl UnaryOp {
-    /// As it is written.
+    /// The operator in source form.
     pub const fn symbol(self) -> &'static str {
         match self {
             UnaryOp::Plus => "+",
@@ -176,14 +176,14 @@ impl UnaryOp {
         }
     }
 
-    /// Whether it writes to its operand.
+    /// Whether the operator modifies its operand.
     pub const fn assigns(self) -> bool {
         matches!(self, UnaryOp::Increment | UnaryOp::Decrement)
     }
 }
 
 impl PostfixOp {
-    /// As it is written.
+    /// The operator in source form.
     pub const fn symbol(self) -> &'static str {
         match self {
             PostfixOp::Increment => "++",
@@ -193,7 +193,7 @@ impl PostfixOp {
 }
 
 impl BinaryOp {
-    /// As it is written.
+    /// The operator in source form.
     pub const fn symbol(self) -> &'static str {
         match self {
             BinaryOp::Mul => "*",
@@ -218,7 +218,7 @@ impl BinaryOp {
         }
     }
 
-    /// Whether the result is a `bool` made from two numbers, or from any two equal types.
+    /// Whether this is a relational or equality operator, with a `bool` result.
     pub const fn compares(self) -> bool {
         use BinaryOp::*;
         matches!(
@@ -227,7 +227,7 @@ impl BinaryOp {
         )
     }
 
-    /// Whether it works on the bits of integers.
+    /// Whether the operator works on the bits of integers.
     pub const fn is_bitwise(self) -> bool {
         use BinaryOp::*;
         matches!(self, BitAnd | BitXor | BitOr | ShiftLeft | ShiftRight)
@@ -242,16 +242,16 @@ impl BinaryOp {
 /// A statement (section 6).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Stmt {
-    /// What it is.
+    /// Variant and children of the statement.
     pub kind: StmtKind,
-    /// Its tokens.
+    /// Token range of the statement.
     pub extent: Extent,
 }
 
-/// The kinds of statement. Bodies are statements too, blocks included.
+/// Kinds of statements. Bodies are statements too, including blocks.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum StmtKind {
-    /// Could not be read; already reported.
+    /// Could not be parsed; an error has been reported.
     Error,
     /// `;`
     Empty,
@@ -263,16 +263,16 @@ pub enum StmtKind {
     Block(List),
     /// `if (condition) then else otherwise`
     If {
-        /// The condition.
+        /// Controlling expression.
         condition: ExprId,
-        /// Runs when it is true.
+        /// Executed if the condition is true.
         then: StmtId,
-        /// Runs when it is false.
+        /// Executed if the condition is false.
         otherwise: Option<StmtId>,
     },
     /// `switch (selector) { ... }`
     Switch {
-        /// What is compared.
+        /// Value compared with the `case` labels.
         selector: ExprId,
         /// Statements and labels, in [`Tree::stmt_lists`].
         body: List,
@@ -283,27 +283,27 @@ pub enum StmtKind {
     Default,
     /// `for (init; condition; step) body`
     For {
-        /// An expression, a declaration or empty.
+        /// An expression, a declaration or an empty statement.
         init: StmtId,
-        /// An expression or a declaration.
+        /// An expression or a declaration; `None` means always true.
         condition: Option<StmtId>,
-        /// Runs after each turn.
+        /// Executed after each iteration.
         step: Option<ExprId>,
-        /// The body.
+        /// Executed while the condition holds.
         body: StmtId,
     },
     /// `while (condition) body`
     While {
         /// An expression or a declaration.
         condition: StmtId,
-        /// The body.
+        /// Executed while the condition holds.
         body: StmtId,
     },
     /// `do body while (condition);`
     Do {
-        /// The body.
+        /// Executed once, then while the condition holds.
         body: StmtId,
-        /// The condition.
+        /// Tested after each iteration.
         condition: ExprId,
     },
     /// `break;`
@@ -316,49 +316,49 @@ pub enum StmtKind {
     Discard,
 }
 
-/// A type as written: `vec3`, `S`, `struct { ... }`, each perhaps with `[size]`.
+/// A type as written: `vec3`, `S`, `struct { ... }`, each optionally with `[size]`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TypeSpec {
     /// The type without array sizes.
     pub base: TypeBase,
-    /// Sizes behind the type, in [`Tree::array_lists`].
+    /// Array sizes after the type, in [`Tree::array_lists`].
     pub arrays: List,
-    /// Its tokens.
+    /// Token range of the type and its array sizes.
     pub extent: Extent,
 }
 
-/// The type without array sizes.
+/// A type without array sizes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TypeBase {
-    /// Could not be read; already reported.
+    /// Could not be parsed; an error has been reported.
     Error,
     /// `void`
     Void,
-    /// A type of the language.
+    /// A built-in type.
     Word(TypeWord),
-    /// A name, which must be a struct's.
+    /// A name that must refer to a struct.
     Name(Name),
-    /// A struct declared on the spot.
+    /// A struct declared in place.
     Struct(StructId),
 }
 
 /// `[size]` or `[]`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArraySize {
-    /// The size, unless left out.
+    /// The size; `None` for `[]`.
     pub size: Option<ExprId>,
-    /// From bracket to bracket.
+    /// Token range including both brackets.
     pub extent: Extent,
 }
 
 /// A struct declaration, or the members of an interface block.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StructDecl {
-    /// Its name, if it has one.
+    /// Name of the struct or block; `None` for an anonymous struct.
     pub name: Option<Ident>,
     /// Members in [`Tree::field_lists`].
     pub fields: List,
-    /// Its tokens.
+    /// Token range from `struct` or the block name to the closing brace.
     pub extent: Extent,
 }
 
@@ -367,47 +367,47 @@ pub struct StructDecl {
 pub struct FieldDecl {
     /// Qualifiers, in [`Tree::qualifier_lists`].
     pub qualifiers: List,
-    /// Type of all.
+    /// Type shared by all declarators.
     pub ty: TypeId,
-    /// Names, in [`Tree::declarator_lists`]; none has an initializer.
+    /// Member names, in [`Tree::declarator_lists`]; none has an initializer.
     pub declarators: List,
-    /// Its tokens.
+    /// Token range including the semicolon.
     pub extent: Extent,
 }
 
 /// A name and its token.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Ident {
-    /// The name.
+    /// Interned name.
     pub name: Name,
-    /// Where it stands.
+    /// Index of the name's token.
     pub token: TokenId,
 }
 
-/// One name of a declaration: `a`, `a[2]`, `a = e`.
+/// One declarator of a declaration: `a`, `a[2]`, `a = e`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Declarator {
-    /// The name.
+    /// Declared name.
     pub ident: Ident,
-    /// Sizes behind the name, in [`Tree::array_lists`].
+    /// Array sizes after the name, in [`Tree::array_lists`].
     pub arrays: List,
-    /// The initializer.
+    /// Expression after `=`.
     pub init: Option<ExprId>,
-    /// Its tokens.
+    /// Token range of the declarator.
     pub extent: Extent,
 }
 
-/// A qualifier in front of a type, in the order written.
+/// A qualifier before a type, in source order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Qualifier {
-    /// What it is.
+    /// Variant of the qualifier.
     pub kind: QualifierKind,
-    /// Its tokens.
+    /// Token range of the qualifier.
     pub extent: Extent,
 }
 
-/// The kinds of qualifier (section 4.3 to 4.7).
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// Kinds of qualifiers (sections 4.3 to 4.7).
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum QualifierKind {
@@ -420,42 +420,42 @@ pub enum QualifierKind {
 /// One entry of `layout(...)`: `std140` or `location = 2`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LayoutEntry {
-    /// Its name.
+    /// Name of the layout qualifier.
     pub ident: Ident,
-    /// The number behind `=`.
+    /// The integer after `=`.
     pub value: Option<LayoutValue>,
 }
 
-/// The number of a layout entry.
+/// The integer of a layout entry and its token.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LayoutValue {
-    /// The number.
+    /// Value as written, e.g. the location.
     pub value: i32,
-    /// Where it stands.
+    /// Index of the integer's token.
     pub token: TokenId,
 }
 
 /// A declaration, at global scope or as a statement.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Declaration {
-    /// What it is.
+    /// Variant of the declaration.
     pub kind: DeclKind,
-    /// Its tokens, the semicolon included.
+    /// Token range including the semicolon.
     pub extent: Extent,
 }
 
-/// The kinds of declaration.
+/// Kinds of declarations.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum DeclKind {
-    /// Could not be read; already reported.
+    /// Could not be parsed; an error has been reported.
     Error,
-    /// `qualifiers type a, b = e;` with any number of names, none included.
+    /// `qualifiers type a, b = e;` with any number of declarators, including none.
     Variables {
         /// Qualifiers, in [`Tree::qualifier_lists`].
         qualifiers: List,
-        /// The type.
+        /// Type shared by all declarators.
         ty: TypeId,
-        /// Names, in [`Tree::declarator_lists`].
+        /// Declarators, in [`Tree::declarator_lists`].
         declarators: List,
     },
     /// `float f(vec2 p);`
@@ -464,67 +464,67 @@ pub enum DeclKind {
     Precision {
         /// `lowp`, `mediump` or `highp`.
         precision: QualifierKind,
-        /// The type.
+        /// Type that the precision applies to.
         ty: TypeId,
     },
     /// `uniform Block { ... } instance[2];`
     Block {
         /// Qualifiers, in [`Tree::qualifier_lists`].
         qualifiers: List,
-        /// Name and members.
+        /// Name and members of the block.
         members: StructId,
-        /// Name behind the members.
+        /// Instance name after the members.
         instance: Option<Declarator>,
     },
     /// `invariant a;` or `layout(std140) uniform;`
     Qualifiers {
         /// Qualifiers, in [`Tree::qualifier_lists`].
         qualifiers: List,
-        /// What is qualified; nothing for a default layout.
+        /// Qualified name; `None` for a default layout.
         ident: Option<Ident>,
     },
 }
 
-/// A function's header, and its body if it is a definition.
+/// Header of a function, with its body if this is a definition.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FunctionDecl {
     /// Qualifiers of the return type, in [`Tree::qualifier_lists`].
     pub qualifiers: List,
     /// Return type.
     pub ty: TypeId,
-    /// Its name.
+    /// Name of the function.
     pub ident: Ident,
     /// Parameters, in [`Tree::param_lists`].
     pub params: List,
-    /// The body, unless it is a prototype.
+    /// Body of a definition; `None` for a prototype.
     pub body: Option<StmtId>,
-    /// Its tokens up to the closing parenthesis.
+    /// Token range up to the closing parenthesis.
     pub header: Extent,
-    /// All its tokens.
+    /// Token range of the whole function.
     pub extent: Extent,
 }
 
-/// A parameter.
+/// A parameter of a function.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Param {
     /// Qualifiers, in [`Tree::qualifier_lists`].
     pub qualifiers: List,
-    /// Its type.
+    /// Type of the parameter, without array sizes after the name.
     pub ty: TypeId,
-    /// Its name.
+    /// Parameter name; `None` if it is unnamed.
     pub ident: Option<Ident>,
-    /// Sizes behind the name, in [`Tree::array_lists`].
+    /// Array sizes after the name, in [`Tree::array_lists`].
     pub arrays: List,
-    /// Its tokens.
+    /// Token range of the parameter.
     pub extent: Extent,
 }
 
-/// What stands at global scope.
+/// A declaration at global scope.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Item {
-    /// A function with a body.
+    /// A function definition.
     Function(FunctionId),
-    /// Anything else.
+    /// Any other declaration.
     Decl(DeclId),
 }
 
@@ -535,33 +535,33 @@ pub struct Tree {
     pub exprs: Vec<Expr>,
     /// All statements, children before parents.
     pub stmts: Vec<Stmt>,
-    /// All declarations.
+    /// All declarations, global and local.
     pub decls: Vec<Declaration>,
-    /// All functions and prototypes.
+    /// All function definitions and prototypes.
     pub functions: Vec<FunctionDecl>,
-    /// All types.
+    /// All type specifiers.
     pub types: Vec<TypeSpec>,
-    /// All structs, and the members of all interface blocks.
+    /// All structs, and the member lists of all interface blocks.
     pub structs: Vec<StructDecl>,
-    /// What stands at global scope, in order.
+    /// Items at global scope, in source order.
     pub items: Vec<Item>,
-    /// Names whose declarations could not be read and were reported.
+    /// Names whose declarations could not be parsed; errors have been reported.
     pub lost: Vec<Name>,
-    /// Arguments.
+    /// Argument lists of calls.
     pub expr_lists: Vec<ExprId>,
-    /// Statements of blocks.
+    /// Statement lists of blocks.
     pub stmt_lists: Vec<StmtId>,
-    /// Array sizes.
+    /// Array sizes of types and declarators.
     pub array_lists: Vec<ArraySize>,
-    /// Members.
+    /// Member declarations of structs and blocks.
     pub field_lists: Vec<FieldDecl>,
-    /// Declared names.
+    /// Declarators of declarations and members.
     pub declarator_lists: Vec<Declarator>,
-    /// Qualifiers.
+    /// Qualifiers of declarations, members and parameters.
     pub qualifier_lists: Vec<Qualifier>,
-    /// Layout entries.
+    /// Entries of `layout(...)`.
     pub layout_lists: Vec<LayoutEntry>,
-    /// Parameters.
+    /// Parameters of functions.
     pub param_lists: Vec<Param>,
 }
 
@@ -586,32 +586,32 @@ impl Tree {
         extent: Extent { first: 0, last: 0 },
     };
 
-    /// An expression; one that could not be read where the number is not this tree's.
+    /// The expression with this id; an error node if the id is not from this tree.
     pub fn expr(&self, id: ExprId) -> &Expr {
         self.exprs.get(id.0 as usize).unwrap_or(&Tree::NO_EXPR)
     }
 
-    /// A statement; one that could not be read where the number is not this tree's.
+    /// The statement with this id; an error node if the id is not from this tree.
     pub fn stmt(&self, id: StmtId) -> &Stmt {
         self.stmts.get(id.0 as usize).unwrap_or(&Tree::NO_STMT)
     }
 
-    /// A type; one that could not be read where the number is not this tree's.
+    /// The type with this id; an error node if the id is not from this tree.
     pub fn ty(&self, id: TypeId) -> &TypeSpec {
         self.types.get(id.0 as usize).unwrap_or(&Tree::NO_TYPE)
     }
 
-    /// A declaration, if the number is this tree's.
+    /// The declaration with this id; `None` if the id is not from this tree.
     pub fn decl(&self, id: DeclId) -> Option<&Declaration> {
         self.decls.get(id.0 as usize)
     }
 
-    /// A function, if the number is this tree's.
+    /// The function with this id; `None` if the id is not from this tree.
     pub fn function(&self, id: FunctionId) -> Option<&FunctionDecl> {
         self.functions.get(id.0 as usize)
     }
 
-    /// A struct, if the number is this tree's.
+    /// The struct with this id; `None` if the id is not from this tree.
     pub fn structure(&self, id: StructId) -> Option<&StructDecl> {
         self.structs.get(id.0 as usize)
     }
@@ -626,37 +626,37 @@ impl Tree {
         list(&self.stmt_lists, body)
     }
 
-    /// Array sizes.
+    /// Array sizes of a type or declarator.
     pub fn arrays(&self, arrays: List) -> &[ArraySize] {
         list(&self.array_lists, arrays)
     }
 
-    /// Qualifiers.
+    /// Qualifiers of a declaration, member or parameter.
     pub fn qualifiers(&self, qualifiers: List) -> &[Qualifier] {
         list(&self.qualifier_lists, qualifiers)
     }
 
-    /// Declared names.
+    /// Declarators of a declaration.
     pub fn declarators(&self, declarators: List) -> &[Declarator] {
         list(&self.declarator_lists, declarators)
     }
 
-    /// Members.
+    /// Member declarations of a struct or block.
     pub fn fields(&self, fields: List) -> &[FieldDecl] {
         list(&self.field_lists, fields)
     }
 
-    /// Parameters.
+    /// Parameters of a function.
     pub fn params(&self, params: List) -> &[Param] {
         list(&self.param_lists, params)
     }
 
-    /// Layout entries.
+    /// Entries of a `layout(...)` qualifier.
     pub fn layout(&self, entries: List) -> &[LayoutEntry] {
         list(&self.layout_lists, entries)
     }
 
-    /// The expression inside any parentheses.
+    /// The expression with any enclosing parentheses removed.
     pub fn unparen(&self, mut id: ExprId) -> ExprId {
         while let ExprKind::Paren(inner) = self.expr(id).kind {
             id = inner;

@@ -1,51 +1,51 @@
-//! Words of other languages, and what GLSL has instead. They are free names in GLSL: a word is
-//! foreign only where nothing declares it.
+//! Types, functions and values of other languages, with their GLSL equivalents. In GLSL these are
+//! ordinary identifiers, so a word counts as foreign only where it is not declared.
 
 use super::names::{TypeWord, Version, WordClass, classify};
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
-/// What GLSL has in the place of a foreign word.
+/// GLSL equivalent of a foreign word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Meaning {
-    /// A type.
+    /// A GLSL type.
     Type(&'static str),
-    /// No word: the type of a variable is always written, and here it is that of its value.
+    /// A placeholder for an inferred type, such as `auto`; GLSL needs the type of the initializer.
     Inferred,
-    /// A function that takes the same arguments.
+    /// A GLSL function with the same arguments.
     Function(&'static str),
-    /// Code in which `$1` to `$4` stand for the arguments, of which there are that many.
+    /// GLSL code with `$1` to `$4` for the arguments, and the number of arguments.
     Code(&'static str, usize),
-    /// The same, but not equal in every case, which the last text explains.
+    /// As `Code`, but not equivalent in every case; the last string explains the difference.
     Nearly(&'static str, usize, &'static str),
-    /// Code that is a statement of its own.
+    /// GLSL code that must be a statement.
     Statement(&'static str, usize),
-    /// A value.
+    /// A GLSL expression.
     Value(&'static str),
-    /// A value that stands for none: 0 comes nearest.
+    /// A null value; 0 is the closest equivalent.
     Zero,
-    /// Nothing: it would print or check something.
+    /// No equivalent: prints or asserts something, so the statement can be removed.
     Silent,
-    /// Nothing: the names in it are free in GLSL.
+    /// A namespace; its members are plain names in GLSL.
     Namespace,
-    /// Nothing, as the text explains.
+    /// No equivalent; the string explains why or what to use.
     Absent(&'static str),
 }
 
 /// A word of another language.
 #[derive(Clone, Copy, Debug)]
 pub struct Foreign {
-    /// The language, as a message names it.
+    /// Name of the language for messages.
     pub language: &'static str,
-    /// What GLSL has.
+    /// What to use in GLSL.
     pub meaning: Meaning,
 }
 
 use Meaning::*;
 
-const MOD: &str = "`mod` takes the sign of the divisor, `fmod` that of the dividend";
-const NO_SAMPLER: &str = "a texture and its sampler are one `sampler2D`";
-const NO_POINTER: &str = "GLSL has no pointers and no values that stand for none";
+const MOD: &str = "the result of `mod` has the sign of the divisor, that of `fmod` of the dividend";
+const NO_SAMPLER: &str = "GLSL combines a texture and its sampler in one `sampler2D`";
+const NO_POINTER: &str = "GLSL has no pointers and no dynamic memory";
 
 #[rustfmt::skip]
 const HLSL: &[(&str, Meaning)] = &[
@@ -73,11 +73,11 @@ const HLSL: &[(&str, Meaning)] = &[
     ("clip", Statement("if ($1 < 0.0) discard", 1)),
     ("asfloat", Function("intBitsToFloat")), ("asint", Function("floatBitsToInt")),
     ("asuint", Function("floatBitsToUint")), ("isfinite", Code("!(isnan($1) || isinf($1))", 1)),
-    ("fwidth_fine", Function("fwidth")), ("msad4", Absent("GLSL has no such function")),
-    ("dst", Absent("GLSL has no such function")), ("lit", Absent("GLSL has no such function")),
-    ("GetDimensions", Absent("the size of a texture is `textureSize(s, 0)`")),
-    ("StructuredBuffer", Absent("WebGL2 reads data from textures and uniform blocks")),
-    ("RWTexture2D", Absent("WebGL2 writes to its outputs only")),
+    ("fwidth_fine", Function("fwidth")), ("msad4", Absent("GLSL has no equivalent function")),
+    ("dst", Absent("GLSL has no equivalent function")), ("lit", Absent("GLSL has no equivalent function")),
+    ("GetDimensions", Absent("use `textureSize(s, 0)` for the size of a texture")),
+    ("StructuredBuffer", Absent("WebGL2 shaders read data from textures and uniform blocks")),
+    ("RWTexture2D", Absent("WebGL2 shaders can write only to their outputs")),
     ("groupshared", Absent("WebGL2 has no compute shaders")),
 ];
 
@@ -110,7 +110,7 @@ const C: &[(&str, Meaning)] = &[
     ("INFINITY", Value("uintBitsToFloat(0x7F800000u)")), ("NAN", Value("uintBitsToFloat(0x7FC00000u)")),
     ("printf", Silent), ("puts", Silent), ("assert", Silent), ("static_assert", Silent),
     ("cout", Silent), ("std", Namespace), ("glm", Namespace), ("metal", Namespace),
-    ("rand", Absent("GLSL has no random numbers; a hash of the coordinates takes their place")),
+    ("rand", Absent("GLSL has no random number generator; use a hash of the coordinates")),
     ("malloc", Absent(NO_POINTER)), ("throw", Absent("GLSL has no exceptions")),
     ("delete", Absent(NO_POINTER)), ("virtual", Absent("GLSL has no classes")),
 ];
@@ -131,18 +131,18 @@ const SCRIPT: &[(&str, Meaning)] = &[
     ("torch", Namespace), ("Mathf", Namespace), ("THREE", Namespace), ("MathUtils", Namespace),
     ("PI", Value("3.14159265")), ("Pi", Value("3.14159265")), ("TAU", Value("6.28318531")),
     ("TWO_PI", Value("6.28318531")), ("HALF_PI", Value("1.57079633")),
-    ("len", Absent("the length of an array is `a.length()`, of a vector `length(v)`")),
+    ("len", Absent("use `a.length()` for an array, `length(v)` for a vector")),
     ("string", Absent("GLSL has no strings")), ("String", Absent("GLSL has no strings")),
     ("str", Absent("GLSL has no strings")),
-    ("range", Absent("a loop is written `for (int i = 0; i < n; i++)`")),
+    ("range", Absent("use a counting loop: `for (int i = 0; i < n; i++)`")),
     ("pass", Absent("an empty statement is `;` or `{}`")),
     ("raise", Absent("GLSL has no exceptions")),
-    ("yield", Absent("a GLSL function returns once")), ("await", Absent("GLSL has no such thing")),
-    ("random", Absent("GLSL has no random numbers; a hash of the coordinates takes their place")),
-    ("elif", Absent("GLSL writes `else if`")), ("elseif", Absent("GLSL writes `else if`")),
-    ("lambda", Absent("GLSL has no functions without a name")),
-    ("function", Absent("a function starts with the type that it returns")),
-    ("def", Absent("a function starts with the type that it returns")),
+    ("yield", Absent("GLSL has no coroutines")), ("await", Absent("GLSL has no asynchronous functions")),
+    ("random", Absent("GLSL has no random number generator; use a hash of the coordinates")),
+    ("elif", Absent("use `else if`")), ("elseif", Absent("use `else if`")),
+    ("lambda", Absent("GLSL has no anonymous functions")),
+    ("function", Absent("a function declaration starts with its return type")),
+    ("def", Absent("a function declaration starts with its return type")),
 ];
 
 #[rustfmt::skip]
@@ -159,7 +159,7 @@ const WGSL: &[(&str, Meaning)] = &[
     ("select", Code("($3 ? $2 : $1)", 3)), ("mat2x2f", Type("mat2")),
 ];
 
-/// The languages, the likeliest one first.
+/// Word lists by language, in order of priority.
 const LANGUAGES: &[(&str, &[(&str, Meaning)])] = &[
     ("HLSL", HLSL),
     ("C", C),
@@ -167,7 +167,7 @@ const LANGUAGES: &[(&str, &[(&str, Meaning)])] = &[
     ("another language", SCRIPT),
 ];
 
-/// The words of all languages; one that several have is the likeliest one's.
+/// All words by name; a word of several languages belongs to the first in [`LANGUAGES`].
 fn words() -> &'static FxHashMap<&'static str, Foreign> {
     static WORDS: OnceLock<FxHashMap<&str, Foreign>> = OnceLock::new();
     WORDS.get_or_init(|| {
@@ -181,7 +181,7 @@ fn words() -> &'static FxHashMap<&'static str, Foreign> {
     })
 }
 
-/// What a word means in other languages, if it means anything there.
+/// Looks up a word of another language.
 pub fn foreign(word: &str, version: Version) -> Option<Foreign> {
     if word.is_empty() {
         return None;
@@ -201,7 +201,7 @@ pub fn foreign(word: &str, version: Version) -> Option<Foreign> {
     })
 }
 
-/// Functions that C writes with an `f` behind them.
+/// Functions that C spells with the suffix `f`.
 #[rustfmt::skip]
 const SUFFIXED: &[&str] = &[
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh",
@@ -209,7 +209,7 @@ const SUFFIXED: &[&str] = &[
     "step", "sign",
 ];
 
-/// Scalars of other languages, from which they name their vectors and matrices.
+/// Scalar types from which other languages form the names of vectors and matrices.
 #[rustfmt::skip]
 const SCALARS: &[(&str, &str)] = &[
     ("float", "float"), ("half", "float"), ("fixed", "float"), ("real", "float"), ("double", "float"),
@@ -218,7 +218,7 @@ const SCALARS: &[(&str, &str)] = &[
     ("min16int", "int"), ("uint", "uint"), ("min16uint", "uint"), ("ushort", "uint"), ("bool", "bool"),
 ];
 
-/// `float3`, `half4x4`, `vec3f`, `Vec3`: types that are put together.
+/// Parses composed type names such as `float3`, `half4x4`, `vec3f` and `Vec3`.
 fn foreign_type(word: &str, version: Version) -> Option<(&'static str, &'static str)> {
     let known = |text: &str| match classify(text, version) {
         WordClass::Type(word) => Some(word.name()),
@@ -255,7 +255,7 @@ fn foreign_type(word: &str, version: Version) -> Option<(&'static str, &'static 
             other => other.get(..1)?,
         };
         let text = match size.split_once('x') {
-            // HLSL counts the rows first.
+            // HLSL states rows before columns.
             Some((rows, columns)) => format!("mat{columns}x{rows}"),
             None => format!("{prefix}vec{size}"),
         };
@@ -264,7 +264,7 @@ fn foreign_type(word: &str, version: Version) -> Option<(&'static str, &'static 
     None
 }
 
-/// The type of GLSL that `word` is but for the case of its letters.
+/// The GLSL type that `word` matches if letter case is ignored.
 pub fn type_in_another_case(word: &str, version: Version) -> Option<TypeWord> {
     TypeWord::ALL
         .iter()

@@ -1,60 +1,60 @@
-//! Versions of the language as data: what each has, and how it is called.
+//! Versions of GLSL ES and the features of each.
 
 use super::names::Version;
 
-/// Something that one version of the language has and another has not.
+/// A feature that only some versions of the language have.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Feature {
     /// Unsigned integers: `uint`, `1u`.
     UnsignedIntegers,
-    /// Operators on integers and their bits: `%`, `<<`, `&`, `~`.
+    /// Integer and bitwise operators: `%`, `<<`, `&`, `~`.
     IntegerOperators,
-    /// The suffix `f` of numbers.
+    /// The suffix `f` of float literals.
     FloatSuffix,
-    /// Arrays, and structs that hold them, as values: constructed, assigned, compared, returned.
+    /// Arrays, and structs that contain them, as values: construction, assignment, comparison,
+    /// return.
     ArrayValues,
-    /// Interface blocks.
+    /// Uniform and other interface blocks.
     Blocks,
-    /// Variables that are `in` or `out`, in the place of `attribute`, `varying` and the language's
-    /// own outputs.
+    /// `in` and `out` variables instead of `attribute`, `varying` and the built-in outputs.
     InOut,
-    /// Loops and indices of any form, without the limits of GLSL ES 1.00 Appendix A.
+    /// Loops and indices without the restrictions of GLSL ES 1.00 Appendix A.
     FreeControlFlow,
-    /// Any number of prototypes of one function.
+    /// More than one prototype of the same function.
     RepeatedPrototypes,
-    /// Functions with the name of a built-in one, and other parameters.
+    /// User overloads of built-in functions with other parameters.
     OverloadedBuiltins,
-    /// Global variables that start at the value of a uniform or of another global.
+    /// Global variables initialised with a uniform or another global variable.
     LooseInitializers,
-    /// The operator `,` between constants gives a constant.
+    /// The comma operator of two constants is a constant expression.
     ConstantComma,
-    /// Inputs of fragment shaders that are `invariant`, as the outputs are that they come from.
+    /// `invariant` inputs of fragment shaders, which must match the vertex outputs.
     InvariantInputs,
-    /// What extensions added to GLSL ES 1.00.
+    /// Features that were extensions of GLSL ES 1.00.
     CoreExtensions,
-    /// Samplers of integers, of layers, of depth and of volumes.
+    /// Integer, array, shadow and 3D samplers.
     SamplerTypes,
-    /// Lookups that are called alike for all samplers: `texture`, in the place of `texture2D` and
-    /// its kin.
+    /// Overloaded lookups such as `texture` instead of `texture2D` and related functions.
     OverloadedLookups,
-    /// Integers that do not fit into 32 bits are errors.
+    /// Integers that do not fit in 32 bits are errors.
     IntegerLimit,
-    /// Locations for the attributes that nothing reads.
+    /// Attributes that are never read still use a location.
     UnreadAttributes,
 }
 
-/// What one version of the language is.
+/// Description of one version of the language.
 #[derive(Debug)]
 pub struct LanguageProfile {
-    /// The version.
+    /// The version described.
     pub version: Version,
-    /// As people call it.
+    /// Display name, e.g. `GLSL ES 3.00`.
     pub name: &'static str,
-    /// What `__VERSION__` stands for.
+    /// Value of `__VERSION__`.
     pub number: u32,
-    /// The line that asks for it, with its line break; empty where it is what a text without is.
+    /// The `#version` line including its line break; empty for the version used without a
+    /// directive.
     pub directive: &'static str,
-    /// The section of its specification that lists the reserved words.
+    /// Section of the specification that lists the reserved words.
     pub reserved_words: &'static str,
     features: u32,
 }
@@ -70,13 +70,13 @@ const fn features(all: &[Feature]) -> u32 {
 }
 
 impl LanguageProfile {
-    /// Whether the version has something.
+    /// Whether the version supports a feature.
     pub const fn has(&self, feature: Feature) -> bool {
         self.features >> feature as u32 & 1 != 0
     }
 }
 
-/// GLSL ES 1.00, as WebGL limits it.
+/// GLSL ES 1.00 as restricted by WebGL.
 pub static ES_100: LanguageProfile = LanguageProfile {
     version: Version::Es100,
     name: "GLSL ES 1.00",
@@ -116,10 +116,10 @@ pub static ES_300: LanguageProfile = LanguageProfile {
 };
 
 impl Version {
-    /// The newest version.
+    /// The newest supported version.
     pub const NEWEST: Version = Version::Es300;
 
-    /// What the version is.
+    /// The description of this version.
     pub const fn profile(self) -> &'static LanguageProfile {
         match self {
             Version::Es100 => &ES_100,
@@ -127,7 +127,7 @@ impl Version {
         }
     }
 
-    /// Whether the version has something.
+    /// Whether the version supports a feature.
     pub const fn has(self, feature: Feature) -> bool {
         self.profile().has(feature)
     }

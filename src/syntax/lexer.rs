@@ -1,19 +1,19 @@
-//! From characters to raw tokens (GLSL ES 3.00 sections 3.1 to 3.10).
+//! Splits source text into raw tokens (GLSL ES 3.00 sections 3.1 to 3.10).
 //!
-//! The lexer is lossless: blanks, line breaks and comments are tokens too. Backslash-newline pairs
-//! vanish before tokens are formed (section 3.1), so a token may be split over lines; such a token
-//! is marked `spliced`.
+//! The lexer is lossless: whitespace, line breaks and comments are tokens too. Backslash-newline
+//! pairs are removed before tokens are formed (section 3.1), so a token may span lines; such a
+//! token is marked `spliced`.
 
 use super::token::{RawKind, RawToken, TokenKind};
 use memchr::{memchr, memchr3};
 use shaderlint_text::Span;
 
-/// Splits one file into raw tokens, one at a call.
+/// Lexer over one file; returns one raw token per call.
 pub struct Lexer<'a> {
     bytes: &'a [u8],
     base: u32,
     at: usize,
-    /// Whether the text holds a backslash at all; without one no token can be spliced.
+    /// Whether the text contains a backslash; otherwise no token can be spliced.
     splices: bool,
 }
 
@@ -61,8 +61,8 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Passes by blanks that stand next; says whether there are any. Most blanks are one: what is
-    /// passed by here need not become a token.
+    /// Skips spaces and tells whether there were any. Most whitespace is a single space that need
+    /// not become a token.
     #[inline]
     pub fn skip_blanks(&mut self) -> bool {
         let rest = self.bytes.get(self.at..).unwrap_or(&[]);
@@ -71,7 +71,7 @@ impl<'a> Lexer<'a> {
         len > 0
     }
 
-    /// The next token; at the end of the text an empty `End`, again and again.
+    /// The next token; at the end of the text, an empty `End` on every call.
     #[inline(always)]
     pub fn next_token(&mut self) -> RawToken {
         let start = self.at;
@@ -90,8 +90,8 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// The token that started at `start` ends at a backslash-newline: reads on behind it where the
-    /// token goes on there. Returns what the whole is, and whether it grew.
+    /// Called when the token that started at `start` ends at a backslash-newline: continues it on
+    /// the next line if possible. Returns the combined token and whether it grew.
     #[cold]
     fn continue_behind_splice(&mut self, start: usize, kind: RawKind) -> (RawKind, bool) {
         match kind {
@@ -107,8 +107,8 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Reads the token at `start` again, at most `limit` characters of it, from the text without
-    /// backslash-newline pairs.
+    /// Lexes the token at `start` again from the text without backslash-newline pairs, at most
+    /// `limit` characters.
     fn rescan(&mut self, start: usize, kind: RawKind, limit: usize) -> (RawKind, bool) {
         let mut joined = Vec::new();
         let mut ends = Vec::new();
@@ -154,18 +154,18 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Whether `b` may belong to the word or number whose last character so far is `last`.
+/// Whether `b` can continue a word or number whose last character so far is `last`.
 fn goes_on(last: Option<&u8>, b: u8) -> bool {
     is_word(b) || b == b'.' || (matches!(b, b'+' | b'-') && matches!(last, Some(b'e' | b'E')))
 }
 
-/// Whether each byte may belong to a word. A look into a table is what reading words costs most.
+/// Whether each byte can be part of a word. A table, because lexing words dominates the run time.
 const WORD_BYTES: [bool; 256] = {
     let mut all = [false; 256];
     let mut b = 0;
     #[expect(
         clippy::indexing_slicing,
-        reason = "the compiler works it out, and would refuse"
+        reason = "evaluated at compile time, where a wrong index does not compile"
     )]
     while b < all.len() {
         all[b] = (b as u8).is_ascii_alphanumeric() || b as u8 == b'_';
@@ -191,7 +191,7 @@ fn splice_len(bytes: &[u8], at: usize) -> Option<usize> {
     }
 }
 
-/// Kind and length of the token that starts `bytes`.
+/// Kind and length of the token at the start of `bytes`.
 #[inline(always)]
 fn scan(bytes: &[u8]) -> (RawKind, usize) {
     let Some(&first) = bytes.first() else {
@@ -229,7 +229,7 @@ fn count(bytes: &[u8], class: impl Fn(u8) -> bool) -> usize {
     bytes.iter().position(|&b| !class(b)).unwrap_or(bytes.len())
 }
 
-/// A word, and whether all of it is ASCII.
+/// A word, and whether it is entirely ASCII.
 #[inline]
 fn word(bytes: &[u8]) -> (RawKind, usize) {
     let mut len = count(bytes, is_word);
@@ -246,7 +246,7 @@ fn word(bytes: &[u8]) -> (RawKind, usize) {
     (kind, len)
 }
 
-/// Whether `bytes` start with a letter outside ASCII.
+/// Whether `bytes` starts with a non-ASCII letter.
 fn is_foreign_letter(bytes: &[u8]) -> bool {
     let character = bytes
         .get(..character_len(bytes))
@@ -256,7 +256,7 @@ fn is_foreign_letter(bytes: &[u8]) -> bool {
         .is_some_and(char::is_alphanumeric)
 }
 
-/// Length of blanks and backslash-newline pairs.
+/// Length of whitespace and backslash-newline pairs.
 fn blanks(bytes: &[u8]) -> usize {
     let mut at = 0;
     loop {
@@ -271,7 +271,7 @@ fn blanks(bytes: &[u8]) -> usize {
     }
 }
 
-/// Where the line comment that goes on at `at` ends; a backslash-newline does not end it.
+/// End of the line comment that continues at `at`; a backslash-newline does not end it.
 fn line_comment_end(bytes: &[u8], mut at: usize) -> usize {
     loop {
         let rest = bytes.get(at..).unwrap_or(&[]);
@@ -287,7 +287,7 @@ fn line_comment_end(bytes: &[u8], mut at: usize) -> usize {
     }
 }
 
-/// Where the block comment that goes on at `at` ends, if it does.
+/// End of the block comment that continues at `at`; `None` if it is unterminated.
 fn block_comment_end(bytes: &[u8], mut at: usize) -> Option<usize> {
     loop {
         at += memchr(b'*', bytes.get(at..)?)? + 1;
@@ -297,17 +297,17 @@ fn block_comment_end(bytes: &[u8], mut at: usize) -> Option<usize> {
     }
 }
 
-/// Length in bytes of the character that starts `bytes`.
+/// Length in bytes of the character at the start of `bytes`.
 fn character_len(bytes: &[u8]) -> usize {
     1 + count(bytes.get(1..).unwrap_or(&[]), |b| b & 0xc0 == 0x80)
 }
 
-/// A number, or what starts like one. As in the browser, everything that could belong to a number
-/// is taken when the shortest reading is none: `1f`, `08`, `1.0.0`.
+/// A number, or text that starts like one. As in the browser, if the shortest match is not a
+/// number, the token extends over everything that could be part of one: `1f`, `08`, `1.0.0`.
 fn number(bytes: &[u8]) -> (RawKind, usize) {
     let all = count(bytes, |b| is_word(b) || b == b'.');
     let (kind, len) = valid_number(bytes);
-    // A float may be longer than `all`: the sign of its exponent is no word character.
+    // A float can be longer than `all`, because the sign of its exponent is not a word character.
     if len >= all {
         (kind, len)
     } else {
@@ -315,7 +315,7 @@ fn number(bytes: &[u8]) -> (RawKind, usize) {
     }
 }
 
-/// The longest valid number that starts `bytes`; length 0 if there is none.
+/// The longest valid number at the start of `bytes`; length 0 if there is none.
 fn valid_number(bytes: &[u8]) -> (RawKind, usize) {
     let get = |i: usize| bytes.get(i).copied().unwrap_or(0);
     let digits = |from: usize| count(bytes.get(from..).unwrap_or(&[]), |b| b.is_ascii_digit());
@@ -357,11 +357,11 @@ fn integer(bytes: &[u8], len: usize) -> (RawKind, usize) {
     (RawKind::Integer, len + suffix)
 }
 
-/// Longest text in quotes that is taken for a string of another language.
+/// Longest quoted text that is treated as a string of another language.
 const MAX_QUOTED: usize = 200;
 
-/// Length of a text in quotes, which GLSL does not have, or of the quote alone where it is not
-/// closed in its line or holds what the browser takes for a comment.
+/// Length of a quoted text, which GLSL does not have; only the quote itself if it is not closed on
+/// the same line or contains what the browser treats as a comment.
 fn quoted_len(bytes: &[u8]) -> usize {
     let quote = bytes.first();
     let rest = bytes.iter().zip(bytes.iter().skip(1)).take(MAX_QUOTED);
@@ -376,7 +376,7 @@ fn quoted_len(bytes: &[u8]) -> usize {
     1
 }
 
-/// An operator, by the longest match, or a character that is none.
+/// An operator, by longest match, or an invalid character.
 fn operator(bytes: &[u8]) -> (RawKind, usize) {
     use TokenKind::*;
     let at = |i: usize| bytes.get(i).copied().unwrap_or(0);

@@ -1,6 +1,6 @@
-//! From characters to a tree: lexer, preprocessor and parser of GLSL ES 3.00 and 1.00.
+//! Lexer, preprocessor and parser of GLSL ES 3.00 and 1.00.
 //!
-//! Nothing here fails. Whatever the text is, there is a tree, and a list of what is wrong.
+//! Parsing never fails: for any text the result is a tree and a list of errors.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 pub mod ast;

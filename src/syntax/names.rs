@@ -1,16 +1,16 @@
-//! Words: each distinct one is stored once per shader and known by a small number.
+//! Interned words: each distinct word of a shader is stored once and identified by an index.
 
 use super::token::TokenKind;
 use rustc_hash::FxHasher;
 use shaderlint_text::WordIndex;
 use std::hash::Hasher;
 
-/// A distinct word of one shader.
+/// Index of a distinct word of one shader.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Name(pub u32);
 
-/// A word of the language that names a type.
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// A word that names a built-in type.
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[repr(u8)]
 #[rustfmt::skip]
@@ -25,7 +25,7 @@ pub enum TypeWord {
 }
 
 impl TypeWord {
-    /// Every type word, in the order of its number.
+    /// All type words, indexed by discriminant.
     #[rustfmt::skip]
     pub const ALL: [TypeWord; 40] = {
         use TypeWord::*;
@@ -40,7 +40,7 @@ impl TypeWord {
         ]
     };
 
-    /// The type that a word of GLSL ES 3.00 names.
+    /// The built-in type named by a word of GLSL ES 3.00.
     pub const fn named(word: &str) -> Option<TypeWord> {
         match classify(word, Version::Es300) {
             WordClass::Type(word) => Some(word),
@@ -48,14 +48,14 @@ impl TypeWord {
         }
     }
 
-    /// The word itself.
+    /// The type's name in GLSL.
     pub fn name(self) -> &'static str {
         let row = TYPES.iter().find(|(_, _, word)| *word == self);
         row.map_or("", |(name, ..)| name)
     }
 }
 
-/// A version of the language that WebGL2 compiles.
+/// A version of the language that WebGL2 supports.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Version {
     /// GLSL ES 1.00: `#version 100`, or none.
@@ -64,20 +64,20 @@ pub enum Version {
     Es300,
 }
 
-/// What a word is in one version of the language.
+/// Role of a word in one version of the language.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum WordClass {
-    /// Free for the user.
+    /// An ordinary identifier.
     Plain,
     /// A keyword.
     Keyword(TokenKind),
-    /// A type.
+    /// A built-in type.
     Type(TypeWord),
-    /// Kept for the future; using it is an error.
+    /// Reserved for future use; using it is an error.
     Reserved,
 }
 
-/// What a word is in each version.
+/// Role of a word in each version.
 #[derive(Clone, Copy, Debug)]
 struct Classes {
     es100: WordClass,
@@ -93,14 +93,14 @@ impl Classes {
     }
 }
 
-/// What `word` is in `version`.
+/// The role of `word` in `version`.
 pub const fn classify(word: &str, version: Version) -> WordClass {
     classes_of(word).of(version)
 }
 
 #[expect(
     clippy::indexing_slicing,
-    reason = "the index holds places in the list"
+    reason = "the index holds positions in the list"
 )]
 const fn classes_of(word: &str) -> Classes {
     static INDEX: WordIndex<512> = WordIndex::new(&SPECIAL.words);
@@ -116,14 +116,14 @@ const fn classes_of(word: &str) -> Classes {
 
 const SPECIAL: SpecialWords = SpecialWords::read();
 
-/// Number of words that are special in some version.
+/// Number of words with a special role in any version.
 const SPECIAL_WORDS: usize = count_words(RESERVED_ALWAYS)
     + count_words(RESERVED_SINCE_300)
     + 1
     + KEYWORDS.len()
     + TYPES.len();
 
-/// The words that are special in some version, with what they are.
+/// Words with a special role in any version, and those roles.
 struct SpecialWords {
     words: [&'static str; SPECIAL_WORDS],
     classes: [Classes; SPECIAL_WORDS],
@@ -132,7 +132,7 @@ struct SpecialWords {
 
 #[expect(
     clippy::indexing_slicing,
-    reason = "the compiler works it out, and would refuse"
+    reason = "evaluated at compile time, where a wrong index does not compile"
 )]
 impl SpecialWords {
     const fn read() -> SpecialWords {
@@ -195,8 +195,8 @@ const fn count_words(text: &str) -> usize {
     count
 }
 
-/// Length of the word that starts a text.
-#[expect(clippy::indexing_slicing, reason = "the loop ends before the text")]
+/// Length of the word at the start of a text.
+#[expect(clippy::indexing_slicing, reason = "the loop ends with the text")]
 const fn word_len(text: &str) -> usize {
     let bytes = text.as_bytes();
     let mut len = 0;
@@ -206,7 +206,7 @@ const fn word_len(text: &str) -> usize {
     len
 }
 
-/// Reserved by GLSL ES 1.00 section 3.7 and 3.00 section 3.8 alike; `samplerExternalOES` needs an
+/// Reserved by both GLSL ES 1.00 section 3.7 and 3.00 section 3.8; `samplerExternalOES` needs an
 /// extension that WebGL2 does not have.
 const RESERVED_ALWAYS: &str = "
     asm class union enum typedef template this goto inline noinline volatile public static extern
@@ -214,7 +214,7 @@ const RESERVED_ALWAYS: &str = "
     dvec2 dvec3 dvec4 fvec2 fvec3 fvec4 sampler3DRect sampler1D sampler1DShadow sampler2DRect
     sampler2DRectShadow sizeof cast namespace using samplerExternalOES";
 
-/// Reserved by GLSL ES 3.00 section 3.8 only; the four `image..Shadow` words by WebGL.
+/// Reserved by GLSL ES 3.00 section 3.8 only; the four `image..Shadow` words are reserved by WebGL.
 const RESERVED_SINCE_300: &str = "
     coherent restrict readonly writeonly resource atomic_uint noperspective patch sample subroutine
     common partition active filter image1D image2D image3D imageCube iimage1D iimage2D iimage3D
@@ -225,7 +225,7 @@ const RESERVED_SINCE_300: &str = "
     samplerBuffer isamplerBuffer usamplerBuffer sampler2DMS isampler2DMS usampler2DMS
     sampler2DMSArray isampler2DMSArray usampler2DMSArray";
 
-/// What a word of GLSL ES 3.00 is in 1.00.
+/// Role in GLSL ES 1.00 of a word that is special in 3.00.
 #[derive(Clone, Copy)]
 enum In100 {
     Same,
@@ -235,7 +235,7 @@ enum In100 {
 }
 
 impl In100 {
-    /// What a word of version 3.00 is in both versions.
+    /// The roles of a word of version 3.00 in both versions.
     const fn classes(self, class: WordClass) -> (WordClass, WordClass) {
         match self {
             In100::Same => (class, class),
@@ -300,14 +300,14 @@ struct NameEntry {
     is_odd: bool,
 }
 
-/// No word up to this length, in bytes, is odd for it.
+/// Words longer than this, in bytes, are always classed as odd.
 const USUAL_LENGTH: usize = 256;
 
-/// The distinct words of one shader.
+/// The distinct words of one shader and their roles.
 pub struct Names {
     text: String,
     entries: Vec<NameEntry>,
-    /// Open addressing; holds indices into `entries` plus one, 0 for an empty slot.
+    /// Open-addressing hash table of indices into `entries` plus one; 0 marks an empty slot.
     slots: Vec<u32>,
 }
 
@@ -322,7 +322,7 @@ impl Default for Names {
 }
 
 impl Names {
-    /// The name of `word`, which is stored if it is new.
+    /// The name of `word`, interning it if it is new.
     #[inline]
     pub fn intern(&mut self, word: &str) -> Name {
         let key = key(word);
@@ -332,7 +332,7 @@ impl Names {
         }
     }
 
-    /// A name like `base` that stands nowhere yet.
+    /// A name based on `base` that the shader does not use.
     pub fn unused(&self, base: &str) -> String {
         let mut name = base.to_string();
         let mut number = 2;
@@ -343,12 +343,12 @@ impl Names {
         name
     }
 
-    /// The name of `word` if the shader uses it at all.
+    /// The name of `word`, if the shader uses it.
     pub fn get(&self, word: &str) -> Option<Name> {
         self.find(key(word), word).ok()
     }
 
-    /// The name of `word`, or the slot in which it belongs.
+    /// The name of `word`, or the slot where it would be inserted.
     #[inline]
     fn find(&self, key: u64, word: &str) -> Result<Name, usize> {
         let mask = self.slots.len() - 1;
@@ -370,29 +370,29 @@ impl Names {
             .unwrap_or("")
     }
 
-    /// What a name is in a version of the language.
+    /// The role of a name in a version of the language.
     pub fn class(&self, name: Name, version: Version) -> WordClass {
         self.entries
             .get(name.0 as usize)
             .map_or(WordClass::Plain, |e| e.classes.of(version))
     }
 
-    /// Whether a name is very long or holds letters outside ASCII, so that it needs a closer look.
+    /// Whether a name is very long or contains non-ASCII letters, so that it needs further checks.
     pub fn is_odd(&self, name: Name) -> bool {
         self.entries.get(name.0 as usize).is_some_and(|e| e.is_odd)
     }
 
-    /// How many distinct words there are; every [`Name`] is smaller.
+    /// Number of distinct words; every [`Name`] is smaller.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Whether there is no word yet.
+    /// Whether no word has been interned.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// Every word, in the order of first use.
+    /// All words in order of first use.
     pub fn iter(&self) -> impl Iterator<Item = (Name, &str)> {
         (0..self.entries.len() as u32).map(|i| (Name(i), self.text(Name(i))))
     }
@@ -442,10 +442,10 @@ impl Names {
     }
 }
 
-/// Longest word, in bytes, of which the key and the length say all.
+/// Longest word, in bytes, that its key and length identify completely.
 const SHORT: usize = 8;
 
-/// What tells words apart: of a short one its letters, of a longer one a hash.
+/// Hash key of a word: the bytes of a short word, a hash of a longer one.
 #[inline]
 fn key(word: &str) -> u64 {
     let bytes = word.as_bytes();
@@ -463,7 +463,7 @@ fn key(word: &str) -> u64 {
     }
 }
 
-/// Where the search for a key starts.
+/// First slot to probe for a key.
 #[inline]
 fn slot_of(key: u64) -> usize {
     (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as usize

@@ -1,33 +1,33 @@
-//! Makes a shader smaller while something about it stays as it is: delta debugging over the tree
-//! first, over the tokens last.
+//! Test case reduction: makes a shader smaller while a property of it holds, by delta debugging
+//! first on the tree, then on tokens.
 
 use super::ast::*;
 use super::{ParseOptions, RawKind, Tokens, parse_corrected, preprocess, tokenize};
 use shaderlint_text::{Role, Sources};
 use std::ops::Range;
 
-/// What is left of a text.
+/// Result of a reduction.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Reduced {
-    /// The text.
+    /// The reduced text.
     pub text: String,
-    /// How often a text was tried.
+    /// Number of candidate texts that were tested.
     pub tries: usize,
 }
 
-/// What comes in the place of a part.
+/// Replacement for a range of the text.
 #[derive(Clone)]
 enum By {
-    /// A smaller part of the same text.
+    /// A smaller range of the same text.
     Part(Range<usize>),
-    /// Something short.
+    /// A fixed short text.
     Text(&'static str),
 }
 
-/// Takes away from `text` what `keeps` does not need, with `most_tries` questions to it at the most.
+/// Removes from `text` what `keeps` does not need, with at most `most_tries` calls of it.
 ///
-/// What is tried is always shorter than what was kept last, so that this ends. The text itself is
-/// taken to be kept.
+/// Each candidate is shorter than the last accepted text, so this terminates. The text itself is
+/// assumed to satisfy `keeps`.
 pub fn reduce(text: &str, most_tries: usize, keeps: &mut dyn FnMut(&str) -> bool) -> Reduced {
     let mut search = Reduction {
         text: text.to_string(),
@@ -38,7 +38,7 @@ pub fn reduce(text: &str, most_tries: usize, keeps: &mut dyn FnMut(&str) -> bool
     loop {
         let before = search.text.len();
         let mut depth = 0;
-        // What is deeper is looked at when what stands around it is gone.
+        // Deeper nodes are tried after the nodes around them.
         loop {
             let parts = layers(TextStructure::of(&search.text).deletable());
             let Some(parts) = parts.get(depth) else { break };
@@ -71,7 +71,7 @@ impl Reduction<'_> {
         self.tries >= self.most_tries
     }
 
-    /// Whether a text does; it is the one that goes on from here if so.
+    /// Whether a candidate satisfies the predicate; if so, it becomes the current text.
     fn accept(&mut self, text: String) -> bool {
         if text.len() >= self.text.len() || self.is_over() {
             return false;
@@ -84,8 +84,8 @@ impl Reduction<'_> {
         kept
     }
 
-    /// Takes parts away: many neighbours at a time, then fewer, then each alone. The parts are in the
-    /// order of the text.
+    /// Removes ranges: large groups of neighbours first, then smaller ones, then single ranges. The
+    /// ranges are in source order.
     fn delete(&mut self, parts: &[Range<usize>]) {
         let whole = self.text.clone();
         let mut gone = vec![false; parts.len()];
@@ -105,7 +105,7 @@ impl Reduction<'_> {
         }
     }
 
-    /// Puts smaller parts in the place of larger ones, as long as that is kept.
+    /// Replaces larger ranges with smaller ones while the predicate holds.
     fn replace(&mut self) {
         let mut next = 0;
         let mut all = TextStructure::of(&self.text).replaceable();
@@ -127,7 +127,7 @@ impl Reduction<'_> {
         }
     }
 
-    /// Makes one blank of many, and takes away empty lines, all at once.
+    /// Collapses whitespace and removes empty lines, in one step.
     fn squeeze(&mut self) {
         let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
         let lines = self.text.lines().map(words).filter(|l| !l.is_empty());
@@ -136,7 +136,7 @@ impl Reduction<'_> {
     }
 }
 
-/// A text without those parts that are `gone`. Parts may overlap.
+/// The text without the ranges marked in `gone`. Ranges may overlap.
 fn without(text: &str, parts: &[Range<usize>], gone: &[bool]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
@@ -150,7 +150,7 @@ fn without(text: &str, parts: &[Range<usize>], gone: &[bool]) -> String {
     out
 }
 
-/// Parts by how many others lie around them.
+/// Groups ranges by nesting depth.
 fn layers(mut parts: Vec<Range<usize>>) -> Vec<Vec<Range<usize>>> {
     parts.sort_by_key(|p| (p.start, std::cmp::Reverse(p.end)));
     parts.dedup();
@@ -171,7 +171,7 @@ fn layers(mut parts: Vec<Range<usize>>) -> Vec<Vec<Range<usize>>> {
     layers
 }
 
-/// Every token that is no blank; comments are.
+/// All tokens except whitespace; comments are included.
 fn solid_tokens(text: &str) -> Vec<Range<usize>> {
     let tokens = tokenize(text, 0);
     let solid = tokens.iter().filter(|t| {
@@ -185,7 +185,7 @@ fn solid_tokens(text: &str) -> Vec<Range<usize>> {
         .collect()
 }
 
-/// The lines of directives.
+/// The lines that are directives.
 fn directives(text: &str) -> Vec<Range<usize>> {
     let mut at = 0;
     let mut found = Vec::new();
@@ -198,7 +198,7 @@ fn directives(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// A text, and where the nodes of its tree lie in it.
+/// A text and its syntax tree.
 struct TextStructure<'a> {
     text: &'a str,
     tokens: Tokens,
@@ -210,7 +210,7 @@ struct TextStructure<'a> {
 impl TextStructure<'_> {
     fn of(text: &str) -> TextStructure<'_> {
         let mut sources = Sources::new();
-        // Without a version it may be a pass of ShaderToy.
+        // A text without `#version` may be a ShaderToy pass.
         let header = match text.contains("#version") {
             true => "",
             false => "#version 300 es\n",
@@ -223,7 +223,7 @@ impl TextStructure<'_> {
             version: read.version,
             is_fragment: true,
         };
-        // As it stands: what a correction would put in has no place in the text.
+        // Parsed without corrections, because inserted tokens have no place in the text.
         let tree = parse_corrected(&sources, &mut read.tokens, &read.names, language, &[]).tree;
         let file = files.last().and_then(|id| sources.file(*id));
         TextStructure {
@@ -234,7 +234,7 @@ impl TextStructure<'_> {
         }
     }
 
-    /// Where a node lies, if it stands in the text just so.
+    /// The range of a node, if it is written in the text outside macro calls.
     fn range(&self, extent: Extent) -> Option<Range<usize>> {
         let tokens = &self.tokens.tokens;
         let inside = tokens.get(extent.first as usize..=extent.last as usize)?;
@@ -247,7 +247,7 @@ impl TextStructure<'_> {
         (start < end && end <= self.text.len()).then_some(start..end)
     }
 
-    /// As [`TextStructure::range`], with the `;` that may stand behind.
+    /// As [`TextStructure::range`], including a `;` after it.
     fn line(&self, extent: Extent) -> Option<Range<usize>> {
         let range = self.range(extent)?;
         let rest = self.text.get(range.end..)?;
@@ -257,7 +257,7 @@ impl TextStructure<'_> {
         Some(range.start..range.end + if more { blanks + 1 } else { 0 })
     }
 
-    /// What can be taken away as a whole.
+    /// Ranges that can be removed as a whole.
     fn deletable(&self) -> Vec<Range<usize>> {
         let tree = &self.tree;
         let mut all = directives(self.text);
@@ -288,7 +288,7 @@ impl TextStructure<'_> {
         all
     }
 
-    /// The parts of a list, each with the comma that goes with it.
+    /// The elements of a list, each with its adjacent comma.
     fn add_list(&self, list: impl Iterator<Item = Extent>, all: &mut Vec<Range<usize>>) {
         let ranges: Vec<Range<usize>> = list.filter_map(|e| self.range(e)).collect();
         for (i, range) in ranges.iter().enumerate() {
@@ -301,7 +301,7 @@ impl TextStructure<'_> {
         }
     }
 
-    /// What a smaller part can stand for, larger ones first.
+    /// Ranges that can be replaced with something smaller, largest first.
     fn replaceable(&self) -> Vec<(Range<usize>, By)> {
         let mut all = Vec::new();
         for stmt in &self.tree.stmts {
@@ -314,7 +314,7 @@ impl TextStructure<'_> {
         all
     }
 
-    /// A statement by one that it holds, and a block by what stands in it.
+    /// Replaces a statement with one that it contains, and a block with its contents.
     fn replace_statement(&self, stmt: &Stmt, all: &mut Vec<(Range<usize>, By)>) {
         let Some(range) = self.range(stmt.extent) else {
             return;
@@ -341,7 +341,7 @@ impl TextStructure<'_> {
         }
     }
 
-    /// An expression by an operand of it, or by a number.
+    /// Replaces an expression with one of its operands, or with a literal.
     fn replace_expression(&self, expr: &Expr, all: &mut Vec<(Range<usize>, By)>) {
         let Some(range) = self.range(expr.extent) else {
             return;

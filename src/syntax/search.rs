@@ -1,45 +1,45 @@
-//! The bounded search for what an author meant.
+//! Bounded search over alternative interpretations of a text.
 //!
-//! Some mistakes do not stand where the compiler stumbles: a bracket is missing somewhere, either a
-//! declaration or its value has the wrong type, a macro's definition is what its calls are refused for,
-//! a host may take a part in several ways. There the alternatives are tried: the shader is read or
-//! checked under each of them, and the one with the fewest faults holds. All that is tried for one text
-//! is paid from one budget, so that an answer never takes long, however much is wrong.
+//! The compiler often reports an error away from its cause: a bracket is missing earlier, either a
+//! declaration or its initializer has the wrong type, a macro's definition is wrong rather than its
+//! calls, or a host may complete a shader fragment in several ways. In these cases the alternatives
+//! are parsed or checked, and the one with the fewest errors is chosen. All alternatives of a text
+//! share one budget, which bounds the run time.
 
-/// Tokens that the alternatives of one text may read and check, all in all.
+/// Total tokens that the alternatives of one text may parse and check.
 const MAX_TOKENS: usize = 2_500_000;
 
-/// What may still be tried for a text; by default nothing.
+/// Remaining budget of the search for one text; empty by default.
 #[derive(Debug, Default)]
 pub struct Search {
-    /// In tokens.
+    /// Remaining tokens.
     left: usize,
 }
 
 impl Search {
-    /// The search for one text.
+    /// A search with the full budget for one text.
     pub fn for_text() -> Search {
         Search { left: MAX_TOKENS }
     }
 
-    /// Whether nothing more may be tried.
+    /// Whether the budget is exhausted.
     pub fn is_over(&self) -> bool {
         self.left == 0
     }
 
-    /// Whether so many tokens more can be read; then they are paid.
+    /// Deducts this many tokens from the budget; false, without a deduction, if it is too small.
     pub fn pays(&mut self, tokens: usize) -> bool {
         let left = self.left.checked_sub(tokens);
         self.left = left.unwrap_or(self.left);
         left.is_some()
     }
 
-    /// Ends the search: nothing more is tried.
+    /// Ends the search by clearing the budget.
     pub fn give_up(&mut self) {
         self.left = 0;
     }
 
-    /// Searches with so many tokens at most, which are part of what is left.
+    /// Runs a search with at most this many tokens of the remaining budget.
     pub fn within<T>(&mut self, most: usize, work: impl FnOnce(&mut Search) -> T) -> T {
         let given = self.left.min(most);
         let mut part = Search { left: given };
@@ -48,11 +48,11 @@ impl Search {
         result
     }
 
-    /// The alternative under which the fewest faults are found, fewer than `standing`; of several the
-    /// first, and no other is tried once there are no more than `enough`. Each costs `tokens`.
+    /// The alternative with the fewest errors, if fewer than `standing`; the first of equals. Stops
+    /// once there are at most `enough`. Each alternative costs `tokens`.
     ///
-    /// `faults` tells how many there are; it may stop counting at the number that it is given, and says
-    /// `None` of an alternative that is out of the question.
+    /// `faults` counts the errors; it may stop counting at the number passed to it, and returns
+    /// `None` for an alternative to reject.
     pub fn fewest<A>(
         &mut self,
         (standing, enough): (usize, usize),
@@ -109,7 +109,7 @@ mod tests {
         };
         all.within(35, |part| part.fewest((9, 0), 10, 0..9, count));
         assert_eq!((tried, all.left), (3, 70));
-        // What is tried for an alternative is paid too.
+        // Work done for an alternative is deducted too.
         all.fewest((9, 0), 10, 0..2, |inner, _, _| {
             inner.pays(30);
             None

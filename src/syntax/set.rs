@@ -1,16 +1,16 @@
-//! Sets of kinds of tokens: what may start, end or follow a part of the grammar.
+//! Sets of token kinds: tokens that can start, end or follow a grammar construct.
 
 use super::token::TokenKind;
 
-/// A set of kinds of tokens, one bit for each.
+/// A set of token kinds as a bit mask.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TokenSet(u128);
 
-// The last kind has the highest number.
+// All kinds must fit in the mask; this is the last one.
 const _: () = assert!((TokenKind::XorEqual as u32) < u128::BITS);
 
 impl TokenSet {
-    /// The set of some kinds.
+    /// A set of these kinds.
     pub const fn of(kinds: &[TokenKind]) -> TokenSet {
         let mut bits = 0;
         let mut rest = kinds;
@@ -21,17 +21,17 @@ impl TokenSet {
         TokenSet(bits)
     }
 
-    /// This set and some more kinds.
+    /// This set with more kinds added.
     pub const fn and(self, kinds: &[TokenKind]) -> TokenSet {
         self.or(TokenSet::of(kinds))
     }
 
-    /// What is in one of two sets.
+    /// The union of two sets.
     pub const fn or(self, other: TokenSet) -> TokenSet {
         TokenSet(self.0 | other.0)
     }
 
-    /// This set without some kinds.
+    /// This set with some kinds removed.
     pub const fn without(self, kinds: &[TokenKind]) -> TokenSet {
         TokenSet(self.0 & !TokenSet::of(kinds).0)
     }
@@ -44,22 +44,22 @@ impl TokenSet {
 
 use TokenKind as T;
 
-/// What alone is an operand.
+/// Tokens that are operands by themselves.
 pub const OPERANDS: TokenSet =
     TokenSet::of(&[T::Identifier, T::Int, T::Uint, T::Float, T::True, T::False]);
-/// What an operand may start with.
+/// Tokens that can start an operand.
 pub const STARTS_OPERAND: TokenSet =
     OPERANDS.and(&[T::Plus, T::Minus, T::Not, T::Tilde, T::Type, T::LeftParen]);
-/// What an operand may end with.
+/// Tokens that can end an operand.
 pub const ENDS_OPERAND: TokenSet = OPERANDS.and(&[T::RightParen, T::RightBracket]);
-/// What stands between two operands, of which it changes none (section 5.1).
+/// Binary operators without side effects (section 5.1).
 #[rustfmt::skip]
 pub const BINARY_OPERATORS: TokenSet = TokenSet::of(&[
     T::Plus, T::Minus, T::Star, T::Slash, T::Percent,
     T::Less, T::Greater, T::LessEqual, T::GreaterEqual, T::EqualEqual, T::NotEqual,
     T::AndAnd, T::OrOr, T::XorXor, T::And, T::Or, T::Xor, T::ShiftLeft, T::ShiftRight,
 ]);
-/// `=`, and the operators that compute and assign in every version.
+/// Assignment operators that exist in every version.
 pub const ASSIGNMENTS: TokenSet = TokenSet::of(&[
     T::Equal,
     T::PlusEqual,
@@ -67,13 +67,13 @@ pub const ASSIGNMENTS: TokenSet = TokenSet::of(&[
     T::StarEqual,
     T::SlashEqual,
 ]);
-/// What is put in by a slip more easily than a word.
+/// Punctuation that is easily typed by mistake.
 #[rustfmt::skip]
 pub const PUNCTUATION: TokenSet = BINARY_OPERATORS.or(ASSIGNMENTS).and(&[
     T::LeftParen, T::RightParen, T::LeftBracket, T::RightBracket,
     T::Dot, T::Comma, T::Semicolon, T::Colon, T::Question, T::Not, T::Tilde,
 ]);
-/// What no statement starts with, although it is no word.
+/// Punctuation that cannot start a statement.
 pub const CONTINUES: TokenSet = BINARY_OPERATORS.without(&[T::Plus, T::Minus]).and(&[
     T::Dot,
     T::Comma,
@@ -82,10 +82,10 @@ pub const CONTINUES: TokenSet = BINARY_OPERATORS.without(&[T::Plus, T::Minus]).a
     T::Question,
     T::Colon,
 ]);
-/// Where a statement is over, or another one starts.
+/// Tokens at which a statement ends or a new one starts.
 pub const ENDS_STATEMENT: TokenSet =
     TokenSet::of(&[T::Semicolon, T::LeftBrace, T::RightBrace, T::End]);
-/// What an expression is missing before.
+/// Tokens before which an expression may be missing.
 pub const ENDS_EXPRESSION: TokenSet = TokenSet::of(&[
     T::Semicolon,
     T::RightParen,
@@ -94,11 +94,11 @@ pub const ENDS_EXPRESSION: TokenSet = TokenSet::of(&[
     T::RightBrace,
     T::End,
 ]);
-/// Words before the parentheses of a statement or layout.
+/// Keywords followed by a parenthesised header.
 pub const HEADS: TokenSet = TokenSet::of(&[T::If, T::For, T::While, T::Switch, T::Layout]);
-/// Words that a `(` may belong to.
+/// Tokens that a `(` can follow.
 pub const BEFORE_PAREN: TokenSet = HEADS.and(&[T::Identifier, T::Type]);
-/// Words that start a statement which is no declaration.
+/// Keywords that start a statement other than a declaration.
 pub const STARTS_FLOW: TokenSet = TokenSet::of(&[
     T::If,
     T::For,
@@ -110,16 +110,16 @@ pub const STARTS_FLOW: TokenSet = TokenSet::of(&[
     T::Discard,
     T::Switch,
 ]);
-/// Words that start a statement wherever they stand.
+/// Keywords that always start a statement.
 pub const STARTS_STATEMENT: TokenSet = STARTS_FLOW.and(&[T::Const]);
-/// Words that can only be the start of a statement or declaration.
+/// Keywords that always start a statement or declaration.
 pub const STARTS_AFRESH: TokenSet =
     STARTS_STATEMENT.and(&[T::Uniform, T::Struct, T::Precision, T::Void]);
-/// What shows code outside functions to be a statement.
+/// Tokens that indicate a statement outside a function.
 pub const STARTS_OUTER_STATEMENT: TokenSet = STARTS_FLOW
     .without(&[T::Break, T::Continue, T::Discard])
     .and(&[T::LeftBrace, T::Identifier, T::Type, T::Reserved]);
-/// Words that start a declaration at global scope.
+/// Keywords that start a declaration at global scope.
 pub const STARTS_ITEM: TokenSet = TokenSet::of(&[
     T::Const,
     T::Uniform,
@@ -129,16 +129,16 @@ pub const STARTS_ITEM: TokenSet = TokenSet::of(&[
     T::In,
     T::Out,
 ]);
-/// Precisions.
+/// Precision qualifiers.
 pub const PRECISIONS: TokenSet = TokenSet::of(&[T::Lowp, T::Mediump, T::Highp]);
-/// Words that start a declaration inside a function.
+/// Keywords that start a declaration inside a function.
 #[rustfmt::skip]
 pub const STARTS_DECLARATION: TokenSet = STARTS_ITEM.or(PRECISIONS).and(&[
     T::Inout, T::Centroid, T::Attribute, T::Varying, T::Flat, T::Smooth, T::Invariant, T::Void,
 ]);
-/// Words that start a parameter, but for types.
+/// Qualifiers that start a parameter.
 pub const QUALIFIES_PARAMETER: TokenSet = TokenSet::of(&[T::In, T::Out, T::Inout, T::Const]);
-/// What follows a name that is used or declared.
+/// Tokens that can follow a used or declared name.
 pub const FOLLOWS_NAME: TokenSet = TokenSet::of(&[
     T::Equal,
     T::Semicolon,
@@ -148,27 +148,27 @@ pub const FOLLOWS_NAME: TokenSet = TokenSet::of(&[
     T::LeftBracket,
     T::LeftBrace,
 ]);
-/// What follows a name that starts a statement and declares nothing.
+/// Tokens that follow a name at the start of a statement that is not a declaration.
 pub const FOLLOWS_USE: TokenSet =
     ASSIGNMENTS.and(&[T::Dot, T::LeftParen, T::Increment, T::Decrement]);
 
 impl TokenKind {
-    /// Whether the token alone is an operand.
+    /// Whether the token is an operand by itself.
     pub fn is_operand(self) -> bool {
         OPERANDS.contains(self)
     }
 
-    /// Whether an operand may start with the token.
+    /// Whether the token can start an operand.
     pub fn starts_operand(self) -> bool {
         STARTS_OPERAND.contains(self)
     }
 
-    /// Whether an operand may end with the token.
+    /// Whether the token can end an operand.
     pub fn ends_operand(self) -> bool {
         ENDS_OPERAND.contains(self)
     }
 
-    /// Whether the token stands between two operands, of which it changes none (section 5.1).
+    /// Whether the token is a binary operator without side effects (section 5.1).
     pub fn is_binary_operator(self) -> bool {
         BINARY_OPERATORS.contains(self)
     }

@@ -2,9 +2,9 @@
 
 use shaderlint_text::Span;
 
-/// What a piece of raw text is, before the preprocessor has looked at it.
+/// Kind of a raw token, before preprocessing.
 ///
-/// The texts of all raw tokens of a file, put end to end, are the file.
+/// Concatenating the texts of all raw tokens of a file yields the file.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum RawKind {
     /// Blanks, tabs, form feeds, and backslash-newline pairs.
@@ -19,37 +19,37 @@ pub enum RawKind {
     OpenComment,
     /// A word: identifier, keyword or macro name.
     Word,
-    /// A word with letters outside ASCII, which GLSL does not have.
+    /// A word with non-ASCII letters, which GLSL does not allow.
     ForeignWord,
-    /// An integer as the grammar of section 4.1.3 has it, suffix included.
+    /// An integer of the grammar in section 4.1.3, including its suffix.
     Integer,
-    /// A floating point number as section 4.1.4 has it, suffix included.
+    /// A floating-point number of the grammar in section 4.1.4, including its suffix.
     Float,
-    /// Something that starts like a number and is none: `1f`, `08`, `1.0.0`.
+    /// Text that starts like a number but is not one: `1f`, `08`, `1.0.0`.
     BadNumber,
     /// An operator or a bracket.
     Operator(TokenKind),
     /// `#`.
     Hash,
-    /// A character that GLSL does not use outside comments.
+    /// A character that GLSL does not allow outside comments.
     Other,
     /// The end of the file; an empty token.
     End,
 }
 
-/// A piece of raw text.
+/// A token before preprocessing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RawToken {
-    /// What it is.
+    /// Lexical class of the token.
     pub kind: RawKind,
-    /// Whether backslash-newline pairs lie inside and must be taken out to read it.
+    /// Whether it contains backslash-newline pairs, which must be removed to read it.
     pub spliced: bool,
-    /// Where it is.
+    /// Range in the address space of all sources.
     pub span: Span,
 }
 
-/// What a token means to the parser.
-#[expect(missing_docs, reason = "the variants are words of the field")]
+/// Kind of a token after preprocessing.
+#[expect(missing_docs, reason = "the variants are standard terms")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub enum TokenKind {
@@ -57,13 +57,13 @@ pub enum TokenKind {
     End,
     /// A name; `value` is its [`Name`](super::Name).
     Identifier,
-    /// A word that this version of the language keeps for itself; `value` is its name.
+    /// A reserved word of this version; `value` is its name.
     Reserved,
-    /// Text that is no token: a bad number or character, already reported.
+    /// An invalid number or character, already reported.
     Bad,
-    /// `value` holds the bits of the number.
+    /// A literal; `value` holds its bits.
     Int, Uint, Float,
-    /// A type of the language; `value` is a [`TypeWord`](super::names::TypeWord).
+    /// A built-in type; `value` is a [`TypeWord`](super::names::TypeWord).
     Type,
     True, False,
     // Keywords.
@@ -80,28 +80,28 @@ pub enum TokenKind {
     ShiftRightEqual, AndEqual, OrEqual, XorEqual,
 }
 
-/// A token as the parser sees it, with the place it came from.
+/// A token after preprocessing, with its origin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Token {
-    /// What it is.
+    /// Kind as the parser sees it.
     pub kind: TokenKind,
     /// Payload by kind: a name, a type word, or the bits of a number.
     pub value: u32,
-    /// Where the user sees it: its own text, or, for a token that a macro's body supplied, the
-    /// outermost macro call.
+    /// Position in the user's text: its own text or, for a token from a macro body, the outermost
+    /// macro call.
     pub span: Span,
-    /// Address of its own text, which for a macro body lies in the `#define`.
+    /// Address where it is spelled; for a token from a macro body, inside the `#define`.
     pub spelled: u32,
-    /// Index of the macro expansion that it came through, or [`Token::DIRECT`].
+    /// Index of the macro expansion that produced it, or [`Token::DIRECT`].
     pub expansion: u32,
 }
 
-// Every word of a shader is one.
+// Size limits: a shader has one per word.
 const _: () = assert!(size_of::<Token>() <= 24);
 const _: () = assert!(size_of::<RawToken>() <= 12);
 
 impl Token {
-    /// The end of no text at all.
+    /// End of an empty text.
     pub const END: Token = Token {
         kind: TokenKind::End,
         value: 0,
@@ -110,10 +110,10 @@ impl Token {
         expansion: Token::DIRECT,
     };
 
-    /// The `expansion` of a token that stands in the text as the parser sees it.
+    /// The `expansion` of a token that is not produced by a macro.
     pub const DIRECT: u32 = u32::MAX;
 
-    /// Whether the token stands in the user's text just so, outside any macro call.
+    /// Whether the token is in the source text, outside any macro call.
     pub fn is_direct(&self) -> bool {
         self.expansion == Token::DIRECT
     }

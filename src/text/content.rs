@@ -1,30 +1,30 @@
-//! What the bytes of a file say, as text.
+//! Decodes the bytes of a file.
 
-/// How the bytes of a file were written.
+/// The encoding of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Encoding {
-    /// As they should be.
+    /// Valid UTF-8.
     Utf8,
-    /// UTF-8 up to this offset; what follows is read as a browser reads it, with U+FFFD in the
-    /// place of bytes that mean nothing.
+    /// UTF-8 with an invalid byte at this offset; invalid bytes are decoded as U+FFFD, as browsers
+    /// do it.
     Damaged(u32),
-    /// UTF-16; nothing of it is read.
+    /// UTF-16, which is not decoded.
     Utf16,
-    /// Neither; nothing of it is read.
+    /// Another encoding, which is not decoded.
     Binary,
 }
 
-/// What a file holds.
+/// The contents of a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Content {
-    /// Its text.
+    /// Decoded text.
     pub text: String,
-    /// How it was written.
+    /// Detected encoding.
     pub encoding: Encoding,
 }
 
 impl Content {
-    /// Text that is well encoded.
+    /// Valid UTF-8 text.
     pub fn utf8(text: &str) -> Content {
         Content {
             text: text.to_string(),

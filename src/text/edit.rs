@@ -5,9 +5,9 @@ use super::Span;
 /// Replaces the text under `span` with `text`; an empty span inserts.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Edit {
-    /// What goes away.
+    /// The replaced text.
     pub span: Span,
-    /// What comes in its place.
+    /// The replacement.
     pub text: String,
 }
 
@@ -20,7 +20,7 @@ impl Edit {
         }
     }
 
-    /// Puts `text` at an address.
+    /// Inserts `text` at an address.
     pub fn insert(address: u32, text: impl Into<String>) -> Edit {
         Edit {
             span: Span::at(address),
@@ -28,7 +28,7 @@ impl Edit {
         }
     }
 
-    /// Takes the text under `span` away.
+    /// Deletes the text under `span`.
     pub fn delete(span: Span) -> Edit {
         Edit {
             span,
@@ -40,9 +40,9 @@ impl Edit {
 /// Why a set of edits cannot be applied.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EditError {
-    /// Two edits change the same characters, or insert at the same place.
+    /// Two edits change the same characters, or insert at the same position.
     Overlap(Span, Span),
-    /// An edit leaves the text, or cuts a character in two.
+    /// An edit is outside of the text, or splits a character.
     OutOfText(Span),
 }
 

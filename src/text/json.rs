@@ -1,5 +1,4 @@
-//! The strings of a JSON text: where they stand, and how one is changed while the rest stays byte for
-//! byte.
+//! Finds the strings of a JSON text, and changes them without touching the rest.
 
 use memchr::{memchr, memchr2};
 use std::borrow::Cow;
@@ -8,19 +7,19 @@ use std::ops::Range;
 /// A string of a JSON text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct JsonString {
-    /// What it says.
+    /// Decoded value.
     pub value: String,
-    /// Where the value goes on behind an escape, and at its start: the offset in the value, and the
-    /// one in the JSON text. Between two of them both run side by side.
+    /// Pairs of an offset in the value and one in the JSON text: at the start, and after each
+    /// escape. Between two pairs, both advance equally.
     stretches: Vec<(u32, u32)>,
-    /// Whether `/` is written `\/`.
+    /// Whether `/` is escaped as `\/`.
     escapes_slashes: bool,
-    /// Whether all that is not ASCII is written in escapes.
+    /// Whether all characters outside of ASCII are escaped.
     escapes_others: bool,
 }
 
 impl JsonString {
-    /// Reads the string whose text between the quotes stands at `range`.
+    /// Parses the string with its text, without quotes, at `range`.
     fn read(text: &str, range: Range<usize>) -> Option<JsonString> {
         let raw = text.get(range.clone())?;
         let mut value = String::with_capacity(raw.len());
@@ -47,7 +46,7 @@ impl JsonString {
         })
     }
 
-    /// Where a stretch of the value is written.
+    /// The range in the JSON text of a range in the value.
     pub fn place(&self, from: usize, to: usize) -> Option<Range<u32>> {
         let place = |at: usize| {
             let at = u32::try_from(at).ok()?;
@@ -59,20 +58,20 @@ impl JsonString {
         is_inside.then_some(place(from)?..place(to)?)
     }
 
-    /// The place in the value of what is written at an offset of the JSON text; that before an
-    /// escape, where the offset lies inside one.
+    /// The offset in the value of an offset in the JSON text; inside an escape, that of its
+    /// character.
     pub fn value_at(&self, offset: u32) -> Option<u32> {
         let before = self.stretches.partition_point(|(_, own)| *own <= offset);
         let (value, written) = self.stretches.get(before.checked_sub(1)?)?;
         let end = match self.stretches.get(before) {
-            // An escape ends at the next stretch, and is one character.
+            // An escape ends at the next pair, and is one character.
             Some((next, _)) => self.value.get(..*next as usize)?.char_indices().last()?.0 as u32,
             None => self.value.len() as u32,
         };
         Some((value + (offset - written)).min(end))
     }
 
-    /// Writes a text as the string is written.
+    /// Escapes a text in the style of the string.
     pub fn escape(&self, text: &str) -> String {
         let mut out = String::with_capacity(text.len());
         for c in text.chars() {
@@ -96,8 +95,8 @@ impl JsonString {
     }
 }
 
-/// A JSON text in which every escape of half a character is one of U+FFFD, as a browser shows it. All
-/// places stay where they are.
+/// Replaces every escape of a lone surrogate with U+FFFD, as a browser shows it. Offsets stay the
+/// same.
 pub fn mend_escapes(text: &str) -> Cow<'_, str> {
     let mut mended = String::new();
     let (mut at, mut copied) = (0, 0);
@@ -121,7 +120,7 @@ pub fn mend_escapes(text: &str) -> Cow<'_, str> {
     Cow::Owned(mended)
 }
 
-/// The character of the escape that a text starts with, and how long it is written.
+/// The character of the escape at the start of a text, and the length of the escape.
 fn escape(rest: &str) -> Option<(char, usize)> {
     let c = match rest.as_bytes().get(1)? {
         b'n' => '\n',
@@ -145,18 +144,18 @@ fn escape(rest: &str) -> Option<(char, usize)> {
     Some((c, 2))
 }
 
-/// What is open: an object or a list.
+/// An open object or array.
 struct OpenContainer<'a> {
     is_list: bool,
-    /// Number of the entry.
+    /// Index of the current entry.
     index: usize,
-    /// The key of the entry.
+    /// Key of the current entry.
     key: &'a str,
     awaits_key: bool,
 }
 
-/// The strings under `key` in the objects of the list under `list`, with their numbers in it.
-/// `None` where one cannot be read.
+/// The strings under `key` in the objects of the array `list`, with their indices. `None` if one is
+/// invalid.
 pub fn strings_in(text: &str, list: &str, key: &str) -> Option<Vec<(usize, JsonString)>> {
     let bytes = text.as_bytes();
     let mut open: Vec<OpenContainer> = Vec::new();

@@ -1,8 +1,7 @@
-//! Source text and places in it.
+//! Source text and positions.
 //!
-//! A [`Sources`] holds every file that one shader is made of, laid end to end in one address space,
-//! so that a [`Span`] of two offsets names both the file and the place in it. Nothing here knows
-//! what the text means.
+//! A [`Sources`] contains all files of a shader in one address space, so that a [`Span`] of two
+//! offsets determines both file and position. This crate does not parse GLSL.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod content;

@@ -1,37 +1,36 @@
-//! From byte offsets to lines and columns.
+//! Converts byte offsets to lines and columns.
 
 use memchr::memchr2_iter;
 
-/// A place as people and editors count it. All numbers but `byte` are 1-based.
+/// A position as people and editors count it. All numbers except `byte` start at 1.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Position {
-    /// Line; `\n`, `\r\n` and a lone `\r` end one, as GLSL ES 3.00 section 3.1 has it.
+    /// Line number; `\n`, `\r\n` and a lone `\r` end a line (GLSL ES 3.00 section 3.1).
     pub line: u32,
     /// Column in Unicode scalar values.
     pub column: u32,
     /// Column in UTF-16 code units.
     pub utf16: u32,
-    /// Offset in bytes from the start of the file, 0-based.
+    /// Offset in bytes from the start of the file, from 0.
     pub byte: u32,
 }
 
-/// The offsets at which a text's lines start.
+/// The offsets of line starts.
 #[derive(Clone, Debug)]
 pub struct LineIndex {
     starts: Vec<u32>,
-    /// The characters of more than one byte, so that no column needs counting, however long its
-    /// line is.
+    /// The multi-byte characters, so that columns are found without scanning long lines.
     wide: Vec<Wide>,
 }
 
-/// A character of more than one byte.
+/// A multi-byte character.
 #[derive(Clone, Copy, Default, Debug)]
 struct Wide {
-    /// Its offset.
+    /// Byte offset.
     at: u32,
-    /// How many bytes more than one such characters have, this one and all before it together.
+    /// Total number of bytes beyond one per character, up to and including this character.
     extra: u32,
-    /// How many of them, this one included, take two UTF-16 units.
+    /// Total number of characters that need two UTF-16 units, up to and including this one.
     pairs: u32,
 }
 
@@ -52,31 +51,31 @@ impl LineIndex {
         }
     }
 
-    /// Number of lines; a text that ends with a line break has an empty last one.
+    /// Number of lines; a text that ends with a line break has an empty last line.
     pub fn count(&self) -> u32 {
         self.starts.len() as u32
     }
 
-    /// Offset of the first byte of a 1-based line.
+    /// Offset of the first byte of a line, numbered from 1.
     pub fn start(&self, line: u32) -> Option<u32> {
         self.starts.get((line as usize).checked_sub(1)?).copied()
     }
 
-    /// The 1-based line that holds `offset`.
+    /// Number of the line that contains `offset`, from 1.
     pub fn line(&self, offset: u32) -> u32 {
         self.starts.partition_point(|&s| s <= offset) as u32
     }
 
-    /// Offsets of the first byte of the line that holds `offset`, and of the first behind it: of
-    /// the next line, or `length` of the whole text.
+    /// Offsets of the start and the end of the line that contains `offset`. The end is the start of
+    /// the next line, or `length` in the last line.
     pub fn bounds(&self, offset: u32, length: u32) -> (u32, u32) {
         let line = self.line(offset);
         let start = self.start(line).unwrap_or(0);
         (start, self.start(line + 1).unwrap_or(length))
     }
 
-    /// Line and columns of `offset` in the text that the index was made from. An offset inside a
-    /// character counts as the place before it.
+    /// Line and columns of `offset` in the text of the index. An offset inside a character counts
+    /// as its start.
     pub fn position(&self, text: &str, offset: u32) -> Position {
         let line = self.line(offset);
         let start = self.start(line).unwrap_or(0) as usize;
@@ -96,7 +95,7 @@ impl LineIndex {
         }
     }
 
-    /// The last character of more than one byte that starts before an offset.
+    /// The last multi-byte character that starts before an offset.
     fn wide_before(&self, offset: usize) -> Wide {
         let behind = self.wide.partition_point(|w| (w.at as usize) < offset);
         let last = behind.checked_sub(1).and_then(|i| self.wide.get(i));
@@ -104,10 +103,10 @@ impl LineIndex {
     }
 }
 
-/// Stretch of a text that is passed by at once where it is ASCII.
+/// Number of bytes that are skipped at once if they are ASCII.
 const CHUNK: usize = 64;
 
-/// Finds the characters of more than one byte.
+/// Finds the multi-byte characters.
 fn wide(text: &str) -> Vec<Wide> {
     let mut last = Wide::default();
     let mut found = Vec::new();
@@ -116,7 +115,7 @@ fn wide(text: &str) -> Vec<Wide> {
             continue;
         }
         for (at, byte) in (start..).zip(chunk) {
-            // The first byte of a character says how long it is (RFC 3629).
+            // The first byte determines the length (RFC 3629).
             let length = match byte {
                 0xc0..0xe0 => 2,
                 0xe0..0xf0 => 3,

@@ -1,38 +1,38 @@
-//! Files and the address space they share.
+//! Files and their common address space.
 
 use super::{LineIndex, Position, Span};
 use std::sync::{Arc, OnceLock};
 
-/// Index of a file in its [`Sources`], or of a piece of one.
+/// Index of a file in its [`Sources`], or of an embedded piece.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct FileId(pub u32);
 
 impl FileId {
-    /// Whether it is a file, and not a piece of one.
+    /// Whether it is a file, and not an embedded piece.
     pub fn is_whole(self) -> bool {
         self.0 & PIECE == 0
     }
 }
 
-/// Whose text a file holds.
+/// The origin of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {
-    /// Written by the user: diagnostics point here.
+    /// Written by the user; diagnostics point to it.
     User,
-    /// Put before the user's text by a host (the ShaderToy player's header): never pointed at.
+    /// Added by a host, such as the header of ShaderToy's player; diagnostics never point to it.
     Prelude,
 }
 
 /// One file, or one pass of a ShaderToy export.
 #[derive(Clone, Debug)]
 pub struct SourceFile {
-    /// Path as the user gave it, with forward slashes.
+    /// Path as given by the user, with forward slashes.
     pub path: String,
-    /// Name of the pass, if the file is an export that holds several.
+    /// Name of the pass, if the file is an export with several passes.
     pub part: Option<String>,
-    /// Whose text it is.
+    /// Origin of the text.
     pub role: Role,
-    /// The text itself.
+    /// Contents of the file.
     pub text: Arc<str>,
     /// Address of the first byte.
     pub base: u32,
@@ -40,17 +40,17 @@ pub struct SourceFile {
 }
 
 impl SourceFile {
-    /// All of the file's addresses.
+    /// The address range of the file.
     pub fn span(&self) -> Span {
         Span::new(self.base, self.base + self.text.len() as u32)
     }
 
-    /// Its line starts, found at the first call.
+    /// The line offsets, computed on first use.
     pub fn lines(&self) -> &LineIndex {
         self.lines.get_or_init(|| LineIndex::new(&self.text))
     }
 
-    /// Line and columns of an address in this file; addresses outside are moved to its nearer end.
+    /// Line and columns of an address in this file; addresses outside are clamped.
     pub fn position(&self, address: u32) -> Position {
         let offset = address
             .saturating_sub(self.base)
@@ -59,54 +59,54 @@ impl SourceFile {
     }
 }
 
-/// Set in the index of a piece.
+/// Set in the index of an embedded piece.
 const PIECE: u32 = 1 << 31;
 
-/// A stretch of a file as the compiler reads it: a shader inside a page, a script or a text.
+/// An embedded piece of a file: a shader in a page, script or document.
 #[derive(Clone, Debug)]
 struct SourcePiece {
-    /// The file.
+    /// File that contains it.
     file: FileId,
     /// Address of its first byte.
     base: u32,
-    /// What the compiler reads, byte for byte in the place of the file's own text.
+    /// Code to compile, with the same length as in the file.
     code: Arc<str>,
-    /// The highest address in this piece and all pieces before it.
+    /// The highest address in this and all previous pieces.
     reach: u32,
 }
 
-/// What the compiler reads of a file or a piece of one.
+/// The code to compile of a file or of an embedded piece.
 #[derive(Clone, Copy, Debug)]
 pub struct CompiledText<'a> {
-    /// The text.
+    /// Code of the file or piece.
     pub text: &'a str,
     /// Address of its first byte.
     pub base: u32,
-    /// Whose text it is.
+    /// Origin of the text.
     pub role: Role,
 }
 
-/// The files of one shader in one address space.
+/// The files of a shader in one address space.
 ///
-/// Each file starts one past the end of the one before, so that the place behind a file's last
-/// character differs from the place before the next file's first.
+/// Consecutive files are separated by one address, so that the end of a file differs from the start
+/// of the next.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     files: Vec<SourceFile>,
     pieces: Vec<SourcePiece>,
-    /// Whether the pieces are not in the order of the text.
+    /// Whether the pieces are not sorted by address.
     is_shuffled: bool,
 }
 
 impl Sources {
-    /// No file yet.
+    /// Creates an empty set of files.
     pub fn new() -> Sources {
         Sources::default()
     }
 
-    /// Adds a file behind those that are there.
+    /// Adds a file.
     ///
-    /// Returns `None`, and adds nothing, when the address space of 4 GiB is full.
+    /// Returns `None`, and adds nothing, if the address space of 4 GiB is exhausted.
     pub fn add(
         &mut self,
         path: impl Into<String>,
@@ -132,10 +132,10 @@ impl Sources {
         Some(id)
     }
 
-    /// Names the piece of a file that starts at this offset and that the compiler reads as `code`,
-    /// which is as long as the piece. Places in it are places in the file.
+    /// Adds an embedded piece of a file that starts at this offset, with code of the same length.
+    /// Addresses in it are addresses in the file.
     ///
-    /// Returns `None` where the file has no such piece.
+    /// Returns `None` if the file has no such piece.
     pub fn embed(
         &mut self,
         file: FileId,
@@ -160,7 +160,7 @@ impl Sources {
         Some(id)
     }
 
-    /// What the compiler reads of a file, or of a piece of one.
+    /// The code to compile of a file or a piece.
     pub fn code(&self, id: FileId) -> Option<CompiledText<'_>> {
         if id.is_whole() {
             let file = self.file(id)?;
@@ -178,10 +178,10 @@ impl Sources {
         })
     }
 
-    /// The piece that holds an address, or else its file.
+    /// The code of the piece that contains an address, or of its file.
     pub fn code_at(&self, address: u32) -> Option<CompiledText<'_>> {
-        // Pieces are mostly named in the order of the text: those behind are left out at once, and
-        // nothing is looked for where no piece before reaches.
+        // Pieces usually are sorted, so a binary search skips the later ones, and `reach` ends the
+        // search early.
         let from = match self.is_shuffled {
             false => self.pieces.partition_point(|p| p.base <= address),
             true => self.pieces.len(),
@@ -198,33 +198,33 @@ impl Sources {
         }
     }
 
-    /// Every file, in the order of addresses.
+    /// All files in order of addresses.
     pub fn files(&self) -> &[SourceFile] {
         &self.files
     }
 
-    /// The file with this index, if there is one.
+    /// The file with this index.
     pub fn file(&self, id: FileId) -> Option<&SourceFile> {
         self.files.get(id.0 as usize)
     }
 
-    /// Index of the file that holds an address.
+    /// Index of the file that contains an address.
     pub fn file_id_at(&self, address: u32) -> Option<FileId> {
         let after = self.files.partition_point(|f| f.base <= address);
         after.checked_sub(1).map(|i| FileId(i as u32))
     }
 
-    /// The file that holds an address.
+    /// The file that contains an address.
     pub fn file_at(&self, address: u32) -> Option<&SourceFile> {
         self.file_id_at(address).and_then(|id| self.file(id))
     }
 
-    /// Whether the user wrote what stands at an address, and no host put it there.
+    /// Whether the text at an address was written by the user.
     pub fn is_user(&self, address: u32) -> bool {
         self.file_at(address).is_some_and(|f| f.role == Role::User)
     }
 
-    /// The text under a span; empty where the span leaves its file or splits a character.
+    /// The text of a span; empty if the span leaves its file or splits a character.
     pub fn text(&self, span: Span) -> &str {
         self.file_at(span.start)
             .and_then(|f| {

@@ -3,9 +3,9 @@
 /// A half-open range of bytes in the address space of one [`Sources`](super::Sources).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub struct Span {
-    /// First byte.
+    /// Address of the first byte.
     pub start: u32,
-    /// One past the last byte; equal to `start` for a place between two characters.
+    /// Address after the last byte; equal to `start` for a position between two characters.
     pub end: u32,
 }
 
@@ -23,7 +23,7 @@ impl Span {
         }
     }
 
-    /// The smallest range that holds both.
+    /// The smallest range that contains both.
     pub fn to(self, other: Span) -> Span {
         Span {
             start: self.start.min(other.start),
@@ -31,22 +31,22 @@ impl Span {
         }
     }
 
-    /// The empty range just before this one.
+    /// The empty range at the start of this one.
     pub const fn before(self) -> Span {
         Span::at(self.start)
     }
 
-    /// The empty range just behind this one.
+    /// The empty range at the end of this one.
     pub const fn after(self) -> Span {
         Span::at(self.end)
     }
 
-    /// Whether it holds no byte.
+    /// Whether it contains no byte.
     pub const fn is_empty(self) -> bool {
         self.start >= self.end
     }
 
-    /// Whether both have a place in common; a span ends behind its last character.
+    /// Whether both overlap or are adjacent.
     pub const fn touches(self, other: Span) -> bool {
         self.start <= other.end && other.start <= self.end
     }
@@ -56,7 +56,7 @@ impl Span {
         self.end.saturating_sub(self.start)
     }
 
-    /// Whether `other` lies inside, borders included.
+    /// Whether it contains `other`; ranges may share borders.
     pub const fn contains(self, other: Span) -> bool {
         self.start <= other.start && other.end <= self.end
     }

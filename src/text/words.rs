@@ -1,19 +1,19 @@
-//! A list of words with an index that the compiler makes, so that a start costs nothing.
+//! A word list with an index that is computed at compile time.
 
-/// Finds words in a list that never changes. `SLOTS` is a power of two, at least twice the number
-/// of words.
+/// Index of a constant word list. `SLOTS` is a power of two, and at least twice the number of
+/// words.
 #[derive(Debug)]
 pub struct WordIndex<const SLOTS: usize> {
     words: &'static [&'static str],
-    /// Open addressing; places in the list plus one, 0 for an empty slot.
+    /// Open addressing: indices into the list plus one, 0 for an empty slot.
     slots: [u16; SLOTS],
 }
 
 impl<const SLOTS: usize> WordIndex<SLOTS> {
-    /// An index of some words, of which no two are the same.
+    /// Builds an index of distinct words.
     #[expect(
         clippy::indexing_slicing,
-        reason = "the compiler works it out, and would refuse"
+        reason = "evaluated at compile time, where a failure is a compile error"
     )]
     pub const fn new(words: &'static [&'static str]) -> Self {
         assert!(SLOTS.is_power_of_two() && words.len() * 2 <= SLOTS);
@@ -30,10 +30,10 @@ impl<const SLOTS: usize> WordIndex<SLOTS> {
         WordIndex { words, slots }
     }
 
-    /// Where a word stands in the list.
+    /// Index of a word in the list.
     #[expect(
         clippy::indexing_slicing,
-        reason = "a remainder of the length is a place, and so is what the index holds"
+        reason = "the slot is a remainder of the length, and stored indices are valid"
     )]
     pub const fn find(&self, word: &str) -> Option<usize> {
         let word = word.as_bytes();
@@ -49,8 +49,8 @@ impl<const SLOTS: usize> WordIndex<SLOTS> {
     }
 }
 
-/// The hash of Fowler, Noll and Vo.
-#[expect(clippy::indexing_slicing, reason = "the loop ends before the bytes")]
+/// Fowler-Noll-Vo hash.
+#[expect(clippy::indexing_slicing, reason = "the loop stops at the length")]
 const fn hash(bytes: &[u8]) -> usize {
     let mut hash: u32 = 0x811c_9dc5;
     let mut i = 0;
@@ -61,7 +61,7 @@ const fn hash(bytes: &[u8]) -> usize {
     hash as usize
 }
 
-#[expect(clippy::indexing_slicing, reason = "both are of one length")]
+#[expect(clippy::indexing_slicing, reason = "both have the same length")]
 const fn is_same(a: &[u8], b: &[u8]) -> bool {
     let mut i = 0;
     while a.len() == b.len() && i < a.len() && a[i] == b[i] {

@@ -1,10 +1,10 @@
-// The tests in a real browser. Prints a line a test and a count; exits with 1 where one fails.
+// Tests in a real browser. Prints one line per test and a count; exits with code 1 if one fails.
 //
-//   node all.js [WORD...]   only the tests whose names hold one of the words, of all there are
-//     --all                 every test; without it, those that are heavy or sweeps are left out
-//     --list                prints the tests instead of running them
-//     --seed N              where random programs begin; 1 without it
-//     --minutes N           how long all of it may take
+//   node all.js [WORD...]   only the tests whose names contain one of the words, out of all tests
+//     --all                 every test; by default heavy tests and sweeps are skipped
+//     --list                lists the tests instead of running them
+//     --seed N              first seed of random programs; default 1
+//     --minutes N           time limit for all tests
 import { parseArgs } from 'node:util';
 import { alone, launch } from './browser.js';
 import { compileTests } from './compiled.js';
@@ -39,9 +39,9 @@ const minutes = Number(options.minutes ?? (options.all ? 720 : 20));
  * @typedef {object} Test
  * @property {string} name
  * @property {(context: import('playwright-core').BrowserContext) => Promise<void>} run
- * @property {object} [context] how its context differs from those of the others
- * @property {string} [only] why it is run with --all alone, or when it is asked for by a word
- * @property {boolean} [isLast] whether it counts what the others have found
+ * @property {object} [context] options of its browser context
+ * @property {string} [only] why it runs only with --all or if a word selects it
+ * @property {boolean} [isLast] whether it evaluates results of the other tests
  */
 
 /** @type {Test[]} */
@@ -74,10 +74,10 @@ if (options.list) {
 
 /** @typedef {{browser: import('playwright-core').Browser, kill: () => Promise<void>}} Running */
 
-/** What is running: tests with what their pages complained of, and browsers. */
+/** Running tests with the complaints of their pages, and running browsers. */
 const now = { tests: /** @type {Map<string, string[]>} */ (new Map()), browsers: /** @type {Set<Running>} */ (new Set()), isOver: false };
 
-/** A browser that is ended when time is up. */
+/** Starts a browser that is killed when the time is up. */
 async function start() {
   const running = await launch();
   now.browsers.add(running);
@@ -90,7 +90,7 @@ async function stop(running) {
   await running.kill();
 }
 
-/** Runs one test in a context and a folder of its own. @param {Running} running @param {Test} test */
+/** Runs one test in its own context and folder. @param {Running} running @param {Test} test */
 async function attempt({ browser }, test) {
   const complaints = [];
   now.tests.set(test.name, complaints);
@@ -100,7 +100,7 @@ async function attempt({ browser }, test) {
     permissions: ['camera', 'microphone'],
     ...test.context,
   });
-  // What is waited for has no limit of its own: a machine may be as slow as it is.
+  // Waits have no timeout of their own: machines may be slow.
   context.setDefaultTimeout(0);
   await alone(complaints, () => test.run(context));
   if (browser.isConnected()) await context.close();
@@ -110,16 +110,16 @@ const started = Date.now();
 const queue = wanted.filter((t) => !t.isLast);
 let failures = 0;
 
-/** Says what came of a test. */
+/** Prints the result of a test. */
 function tell(test, since, wrong) {
   const ms = `${Date.now() - since} ms`;
   if (!wrong) return console.log(`ok     ${test.name} (${ms})`);
   failures++;
-  const words = [...(now.isOver ? ['it was still running when time was up'] : []), wrong.stack, ...(now.tests.get(test.name) ?? [])];
+  const words = [...(now.isOver ? ['still running when the time was up'] : []), wrong.stack, ...(now.tests.get(test.name) ?? [])];
   return console.log(`FAILED ${test.name} (${ms})\n       ${words.join('\n').replace(/\n/g, '\n       ')}`);
 }
 
-/** Runs tests as long as there are any, in a browser of its own. */
+/** Runs tests from the queue in its own browser. */
 async function worker() {
   let running = await start();
   for (let test = queue.shift(); test; test = queue.shift()) {
@@ -132,7 +132,7 @@ async function worker() {
     }
     tell(test, since, wrong);
     now.tests.delete(test.name);
-    // Whatever a test has left behind that failed ends with its browser; some end it themselves.
+    // The browser is replaced after a failed test, and some tests kill it themselves.
     if ((wrong || !running.browser.isConnected()) && !now.isOver) {
       await stop(running);
       running = await start();
@@ -141,13 +141,13 @@ async function worker() {
   await stop(running);
 }
 
-/** Ends everything, and says what was running: where it waits is in what fails then. */
+/** Kills everything and prints the running tests; their pending waits fail and show where they were. */
 async function timeIsUp() {
   now.isOver = true;
-  console.log(`more than ${minutes} minutes; not ended: ${[...now.tests.keys()].join(', ')}; not begun: ${queue.length}`);
+  console.log(`more than ${minutes} minutes; running: ${[...now.tests.keys()].join(', ')}; not started: ${queue.length}`);
   queue.length = 0;
   await Promise.all([...now.browsers].map(stop));
-  // The tests hear of it a little later; whatever has no part in a browser does not.
+  // The tests notice it a little later; code that does not use a browser does not notice it.
   await new Promise((resolve) => { setTimeout(resolve, 1000); });
   for (const [name, complaints] of now.tests) console.log(`FAILED ${name}`, ...complaints);
   process.exit(1);

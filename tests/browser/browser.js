@@ -1,4 +1,4 @@
-// Chromium without a window, drawing by software, and pages in it whose complaints are kept.
+// Headless Chromium with software rendering, and pages in it whose complaints are collected.
 import { chromium } from 'playwright-core';
 import { AsyncLocalStorage } from 'node:async_hooks';
 import { execFile } from 'node:child_process';
@@ -14,13 +14,13 @@ process.on('exit', () => fs.rmSync(work, { recursive: true, force: true }));
 
 /** @typedef {{folder: string, complaints: string[]}} Surroundings */
 
-/** What belongs to the test that is running: its folder, and what its pages complained of. */
+/** State of the running test: its folder, and the complaints of its pages. */
 const surroundings = /** @type {AsyncLocalStorage<Surroundings>} */ (new AsyncLocalStorage());
 
-/** The folder of the test that is running. */
+/** The folder of the running test. */
 export const folder = () => surroundings.getStore()?.folder ?? work;
 
-/** Runs a test in a folder of its own. @param {string[]} complaints gets what its pages complain of */
+/** Runs a test in its own folder. @param {string[]} complaints collects the complaints of its pages */
 export function alone(complaints, run) {
   return surroundings.run({ folder: fs.mkdtempSync(path.join(work, 'test-')), complaints }, run);
 }
@@ -33,7 +33,7 @@ const ARGS = [
   '--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream',
 ];
 
-/** Starts a browser, which can be ended even while it draws. */
+/** Starts a browser that can be killed even while it draws. */
 export async function launch() {
   const executablePath = process.env.CHROMIUM || '/usr/bin/chromium';
   const server = await chromium.launchServer({ executablePath, args: ARGS, timeout: 0 });
@@ -41,10 +41,10 @@ export async function launch() {
   return { browser, kill: () => server.kill() };
 }
 
-/** Where a program is, by the variable that may name it. */
+/** The path of a program; an environment variable with its name overrides it. */
 export const program = (name) => process.env[name.toUpperCase()] || path.join(top, 'target/release', name);
 
-/** Runs a program in the folder of the test; gives its exit code, which may be 1, and what it writes. */
+/** Runs a program in the folder of the test; resolves to its exit code, which may be 1, and its output. */
 export async function run(command, ...args) {
   const options = { cwd: folder(), maxBuffer: 1 << 30 };
   try {
@@ -55,10 +55,10 @@ export async function run(command, ...args) {
   }
 }
 
-/** Runs the converter; gives its exit code and what it says. */
+/** Runs the converter; resolves to its exit code and messages. */
 export const shaderport = (...args) => run(program('shaderport'), ...args);
 
-/** Writes a file to be ported; gives its path. */
+/** Writes an input file; returns its path. */
 export function put(name, text) {
   const file = path.join(folder(), name);
   fs.mkdirSync(path.dirname(file), { recursive: true });
@@ -66,21 +66,21 @@ export function put(name, text) {
   return file;
 }
 
-/** Ports an input to a page; gives the page's address. */
+/** Converts an input to a page; resolves to the page's address. */
 export async function port(input, name, ...args) {
   const out = path.join(folder(), `${name}.html`);
   await shaderport(input, '-o', out, '--force', ...args);
   return `file://${out}`;
 }
 
-/** Whether a message of the console is an error or warning that the page itself is the cause of. */
+/** Whether a console message is an error or warning that the page itself causes. */
 function complains(message) {
   // The tests read pixels more often than a page would.
   const isOurs = message.text().includes('GPU stall due to ReadPixels');
   return ['error', 'warning'].includes(message.type()) && !isOurs;
 }
 
-/** Collects errors and warnings of a page's console, and errors that nobody caught. */
+/** Collects errors and warnings of a page's console, and uncaught errors. */
 export function listen(page) {
   const complaints = [];
   const all = surroundings.getStore()?.complaints;
@@ -96,8 +96,8 @@ export function listen(page) {
 }
 
 /**
- * Opens a page. `complaints` collects errors and warnings of its console, errors that nobody caught,
- * and requests of any kind.
+ * Opens a page. `complaints` collects errors and warnings of its console, uncaught errors, and requests
+ * of any kind.
  */
 export async function open(context, address, hash = '') {
   const page = await context.newPage();
@@ -113,7 +113,7 @@ export async function open(context, address, hash = '') {
   return { page, complaints };
 }
 
-/** The bytes that a page has handed over as base64, which it writes many times faster than a list. */
+/** The bytes that a page returns as base64, which is much faster than returning an array. */
 export const bytesOf = (base64) => Array.from(Buffer.from(base64, 'base64'));
 
 /** The pixels of the canvas. */
@@ -133,28 +133,28 @@ export async function frame(page, n) {
   return pixels(page);
 }
 
-/** How many different colours there are. */
+/** The number of different colours. */
 export function colors(bytes) {
   const seen = new Set();
   for (let i = 0; i < bytes.length; i += 4) seen.add((bytes[i] << 16) | (bytes[i + 1] << 8) | bytes[i + 2]);
   return seen.size;
 }
 
-/** How many bytes differ. */
+/** The number of different bytes. */
 export function differences(a, b) {
   let count = a.length === b.length ? 0 : Math.abs(a.length - b.length);
   for (let i = 0; i < Math.min(a.length, b.length); i++) if (a[i] !== b[i]) count++;
   return count;
 }
 
-/** Lets frames of the page go by: what they would change has changed then. */
+/** Waits for some frames of the page, so that pending changes are visible. */
 export function frames(page, count = 3) {
   return page.evaluate(async (n) => {
     for (let i = 0; i < n; i++) await new Promise((resolve) => { requestAnimationFrame(resolve); });
   }, count);
 }
 
-/** Waits until the canvas shows just these bytes, or where `isSame` is false, others. */
+/** Waits until the canvas shows exactly these bytes, or other bytes if `isSame` is false. */
 export async function becomes(page, bytes, isSame = true) {
   await page.waitForFunction(([expected, same]) => {
     const canvas = document.querySelector('canvas');

@@ -1,5 +1,5 @@
-// Small shaders of our own, as exports, each of which looks different when one rule of the player is
-// broken.
+// Small test shaders, as exports. Each one draws a different image if a certain rule of the player is
+// violated.
 
 const A = '4dXGR8';
 const B = 'XsXGR8';
@@ -19,7 +19,7 @@ export const shader = (...renderpass) => ({
   renderpass,
 });
 
-/** Each with the frames whose pixels are compared, and `later` ones; `mouse` and `keys` are down from frame 0 on. */
+/** Each with the frames that are compared, and `later` ones; `mouse` and `keys` are pressed from frame 0 on. */
 export const CASES = [
   {
     name: 'single pass: time, resolution, frame, dates and unbound channels',
@@ -33,7 +33,7 @@ void mainImage(out vec4 O, in vec2 U) {
 }`)),
   },
   {
-    name: 'single pass: macros that take the names of wrappers',
+    name: 'single pass: macros with the names of wrappers',
     frames: [0],
     shader: shader(image(`
 #define main mainly
@@ -49,7 +49,7 @@ void mainImage(out vec4 fragColor, in vec2 U) { mainly(fragColor, U / iResolutio
     shader: shader(image('void mainImage(out vec4 O, vec2 U) { O += U.xyxy / iResolution.xyxy; O.r *= 0.5; }')),
   },
   {
-    name: 'buffer: it reads itself and gets its last frame',
+    name: 'buffer: reads its own previous frame',
     frames: [0, 1, 7],
     shader: shader(
       image('void mainImage(out vec4 O, vec2 U) { O = fract(texelFetch(iChannel0, ivec2(U), 0) * 0.1); }', [input(0, 'buffer', A)]),
@@ -61,7 +61,7 @@ void mainImage(out vec4 O, vec2 U) {
     ),
   },
   {
-    name: 'buffers: drawn in the order of the export, not of the letters',
+    name: 'buffers: drawn in the order of the export, not of their letters',
     frames: [0, 1, 2, 5],
     shader: shader(
       image(`void mainImage(out vec4 O, vec2 U) {
@@ -86,7 +86,7 @@ void mainImage(out vec4 O, vec2 U) {
     ),
   },
   {
-    name: 'buffer: what is discarded is two frames old',
+    name: 'buffer: discarded pixels are two frames old',
     frames: [0, 1, 2, 3],
     shader: shader(
       image('void mainImage(out vec4 O, vec2 U) { O = texelFetch(iChannel0, ivec2(U), 0); }', [input(0, 'buffer', A)]),
@@ -97,7 +97,7 @@ void mainImage(out vec4 O, vec2 U) {
     ),
   },
   {
-    name: 'buffer: one that no pass draws is empty, and as large as the others',
+    name: 'buffer: an undrawn buffer is empty and has the common size',
     frames: [0],
     shader: shader(image(`
 void mainImage(out vec4 O, vec2 U) {
@@ -106,7 +106,7 @@ void mainImage(out vec4 O, vec2 U) {
 }`, [input(0, 'buffer', A)])),
   },
   {
-    name: 'cube map: all faces, and buffers that see the last frame of it',
+    name: 'cube map: all faces, and buffers that read its previous frame',
     frames: [0, 1],
     later: [3],
     shader: shader(
@@ -139,7 +139,7 @@ void mainImage(out vec4 O, vec2 U) {
 }`, [input(1, 'keyboard', '4dXGRr', 'nearest')])),
   },
   {
-    name: 'mouse: place, click and signs',
+    name: 'mouse: position, click and signs',
     frames: [0, 1, 2],
     mouse: { x: 20.7, y: 9.2 },
     shader: shader(image(`
@@ -148,13 +148,13 @@ void mainImage(out vec4 O, vec2 U) {
 }`)),
   },
   {
-    name: 'mouse: nobody has touched it',
+    name: 'mouse: untouched',
     flat: true,
     frames: [0],
     shader: shader(image('void mainImage(out vec4 O, vec2 U) { O = 0.5 + 0.25 * sign(iMouse) + abs(iMouse); }')),
   },
   {
-    name: 'every kind of pass: the numbers of its lines',
+    name: 'every kind of pass: line numbers',
     frames: [0],
     shader: shader(
       image(`

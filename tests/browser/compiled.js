@@ -1,5 +1,5 @@
-// The shaders of every page compile: those of templates, of the cases of the player, of what stands for
-// files, and of the exports in SHADERLINT_CASES. Nothing is drawn, and a page compiles many at once.
+// Checks that the shaders of every page compile: templates, test cases of the player, media stand-ins,
+// and the exports in SHADERLINT_CASES. Nothing is drawn; one page compiles many shaders in parallel.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -9,19 +9,19 @@ import { exportsOf, templates } from './corpus.js';
 import { readers } from './media.js';
 import { load } from './player.js';
 
-/** Shaders that are compiled in one graphics context. */
+/** Number of shaders that are compiled in one graphics context. */
 const BATCH = 64;
 
 const { passSource } = load(['gl.js'], ['passSource']);
 
 /**
- * A fragment shader to be compiled, or, with a vertex shader, a program to be linked.
+ * A fragment shader to compile, or, with a vertex shader, a program to link.
  * @typedef {{name: string, fragment: string, vertex?: string}} Shaders
  */
 
 /**
- * The shaders of a page: those of its passes, and of what stands for files. The vertex shader that most
- * pages have is the program's own, and not linked each time.
+ * The shaders of a page: those of its passes and of its media stand-ins. The vertex shader that most
+ * pages have is the program's own and is not linked each time.
  * @returns {Omit<Shaders, 'name'>[]}
  */
 function shadersOf(html) {
@@ -35,8 +35,8 @@ function shadersOf(html) {
   return [...own, ...(project.media ?? []).map(({ text }) => ({ fragment: text }))];
 }
 
-// Runs inside the page, so it may use nothing from outside.
-/** Compiles shaders and links programs; gives what is wrong with each. */
+// Runs inside the page, so it must not use anything from outside.
+/** Compiles shaders and links programs; returns the error of each. */
 function build(all) {
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
   const compile = (type, text) => {
@@ -54,18 +54,18 @@ function build(all) {
     gl.linkProgram(program);
     return { shaders, program };
   });
-  // Asked only when all have been started: the browser compiles several at a time.
+  // Status is queried only after all have been started: the browser compiles several in parallel.
   const wrong = started.map(({ shaders, program }) => {
     const bad = shaders.filter((s) => !gl.getShaderParameter(s, gl.COMPILE_STATUS));
-    if (bad.length > 0) return bad.map((s) => gl.getShaderInfoLog(s) || 'the compiler has ended').join('\n');
+    if (bad.length > 0) return bad.map((s) => gl.getShaderInfoLog(s) || 'the compiler has crashed').join('\n');
     if (!program || gl.getProgramParameter(program, gl.LINK_STATUS)) return '';
-    return gl.getProgramInfoLog(program) || 'it does not link';
+    return gl.getProgramInfoLog(program) || 'linking failed';
   });
   gl.getExtension('WEBGL_lose_context').loseContext();
   return wrong;
 }
 
-/** Compiles shaders, each text once; gives what is wrong. @param {Shaders[]} shaders */
+/** Compiles shaders, each text once; resolves to the errors. @param {Shaders[]} shaders */
 export async function compileShaders(context, shaders) {
   const known = new Map(shaders.map((one) => [`${one.vertex ?? ''}\0${one.fragment}`, one]));
   const all = [...known.values()];
@@ -80,7 +80,7 @@ export async function compileShaders(context, shaders) {
   return wrong;
 }
 
-/** Asks that all shaders of pages compile. @param {{name: string, address: string}[]} pages */
+/** Asserts that all shaders of the pages compile. @param {{name: string, address: string}[]} pages */
 export async function pagesCompile(context, pages) {
   const shaders = pages.flatMap(({ name, address }) => {
     const found = shadersOf(fs.readFileSync(address.slice('file://'.length), 'utf8'));
@@ -90,7 +90,7 @@ export async function pagesCompile(context, pages) {
   assert.deepEqual(await compileShaders(context, shaders), []);
 }
 
-/** Pages of exports and shader files. */
+/** The pages of exports and shader files. */
 async function ported(files) {
   const pages = [];
   for (const [i, file] of files.entries()) pages.push({ name: path.basename(file), address: await port(file, `page${i}`) });

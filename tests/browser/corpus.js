@@ -1,5 +1,5 @@
-// The templates, and the exports in SHADERLINT_CASES: what the pages of light ones draw is what the
-// reference player draws; with --all, each page loads, draws, and moves where the shader uses time.
+// Templates, and the exports in SHADERLINT_CASES: the pages of light shaders must draw the same as the
+// reference player; with --all, each page must load, draw, and move if the shader uses time.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
@@ -13,29 +13,29 @@ export function templates() {
   return fs.readdirSync(folder).filter((f) => f.endsWith('.glsl')).map((f) => path.join(folder, f));
 }
 
-/** The exports in SHADERLINT_CASES; of none, where there are none. */
+/** The exports in SHADERLINT_CASES, if any. */
 export function exportsOf() {
   const folder = process.env.SHADERLINT_CASES && path.join(process.env.SHADERLINT_CASES, 'shadertoy');
   if (!folder || !fs.existsSync(folder)) return [];
   return fs.readdirSync(folder).filter((f) => f.endsWith('.json')).sort().map((f) => path.join(folder, f));
 }
 
-/** Those of them that a sweep draws: every so many. */
+/** The exports that a sweep draws: every EVERYth. */
 export const sweptExports = (files = exportsOf()) => files.filter((_, i) => i % Number(process.env.EVERY ?? 1) === 0);
 
-/** What an export holds. */
+/** The content of an export. */
 export const read = (file) => [JSON.parse(fs.readFileSync(file, 'utf8'))].flat()[0];
 
-/** Light exports that are drawn always. */
+/** Number of light exports that are always drawn. */
 const CHOSEN = 16;
 
-/** Operations of all passes for a frame of 64x36 pixels, up to which an export is light. */
+/** Limit of a light export: operations of all passes for a frame of 64x36 pixels. */
 const LIGHT = 10_000_000;
 
-/** Characters of all passes, up to which it is: what is not run is compiled. */
+/** Limit of a light export: characters of all passes, because code that does not run is compiled, too. */
 const SHORT = 6000;
 
-/** Whether an export is short, the reference player knows all that it reads, and no pass is larger than the picture. */
+/** Whether an export is short, uses only what the reference player supports, and has no pass larger than the image. */
 function isPlain({ renderpass }) {
   if (renderpass.map((p) => p.code).join('').length > SHORT) return false;
   const drawn = renderpass.filter((p) => p.type === 'image' || p.type === 'buffer');
@@ -43,7 +43,7 @@ function isPlain({ renderpass }) {
   return others.length === 0 && drawn.flatMap((p) => p.inputs).every((i) => i.type === 'buffer' || i.type === 'keyboard');
 }
 
-/** How many operations the executor counts for a frame of all passes; none, where it cannot draw one. */
+/** The number of operations that the VM counts for a frame of all passes; `Infinity` if it cannot draw one. */
 async function operations(file) {
   const { renderpass } = read(file);
   const letters = [...renderpass.filter((p) => p.type === 'buffer')].map((p, i) => (/^Buf(?:fer)? ?([A-D])$/i.exec(p.name)?.[1] ?? 'ABCD'[i]).toLowerCase());
@@ -60,7 +60,7 @@ async function operations(file) {
 /** @type {Promise<string[]> | null} */
 let light = null;
 
-/** The light exports that are drawn always: the first in an order that nothing but their text decides. */
+/** The light exports that are always drawn: the first ones in an order that depends only on their text. */
 export function lightExports() {
   light ??= chooseLight();
   return light;
@@ -79,10 +79,10 @@ async function chooseLight() {
   return chosen.slice(0, CHOSEN);
 }
 
-/** Waits for a page, and draws its first frame. */
+/** Waits for a page and draws its first frame. */
 async function firstFrame({ page, complaints }) {
   await page.evaluate(() => globalThis.shaderport.ready);
-  assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), [], 'every pass compiles');
+  assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), [], 'all passes compile');
   const first = await frame(page, 0);
   assert.deepEqual(complaints, []);
   return first;
@@ -93,15 +93,15 @@ async function template(context, file) {
   const opened = await open(context, await port(file, path.basename(file, '.glsl')), '#size=32x18&paused');
   const first = await firstFrame(opened);
   const later = await frame(opened.page, 12);
-  assert.ok(colors(later) > 10, 'it draws');
-  if (code.includes('iTime')) assert.ok(differences(first, later) > 0, 'it moves');
+  assert.ok(colors(later) > 10, 'the page draws');
+  if (code.includes('iTime')) assert.ok(differences(first, later) > 0, 'the image changes over time');
   assert.deepEqual(opened.complaints, []);
 }
 
-/** Exports that use the time, and those of them whose picture is the same at all times looked at. */
+/** Exports that use time, and those of them that look the same at all sampled times. */
 const moving = { asked: 0, still: [] };
 
-/** Whether the picture at some later time differs from the first. */
+/** Whether the image at some later time differs from the first. */
 async function moves(page, first) {
   for (const time of [0.7, 3.1, 12.4]) {
     await page.evaluate((t) => globalThis.shaderport.seek(t), time);
@@ -110,7 +110,7 @@ async function moves(page, first) {
   return false;
 }
 
-/** Exports of which the process that draws has died, or the browser with it, and not of the shader's mistakes. */
+/** Exports that crashed the GPU process or the browser, without an error of the shader. */
 const lost = [];
 
 async function exported(context, file, name) {
@@ -119,7 +119,7 @@ async function exported(context, file, name) {
     const first = await firstFrame(opened);
     const code = read(file).renderpass.filter((p) => p.type !== 'sound').map((p) => p.code).join('\n');
     const usesTime = /\biTime\b/.test(code.replace(/\/\/.*|\/\*[^]*?\*\//g, ''));
-    // One that is of one colour here lacks its textures, or computes what has no value.
+    // A uniform image here means missing textures, or computations with undefined values.
     const asked = usesTime && colors(first) > 1;
     const isMoving = await moves(opened.page, first);
     if (asked) moving.asked++;
@@ -136,22 +136,22 @@ function fewAreLost(count) {
   assert.ok(lost.length <= Math.max(2, 0.03 * count), `${lost.length} of ${count}: ${lost.join(' ')}`);
 }
 
-/** Some shaders use the time only for what is seen later, or when a button is pressed. */
+/** Some shaders use time only for what appears later, or after a key is pressed. */
 function mostMove() {
   const most = Math.max(3, 0.15 * moving.asked);
-  assert.ok(moving.asked > 0 && moving.still.length <= most, `${moving.still.length} of ${moving.asked} stand still: ${moving.still.join(' ')}`);
+  assert.ok(moving.asked > 0 && moving.still.length <= most, `${moving.still.length} of ${moving.asked} do not move: ${moving.still.join(' ')}`);
 }
 
-const SWEEP = 'a sweep; that they compile is tested always';
+const SWEEP = 'a sweep; compilation is always tested';
 
-/** The tests of the templates, and of the exports where there are any. */
+/** The tests of the templates, and of the exports if there are any. */
 export async function corpusTests() {
   const nameOf = (file) => path.basename(file, '.json');
   const tests = templates().map((file) => ({ name: `template: ${path.basename(file)}`, run: (context) => template(context, file) }));
   for (const file of await lightExports()) {
     const toy = read(file);
     const run = (context) => compare(context, { shader: toy, frames: [2], flat: true }, file);
-    tests.push({ name: `export, beside the reference player: ${nameOf(file)}`, run });
+    tests.push({ name: `export, compared with the reference player: ${nameOf(file)}`, run });
   }
   const swept = sweptExports();
   if (swept.length === 0) return tests;

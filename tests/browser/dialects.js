@@ -1,5 +1,4 @@
-// Shaders of every dialect, as people of each community write them: `shaderport FILE -o x.html` gives a
-// page that draws.
+// Typical shaders of every dialect: `shaderport FILE -o x.html` must produce a page that draws.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -8,13 +7,13 @@ import { pagesCompile } from './compiled.js';
 
 const FOLDER = path.join(top, 'tests/fixtures/dialects');
 
-/** What tells the dialect in what is said of a file; nothing where the text alone cannot tell it. */
+/** The note that names each recognised dialect; absent if the text alone does not identify it. */
 const TOLD = {
   'glsl-sandbox': 'read as GLSL Sandbox',
   bonzomatic: 'read as Bonzomatic',
   kodelife: 'read as KodeLife',
   'book-of-shaders': 'read as The Book of Shaders',
-  three: 'read as a ShaderMaterial of three.js',
+  three: 'read as three.js ShaderMaterial',
   twigl: 'read as twigl',
   isf: 'read as ISF',
   'vscode-shader-toy': 'read as VS Code Shader Toy',
@@ -23,7 +22,7 @@ const TOLD = {
   synthclipse: 'read as Synthclipse',
 };
 
-/** Ports a file; gives the page and what is said. */
+/** Converts a file; resolves to the page and the messages. */
 async function convert(file, name, ...args) {
   const out = path.join(folder(), `${name}.html`);
   const { code, stderr } = await shaderport(file, '-o', out, '--force', ...args);
@@ -31,11 +30,11 @@ async function convert(file, name, ...args) {
   return { address: `file://${out}`, said: stderr };
 }
 
-/** Ports a shader of a dialect, which is recognized; gives the page's address. */
+/** Converts a shader of a dialect, which must be recognised; resolves to the page's address. */
 async function portFile(dialect, file) {
   const from = dialect === 'kodi' ? ['--host', 'kodi'] : [];
   const { address, said } = await convert(path.join(FOLDER, dialect, file), `${dialect}-${file}`, ...from);
-  // What looks like GLSL Sandbox in one mode of twigl is read as that, which is the same.
+  // What looks like GLSL Sandbox in one mode of twigl is read as GLSL Sandbox, which is equivalent.
   const told = dialect === 'twigl' && file === 'classic.glsl' ? TOLD['glsl-sandbox'] : TOLD[dialect];
   assert.ok(said.includes(told ?? ''), said);
   return address;
@@ -47,14 +46,14 @@ async function drawn(context, dialect, file) {
   assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), []);
   const isPlain = async () => colors(await frame(page, 3)) === 1;
   if (await isPlain()) {
-    // Some show more only where there is more room.
+    // Some shaders show more only on a larger canvas.
     await page.evaluate(() => globalThis.shaderport.player.resize(480, 272));
     assert.ok(!(await isPlain()), 'one colour');
   }
   assert.deepEqual(complaints, []);
 }
 
-/** Every shader of every dialect is recognized, and compiles. */
+/** Every shader of every dialect is recognised and compiles. */
 async function allCompile(context) {
   const pages = [];
   for (const [dialect, file] of files) pages.push({ name: `${dialect}/${file}`, address: await portFile(dialect, file) });
@@ -62,7 +61,7 @@ async function allCompile(context) {
   await pagesCompile(context, pages);
 }
 
-/** A control changes the picture without compiling anything. */
+/** A control changes the image without recompiling. */
 async function controlsAreUniforms(context) {
   const { address } = await convert(path.join(FOLDER, 'three/gradient.glsl'), 'dialect-control');
   const { page } = await open(context, address, '#size=64x36&paused');
@@ -79,7 +78,7 @@ async function controlsAreUniforms(context) {
   assert.equal(colors(await frame(page, 1)), 1);
 }
 
-/** The files of a dialect that are ported; folders in it, and vertex shaders of ISF, belong to them. */
+/** The converted files of a dialect; subfolders and vertex shaders of ISF belong to other files. */
 const filesOf = (dialect) =>
   fs.readdirSync(path.join(FOLDER, dialect), { withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith('.vs'))
@@ -88,14 +87,14 @@ const filesOf = (dialect) =>
 
 const files = fs.readdirSync(FOLDER).sort().flatMap((dialect) => filesOf(dialect).map((file) => [dialect, file]));
 
-/** The first shader of each dialect is drawn always. */
+/** The first shader of each dialect is always drawn. */
 const isFirst = (dialect, file) => filesOf(dialect)[0] === file;
 
 export const dialectTests = [
   { name: 'dialects: every shader compiles', run: allCompile },
   ...files.map(([dialect, file]) => ({
     name: `dialect-${dialect}-${file}`,
-    only: isFirst(dialect, file) ? undefined : 'a sweep; that they compile is tested always',
+    only: isFirst(dialect, file) ? undefined : 'a sweep; compilation is always tested',
     run: (context) => drawn(context, dialect, file),
   })),
   { name: 'dialect-controls', run: controlsAreUniforms },

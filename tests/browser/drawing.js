@@ -1,7 +1,10 @@
-// Fragment shaders drawn by themselves, without a page around them.
+// Draws fragment shaders without a page around them.
 import { bytesOf } from './browser.js';
 
-/** Draws fragment shaders; gives the pixels of each, `null` for one that cannot be drawn alone. @param {object} given values of uniforms */
+/**
+ * Draws fragment shaders; resolves to the pixels of each, `null` for one that cannot be drawn alone. @param
+ * {object} given values of uniforms
+ */
 export async function draw(page, sources, given = {}) {
   const drawn = await page.evaluate(({ all, known }) => {
     const gl = new OffscreenCanvas(64, 36).getContext('webgl2', { antialias: false });
@@ -13,7 +16,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
       gl.compileShader(shader);
       return shader;
     };
-    /** Gives every uniform numbers of its own. */
+    /** Sets every uniform to different numbers. */
     function fill(program) {
       const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS);
       for (let i = 0; i < count; i++) {

@@ -1,17 +1,18 @@
-// Shaders draw in Chromium what `shaderlint` computes of them: programs of which every number is known,
-// to the bit, and the built-in functions of random numbers, within what the conformance suite allows.
+// Chromium draws what `shaderlint` computes: programs with exactly known results, bit for bit, and
+// built-in functions of random numbers, within the bounds of the conformance suite.
 //
-//   node drawn.js [COUNT] [SEED]   draws COUNT programs from SEED on, and prints those that differ
+//   node drawn.js [COUNT] [SEED]   draws COUNT programs starting at SEED, and prints those that differ
 //
-// Where SwiftShader knows the value of a vector before it runs, it computes some functions of it wrongly: with
-// `bvec3 b = bvec3(false);`, `not(b)` is false, and `uvec2(1u) / (u | 1u)` is 0 of a `u` of zeros. A program
-// that differs is drawn again with such values hidden from it; where it agrees then, the mistake is not ours.
+// If SwiftShader knows the value of a vector at compile time, it computes some functions incorrectly:
+// with `bvec3 b = bvec3(false);`, `not(b)` is false, and `uvec2(1u) / (u | 1u)` is 0 if `u` is zero. A
+// program that differs is drawn again with such values hidden; if it then agrees, the error is
+// SwiftShader's.
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { bytesOf, launch } from './browser.js';
 import { fuzzer } from './fuzzer.js';
 
-/** Programs that are drawn at once. */
+/** Number of programs that are drawn together. */
 const BATCH = 25;
 
 /**
@@ -19,8 +20,8 @@ const BATCH = 25;
  *   pixels: number[][], bound?: string, by?: number}} Program
  */
 
-// Runs inside the page, so it may use nothing from outside.
-/** Draws programs into targets of unsigned integers; gives the pixels, or why there are none. */
+// Runs inside the page, so it must not use anything from outside.
+/** Draws programs into unsigned integer targets; returns the pixels, or the reason for a failure. */
 function draw({ programs, size }) {
   const gl = new OffscreenCanvas(size, size).getContext('webgl2');
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
@@ -57,7 +58,7 @@ function draw({ programs, size }) {
   });
 }
 
-/** What the programs of the fuzzer are, and what `shaderlint` draws of them. @returns {Promise<Program[]>} */
+/** The programs of the fuzzer, and what `shaderlint` draws for them. @returns {Promise<Program[]>} */
 const written = (...args) => fuzzer(...args);
 
 const float = (() => {
@@ -72,7 +73,7 @@ const float = (() => {
 /** The distance of a float to the next larger one. */
 const unit = (x) => 2 ** Math.max(Math.floor(Math.log2(Math.abs(x) || 1e-38)) - 23, -149);
 
-/** How far a result may be from another machine's. */
+/** The maximum difference of a result from another implementation. */
 const BOUNDS = {
   units: ({ mine, by }) => by * unit(mine),
   absolute: ({ by }) => by,
@@ -92,7 +93,7 @@ function isWithin({ bound, by }, mine, theirs) {
   return Math.abs(x - y) <= BOUNDS[bound]({ mine: x, a, b, by });
 }
 
-/** The programs that are drawn otherwise, with the first pixel that is. */
+/** The programs that are drawn differently, with the first differing pixel. */
 async function otherwise(context, programs, size) {
   const wrong = programs.filter((p) => p.why).map((p) => ({ ...p, what: p.why }));
   const fit = programs.filter((p) => !p.why);
@@ -115,7 +116,7 @@ async function otherwise(context, programs, size) {
 }
 
 /**
- * The same program, in which variables may be something else for all that the compiler knows.
+ * The same program with variables that the compiler cannot evaluate.
  * @param {Program} program
  */
 function hidden(program) {
@@ -156,10 +157,10 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [count, seed] = process.argv.slice(2).map(Number);
   const differing = await otherwise(context, await programs(count || 1000, seed || 1), 8);
   const wrong = await otherwise(context, differing.map(hidden), 8);
-  for (const { id } of differing) if (!wrong.some((w) => w.id === id)) console.log(`seed ${id}: known values`);
+  for (const { id } of differing) if (!wrong.some((w) => w.id === id)) console.log(`seed ${id}: constant values`);
   for (const { id, what, source } of wrong) console.log(`--- seed ${id}: ${what}\n${source}`);
   const known = differing.length - wrong.length;
-  console.log(`${count || 1000} programs, ${wrong.length} drawn otherwise, and ${known} where values are known before`);
+  console.log(`${count || 1000} programs, ${wrong.length} drawn differently, ${known} only with constant values`);
   await running.kill();
   process.exit(wrong.length ? 1 : 0);
 }

@@ -1,4 +1,4 @@
-// The player's files share one scope: what one declares, the next ones use.
+// The player's files share one scope: declarations of one are used by the next ones.
 const player = 'src/port/player';
 const rules = {
   'array-callback-return': 'error',

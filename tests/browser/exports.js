@@ -1,20 +1,21 @@
-// Exports of ShaderToy draw in Chromium what `shaderlint` draws of them. A picture that differs is unsettled
-// where GPUs that are no more exact than the conformance suite asks draw at least as many pixels otherwise,
-// among them most of those that differ: noise made of sines is. Any other is a mistake of either.
+// Chromium draws ShaderToy exports like `shaderlint` does. A frame that differs is unsettled if GPU
+// profiles with the lowest precision of the conformance suite draw at least as many pixels differently,
+// including most of those that differ: noise computed from sines is an example. Any other difference is
+// an error of one side.
 //
-//   node exports.js FILE.json...   prints a line for each picture that differs, and a count
+//   node exports.js FILE.json...   prints a line for each frame that differs, and a count
 //   FUZZ=PATH                      the fuzzer, which prints what `shaderlint` draws
-//   KEEP=FOLDER                    keeps both pictures where they differ, as JSON
+//   KEEP=FOLDER                    stores both images as JSON if they differ
 import { execFile } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
 import { frame, launch, open, port, top } from './browser.js';
 
-/** Seconds that a picture may take, on either side. */
+/** Time limit for an image in seconds, on either side. */
 const PATIENCE = 60;
 
-/** Share of the pixels that have to be the same, by one 255th. */
+/** Share of the pixels that must be equal, within 1/255. */
 const ENOUGH = 0.999;
 
 const fuzz = process.env.FUZZ ?? path.join(top, 'target/debug/shaderlint-fuzz');
@@ -25,14 +26,14 @@ const fuzz = process.env.FUZZ ?? path.join(top, 'target/debug/shaderlint-fuzz');
  * @typedef {{why?: string, unsettled: boolean[][]}} Unsettled
  */
 
-/** What the fuzzer prints of an export. */
+/** Output of the fuzzer for an export. */
 async function asked(what, file) {
   const limits = { timeout: 1000 * PATIENCE, maxBuffer: 1 << 28 };
   const { stdout } = await promisify(execFile)(fuzz, [what, file], limits);
   return JSON.parse(stdout);
 }
 
-/** What Chromium draws of an export, by frame. */
+/** What Chromium draws for an export, by frame. */
 async function theirs(browser, file, { size, frames }) {
   const context = await browser.newContext();
   context.setDefaultTimeout(1000 * PATIENCE);
@@ -55,7 +56,7 @@ function differs({ pixels }, other) {
 const count = (all) => all.filter(Boolean).length;
 const isEnough = (wrong, all) => wrong <= (1 - ENOUGH) * all;
 
-/** Compares the pictures of an export; gives a line for each. */
+/** Compares the frames of an export; resolves to a line for each. */
 async function compared(browser, file) {
   /** @type {Pictures} */
   const ours = await asked('played', file);
@@ -79,11 +80,11 @@ async function compared(browser, file) {
   });
 }
 
-/** Gives what a promise gives, unless that takes too long. */
+/** Resolves like a promise, unless that takes too long. */
 async function within(seconds, promise) {
   let timer;
   const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error('it takes too long')), seconds * 1000);
+    timer = setTimeout(() => reject(new Error('timeout')), seconds * 1000);
   });
   try {
     return await Promise.race([promise, late]);

@@ -1,5 +1,5 @@
-// What `shaderlint --fix` writes unasked draws what was drawn before: the browser judges, not the
-// engine that made the fix.
+// Code changed by `shaderlint --fix` draws the same as before: verified by the browser, independently
+// of the engine that made the fix.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -9,12 +9,12 @@ import { files } from './recorded.js';
 
 const HEAD = '#version 300 es\nprecision highp float;\nuniform vec3 u;\nuniform ivec2 n;\nout vec4 color;\n';
 
-/** Shaders in which a safe fix has something to do, each in a way that could go wrong. */
+/** Shaders to which a safe fix applies, each in a way that could go wrong. */
 const CASES = [
   ['constructors', `
 float hash(vec2 p) { vec3 q = fract(vec3(p.xyx) * 0.1031); q += dot(q, q.yzx + float(19.19)); return fract(float(q.x + q.y) * q.z); }
 void main() { vec2 p = vec2(gl_FragCoord.xy) / 16.0; color = vec4(vec4(hash(p), float(-p.x), -float(p.y - 1.0), 1.0)); }`],
-  ['constructors beside operators', `
+  ['constructors next to operators', `
 void main() { float a = u.x, b = gl_FragCoord.x; color = vec4(float(a - b) * 0.1, 2.0 / float(a + b), float(b > 3.0 ? a : b) * 0.5, a - float(a - b)); }`],
   ['constructors of integers', `
 void main() { int k = int(gl_FragCoord.x); color = vec4(float(int(k + n.x) % 5), float(int(k) / 2 * 2), uint(uint(k) >> 1) > 2u, 1.0) / 7.0; }`],
@@ -22,22 +22,22 @@ void main() { int k = int(gl_FragCoord.x); color = vec4(float(int(k + n.x) % 5),
 #define TWICE(x) float(x) * 2.0
 #define SUM(a, b) vec2(a + b)
 void main() { vec2 p = gl_FragCoord.xy / 40.0; color = vec4(TWICE(p.x + u.y), SUM(p, p.yx) * 0.5, float(p.y)); }`],
-  ['assignments to itself', `
+  ['self-assignments', `
 float calls = 0.0;
 int next() { calls += 0.125; return int(calls * 8.0) % 2; }
 void main() { vec2 v = gl_FragCoord.xy / 64.0; v.x = v.x; v = v; float w[2]; w[0] = v.x; w[1] = v.y; w[0] = w[0];
   w[next()] = w[next()]; v.xy = v.yx; for (int i = 0; i < 3; i = i) { i++; v = v; } color = vec4(v, w[1], calls); }`],
-  ['bools that are asked once more', `
+  ['redundant comparisons of bools', `
 bool far(vec2 p) { return length(p) > 20.0 ? true : false; }
 void main() { vec2 p = gl_FragCoord.xy; bool b = p.x > 30.0 == false, c = far(p) == true || b == false;
   color = vec4(b && c == false ? 1.0 : 0.0, (c ? false : true) == b, far(p.yx) != true, 1.0); }`],
-  ['allowances of nothing', `
+  ['unused suppressions', `
 // shaderlint: allow(zero-division)
 void main() { vec2 v = gl_FragCoord.xy; // shaderlint: allow(float-equality)
   color = vec4(v / u.xy, v.x == 3.5, 1.0); }`],
 ];
 
-/** What the fixes make of texts, by name. */
+/** The fixed texts, by name. */
 async function fixed(texts) {
   const place = (id) => path.join(folder(), `${id}.frag`);
   for (const { id, source } of texts) fs.writeFileSync(place(id), source);
@@ -45,7 +45,7 @@ async function fixed(texts) {
   return texts.map(({ id }) => fs.readFileSync(place(id), 'utf8'));
 }
 
-/** Asks that what was changed draws as before; gives how many were changed and drawn. */
+/** Asserts that changed shaders draw the same as before; returns how many were changed and drawn. */
 async function compare(context, texts) {
   const after = await fixed(texts);
   const changed = texts.map((text, i) => ({ ...text, after: after[i] })).filter((t) => t.after !== t.source);
@@ -60,7 +60,7 @@ async function compare(context, texts) {
 
 async function casesStay(context) {
   const texts = CASES.map(([, body], i) => ({ id: `case${i}`, source: HEAD + body.trimStart() }));
-  assert.equal(await compare(context, texts), CASES.length, 'a case without a fix tests nothing');
+  assert.equal(await compare(context, texts), CASES.length, 'every case has a fix');
 }
 
 /** The small shaders of corpus/verdicts that the browser accepts. */
@@ -70,6 +70,6 @@ async function recordedStay(context) {
 }
 
 export const fixTests = [
-  { name: 'fixes: what is written unasked draws the same', run: casesStay },
-  { name: 'fixes: small shaders are drawn as before', run: recordedStay },
+  { name: 'fixes: safe fixes draw the same', run: casesStay },
+  { name: 'fixes: small shaders draw the same', run: recordedStay },
 ];

@@ -1,2 +1,2 @@
-// What the converter puts before the player's files.
+// Declarations that the converter puts before the player's files.
 declare const PROJECT: ProjectData;

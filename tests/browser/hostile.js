@@ -1,24 +1,24 @@
-// Words from outside stay words: nothing in them runs, and the page still draws.
+// External text stays text: nothing in it runs, and the page still draws.
 import assert from 'node:assert/strict';
 import { colors, frame, open, port, put } from './browser.js';
 import { shader } from './cases.js';
 
 const WORDS = [
-  ['an end of the script', '</script><script>globalThis.hacked = 1</script>'],
-  ['a comment that opens a script', '<!--<script>'],
-  ['the end of a comment', '--> <img src=x onerror="globalThis.hacked = 1">'],
-  ['a template literal', '`${globalThis.hacked = 1}`'],
+  ['end of the script element', '</script><script>globalThis.hacked = 1</script>'],
+  ['comment that opens a script', '<!--<script>'],
+  ['end of a comment', '--> <img src=x onerror="globalThis.hacked = 1">'],
+  ['template literal', '`${globalThis.hacked = 1}`'],
   ['line separators', '\u2028globalThis.hacked = 1\u2029globalThis.hacked = 1//'],
   ['quotes', '"\'; globalThis.hacked = 1; //'],
-  ['an attribute', '" autofocus onfocus="globalThis.hacked = 1" x="'],
+  ['attribute', '" autofocus onfocus="globalThis.hacked = 1" x="'],
   ['a style', '</style><style>body { display: none }</style>'],
-  ['a place of the template', '{{script}}{{project}}'],
+  ['placeholder of the template', '{{script}}{{project}}'],
   ['a link', 'javascript:globalThis.hacked=1'],
-  ['a million letters', `</script>${'x'.repeat(1 << 20)}`],
+  ['one million letters', `</script>${'x'.repeat(1 << 20)}`],
 ];
 
 async function check(context, words, index) {
-  // An export may have 8 MiB: the longest words are the title and the author's name only.
+  // An export may have 8 MiB: the longest text is used only for the title and the author's name.
   const short = words.slice(0, 1000);
   const code = `/* ${short.replaceAll('*/', '')} */
 void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
@@ -28,7 +28,7 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
   const address = await port(put(`hostile${index}.json`, JSON.stringify(toy)), `hostile${index}`);
   const { page, complaints } = await open(context, address, '#size=32x18&paused');
   await page.evaluate(() => globalThis.shaderport.ready);
-  assert.ok(colors(await frame(page, 1)) > 1, 'it draws');
+  assert.ok(colors(await frame(page, 1)) > 1, 'the page draws');
   await page.click('#more');
   const seen = await page.evaluate(() => ({
     hacked: globalThis.hacked,
@@ -40,7 +40,7 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
     styles: document.querySelectorAll('style').length,
     errors: globalThis.shaderport.errors,
   }));
-  assert.equal(seen.hacked, undefined, 'nothing has run');
+  assert.equal(seen.hacked, undefined, 'no injected code has run');
   assert.equal(seen.title, words);
   assert.equal(seen.description, short);
   assert.deepEqual([seen.links, seen.scripts, seen.images, seen.styles, seen.errors], [[], 3, 0, 1, []]);
@@ -76,5 +76,5 @@ export const hostileTests = [
     name: `hostile: ${name}`,
     run: (context) => check(context, words, index),
   })),
-  { name: 'hostile: the policy lets nothing in', run: policy },
+  { name: 'hostile: the content security policy blocks requests', run: policy },
 ];

@@ -1,4 +1,4 @@
-// What stands for files of the site that are not at hand.
+// Stand-ins for missing ShaderToy media files.
 import assert from 'node:assert/strict';
 import { bytesOf, colors, differences, frame, open, port, put } from './browser.js';
 import { shader } from './cases.js';
@@ -8,7 +8,7 @@ const input = (channel, type, id, sampler) => ({
 });
 const image = (code, ...inputs) => shader({ type: 'image', name: 'Image', code, inputs, outputs: [] });
 
-/** Opens a page that shows an input as it is, texel for pixel. */
+/** Opens a page that shows an input unchanged, one texel per pixel. */
 async function show(context, name, width, height, what, sampler, code) {
   const plain = 'void mainImage(out vec4 O, vec2 U) { O = texelFetch(iChannel0, ivec2(U), 0); }';
   const file = put(`${name}.json`, JSON.stringify(image(code ?? plain, input(0, ...what, sampler))));
@@ -18,7 +18,7 @@ async function show(context, name, width, height, what, sampler, code) {
   return opened;
 }
 
-/** The bytes of a square of an input's texture, by rows from its first. */
+/** The bytes of a square region of an input's texture, row by row. */
 async function texels(page, side = 256) {
   return bytesOf(await page.evaluate((length) => {
     const { gl, inputs } = globalThis.shaderport.player;
@@ -33,19 +33,19 @@ async function texels(page, side = 256) {
 
 const mean = (numbers) => numbers.reduce((a, b) => a + b, 0) / numbers.length;
 
-/** How far numbers lie from their mean. */
+/** The standard deviation of numbers. */
 function spread(numbers) {
   const middle = mean(numbers);
   return Math.sqrt(mean(numbers.map((v) => (v - middle) ** 2)));
 }
 
-/** How much two rows of numbers go together, from -1 to 1. */
+/** The correlation of two sequences, from -1 to 1. */
 function correlation(a, b) {
   const [ma, mb] = [mean(a), mean(b)];
   return mean(a.map((v, i) => (v - ma) * (b[i] - mb))) / (spread(a) * spread(b));
 }
 
-/** A component, moved by some texels. */
+/** A component, shifted by some texels. */
 function moved(bytes, side, component, dx = 0, dy = 0) {
   return Array.from({ length: side * side }, (_, i) => {
     const [x, y] = [((i % side) + dx + side) % side, (Math.floor(i / side) + dy + side) % side];
@@ -62,7 +62,7 @@ async function whiteNoise(context) {
     assert.ok(Math.abs(mean(values) - 127.5) < 1.5, `the mean is ${mean(values)}`);
     const counts = new Array(256).fill(0);
     values.forEach((v) => counts[v]++);
-    // A chi square with 255 degrees of freedom: 255 on the average, above 360 once in 50,000 times.
+    // Chi-square with 255 degrees of freedom: 255 on average, above 360 once in 50,000 times.
     const chi = counts.reduce((sum, n) => sum + (n - 256) ** 2 / 256, 0);
     assert.ok(chi < 360, `${chi}`);
     for (const [dx, dy] of [[1, 0], [0, 1], [1, 1], [-1, 1], [2, 0], [0, 16]]) {
@@ -77,7 +77,7 @@ async function whiteNoise(context) {
   assert.deepEqual(complaints, []);
 }
 
-/** Noise in three dimensions, taken from two components with one lookup, has no steps. */
+/** 3D noise that is interpolated from two components of one lookup has no steps. */
 async function continuous(context) {
   const code = `
 float noise(vec3 x) {
@@ -108,7 +108,7 @@ async function oneComponent(context) {
   assert.ok(bytes.every((v, i) => i % 4 === 0 || v === (i % 4 === 3 ? 255 : 0)), 'green and blue are 0');
 }
 
-/** The ranks of ordered dithering, made by their recurrence. */
+/** The Bayer matrix for ordered dithering, built by its recurrence. */
 function bayer(size) {
   if (size === 1) return [[0]];
   const half = bayer(size / 2);
@@ -124,7 +124,7 @@ async function dithering(context) {
   assert.deepEqual(red, bayer(8).flat().map((n) => 4 * n));
 }
 
-/** How much lies in slow changes: the spread of the means of blocks, against that of white noise. */
+/** The share of low frequencies: the deviation of block means, relative to white noise. */
 async function blueNoise(context) {
   const { page } = await show(context, 'blue', 64, 36, ['texture', 'XsBSR3']);
   const bytes = await texels(page, 256);
@@ -137,7 +137,7 @@ async function blueNoise(context) {
   assert.ok(spread(sums) < 0.5 * (spread(values) / 8), `${spread(sums)} of ${spread(values) / 8}`);
 }
 
-/** The signs of the font lie where their codes say; alpha is the distance to their edges. */
+/** The characters of the font are at their codes; alpha is the distance to their outline. */
 async function font(context) {
   const code = `void mainImage(out vec4 O, vec2 U) {
   int code = int(U.x) / 8 + int(U.y) / 8 * 16;
@@ -154,17 +154,17 @@ async function font(context) {
       return bytes[4 * (y * 128 + x) + component];
     });
   };
-  assert.ok(cell(' ', 0).every((v) => v === 0), 'a space holds no ink');
+  assert.ok(cell(' ', 0).every((v) => v === 0), 'the space is empty');
   for (const sign of 'AZaz09@%') {
-    assert.ok(cell(sign, 0).some((v) => v > 128), `${sign} holds ink`);
+    assert.ok(cell(sign, 0).some((v) => v > 128), `${sign} is not empty`);
     assert.ok(cell(sign, 2).some((v) => v < 127) && cell(sign, 2).some((v) => v > 150), `${sign} has an edge`);
   }
   const left = (sign) => mean(cell(sign, 0).filter((_, i) => i % 8 < 4));
   const right = (sign) => mean(cell(sign, 0).filter((_, i) => i % 8 > 3));
-  assert.ok(left('[') > right('[') && left(']') < right(']'), 'signs are not mirrored');
+  assert.ok(left('[') > right('[') && left(']') < right(']'), 'characters are not mirrored');
   const upper = (sign) => mean(cell(sign, 0).filter((_, i) => i > 31));
   const lower = (sign) => mean(cell(sign, 0).filter((_, i) => i < 32));
-  assert.ok(upper('^') > lower('^') && upper('_') < lower('_'), 'signs are not upside down');
+  assert.ok(upper('^') > lower('^') && upper('_') < lower('_'), 'characters are not upside down');
 }
 
 const CUBES = ['XsfGzn', '4sfGzn', 'XdX3zn', '4dX3zn', 'XsX3zn', '4sX3zn', ''];
@@ -178,7 +178,7 @@ const ALL = [
   ...['4sfGRr', 'XdX3Rr', ''].map((id) => ['volume', id]),
   ['video', '4sX3Rn'],
 ];
-/** What is read at `p`, in 0..1 from side to side and from bottom to top. */
+/** The lookup at `p`, in 0..1 from left to right and from bottom to top. */
 const LOOKUP = {
   texture: 'p',
   video: 'p',
@@ -186,7 +186,7 @@ const LOOKUP = {
   cubemap: 'vec3(sin(6.28 * p.x) * sin(3.14 * p.y), -cos(3.14 * p.y), cos(6.28 * p.x) * sin(3.14 * p.y))',
 };
 
-/** Four at a time, each in a corner of the picture. */
+/** Four inputs at a time, one in each corner of the image. */
 function corners(four) {
   const reads = four.map(([type], i) => `  if (corner == ${i}) O = texture(iChannel${i}, ${LOOKUP[type]});`);
   const code = `void mainImage(out vec4 O, vec2 U) {
@@ -197,7 +197,7 @@ ${reads.join('\n')}
   return image(code, ...four.map(([type, id], i) => input(i, type, id, { filter: 'mipmap', vflip: 'true' })));
 }
 
-/** Each of four is drawn, and the same in another page. */
+/** Each of four inputs draws something, and the same on another page. */
 async function drawnAlike(context, four) {
   const name = `every_${four.map(([, id]) => id).join('_')}`;
   const address = await port(put(`${name}.json`, JSON.stringify(corners(four))), name);
@@ -209,7 +209,7 @@ async function drawnAlike(context, four) {
     assert.deepEqual(complaints, []);
     await page.close();
   }
-  assert.equal(differences(...drawn), 0, `${four} differ from page to page`);
+  assert.equal(differences(...drawn), 0, `${four} differ between pages`);
   four.forEach(([type, id], corner) => {
     const isIn = (i) => (i % 80 < 40 ? 0 : 1) + (Math.floor(i / 80) < 30 ? 0 : 2) === corner;
     const own = drawn[0].filter((_, i) => isIn(i >> 2));
@@ -217,22 +217,22 @@ async function drawnAlike(context, four) {
   });
 }
 
-/** A test for every four stand-ins; those that are always drawn are one of each kind. */
+/** A test for every four stand-ins; one of each kind is always drawn. */
 function everyStandIn() {
   const kinds = ['texture', 'cubemap', 'volume', 'video'].map((kind) => ALL.find(([type]) => type === kind));
   const others = ALL.filter((one) => !kinds.includes(one));
   const fours = Array.from({ length: Math.ceil(others.length / 4) }, (_, i) => others.slice(4 * i, 4 * i + 4));
   return [kinds, ...fours].map((four) => ({
     name: `media: stand-ins ${four.map(([type, id]) => `${type} ${id}`).join(', ')}, twice`,
-    only: four === kinds ? undefined : 'a sweep; that they compile is tested always',
+    only: four === kinds ? undefined : 'a sweep; compilation is always tested',
     run: (context) => drawnAlike(context, four),
   }));
 }
 
-/** Exports that read every stand-in there is. */
+/** Exports that read all stand-ins. */
 export const readers = () => Array.from({ length: Math.ceil(ALL.length / 4) }, (_, i) => corners(ALL.slice(4 * i, 4 * i + 4)));
 
-/** The sky is above, whatever way the faces are handed over. */
+/** The sky is at the top, whatever the orientation of the faces. */
 async function upright(context) {
   const code = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, vec3(0.3, U.y > 2.0 ? 0.9 : -0.9, 0.2)); }';
   for (const [vflip, row] of [['false', 3], ['true', 0]]) {
@@ -247,8 +247,8 @@ async function film(context) {
   const code = 'void mainImage(out vec4 O, vec2 U) { O = vec4(texture(iChannel0, U / iResolution.xy).rgb * step(0.0, iChannelTime[0]), 1.0); }';
   const { page } = await show(context, 'film', 48, 32, ['video', '4sX3Rn'], { filter: 'linear' }, code);
   const first = await frame(page, 0);
-  assert.ok(differences(first, await frame(page, 30)) > 1000, 'it moves');
-  assert.equal(differences(first, await frame(page, 0)), 0, 'and begins anew');
+  assert.ok(differences(first, await frame(page, 30)) > 1000, 'the video moves');
+  assert.equal(differences(first, await frame(page, 0)), 0, 'the video repeats');
   const read = await page.evaluate(() => {
     globalThis.shaderport.seek(2.5);
     const found = globalThis.shaderport.player.inputs.flat().find((i) => i.texture);
@@ -260,15 +260,15 @@ async function film(context) {
 async function music(context) {
   const code = 'void mainImage(out vec4 O, vec2 U) { O = vec4(texture(iChannel0, vec2(U.x / iResolution.x, U.y < 16.0 ? 0.25 : 0.75)).x, iChannelTime[0] / 20.0, 0.0, 1.0); }';
   const { page, complaints } = await show(context, 'music', 64, 32, ['music', '4df3Rn'], {}, code);
-  // No tune is as long.
+  // Longer than any track.
   await page.evaluate(() => globalThis.shaderport.seek(1e6));
   const silent = await page.evaluate(() => globalThis.shaderport.player.inputs[0][0].time);
-  assert.equal(silent, 1e6 + 10, 'while it is silent the time is that of the site');
+  assert.equal(silent, 1e6 + 10, 'without sound the channel time is that of ShaderToy');
   await page.evaluate(() => {
     globalThis.shaderport.player.play();
     globalThis.shaderport.player.setSound(true);
   });
-  // It is played.
+  // The track plays.
   const isNot = (moment) => page.waitForFunction((other) => {
     const { time } = globalThis.shaderport.player.inputs[0][0];
     return time !== other && time < 1e6;
@@ -287,7 +287,7 @@ async function music(context) {
   assert.deepEqual(complaints, []);
 }
 
-/** A file that somebody gives wins; `--no-stand-ins` leaves black. */
+/** A file given by the user has priority; `--no-stand-ins` leaves the channel black. */
 async function without(context) {
   const code = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U / iResolution.xy); }';
   const file = put('without.json', JSON.stringify(image(code, input(0, 'texture', 'XsfGRn'))));
@@ -301,12 +301,12 @@ export const mediaTests = [
   { name: 'media: white noise', run: whiteNoise },
   { name: 'media: noise in three dimensions', run: continuous },
   { name: 'media: noise of one component', run: oneComponent },
-  { name: 'media: the matrix of dithering', run: dithering },
+  { name: 'media: the dithering matrix', run: dithering },
   { name: 'media: blue noise', run: blueNoise },
   { name: 'media: the font', run: font },
   ...everyStandIn(),
-  { name: 'media: cube maps stand upright', run: upright },
-  { name: 'media: a film', run: film },
+  { name: 'media: cube maps are upright', run: upright },
+  { name: 'media: a video', run: film },
   { name: 'media: music', run: music },
   { name: 'media: none', run: without },
 ];

@@ -1,4 +1,4 @@
-// The modules in pages of somebody else.
+// The modules in other pages.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -9,14 +9,14 @@ import { reference } from './reference.js';
 const HOST = 'http://page.test/';
 const packages = path.join(top, 'tests/browser/node_modules');
 
-/** What a bare import stands for; React's own files are CommonJS and get a wrapper. */
+/** The files for bare imports; React's own files are CommonJS and need a wrapper. */
 const IMPORTS = {
   three: '/packages/three/build/three.module.js',
   react: '/react.js',
   'react-dom/client': '/react-dom.js',
 };
 
-/** React as modules: its parts are wrapped one by one, each with the others to ask for. */
+/** React as ES modules: its CommonJS files are wrapped one by one, with `require` for the others. */
 function commonjs(entry) {
   const parts = {
     react: 'react/cjs/react.production.js',
@@ -44,11 +44,11 @@ export const { ${names.join(', ')} } = all;
 `;
 }
 
-/** A page that may import what was written to the folder of the tests. */
+/** A page that can import the files in the folder of the tests. */
 async function host(context, body) {
   const page = await context.newPage();
   const complaints = listen(page);
-  // Routes are answered outside of the test.
+  // Routes are answered outside the test.
   const written = folder();
   await page.route(`${HOST}**`, (route) => {
     const { pathname } = new URL(route.request().url());
@@ -67,11 +67,11 @@ async function host(context, body) {
     const inside = pathname.startsWith('/packages/') ? path.join(packages, pathname.slice(10)) : path.join(written, pathname);
     return js(fs.readFileSync(inside, 'utf8'));
   });
-  // What waits for a page ends with the first error that nobody caught there.
+  // A wait fails with the first uncaught error of the page.
   const failed = new Promise((_, reject) => { page.on('pageerror', reject); });
   failed.catch(() => {});
   await page.goto(HOST);
-  /** Waits until the page says so. */
+  /** Waits until the page reports it. */
   const until = (ask) => Promise.race([page.waitForFunction(ask), failed]);
   return { page, complaints, until };
 }
@@ -95,7 +95,7 @@ async function mount(context) {
     return bytes.toBase64();
   }));
   const expected = bytesOf(await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] }));
-  assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
+  assert.equal(differences(drawn, expected), 0, 'same pixels as the reference player');
   const after = await page.evaluate(async () => {
     const { second } = globalThis;
     await second.ready;
@@ -136,10 +136,10 @@ async function three(context) {
   assert.deepEqual(complaints, []);
   const drawn = bytesOf(await page.evaluate(() => globalThis.drawn));
   const expected = bytesOf(await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] }));
-  assert.equal(differences(drawn, expected), 0, 'other pixels than the reference player');
+  assert.equal(differences(drawn, expected), 0, 'same pixels as the reference player');
 }
 
-/** What stands for files is the same in three.js as on a page: a texture, a volume and a cube map. */
+/** Media stand-ins are the same in three.js as on a page: a texture, a volume and a cube map. */
 async function threeStandIns(context) {
   const input = (channel, type, id) => ({ id, type, channel, sampler: { filter: 'nearest', wrap: 'repeat', vflip: 'true' } });
   const code = `void mainImage(out vec4 O, vec2 U) {
@@ -183,7 +183,7 @@ async function threeStandIns(context) {
   assert.equal(differences(drawn, expected), 0);
 }
 
-/** What both modules draw of a shader file: `frames` of them, behind what a script does with each. */
+/** The output of both modules for a shader file: `frames` frames, each after a script has run. */
 async function drawBoth(context, file, frames, change = '') {
   const name = 'both';
   await shaderport(file, '-t', 'three', '-o', `${name}_three.js`, '--force');
@@ -203,7 +203,7 @@ async function drawBoth(context, file, frames, change = '') {
     const shader = createShader();
     const scene = new Scene();
     scene.add(shader.object);
-    // Behind vertices a page has the background that the shader asks for.
+    // A page draws vertex shaders on the background that the shader requests.
     const { x, y, z } = shader.uniforms.background?.value ?? { x: 0, y: 0, z: 0 };
     renderer.setClearColor(new Color().setRGB(x, y, z, SRGBColorSpace), 1);
     ${change}
@@ -227,7 +227,7 @@ async function drawBoth(context, file, frames, change = '') {
 
 const DIALECTS = path.join(top, 'tests/fixtures/dialects');
 
-/** Shaders that bring their own uniforms, of each kind that three.js is handed differently. */
+/** Shaders with their own uniforms, of each kind that three.js handles differently. */
 const OWN = [
   'three/gradient.glsl', 'three/terrain.glsl', 'glsl-sandbox/feedback.glsl', 'glsl-sandbox/surface.glsl', 'webgl/samplers.frag',
   'book-of-shaders/buffers.frag', 'isf/trails.fs', 'isf/edges.fs', 'isf/wipe.fs',
@@ -243,7 +243,7 @@ async function threeOwn(context, file) {
   assert.ok(drawn.length === module.length && worst <= 1, `${worst}`);
 }
 
-/** Uniforms that a shader brings are properties in both modules, and what they are set to is drawn. */
+/** Uniforms of a shader are properties in both modules, and setting them changes the image. */
 async function ownProperties(context) {
   const code = `precision highp float;
 uniform float gain; // (0.0~2.0)
@@ -336,10 +336,10 @@ async function misuse(context) {
 
 export const moduleTests = [
   { name: 'module: mount draws the same pixels, twice on one page', run: mount },
-  { name: 'module: what cannot be done says so or does nothing', run: misuse },
+  { name: 'module: misuse reports an error or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },
   { name: 'module: three.js draws the same stand-ins', run: threeStandIns },
   ...OWN.map((file) => ({ name: `module: three.js draws ${file}`, run: (context) => threeOwn(context, file) })),
-  { name: 'module: uniforms of the user are properties', run: ownProperties },
-  { name: 'module: a React component plays, pauses and goes', run: react },
+  { name: 'module: user-defined uniforms are properties', run: ownProperties },
+  { name: 'module: a React component plays, pauses and unmounts', run: react },
 ];

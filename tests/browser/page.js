@@ -1,4 +1,4 @@
-// The page as somebody uses it.
+// The page in use.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { colors, differences, frame, frames, open, pixels, port, put, top } from './browser.js';
@@ -18,7 +18,7 @@ async function playAndPause(context) {
   await isLater(0);
   await page.click('#play');
   assert.ok(!(await playing(page)));
-  // No test takes until then: what is less has begun anew.
+  // No test runs that long: a smaller value means a restart.
   await page.evaluate(() => globalThis.shaderport.seek(1e6));
   const still = await pixels(page);
   await frames(page);
@@ -110,8 +110,8 @@ async function resize(context) {
     return { width: canvas.width, bytes: Array.from(row) };
   });
   assert.equal(width, 1200);
-  assert.deepEqual(bytes.slice(4 * 990, 4 * 990 + 3), [255, 0, 0], 'what was drawn stays');
-  assert.deepEqual(bytes.slice(4 * 1010, 4 * 1010 + 3), [0, 0, 0], 'what is new is empty');
+  assert.deepEqual(bytes.slice(4 * 990, 4 * 990 + 3), [255, 0, 0], 'existing content stays');
+  assert.deepEqual(bytes.slice(4 * 1010, 4 * 1010 + 3), [0, 0, 0], 'the new area is empty');
   await page.selectOption('#scale', '0.5');
   assert.equal(await page.evaluate(() => globalThis.shaderport.player.canvas.width), 600);
   assert.deepEqual(complaints, []);
@@ -136,7 +136,7 @@ async function sound(context) {
     assert.ok(Math.abs(samples[i][1] - (at % 100) / 100) < 1e-3, `right, ${at}`);
   }
   await page.click('#play');
-  assert.ok(await page.evaluate(() => globalThis.shaderport.player.sound.source === null), 'it stops with the clock');
+  assert.ok(await page.evaluate(() => globalThis.shaderport.player.sound.source === null), 'sound stops with the clock');
   assert.deepEqual(complaints, []);
 }
 
@@ -166,7 +166,7 @@ async function embedded(context) {
   const { page, complaints } = await show(context, 'embedded', READER, '#size=32x32&paused', '--channel', `0=${file},nearest,clamp`);
   const drawn = await frame(page, 0);
   assert.deepEqual(drawn.slice(0, 2).map((v) => (v > 128 ? 1 : 0)), [0, 0]);
-  assert.equal(drawn[2], 255, 'the lower left corner is the picture\'s');
+  assert.equal(drawn[2], 255, 'the lower left corner is from the image');
   assert.equal(colors(drawn), 4);
   assert.deepEqual(complaints, []);
 }
@@ -179,13 +179,13 @@ async function devices(context) {
   });
   const { page, complaints } = await show(context, 'devices', toy, '#size=64x36&paused');
   const silent = await frame(page, 5);
-  assert.ok(colors(silent) > 30, 'a made-up signal stands for what is not heard');
-  assert.ok(silent.every((v, i) => i % 4 !== 2 || v === 0), 'no camera, no picture');
-  assert.match(await page.textContent('#notices'), /iChannel1 reads the camera/);
-  await page.click('#notices button:has-text("allow")');
+  assert.ok(colors(silent) > 30, 'a synthetic signal replaces the microphone');
+  assert.ok(silent.every((v, i) => i % 4 !== 2 || v === 0), 'without a camera the channel is black');
+  assert.match(await page.textContent('#notices'), /iChannel1 uses the camera/);
+  await page.click('#notices button:has-text("Allow")');
   await page.waitForFunction(() => document.querySelector('#notices').textContent === '');
   const seen = await frame(page, 5);
-  assert.ok(seen.some((v, i) => i % 4 === 2 && v > 0), 'what the camera sees');
+  assert.ok(seen.some((v, i) => i % 4 === 2 && v > 0), 'the camera image');
   assert.deepEqual(complaints, []);
 }
 
@@ -213,8 +213,8 @@ async function repaired(context) {
     await page.evaluate(() => globalThis.shaderport.ready);
     assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), []);
     const first = await frame(page, 0);
-    assert.ok(colors(first) > 10, 'it draws');
-    assert.ok(differences(first, await frame(page, 10)) > 0, 'its global values follow the time');
+    assert.ok(colors(first) > 10, 'the page draws');
+    assert.ok(differences(first, await frame(page, 10)) > 0, 'global values follow the time');
     assert.deepEqual(complaints, []);
   }
 }
@@ -229,8 +229,8 @@ async function strict(context) {
   const ours = await show(context, 'own_samplers', toy, '#size=32x18&paused');
   const theirs = await show(context, 'strict', toy, '#size=32x18&paused', '--strict-player');
   const differ = (bytes) => bytes.filter((v, i) => i % 4 === 0 && v !== bytes[i + 1]).length;
-  assert.ok(differ(await frame(ours.page, 0)) > 100, 'each channel has its own wrap');
-  assert.equal(differ(await frame(theirs.page, 0)), 0, 'the last wrap holds for both');
+  assert.ok(differ(await frame(ours.page, 0)) > 100, 'each channel has its own wrap mode');
+  assert.equal(differ(await frame(theirs.page, 0)), 0, 'the last wrap mode applies to both');
 }
 
 async function look(context) {
@@ -238,10 +238,10 @@ async function look(context) {
   await page.click('#more');
   const width = page.viewportSize().width;
   const parts = await page.$$eval('#bar > *, #panel', (all) => all.filter((e) => e.checkVisibility()).map((e) => [e.id, e.getBoundingClientRect().left, e.getBoundingClientRect().right]));
-  for (const [id, left, right] of parts) assert.ok(left >= 0 && right <= width, `${id} lies outside`);
+  for (const [id, left, right] of parts) assert.ok(left >= 0 && right <= width, `${id} is outside the page`);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
   const small = await page.$$eval('#bar button', (all) => all.filter((e) => e.checkVisibility() && e.getBoundingClientRect().height < 32).length);
-  assert.equal(small, 0, 'buttons can be hit with a finger');
+  assert.equal(small, 0, 'buttons are large enough for touch');
   const unnamed = await page.$$eval('button, input, select', (all) => all.filter((e) => !e.title && !e.textContent && !e.getAttribute('aria-label') && !e.closest('label')).length);
   assert.equal(unnamed, 0, 'every control has a name');
   return page;
@@ -264,34 +264,34 @@ async function lostContext(context) {
     const [lost, restored] = [comes('webglcontextlost'), comes('webglcontextrestored')];
     lose.loseContext();
     await lost;
-    // Restoring is allowed once the listeners have returned.
+    // Restoring is allowed only after the listeners have returned.
     await new Promise((resolve) => { setTimeout(resolve); });
     lose.restoreContext();
     await restored;
     await player.ready;
   });
-  assert.ok(colors(await frame(page, 3)) > 10, 'it draws again');
+  assert.ok(colors(await frame(page, 3)) > 10, 'the page draws again');
   assert.equal(await page.textContent('#notices'), '');
   await page.evaluate(() => globalThis.shaderport.player.gl.getExtension('WEBGL_lose_context').loseContext());
-  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('the graphics card gave up'));
+  await page.waitForFunction(() => document.querySelector('#notices').textContent.includes('WebGL context lost'));
 }
 
 const small = { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
 export const pageTests = [
   { name: 'page: play, pause and restart', run: playAndPause, context: desk },
-  { name: 'page: the time can be scrubbed', run: scrub },
+  { name: 'page: scrubbing', run: scrub },
   { name: 'page: size, time and pause in the address', run: address },
   { name: 'page: the mouse', run: mouse },
-  { name: 'page: a finger', run: touch, context: small },
+  { name: 'page: touch input', run: touch, context: small },
   { name: 'page: the keyboard, with focus', run: keyboard },
-  { name: 'page: another size, another scale', run: resize, context: desk },
+  { name: 'page: changing size and scale', run: resize, context: desk },
   { name: 'page: the sound pass', run: sound },
-  { name: 'page: a picture dropped onto a channel', run: drop },
-  { name: 'page: a picture put in by the converter', run: embedded },
-  { name: 'page: microphone, camera and music without any', run: devices },
-  { name: 'page: a whole WebGL2 shader', run: whole },
-  { name: 'page: old code, repaired', run: repaired },
+  { name: 'page: an image dropped on a channel', run: drop },
+  { name: 'page: an image embedded by the converter', run: embedded },
+  { name: 'page: missing microphone, camera and music', run: devices },
+  { name: 'page: a complete WebGL2 shader', run: whole },
+  { name: 'page: repaired old code', run: repaired },
   { name: 'page: --strict-player shares samplers', run: strict },
   { name: 'page: a lost graphics context', run: lostContext },
   { name: 'page: dark', run: colorsOfTheme, context: { colorScheme: 'dark' } },

@@ -1,4 +1,4 @@
-// Makes the picture of a page that the README shows: node picture.js
+// Makes the screenshot of a page that the README shows: node picture.js
 import path from 'node:path';
 import { launch, port, top } from './browser.js';
 

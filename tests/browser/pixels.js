@@ -1,4 +1,4 @@
-// The page draws what the reference player draws, pixel for pixel.
+// The page draws the same pixels as the reference player.
 import assert from 'node:assert/strict';
 import { CASES } from './cases.js';
 import { bytesOf, colors, differences, frame, open, port, put } from './browser.js';
@@ -8,14 +8,14 @@ const SIZE = { width: 64, height: 36 };
 const DATE = [2024, 4, 6];
 const SECONDS = 4321;
 
-/** Brings mouse and keys to where a case has them in frame 0. */
+/** Sets mouse and keys to the state of a case in frame 0. */
 function touch(page, { mouse, keys }) {
   return page.evaluate(
     (job) => {
       const api = globalThis.shaderport;
       for (const key of job.keys ?? []) {
         api.setKey(key, false);
-        // A second press takes the toggle of an earlier frame back.
+        // A second press reverts the toggle of an earlier frame.
         if (api.player.keyboard.data[512 + key]) {
           api.setKey(key, true);
           api.setKey(key, false);
@@ -30,7 +30,10 @@ function touch(page, { mouse, keys }) {
   );
 }
 
-/** The page of a case draws what the reference player draws. @param {string} [file] where its export is, if there is one */
+/**
+ * The page of a case draws the same as the reference player. @param {string} [file] path of its export, if it
+ * exists
+ */
 export async function compare(context, test, file = put('case.json', JSON.stringify(test.shader))) {
   const { page, complaints } = await open(context, await port(file, 'case'), `#size=${SIZE.width}x${SIZE.height}&paused`);
   await page.clock.setFixedTime(new Date(...DATE, 0, 0, SECONDS));
@@ -41,8 +44,8 @@ export async function compare(context, test, file = put('case.json', JSON.string
     const expected = bytesOf(await blank.evaluate(reference, job));
     await touch(page, test);
     const drawn = await frame(page, last);
-    assert.equal(differences(drawn, expected), 0, `frame ${last} has other pixels`);
-    if (!test.flat) assert.ok(colors(drawn) > 1, `frame ${last} is of one colour`);
+    assert.equal(differences(drawn, expected), 0, `frame ${last} has different pixels`);
+    if (!test.flat) assert.ok(colors(drawn) > 1, `frame ${last} has a single colour`);
   }
   assert.deepEqual(await page.evaluate(() => globalThis.shaderport.errors), []);
   assert.deepEqual(complaints, []);

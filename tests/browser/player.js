@@ -4,7 +4,7 @@ import path from 'node:path';
 import vm from 'node:vm';
 import { top } from './browser.js';
 
-/** What some of the player's files declare. */
+/** The declarations of some of the player's files. */
 export function load(files, names) {
   const player = path.join(top, 'src/port/player');
   const code = files.map((f) => fs.readFileSync(path.join(player, f), 'utf8')).join('');

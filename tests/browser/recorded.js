@@ -1,14 +1,15 @@
-// The small shaders of corpus/verdicts and what the browser said of each; its README has the form.
+// The small shaders of corpus/verdicts and the browser's verdict on each; their README describes the
+// format.
 import fs from 'node:fs';
 import path from 'node:path';
 import { top } from './browser.js';
 
 const folder = path.join(top, 'corpus/verdicts');
 
-/** The line above a case: what the browser said, the rule that says so too, version and stage, and a title. */
+/** The head of a case: the browser's verdict, the rule of shaderlint for it, version and stage, and a title. */
 const HEAD = /^\/\/: (\?|accepted|refused \d+)(?: ([a-z][a-z0-9-]*))?(?:, ([a-z0-9 ]+))?(?:: (.+))?$/;
 
-/** What stands around a case: as little as lets it compile. */
+/** The code around a case: as little as it needs to compile. */
 function wrap(code, isNew, isFragment) {
   if (/^\s*#\s*version/m.test(code)) return { before: '', after: '' };
   const before = [isNew ? '#version 300 es\n' : '#version 100\n', isFragment ? 'precision highp float;\n' : ''].join('');
@@ -17,7 +18,7 @@ function wrap(code, isNew, isFragment) {
 
 function read(file, head, at, code) {
   const found = head.match(HEAD);
-  if (!found) throw new Error(`${file}:${at + 1}: this is no head of a case: ${head}`);
+  if (!found) throw new Error(`${file}:${at + 1}: not the head of a case: ${head}`);
   const [, verdict, rule, where, title] = found;
   const isNew = !/\b100\b/.test(where ?? '');
   const isFragment = !/\bvertex\b/.test(where ?? '');
@@ -30,7 +31,7 @@ function read(file, head, at, code) {
   };
 }
 
-/** The lines of each file, and the cases in it. */
+/** The lines of each file, and its cases. */
 export function files() {
   return fs.readdirSync(folder).filter((f) => f.endsWith('.glsl')).sort().map((file) => {
     const lines = fs.readFileSync(path.join(folder, file), 'utf8').split('\n');
@@ -41,7 +42,7 @@ export function files() {
   });
 }
 
-/** The head that says what the browser says now: of a refusal, on which of the case's lines. */
+/** The head with the browser's current verdict: for a rejection, with the line in the case. */
 export function head(one, { ok, line }) {
   const verdict = ok ? 'accepted' : `refused ${Math.max(0, line - one.linesBefore)}`;
   const rule = !ok && one.rule ? ` ${one.rule}` : '';

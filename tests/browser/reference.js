@@ -1,12 +1,12 @@
-// A second player, written from the same description as the first and sharing nothing with it: it
-// draws each frame with plain calls, keeps its textures' state as ShaderToy does, and knows neither
-// pages nor clocks. It runs inside a browser page, so it may use nothing from outside.
+// A second player, written independently from the same description: it draws each frame with plain
+// calls, keeps the state of its textures like ShaderToy, and has no page or clock. It runs inside a
+// browser page, so it must not use anything from outside.
 
-// One function, since it travels into the page as text.
+// A single function, because it is sent to the page as text.
 /* eslint max-lines-per-function: off */
 
 /**
- * Draws the frames 0 to `last` of an export; gives the pixels of the last, in base64.
+ * Draws the frames 0 to `last` of an export; returns the pixels of the last, in base64.
  * @param {{shader: any, width: number, height: number, last: number,
  *   mouse?: {x: number, y: number}, keys?: number[], date: number[]}} job
  */
@@ -22,7 +22,7 @@ export function reference({ shader, width, height, last, mouse, keys, date }) {
   const types = { cubemap: 'samplerCube', volume: 'sampler3D' };
   const typeOf = (pass, c) => types[pass.inputs.find((i) => i.channel === c)?.type] ?? 'sampler2D';
 
-  /** Lines that ShaderToy's player puts before the code; the code can see them. */
+  /** Lines that ShaderToy puts before the code; the code can see them. */
   const LINES = { image: 53, buffer: 27, cubemap: 30 };
   const padded = (text, count) => text + '\n'.repeat(count + 1 - text.split('\n').length);
 
@@ -102,7 +102,7 @@ void main() { gl_Position = vec4(${corners}[gl_VertexID], 0, 1); }`);
   const passes = shader.renderpass.filter((p) => p.type !== 'common' && p.type !== 'sound');
   const programs = new Map(passes.map((p) => [p, compile(p)]));
   const stores = new Map();
-  // A buffer is there when something reads it, drawn or not.
+  // A buffer exists if something reads it, whether it is drawn or not.
   const reads = passes.flatMap((p) => p.inputs).filter((i) => i.type === 'buffer');
   const read = reads.map((i) => ({ type: 'buffer', outputs: [{ id: i.id }] }));
   for (const pass of [...read, ...passes.filter((p) => p.type !== 'image')]) {

@@ -1,4 +1,5 @@
-// Shaders with a plain `main`, which `--main rewrite` writes: they compile, and draw what their passes draw.
+// Shaders with a plain `main`, written by `--main rewrite`: they compile and draw the same as their
+// passes.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -7,7 +8,7 @@ import { compileShaders } from './compiled.js';
 import { exportsOf, templates } from './corpus.js';
 import { draw } from './drawing.js';
 
-/** Compiles every shader that `--main rewrite` calls safe. */
+/** Compiles every shader that `--main rewrite` considers safe. */
 async function rewritten(context, files) {
   const texts = [];
   for (const file of files) {
@@ -21,7 +22,7 @@ async function rewritten(context, files) {
   assert.deepEqual(await compileShaders(context, texts), []);
 }
 
-/** Bodies of `mainImage` in which one thing or another is in the way of a plain `main`. */
+/** Bodies of `mainImage` with various obstacles to a plain `main`. */
 const BODIES = [
   '{ vec2 uv = p / iResolution.xy; c.rgb = vec3(uv, 0.5); c += 0.125; }',
   '{ for (int i = 0; i < 4; i++) c[i] = fract(p.x * 0.01 * float(i + 1)); }',
@@ -48,7 +49,7 @@ void both(inout float x, inout vec4 all) { x += 0.25; all.y += x; all.z += 0.1; 
 void lit(inout vec4 x, vec2 at) { x.xy += at / 90.0; x.w = x.z; x.z += 0.2; }
 `;
 
-/** Whole shaders in which `mainImage` is declared, called or spelled in another way. */
+/** Complete shaders in which `mainImage` is declared, called or spelled differently. */
 const SPELLED = [
   'void mainImage(out vec4 c, in vec2 p);\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(p / 64.0, 0, 1); }',
   'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / 64.0, 0, 1); }\nvoid other() { vec4 k; mainImage(k, vec2(0)); }',
@@ -61,7 +62,7 @@ const SPELLED = [
   '#define U (u / iResolution.xy)\nvoid mainImage(out vec4 o, vec2 u) { o = vec4(U, 0.2, 1); u = U; o.z = u.x; }',
 ];
 
-/** The passes that are written for a plain `main`, numbered. */
+/** The passes that are written with a plain `main`, numbered. */
 function rewrittenCodes() {
   const codes = BODIES.map((body) => {
     const macro = body.includes('a,') && !body.includes('{\n#define a') ? '#define a 0.5\n' : '';
@@ -70,7 +71,7 @@ function rewrittenCodes() {
   return [...codes, ...SPELLED].map((code, i) => ({ code, i }));
 }
 
-/** What is written for a plain `main` draws what the pass draws, or the pass is kept. */
+/** A plain `main` draws the same as the pass, or the pass is left unchanged. */
 async function rewrittenPicture(context) {
   const both = [];
   for (const { code, i } of rewrittenCodes()) {
@@ -84,7 +85,7 @@ async function rewrittenPicture(context) {
   const page = await context.newPage();
   const drawn = await draw(page, both.map((one) => one.source), { iResolution: [64, 36, 1] });
   for (let i = 0; i < both.length; i += 2) {
-    assert.ok(drawn[i] && drawn[i + 1], `it does not compile: ${both[i].code}`);
+    assert.ok(drawn[i] && drawn[i + 1], `compile error: ${both[i].code}`);
     assert.ok(colors(drawn[i]) > 1, both[i].code);
     assert.equal(differences(drawn[i], drawn[i + 1]), 0, both[i].code);
   }
@@ -93,7 +94,7 @@ async function rewrittenPicture(context) {
 export function rewriteTests() {
   const tests = [
     { name: 'rewritten: the templates compile', run: (context) => rewritten(context, templates()) },
-    { name: 'rewritten: the picture stays', run: rewrittenPicture },
+    { name: 'rewritten: the image is the same', run: rewrittenPicture },
   ];
   const exports = exportsOf();
   if (exports.length > 0) tests.push({ name: 'rewritten: the exports compile', run: (context) => rewritten(context, exports) });

@@ -1,4 +1,4 @@
-// `shaderport --watch --serve`: a page that goes on where it was when its file is saved.
+// `shaderport --watch --serve`: a page continues where it was when its file is saved.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import fs from 'node:fs';
@@ -9,7 +9,7 @@ const shader = (red, extra = '') => `#define SPEED 1.0 // how fast (0.0~4.0)
 ${extra}void mainImage(out vec4 O, vec2 U) { O = vec4(${red}, fract(iTime * SPEED), iMouse.x / 255.0, 1.0); }
 `;
 
-/** Serves an input; gives the address and what ends it. */
+/** Serves an input; resolves to the address and a function that stops the server. */
 async function serve(...args) {
   const port = args.some((a) => a.startsWith('--serve')) ? [] : ['--serve=0'];
   const server = spawn(program('shaderport'), [...args, '--watch', ...port], { cwd: folder() });
@@ -21,7 +21,7 @@ async function serve(...args) {
       const found = /http:\/\/[^ ;]+/.exec(said);
       if (found) resolve(found[0]);
     });
-    server.on('exit', () => reject(new Error(`it ended: ${said}`)));
+    server.on('exit', () => reject(new Error(`the server exited: ${said}`)));
   });
   const end = () => {
     server.kill();
@@ -30,20 +30,20 @@ async function serve(...args) {
   return { address, end, said: () => said };
 }
 
-/** Opens what a server shows; it is small, so that playing it takes little. */
+/** Opens a served page; it is small, so that playing it is cheap. */
 async function visit(context, address, hash = '#size=32x18&paused') {
   const page = await context.newPage();
   await page.goto(address + hash);
   return page;
 }
 
-/** Waits until the first pixel has this red. */
+/** Waits until the first pixel has this red value. */
 function redBecomes(page, red) {
-  // Not an async function: its promise would be taken for true.
+  // Not an async function: its promise would count as true.
   return page.waitForFunction((expected) => {
     const player = globalThis.shaderport?.player;
     if (!player?.programs.some((program) => program)) return false;
-    // A canvas that was made larger is empty until it is drawn again.
+    // A resized canvas is empty until it is drawn again.
     player.paint(player.clock.frozen());
     const { gl } = player;
     const pixel = new Uint8Array(4);
@@ -72,8 +72,8 @@ async function savedFile(context) {
       return [clock.time, isPlaying, mouse.value()];
     });
     assert.deepEqual(await state(), [12.25, false, before]);
-    assert.equal((await pixels(page))[1], 64, 'the picture is that of the time');
-    // A mistake is told on the page, and the next save mends it.
+    assert.equal((await pixels(page))[1], 64, 'the image matches the time');
+    // An error is shown on the page, and the next save fixes it.
     fs.writeFileSync(file, shader('1.0', 'oops;\n'));
     await page.waitForSelector('#errors:not([hidden])');
     fs.writeFileSync(file, shader('1.0'));
@@ -122,21 +122,22 @@ async function waysOfSaving(context) {
     const pages = [await visit(context, address), await visit(other, address)];
     const both = (red) => Promise.all(pages.map((page) => redBecomes(page, red)));
     await both(255);
-    // As an editor does that keeps the old file under another name.
+    // Like an editor that renames the old file.
     fs.renameSync(file, `${file}~`);
     fs.writeFileSync(file, shader('0.0'));
     fs.rmSync(`${file}~`);
     await both(0);
-    // As one does that writes beside it and puts the new file in its place.
+    // Like an editor that writes a new file and renames it to the old name.
     fs.writeFileSync(`${file}.new`, shader('1.0'));
     fs.renameSync(`${file}.new`, file);
     await both(255);
-    // As one does that empties the file and takes its time: a page may show that, or not.
+    // Like an editor that truncates the file and writes slowly: a page may or may not show that.
     fs.writeFileSync(file, '');
     await Promise.all(pages.map((page) => frames(page)));
     fs.writeFileSync(file, shader('0.0'));
     await both(0);
-    // What is gone is told on the page, which stays, and is over when it is there again.
+    // A deleted file is reported on the page, which stays; the message disappears when the file is
+    // back.
     fs.rmSync(file);
     await Promise.all(pages.map((page) => page.waitForSelector('.notice:has-text("saved.glsl")')));
     await both(0);
@@ -169,7 +170,7 @@ async function growingFolder(context) {
   }
 }
 
-/** A port is anybody's between two servers: this is tried with another one until nobody has taken it. */
+/** Another process may take the port between two servers: retries with another port until it works. */
 async function serverComesBack(context) {
   for (let number = 0; ; number++) {
     if (await comesBack(context, put(`again${number}.glsl`, shader('1.0')))) return;
@@ -195,8 +196,8 @@ async function comesBack(context, file) {
     await redBecomes(page, 0);
     await page.waitForFunction(() => globalThis.shaderport.player.clock.time === 7.5);
     assert.equal(await page.inputValue('input[aria-label="SPEED, number"]'), '2.5');
-    assert.ok(await page.isVisible('#tune'), 'the panel is as it was');
-    // Nobody else may have the port meanwhile, and who asks for it is told of another.
+    assert.ok(await page.isVisible('#tune'), 'the panel is unchanged');
+    // No other process may have the port meanwhile; requesting it gives another one.
     const third = await serve(file, `--serve=${port}`);
     await third.end();
     assert.notEqual(third.address, first.address);
@@ -237,9 +238,9 @@ async function hiddenTabs(context) {
 export const serveTests = [
   { name: 'a served page follows every way of saving', run: waysOfSaving },
   { name: 'a served page follows a folder that grows', run: growingFolder },
-  { name: 'a served page waits for its server', run: serverComesBack },
-  { name: 'a served page leaves its connection while it is hidden', run: hiddenTabs },
-  { name: 'a served page goes on where it was when its file is saved', run: savedFile },
+  { name: 'a served page waits for its server to come back', run: serverComesBack },
+  { name: 'a hidden served page closes its connection', run: hiddenTabs },
+  { name: 'a served page continues when its file is saved', run: savedFile },
   { name: 'a served page waits for its file', run: lateFile },
-  { name: 'a served page follows what its file includes', run: includedFile },
+  { name: 'a served page follows included files', run: includedFile },
 ];

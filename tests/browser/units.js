@@ -12,14 +12,14 @@ function logs() {
   assert.deepEqual(said("ERROR: 0:4: '\n' : unexpected token\nERROR: 0:5: '}' : syntax error\n"), [
     [4, '\n', 'unexpected token'],
     [5, '}', 'syntax error'],
-  ], 'a line break may be a token');
+  ], 'a token may be a line break');
   assert.deepEqual(said("ERROR: 0:4: ''' : invalid character\nERROR: 0:4: '' :  a: 'b' : c\n"), [
     [4, "'", 'invalid character'],
     [4, '', "a: 'b' : c"],
   ], 'quotes and colons too');
   assert.deepEqual(said('ERROR: Function f() called by main() is undefined\n'), [
     [0, '', 'Function f() called by main() is undefined'],
-  ], 'a place may be missing');
+  ], 'the position may be missing');
   const files = [{ name: '', text: 'one\ntwo\n', hidden: true }, { name: 'Common', text: 'a', hidden: false }, { name: 'Image', text: 'b\nc', hidden: false }];
   const places = mapErrors("WARNING: 0:1: 'w' : no\nERROR: 0:3: 'a' : bad\nERROR: 0:5: '\n' : worse\nERROR: 0:1: 'x' : ours\n", files, 'Image');
   assert.deepEqual(places.map((e) => [e.pass, e.line, e.text]), [
@@ -30,7 +30,7 @@ function logs() {
   assert.deepEqual(mapErrors('the link failed', files, 'Image'), [{ pass: 'Image', line: 0, text: 'the link failed' }]);
 }
 
-/** A project of one text with one tunable number in it. */
+/** A project with one text that contains one tunable number. */
 function tuned(text, number) {
   const start = text.indexOf(number);
   const tunable = { name: 'N', label: '', value: Number(number), min: 0, max: 8, integer: !number.includes('.'), file: 0, start, end: start + number.length };
@@ -71,7 +71,7 @@ function clock() {
   assert.throws(() => at.seek('1'), TypeError);
   at.time = 1;
   assert.throws(() => at.seek(NaN), TypeError);
-  assert.equal(at.time, 1, 'nothing has changed');
+  assert.equal(at.time, 1, 'an invalid time changes nothing');
   at.seek(-1);
   assert.equal(at.time, 0);
 }
@@ -79,5 +79,5 @@ function clock() {
 export const unitTests = [
   { name: "unit: the compiler's log", run: logs },
   { name: 'unit: tunable numbers move with the text', run: tunables },
-  { name: 'unit: times that are none', run: clock },
+  { name: 'unit: invalid times', run: clock },
 ];

@@ -1,4 +1,4 @@
-// WGSL that WebGPU draws beside the page in WebGL, pixel by pixel.
+// Compares WGSL drawn by WebGPU with the page drawn by WebGL, pixel by pixel.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -6,14 +6,14 @@ import { bytesOf, colors, folder, open, port, program, put, run, shaderport } fr
 import { exportsOf, lightExports, read, sweptExports, templates } from './corpus.js';
 import { beside } from './webgpu_host.js';
 
-/** The converter, built with the languages of naga. */
+/** The converter, built with the target languages of naga. */
 const CONVERTER = process.env.SHADERPORT_WGSL || program('shaderport');
 
 const SIZE = { width: 64, height: 36 };
-/** The frame that is compared; those before it are drawn too. */
+/** The compared frame; earlier frames are drawn, too. */
 const LAST = 6;
 
-/** How many pixels differ by more than two steps of a colour, which two compilers may round apart. */
+/** The number of pixels that differ by more than two steps of a colour; two compilers may differ in rounding. */
 export function unequal(a, b) {
   let count = 0;
   for (let i = 0; i < a.length; i += 4) {
@@ -22,17 +22,17 @@ export function unequal(a, b) {
   return count;
 }
 
-/** The browser's process for graphics has ended, and with it all that was drawn. */
+/** The browser's GPU process has ended, and with it everything it drew. */
 class Ended extends Error {}
 
-/** Whether it has: what waits for an answer of that process is told so. */
+/** Whether it has ended: pending requests to that process fail with this message. */
 function hasEnded() {
   const { gl } = globalThis.shaderport.player;
   gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   return gl.isContextLost();
 }
 
-/** Draws a shader or project in both ways; gives how many pixels differ. */
+/** Draws a shader or project in both ways; resolves to the number of pixels that differ. */
 async function compare(context, file, name, ...args) {
   const out = path.join(folder(), `${name}.wgsl.d`);
   fs.mkdirSync(out, { recursive: true });
@@ -56,18 +56,18 @@ async function compare(context, file, name, ...args) {
 
 const equal = { asked: 0, differing: [], tooMuch: [] };
 
-/** Most exports look the same; those that do not are told by name. */
+/** Most exports look the same; the others are listed by name. */
 function mostAreEqual() {
   const { asked, differing, tooMuch } = equal;
   const told = `${differing.length} of ${asked} differ: ${differing.join(' ')}; too much for the GPU: ${tooMuch.join(' ')}`;
   console.log(told);
-  // One more may, so that a sample of a few is not judged by the one.
+  // One more may differ, so that a small sample does not fail because of a single export.
   assert.ok(differing.length <= 1 + 0.03 * asked, told);
   assert.ok(tooMuch.length <= 1 + 0.01 * asked, told);
 }
 
 async function exported(context, file, name) {
-  // Turned rows change places in the quads by which derivatives are taken.
+  // Flipped rows are in different quads, which changes derivatives.
   try {
     const { count, total } = await compare(context, file, name, '--first-row', 'bottom');
     equal.asked++;
@@ -78,7 +78,7 @@ async function exported(context, file, name) {
   }
 }
 
-/** Whether the program was built with the languages of naga. */
+/** Whether the program was built with the target languages of naga. */
 async function hasWgsl() {
   try {
     const probe = put('probe.glsl', 'void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n');
@@ -91,7 +91,7 @@ async function hasWgsl() {
 /** Whether no pass of an export draws a cube map. */
 const isFlat = (file) => read(file).renderpass.every((pass) => pass.type !== 'cubemap');
 
-/** A project of passes that read themselves, each other and a file that is not at hand. */
+/** A project with passes that read themselves, each other and a missing file. */
 const PASSES = {
   buffer_a: `void mainImage(out vec4 c, in vec2 p) {
     vec4 old = texelFetch(iChannel0, ivec2(p), 0);
@@ -111,7 +111,7 @@ const PASSES = {
 }`,
 };
 
-/** Every pass is drawn with what was drawn before, rows turned or not. */
+/** Every pass is drawn with the results of the previous ones, rows flipped or not. */
 async function passes(context) {
   const reads = ['buffer_a.0=buffer_a,linear,clamp', 'buffer_b.0=buffer_a,nearest', 'buffer_b.1=buffer_b,linear'];
   reads.push('image.0=buffer_b,linear', 'image.2=keyboard');
@@ -128,11 +128,11 @@ async function passes(context) {
   for (const row of ['top', 'bottom']) {
     const { count, total, shown } = await compare(context, file, `gpu_passes_${row}`, '--first-row', row);
     assert.ok(count <= 0.001 * total, `${row}: ${count} of ${total} pixels differ`);
-    assert.ok(shown > 200, `${shown} colours are seen`);
+    assert.ok(shown > 200, `${shown} colours are visible`);
   }
 }
 
-/** The tests, where the program writes WGSL. */
+/** The tests, if the program can write WGSL. */
 export async function webgpuTests() {
   if (!(await hasWgsl())) {
     if (process.env.SHADERPORT_WGSL) throw new Error(`${CONVERTER} writes no WGSL`);

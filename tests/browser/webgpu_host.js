@@ -1,19 +1,19 @@
-// A host of WGSL, which draws every frame beside the player in WebGL. It runs inside a page that the
-// program made, and knows nothing of the shaders but what `--interface` says; the player gives it the
-// clock and the textures of media, no more.
+// A host for WGSL that draws every frame in parallel with the WebGL player. It runs inside a page that
+// the program made, and knows only the `--interface` output of the shaders; the player provides just
+// the clock and the textures of media.
 
-// One function, since it travels into the page as text.
+// A single function, because it is sent to the page as text.
 /* eslint max-lines-per-function: off */
 
 /**
- * Draws the frames 0 to `last` in both ways; gives the pixels of the last, the lowest row first, in base64.
+ * Draws the frames 0 to `last` in both ways; resolves to the pixels of the last, the lowest row first, in base64.
  * @param {{passes: {code: string, told: any}[], last: number}} job
  * @returns {Promise<{error?: string, ours?: string, theirs?: string}>}
  */
 export async function beside({ passes, last }) {
   const { player } = globalThis.shaderport;
   const adapter = await navigator.gpu?.requestAdapter();
-  if (!adapter) return { error: 'there is no WebGPU' };
+  if (!adapter) return { error: 'WebGPU is not available' };
   const wanted = ['float32-filterable'].filter((name) => adapter.features.has(name));
   const device = await adapter.requestDevice({ requiredFeatures: wanted });
   device.pushErrorScope('validation');
@@ -27,10 +27,10 @@ export async function beside({ passes, last }) {
     code: `@vertex fn main(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f { return ${corners}; }`,
   });
 
-  /** What each kind of sampler looks into. */
+  /** The texture dimension of each sampler type. */
   const shapes = { sampler2D: ['2d', '2d', 1], sampler3D: ['3d', '3d', 1], samplerCube: ['2d', 'cube', 6] };
 
-  /** What a channel without anything shows. */
+  /** The content of an empty channel. */
   function black(type) {
     const [dimension, viewDimension, layers] = shapes[type];
     const texture = device.createTexture({ size: [1, 1, layers], dimension, format: 'rgba8unorm', usage: sampled });
@@ -41,7 +41,7 @@ export async function beside({ passes, last }) {
   }
   const blacks = Object.fromEntries(Object.keys(shapes).map((type) => [type, black(type)]));
 
-  /** How many levels a texture of WebGL has, the sizes of the first being known. */
+  /** The number of levels of a WebGL texture, given the size of the first. */
   function levelsOf(target, texture, sizes) {
     const all = Math.floor(Math.log2(Math.max(...sizes))) + 1;
     gl.bindTexture(target, texture);
@@ -49,7 +49,7 @@ export async function beside({ passes, last }) {
     return isMipmapped ? Math.min(all, gl.getTexParameter(target, gl.TEXTURE_IMMUTABLE_LEVELS)) : all;
   }
 
-  /** What lies in a level of a texture of WebGL, layer by layer; null where there is no such level. */
+  /** The content of a level of a WebGL texture, layer by layer; null if the level does not exist. */
   function readLevel(target, texture, level, [w, h, layers]) {
     const face = target === gl.TEXTURE_CUBE_MAP;
     const found = [];
@@ -65,7 +65,7 @@ export async function beside({ passes, last }) {
     return found;
   }
 
-  /** Copies a texture of WebGL with all its levels; `copied` is written again where there is one. */
+  /** Copies a WebGL texture with all its levels; reuses `copied` if it exists. */
   function copy(type, texture, sizes, copied) {
     const [dimension, viewDimension, faces] = shapes[type];
     const target = type === 'sampler2D' ? gl.TEXTURE_2D : type === 'sampler3D' ? gl.TEXTURE_3D : gl.TEXTURE_CUBE_MAP;
@@ -107,7 +107,7 @@ export async function beside({ passes, last }) {
   const smooth = device.createSampler({ magFilter: 'linear', minFilter: 'linear' });
   const halves = new Map();
 
-  /** Makes the smaller levels of a texture, each from the one above it. */
+  /** Generates the smaller levels of a texture, each from the previous one. */
   function makeLevels(texture) {
     const { format, mipLevelCount } = texture;
     const stages = { vertex: { module: halving }, fragment: { module: halving, targets: [{ format }] } };
@@ -126,7 +126,7 @@ export async function beside({ passes, last }) {
     device.queue.submit([encoder.finish()]);
   }
 
-  /** A buffer: what is read and what is drawn into, both empty. */
+  /** A buffer: one texture to read and one to draw into, both empty. */
   function pair(format, mipLevelCount) {
     const one = () => {
       const texture = device.createTexture({ size: [width, height], format, usage: drawn, mipLevelCount });
@@ -148,7 +148,7 @@ export async function beside({ passes, last }) {
       magFilter: filter,
       minFilter: filter,
       mipmapFilter: source?.filter === 'mipmap' ? 'linear' : 'nearest',
-      // Without mipmaps only the first level is looked into.
+      // Without mipmaps only the first level is sampled.
       lodMaxClamp: source?.filter === 'mipmap' ? 32 : 0,
     });
   }
@@ -163,7 +163,7 @@ export async function beside({ passes, last }) {
     if (kind === 'buffer' || kind === 'image') buffers.set(name, pair(format, levels));
   }
 
-  /** A pass, ready to be drawn. */
+  /** Prepares a pass for drawing. */
   async function prepare({ code, told }) {
     const module = device.createShaderModule({ code });
     const { messages } = await module.getCompilationInfo();
@@ -191,7 +191,7 @@ export async function beside({ passes, last }) {
     return { told, layout, pipeline, uniforms, samplers, index, copies: new Map() };
   }
 
-  /** What a texture of a pass shows now, and what the uniforms say of it. */
+  /** The current texture of a channel of a pass, and its uniforms. */
   function shown(pass, { name, type, source }) {
     const none = { view: blacks[type], size: [0, 0, 0], time: 0, isLoaded: false };
     if (!source) return none;
@@ -214,7 +214,7 @@ export async function beside({ passes, last }) {
     return { ...input, view: pass.copies.get(name).view };
   }
 
-  /** Writes the uniforms of ShaderToy, wherever they lie. */
+  /** Writes the ShaderToy uniforms at their offsets. */
   function fill({ buffer, memory, data }, values) {
     for (const { name, type, offset, array } of buffer.members) {
       const lanes = Number(/^[bi]?vec(\d)/.exec(type)?.[1] ?? 1);
@@ -250,7 +250,7 @@ export async function beside({ passes, last }) {
     return found;
   }
 
-  /** Draws a pass, which then can be read. */
+  /** Draws a pass, which can then be read. */
   function draw(pass, frame) {
     const { told, layout, pipeline, uniforms, samplers } = pass;
     const looks = told.textures.map((t) => shown(pass, t));
@@ -278,7 +278,7 @@ export async function beside({ passes, last }) {
     [buffer.read, buffer.write] = [buffer.write, buffer.read];
   }
 
-  /** The pixels of the picture. */
+  /** The pixels of the image. */
   async function picture(told) {
     const bytesPerRow = Math.ceil((width * 4) / 256) * 256;
     const read = device.createBuffer({ size: bytesPerRow * height, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });

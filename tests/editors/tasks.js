@@ -1,4 +1,4 @@
-// What the problem matchers in tasks.json read in the program's output.
+// Tests the problem matchers in tasks.json on the program's output.
 "use strict";
 
 const assert = require("node:assert");

@@ -1,18 +1,18 @@
-//! Counts what a thread asks the allocator for: a measure of work that is the same on every machine and
-//! in every run.
+//! Counts the allocations of a thread: a measure of work that is the same on every machine and in
+//! every run.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-/// The system's allocator, which counts.
+/// The system's allocator with counters.
 pub struct Counting;
 
-/// What a thread has asked for.
+/// Allocations of a thread.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Asked {
-    /// How often.
+    /// Number of allocations.
     pub times: u64,
-    /// How many bytes in all, whether they were given back or not.
+    /// Total number of allocated bytes, freed or not.
     pub bytes: u64,
 }
 
@@ -21,7 +21,7 @@ thread_local! {
 }
 
 fn count(bytes: usize) {
-    // Neither can fail nor allocate: the cell is constant and has nothing to drop.
+    // Neither can fail nor allocate: the cell is const-initialised and has no destructor.
     ASKED.with(|asked| {
         let Asked { times, bytes: sum } = asked.get();
         asked.set(Asked {
@@ -31,33 +31,33 @@ fn count(bytes: usize) {
     });
 }
 
-// SAFETY: All of it is the system's allocator; counting touches no memory that is allocated.
+// SAFETY: All methods forward to the system's allocator; counting does not touch allocated memory.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count(layout.size());
-        // SAFETY: As promised by the caller.
+        // SAFETY: Guaranteed by the caller.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
         count(layout.size());
-        // SAFETY: As promised by the caller.
+        // SAFETY: Guaranteed by the caller.
         unsafe { System.alloc_zeroed(layout) }
     }
 
     unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         count(size);
-        // SAFETY: As promised by the caller.
+        // SAFETY: Guaranteed by the caller.
         unsafe { System.realloc(pointer, layout, size) }
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: As promised by the caller.
+        // SAFETY: Guaranteed by the caller.
         unsafe { System.dealloc(pointer, layout) }
     }
 }
 
-/// What this thread asks for while something is done, and what comes of it.
+/// Runs a closure; returns the allocations of this thread during the run and the result.
 pub fn asked<T>(work: impl FnOnce() -> T) -> (Asked, T) {
     let before = ASKED.get();
     let done = work();

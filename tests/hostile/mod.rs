@@ -1,6 +1,6 @@
-//! Hostile inputs: whatever the text is, the answer comes soon and is short.
+//! Hostile inputs: for any text the output comes quickly and is short.
 //!
-//! How soon is counted in what the allocator is asked for, which is the same on every machine.
+//! Time is measured by counting allocations, which is the same on every machine.
 
 mod counting;
 mod patterns;
@@ -17,15 +17,15 @@ use shaderlint::rules::RULES;
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Most that the allocator may be asked for in all. A text that comes near takes some seconds.
+/// Maximum total allocations. A text close to it takes some seconds.
 const MAX_ASKED: Asked = Asked {
     times: 20_000_000,
     bytes: 2 << 30,
 };
-/// Longest output, in bytes.
+/// Maximum output length, in bytes.
 const MAX_OUTPUT: usize = 1_000_000;
 
-/// What the shader is to the compiler.
+/// The compiler's expected verdict.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Verdict {
     Compiles,
@@ -33,7 +33,7 @@ enum Verdict {
 }
 use Verdict::{Compiles, Refused};
 
-/// Judges a pass whose text is `code`, on a thread as the programs start theirs.
+/// Checks a pass with the text `code`, on a thread with the same stack size as in the programs.
 #[track_caller]
 fn judge(code: &str, expected: Verdict) {
     std::thread::scope(|scope| {
@@ -54,7 +54,7 @@ fn judge_here(code: &str, expected: Verdict) {
 fn answer(code: &str, expected: Verdict) {
     let options = Options::new(DialectChoice::Shadertoy, Settings::of_rules(RULES));
     let found = check("a.glsl", code, &options, &NoFiles);
-    assert!(found.unread.is_none(), "this cannot be judged");
+    assert!(found.unread.is_none(), "not recognised as a shader");
     let mut refused = found.diagnostics.iter();
     let verdict = match refused.find(|d| d.severity == Severity::Error) {
         Some(_) => Refused,
@@ -77,25 +77,25 @@ fn answer(code: &str, expected: Verdict) {
     }
 }
 
-/// A pass whose `mainImage` holds `body`.
+/// A pass with `body` as the body of `mainImage`.
 fn body(body: &str) -> String {
     format!(
         "void mainImage(out vec4 o, in vec2 p) {{ float x = p.x; int n = int(p.y); o = vec4(x); {body} }}\n"
     )
 }
 
-/// `text` for each number below `count`, put end to end.
+/// Concatenates `text` for each number less than `count`.
 fn each(count: usize, text: impl Fn(usize) -> String) -> String {
     (0..count).map(text).collect()
 }
 
-/// `before` and `behind` a hundred thousand times around `inner`.
+/// `inner`, surrounded by `count` copies of `before` and `behind`.
 fn nest(count: usize, before: &str, inner: &str, behind: &str) -> String {
     format!("{}{inner}{}", before.repeat(count), behind.repeat(count))
 }
 
 #[test]
-fn every_construct_nests_deeply() {
+fn deeply_nested_constructs() {
     let constructs = [
         ("(", "1.0", ")"),
         ("-", "x", ""),
@@ -136,7 +136,7 @@ fn every_construct_nests_deeply() {
 }
 
 #[test]
-fn nothing_closes() {
+fn unclosed_constructs() {
     let opened = [
         "(",
         "[",
@@ -172,7 +172,7 @@ fn nothing_closes() {
         judge(&body(&text.repeat(20_000)), Refused);
         judge(&text.repeat(20_000), Refused);
     }
-    // What closes and was never opened.
+    // Closing tokens without an opening one.
     for text in [
         ")", "]", "}", "};", "*/", "#endif\n", "#else\n", ":", ";)", "},",
     ] {
@@ -181,7 +181,7 @@ fn nothing_closes() {
 }
 
 #[test]
-fn chains_are_no_nesting() {
+fn long_chains_do_not_count_as_nesting() {
     let count = 200;
     judge(&body(&format!("x = {}x;", "x + ".repeat(count))), Compiles);
     let arms = each(5_000, |i| {
@@ -199,7 +199,7 @@ fn chains_are_no_nesting() {
 }
 
 #[test]
-fn much_is_broken_in_one_line() {
+fn many_errors_in_one_line() {
     let many = |text: &str| text.repeat(100_000);
     for head in ["if (x; ", "while (x; ", "for (;; x; ", "for (x; "] {
         judge(&body(&many(head)), Refused);
@@ -209,16 +209,16 @@ fn much_is_broken_in_one_line() {
     judge(&body(&structs), Refused);
 }
 
-/// Two slips for each of which the same token may be one too many.
+/// Two candidate repairs that may remove the same token.
 #[test]
-fn corrections_meet() {
+fn overlapping_corrections() {
     let code = "y 08 default: return \u{e9}, += f(uniform ; } /* note */ [o = vec4(x, y, 0.0, 1.0);\n\
                 o ) vec3 #else\nx const ";
     judge(code, Refused);
 }
 
 #[test]
-fn macros_explode() {
+fn exponential_macro_expansion() {
     let doubled = |depth: usize| {
         let lines = each(depth, |i| format!("#define M{} M{i} + M{i}\n", i + 1));
         format!("#define M0 1.0\n{lines}{}", body(&format!("x = M{depth};")))
@@ -266,7 +266,7 @@ fn macros_explode() {
 }
 
 #[test]
-fn directives_go_to_extremes() {
+fn extreme_directives() {
     judge(
         &format!("#if {}\n#endif\n{}", nest(50_000, "(", "1", ")"), body("")),
         Refused,
@@ -305,7 +305,7 @@ fn directives_go_to_extremes() {
 }
 
 #[test]
-fn words_numbers_and_comments_are_huge() {
+fn huge_tokens() {
     judge(
         &body(&format!("float {} = 1.0;", "a".repeat(1_000_000))),
         Refused,
@@ -348,7 +348,7 @@ fn words_numbers_and_comments_are_huge() {
 }
 
 #[test]
-fn there_are_very_many_of_each() {
+fn many_repetitions_of_each_construct() {
     let count = 10_000;
     judge(
         &format!(
@@ -462,7 +462,7 @@ fn there_are_very_many_of_each() {
 }
 
 #[test]
-fn there_are_very_many_errors() {
+fn many_errors() {
     judge(
         &body(&each(50_000, |i| format!("undefined{i};\n"))),
         Refused,
@@ -488,7 +488,7 @@ fn there_are_very_many_errors() {
 }
 
 #[test]
-fn types_are_huge() {
+fn huge_types() {
     judge(&body("float a[2147483647]; x = a[0];"), Refused);
     judge(&body("float a[0]; float b[-1]; float c[n];"), Refused);
     judge(&body("int a[10000000]; int b[10000000]; a = b;"), Refused);

@@ -1,5 +1,5 @@
-//! What is repeated to see how work grows: the patterns in `repetitions.txt`, one a line, and every
-//! example of every page.
+//! The repeated texts for measuring growth: the patterns in `repetitions.txt`, one per line, and
+//! every example of every page.
 
 use shaderlint::cli::STACK;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
@@ -12,13 +12,13 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How many findings of a text are printed.
+/// Maximum number of printed findings per text.
 const MAX_PRINTED: usize = 20;
 
 /// The kind of a pattern, and its text.
 pub type Pattern = (String, String);
 
-/// The name of a file, and its text.
+/// A file name, and the text of the file.
 pub type Input = (String, String);
 
 /// The patterns of `repetitions.txt`.
@@ -33,7 +33,7 @@ pub fn listed() -> Vec<Pattern> {
     patterns
 }
 
-/// The examples of the pages, as patterns.
+/// The examples of the pages as patterns.
 pub fn examples() -> Vec<Pattern> {
     let rules = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules");
     let mut patterns = Vec::new();
@@ -49,7 +49,7 @@ pub fn examples() -> Vec<Pattern> {
             for fence in examples {
                 let kind = fence.file.rsplit('.').next().unwrap_or("glsl");
                 let code = &text[fence.range.clone()];
-                // Once as they are, and once as functions of other names, so that rules run.
+                // Once unchanged, and once as functions with other names, so that rules run.
                 patterns.push((kind.to_string(), format!("«{code}»")));
                 let renamed = code.replace('(', "№(").replace("mainImage№(", "mainImage(");
                 patterns.push((kind.to_string(), format!("«{renamed}»")));
@@ -60,7 +60,7 @@ pub fn examples() -> Vec<Pattern> {
     patterns
 }
 
-/// What stands around a text of one kind, and the name of a file that holds it.
+/// The text before and after the repetitions of a kind, and the file name for it.
 fn frame(kind: &str) -> (String, &'static str, &'static str) {
     const MAIN: &str = "void mainImage(out vec4 o, in vec2 p) { o = vec4(p, 0.0, 1.0); }\n";
     const BODY: &str = "void mainImage(out vec4 o, in vec2 p) { float x = p.x; int n = int(p.y); \
@@ -79,7 +79,7 @@ fn frame(kind: &str) -> (String, &'static str, &'static str) {
     }
 }
 
-/// A text that repeats what a pattern marks until it has about so many bytes, and a file's name.
+/// A file name, and a text of about `size` bytes that repeats the marked part of a pattern.
 pub fn repeat(kind: &str, pattern: &str, size: usize) -> Input {
     let pattern = pattern.replace('↵', "\n");
     let segments: Vec<&str> = pattern.split(['«', '»']).collect();
@@ -97,7 +97,7 @@ pub fn repeat(kind: &str, pattern: &str, size: usize) -> Input {
     (name, text + behind)
 }
 
-/// Checks a text and prints what is found.
+/// Checks a text and prints the findings.
 pub fn report((name, text): &Input, options: &Options) {
     let mut found = check(name, text, options, &NoFiles);
     if found.unread.is_some() {
@@ -112,8 +112,8 @@ pub fn report((name, text): &Input, options: &Options) {
     }
 }
 
-/// Asks of every pattern, repeated to `size` bytes and to an eighth of that, how its work `grows`, on as
-/// many threads as there are; gives those of which something is said. Shaders are run within `limit`.
+/// Calls `grows` for every pattern, repeated to `size` bytes and to an eighth of that, on all
+/// cores; returns the problems that it reports. Shaders run within `limit`.
 pub fn grown(
     patterns: &[Pattern],
     size: usize,

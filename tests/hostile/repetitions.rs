@@ -1,6 +1,6 @@
-//! Repetitions: whatever is repeated, eight times as much of it asks for at most about eight times the
-//! memory, which is a measure of the work. `benches/growth` measures the time, which sees the work that
-//! asks for none.
+//! Growth: eight times as much of a repeated text must allocate at most about eight times the
+//! memory, which is a measure of the work. `benches/growth` measures time and so detects work
+//! without allocations.
 
 use super::Verdict::Refused;
 use super::counting::{Asked, asked};
@@ -9,18 +9,19 @@ use super::patterns::{Input, Pattern, examples, grown, listed, repeat, report};
 use shaderlint::engine::Options;
 use shaderlint::lint::trial::TrialLimit;
 
-/// Bytes of the larger text; the smaller is an eighth of it. The larger, the milder a square is seen.
+/// Size of the larger text in bytes; the smaller one has an eighth of it. Larger texts detect
+/// weaker quadratic growth.
 const SIZE: usize = 8_000;
-/// Most that may be asked for of the larger text, in times what is asked for of the smaller done eight
-/// times: once is in line, eight times with the square.
+/// Maximum ratio of the allocations for the larger text to eight times those for the smaller one: 1
+/// is linear, 8 is quadratic.
 const MAX_GROWTH: u64 = 3;
-/// What takes some milliseconds, whatever it is a multiple of.
+/// Allocations below this, which correspond to some milliseconds, are not compared.
 const NEGLIGIBLE: Asked = Asked {
     times: 50_000,
     bytes: 64 << 20,
 };
 
-/// By how much the work on a repetition grows, where that is not in line with its length.
+/// The growth of a repetition, if it is more than linear.
 fn growth(texts: &[Input; 2], options: &Options) -> Option<String> {
     let [small, large] = [0, 1].map(|i| asked(|| report(&texts[i], options)).0);
     let is_in_line = large.times <= small.times * 8 * MAX_GROWTH + NEGLIGIBLE.times
@@ -29,7 +30,7 @@ fn growth(texts: &[Input; 2], options: &Options) -> Option<String> {
 }
 
 fn all_grow_in_line(patterns: &[Pattern]) {
-    // Pixels beyond the first few ask for the same again.
+    // Additional pixels only repeat the same allocations.
     let limit = TrialLimit {
         pixels: 64,
         insists: false,
@@ -39,17 +40,17 @@ fn all_grow_in_line(patterns: &[Pattern]) {
 }
 
 #[test]
-fn repetitions_are_read_in_line() {
+fn repetitions_take_linear_work() {
     all_grow_in_line(&listed());
 }
 
 #[test]
-fn examples_are_read_in_line() {
+fn examples_take_linear_work() {
     all_grow_in_line(&examples());
 }
 
 #[test]
-fn a_tower_of_calls_is_read_where_it_stands() {
+fn deeply_nested_macro_calls_are_read_in_place() {
     let pattern = "#define F(x) x↵float f(float a) { return «F(»a«)»; }";
     judge(&repeat("pass", pattern, 1_000_000).1, Refused);
 }

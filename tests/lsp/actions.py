@@ -1,4 +1,4 @@
-"""What can be done about findings, and the commands of the server."""
+"""Code actions for diagnostics, and the commands of the server."""
 
 import os
 
@@ -20,7 +20,7 @@ QUIET = {"run": False}
 
 
 def asked(client, source, finding, only=None):
-    """The actions that are offered at a finding."""
+    """The actions that are offered for a diagnostic."""
     context = {"diagnostics": [finding], "triggerKind": 1}
     if only:
         context["only"] = only
@@ -34,7 +34,7 @@ def titled(actions, words):
 
 
 @test
-def a_fix_mends_its_finding_and_nothing_else(case):
+def a_fix_removes_only_its_diagnostic(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     before = client.published(source.uri)
@@ -44,7 +44,7 @@ def a_fix_mends_its_finding_and_nothing_else(case):
     same(len(fixes), 1, "the preferred actions")
     fix = fixes[0]
     same(fix["kind"], "quickfix", "its kind")
-    same([d["code"] for d in fix["diagnostics"]], [finding["code"]], "what it is about")
+    same([d["code"] for d in fix["diagnostics"]], [finding["code"]], "the diagnostics of the action")
     client.apply(fix["edit"])
     same(client.text(source.uri), source.text.replace("= 1;", "= 1.0;"), "the text")
     after = client.published(source.uri)
@@ -52,7 +52,7 @@ def a_fix_mends_its_finding_and_nothing_else(case):
 
 
 @test
-def every_fix_of_many_findings_mends_its_own(case):
+def each_of_many_fixes_removes_its_diagnostic(case):
     broken = [
         "float a = 1; c = vec4(a, p, 1.0);", "vec3 a = vec3(1, 1, 1) * 2; c = vec4(a, 1.0);",
         "float a = 1.0f; c = vec4(a);", "c = vec4(p, 0.0, 1.0)", "c = texture2D(iChannel0, p);",
@@ -72,7 +72,7 @@ def every_fix_of_many_findings_mends_its_own(case):
             for action in [a for a in actions if a.get("isPreferred")]:
                 client.apply(action["edit"])
                 left = errors(client.published(uri))
-                holds(len(left) < count, "a fix of «%s» that mends nothing:" % body, client.text(uri), left)
+                holds(len(left) < count, "a fix of «%s» that does not remove it:" % body, client.text(uri), left)
                 mended += 1
                 client.write_all(uri, text)
                 client.published(uri)
@@ -80,7 +80,7 @@ def every_fix_of_many_findings_mends_its_own(case):
 
 
 @test
-def a_comment_allows_a_finding(case):
+def a_comment_suppresses_a_diagnostic(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", GOOD).open(client)
     finding = by_rule(client.published(source.uri), "unused-variable")
@@ -89,11 +89,11 @@ def a_comment_allows_a_finding(case):
     contains(client.text(source.uri),
              "\n    // shaderlint: allow(unused-variable)\n    float unused = 2.0;\n", "the text")
     left = client.published(source.uri)
-    same([r for r in rules(left) if r in ("unused-variable", "unused-suppression")], [], "what is left")
+    same([r for r in rules(left) if r in ("unused-variable", "unused-suppression")], [], "the remaining diagnostics")
 
 
 @test
-def an_error_cannot_be_allowed(case):
+def errors_cannot_be_suppressed(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
@@ -102,7 +102,7 @@ def an_error_cannot_be_allowed(case):
 
 
 @test
-def a_finding_can_be_explained(case):
+def a_diagnostic_can_be_explained(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", GOOD).open(client)
     finding = by_rule(client.published(source.uri), "unused-variable")
@@ -110,31 +110,31 @@ def a_finding_can_be_explained(case):
     holds(command["command"] in client.initialized["capabilities"]["executeCommandProvider"]["commands"],
           "a command that was not announced", command)
     page = client.request("workspace/executeCommand", command)
-    contains(page, "unused-variable", "the page")
+    contains(page, "unused-variable", "the page of the rule")
     shown = client.asked_for("window/showDocument")
     with open(path_of(shown["uri"]), encoding="utf-8") as file:
         same(file.read(), page, "the page that is shown")
 
 
 @test
-def without_documents_an_explanation_is_a_message(case):
+def explanations_are_messages_without_show_document(case):
     client = case.client(capabilities=without(everything(), "window"), options=QUIET)
     client.request("workspace/executeCommand",
                    {"command": "shaderlint.explain", "arguments": ["unused-variable"]})
-    messages = client.wait_until(lambda: client.told("window/showMessage"), "nothing is shown")
+    messages = client.wait_until(lambda: client.told("window/showMessage"), "no message is shown")
     contains(messages[0]["message"], "unused-variable", "the message")
     same([m["method"] for m in client.asked if m["method"] == "window/showDocument"], [], "documents")
 
 
 @test
-def nobody_explains_what_is_no_rule(case):
+def unknown_rules_are_not_explained(case):
     client = case.client()
     refusal(lambda: client.request("workspace/executeCommand", {
         "command": "shaderlint.explain", "arguments": ["no-such-rule"]}), INVALID_PARAMS)
 
 
 @test
-def kinds_of_actions_are_kept_apart(case):
+def actions_are_filtered_by_kind(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
@@ -143,15 +143,15 @@ def kinds_of_actions_are_kept_apart(case):
     same(kinds, {"quickfix"}, "quick fixes")
     for only in ("source", "source.fixAll", "source.fixAll.shaderlint"):
         kinds = {a["kind"] for a in asked(client, source, finding, [only])}
-        same(kinds, {"source.fixAll.shaderlint"}, "what is asked for as %s" % only)
+        same(kinds, {"source.fixAll.shaderlint"}, "the actions of kind %s" % only)
     nowhere = client.lines(source.uri).range(0, 0)
     context = {"diagnostics": []}
     same(client.of(source.uri, "textDocument/codeAction", range=nowhere, context=context), [],
-         "the actions where nothing is wrong")
+         "the actions without a diagnostic")
 
 
 @test
-def all_that_is_safe_is_fixed_together(case):
+def fix_all_applies_safe_fixes(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
@@ -160,8 +160,8 @@ def all_that_is_safe_is_fixed_together(case):
     client.apply(actions[0]["edit"])
     found = client.published(source.uri)
     same(errors(found), [], "the errors that are left")
-    # Once more there is nothing left to fix.
-    same(asked(client, source, found[0], ["source.fixAll"]), [], "a second time")
+    # A second run has nothing left to fix.
+    same(asked(client, source, found[0], ["source.fixAll"]), [], "after the second run")
 
 
 @test
@@ -173,8 +173,8 @@ def a_command_fixes_all(case):
                    {"command": "shaderlint.fixAll", "arguments": [source.uri]})
     params = client.asked_for("workspace/applyEdit")
     contains(params["label"].lower(), "fix", "the label")
-    found = client.wait_until(lambda: client.documents[source.uri].version > 1, "nothing is applied")
-    holds(found, "nothing is applied")
+    found = client.wait_until(lambda: client.documents[source.uri].version > 1, "no edit is applied")
+    holds(found, "no edit is applied")
     same(errors(client.published(source.uri)), [], "the errors that are left")
     refusal(lambda: client.request("workspace/executeCommand", {
         "command": "shaderlint.fixAll", "arguments": ["file:///nowhere.glsl"]}), INVALID_PARAMS)
@@ -189,30 +189,30 @@ def a_shader_is_shown_in_a_browser(case):
     shown = client.asked_for("window/showDocument")
     same(shown.get("external"), True, "external")
     path = path_of(shown["uri"])
-    holds(path.endswith(".html"), "no page", shown)
+    holds(path.endswith(".html"), "no page is shown", shown)
     with open(path, encoding="utf-8") as file:
         contains(file.read().lower(), "<canvas", "the page")
     client.stop()
-    holds(not os.path.exists(path), "the page is left behind", path)
+    holds(not os.path.exists(path), "the page was not deleted", path)
 
 
 @test
-def a_page_is_given_to_who_asks(case):
+def a_page_is_returned_to_the_client(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", GOOD).open(client)
     first = client.of(source.uri, "shaderlint/page")["html"]
     contains(first, "bent", "the page")
-    # It is the text in the editor, not that on the disk.
+    # It is the text in the editor, not the file on disk.
     client.write_all(source.uri, client.text(source.uri).replace("bent", "curved"))
     second = client.of(source.uri, "shaderlint/page")["html"]
     holds("curved" in second and "bent" not in second, "an old page")
     client.write_all(source.uri, client.text(source.uri).replace("= 1.0;", "= vec2(1.0);"))
     refused = refusal(lambda: client.of(source.uri, "shaderlint/page"))
-    holds(refused.message, "no reason", refused)
+    holds(refused.message, "no reason is given", refused)
 
 
 @test
-def the_page_of_a_folder_has_all_its_passes(case):
+def the_page_of_a_folder_contains_all_passes(case):
     client = case.client(options=QUIET)
     case.write("common.glsl", "float wave(float x) { return sin(x); }\n").open(client)
     case.write("bufferA.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n")

@@ -1,7 +1,7 @@
 """A client that speaks the language server protocol to a real process.
 
-It keeps what an editor keeps: the texts that are open, what was published, what was asked of it. All
-that the server says is held against the protocol as it is read; what breaks it is kept in
+It keeps the state of an editor: the open texts, the published diagnostics and the requests of the
+server. All messages of the server are checked against the protocol; violations are collected in
 `violations`, which `stop` raises.
 """
 
@@ -27,21 +27,20 @@ INVALID_REQUEST = -32600
 METHOD_NOT_FOUND = -32601
 INVALID_PARAMS = -32602
 
-# What happens to files.
+# File change types of the protocol.
 CREATED, CHANGED, DELETED = 1, 2, 3
 
-# Seconds after which an event that is waited for counts as one that never happens. No test expects
-# it to run out: a busy machine is slow, not wrong.
+# Timeout in seconds for an expected event. No test relies on it: a busy machine is slow, not wrong.
 PATIENCE = 300
 
 
 def uri_of(path):
-    """The address of a file."""
+    """The URI of a file."""
     return pathlib.Path(path).absolute().as_uri()
 
 
 def everything():
-    """What an editor that can do everything says of itself; tests take things away."""
+    """The capabilities of an editor that supports everything; tests remove some of them."""
     dynamic = {"dynamicRegistration": True}
     return {
         "general": {"positionEncodings": ["utf-16"]},
@@ -91,7 +90,7 @@ def everything():
 
 
 class RpcError(Exception):
-    """An answer that is an error."""
+    """A response that is an error."""
 
     def __init__(self, method, error):
         super().__init__("%s: %s (%d)" % (method, error.get("message"), error.get("code", 0)))
@@ -100,11 +99,11 @@ class RpcError(Exception):
 
 
 class Violation(Exception):
-    """The server broke the protocol."""
+    """The server violated the protocol."""
 
 
 class Document:
-    """A text that is open, as the client has it."""
+    """An open text, as known to the client."""
 
     def __init__(self, uri, text, version):
         self.uri = uri
@@ -113,7 +112,7 @@ class Document:
 
 
 class Connection:
-    """A process and its messages."""
+    """A server process and its messages."""
 
     def __init__(self, command, folder=None, environment=None):
         self.violations = []
@@ -150,21 +149,21 @@ class Connection:
                 if message is None:
                     break
                 self.take(message)
-        except Exception as error:  # whatever it is, a test has to hear of it
-            self.violate("cannot be read: %r" % error)
+        except Exception as error:  # any error must reach the test
+            self.violate("unreadable message: %r" % error)
         with self.changed:
             self.is_closed = True
             self.changed.notify_all()
 
     def read(self):
-        """The next message; None at the end."""
+        """The next message; None at the end of the output."""
         length = None
         while True:
             line = self.process.stdout.readline()
             if not line:
                 return None
             if not line.endswith(b"\r\n"):
-                raise Violation("a header ends with something else than CR LF: %r" % line)
+                raise Violation("a header does not end with CR LF: %r" % line)
             line = line.strip()
             if not line:
                 break
@@ -174,20 +173,20 @@ class Connection:
             elif name.lower() != b"content-type":
                 raise Violation("an unknown header: %r" % line)
         if length is None:
-            raise Violation("a message without its length")
+            raise Violation("a message without Content-Length")
         body = self.process.stdout.read(length)
         if len(body) < length:
             raise Violation("the output ends inside of a message")
         return json.loads(body.decode("utf-8"))
 
     def violate(self, message):
-        """Keeps a breach of the protocol."""
+        """Records a protocol violation."""
         with self.changed:
             self.violations.append(message)
             self.changed.notify_all()
 
     def take(self, message):
-        """Sorts a message by its kind."""
+        """Dispatches a message by its kind."""
         if not isinstance(message, dict) or message.get("jsonrpc") != "2.0":
             return self.violate("this is not JSON-RPC 2.0: %.200r" % (message,))
         about = message.get("method") or self.pending.get(message.get("id"))
@@ -207,7 +206,7 @@ class Connection:
         return self.take_answer(message)
 
     def take_answer(self, message):
-        """An answer belongs to a question, once, and is either a result or an error."""
+        """A response must belong to a request, arrive once, and be either a result or an error."""
         number = message.get("id")
         if ("result" in message) == ("error" in message):
             self.violate("neither or both of result and error: %.200r" % (message,))
@@ -220,9 +219,9 @@ class Connection:
             if number is not None:
                 self.answered[number] += 1
                 if number not in self.pending:
-                    self.violations.append("nobody asked %r" % (number,))
+                    self.violations.append("a response to unknown request %r" % (number,))
                 elif self.answered[number] > 1:
-                    self.violations.append("%r has two answers" % (self.pending[number],))
+                    self.violations.append("two responses to request %r" % (self.pending[number],))
             self.answers[number] = message
             self.changed.notify_all()
 
@@ -236,30 +235,30 @@ class Connection:
         answer = {"jsonrpc": "2.0", "id": message["id"]}
         answer.update({"error": error} if error else {"result": result})
         self.write(answer)
-        # What a test sends once it sees the request arrives after the answer.
+        # A message that a test sends after it sees the request must arrive after the answer.
         with self.changed:
             self.asked.append(message)
             self.changed.notify_all()
 
     def answer(self, method, params):
-        """What a client that knows nothing answers; `Client` knows more."""
+        """The answer of a client without features; `Client` overrides this."""
         raise KeyError(method)
 
     # Writing.
 
     def write(self, message):
-        """Sends a message."""
+        """Writes a message."""
         body = json.dumps(message, ensure_ascii=False).encode("utf-8")
         self.write_bytes(b"Content-Length: %d\r\n\r\n" % len(body) + body)
 
     def write_bytes(self, data):
-        """Sends bytes as they are."""
+        """Writes raw bytes."""
         with self.writing:
             try:
                 self.process.stdin.write(data)
                 self.process.stdin.flush()
             except (BrokenPipeError, ValueError):
-                # The server has gone; whoever waits for it hears that.
+                # The server has exited; whoever waits for it gets an error.
                 pass
 
     def wait_until_read(self):
@@ -267,15 +266,15 @@ class Connection:
         end = time.monotonic() + PATIENCE
         while struct.unpack("i", fcntl.ioctl(self.process.stdin, termios.FIONREAD, b"\0" * 4))[0]:
             if time.monotonic() > end:
-                raise TimeoutError("after %d s: the server does not read" % PATIENCE)
+                raise TimeoutError("after %d s: the server does not read its input" % PATIENCE)
             time.sleep(0.001)
 
     def notify(self, method, params=None):
-        """Tells something."""
+        """Sends a notification."""
         self.write({"jsonrpc": "2.0", "method": method, "params": params if params is not None else {}})
 
     def send(self, method, params=None):
-        """Asks something; gives the number of the question."""
+        """Sends a request; returns its id."""
         with self.changed:
             self.last_id += 1
             number = self.last_id
@@ -287,7 +286,7 @@ class Connection:
         return number
 
     def wait_until(self, holds, what):
-        """Waits until something holds, which is looked at whenever a message comes."""
+        """Waits until a condition holds; checks it after every message."""
         end = time.monotonic() + PATIENCE
         with self.changed:
             while True:
@@ -298,19 +297,19 @@ class Connection:
                 if left <= 0:
                     raise TimeoutError("after %d s: %s" % (PATIENCE, what))
                 if self.is_closed:
-                    raise Violation("the server is gone: %s\n%s" % (what, self.said()))
+                    raise Violation("the server has exited: %s\n%s" % (what, self.said()))
                 self.changed.wait(left)
 
     def wait(self, number):
-        """The answer to a question, whole."""
+        """The complete response to a request."""
         what = "no answer to %s" % self.pending[number]
         self.wait_until(lambda: number in self.answers, what)
         with self.changed:
             return self.answers[number]
 
     def request(self, method, params=None):
-        """Asks something and waits for it. A question that a newer text has overtaken is asked
-        again, as editors do."""
+        """Sends a request and waits for the result. A request that is rejected because the text
+        has changed is repeated, as in editors."""
         for _ in range(20):
             answer = self.wait(self.send(method, params))
             error = answer.get("error")
@@ -321,18 +320,18 @@ class Connection:
         raise RpcError(method, error)
 
     def said(self):
-        """What the server wrote to its standard error, its end."""
+        """The tail of the server's standard error."""
         self.errors.seek(0)
         return self.errors.read().decode("utf-8", "replace")[-4000:]
 
     def finish(self):
-        """Waits for the end of the process; its exit code."""
+        """Waits for the process to exit; returns its exit code."""
         code = self.process.wait(PATIENCE)
         self.reader.join(PATIENCE)
         return code
 
     def kill(self):
-        """Ends the process where it has not ended."""
+        """Kills the process if it is still running."""
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
@@ -365,7 +364,7 @@ class Client(Connection):
                 raise
 
     def start(self):
-        """Says who it is."""
+        """Initializes the session."""
         params = {
             "processId": os.getpid(),
             "clientInfo": {"name": "tests"},
@@ -407,7 +406,7 @@ class Client(Connection):
         self.notify("textDocument/didOpen", {"textDocument": item})
 
     def change(self, uri, changes):
-        """Changes a text; `changes` are those of the protocol, one after the other."""
+        """Changes a text; `changes` are content changes of the protocol, applied in order."""
         document = self.documents[uri]
         for change in changes:
             document.text = apply_change(document.text, change, self.encoding)
@@ -419,12 +418,12 @@ class Client(Connection):
         return document.version
 
     def replace(self, uri, start, end, new):
-        """Puts something in the place of a stretch, as one who types does."""
+        """Replaces a range, as when typing."""
         lines = self.lines(uri)
         return self.change(uri, [{"range": lines.range(start, end), "text": new}])
 
     def write_all(self, uri, text):
-        """Sets the whole text."""
+        """Replaces the whole text."""
         return self.change(uri, [{"text": text}])
 
     def close(self, uri):
@@ -433,8 +432,8 @@ class Client(Connection):
         self.notify("textDocument/didClose", {"textDocument": {"uri": uri}})
 
     def apply(self, edit):
-        """Applies an edit of the workspace to the texts that are open and to the files that are
-        not, and tells the server so."""
+        """Applies a workspace edit to the open texts and to the files that are not open, and
+        notifies the server."""
         for uri, edits in changes_of(edit):
             if uri in self.documents:
                 text = apply_edits(self.documents[uri].text, edits, self.encoding)
@@ -448,12 +447,12 @@ class Client(Connection):
             self.watched((uri, CHANGED))
 
     def watched(self, *events):
-        """Tells what has happened on the disk: addresses, and what happened to each."""
+        """Notifies about changed files: URIs, and the type of each change."""
         changes = [{"uri": uri, "type": kind} for uri, kind in events]
         self.notify("workspace/didChangeWatchedFiles", {"changes": changes})
 
     def text(self, uri):
-        """The text that is open, as the client has it."""
+        """The open text, as known to the client."""
         return self.documents[uri].text
 
     def lines(self, uri):
@@ -463,21 +462,21 @@ class Client(Connection):
         with open(path_of(uri), encoding="utf-8", newline="") as file:
             return Lines(file.read(), self.encoding)
 
-    # Questions.
+    # Requests.
 
     def at(self, uri, offset, method, **more):
-        """Asks about a place."""
+        """Sends a request for a position."""
         params = {"textDocument": {"uri": uri}, "position": self.lines(uri).position(offset)}
         params.update(more)
         return self.request(method, params)
 
     def of(self, uri, method, **more):
-        """Asks about a text."""
+        """Sends a request for a text."""
         return self.request(method, dict({"textDocument": {"uri": uri}}, **more))
 
     def published(self, uri, version=None):
-        """What was published of a text last, for its present version where none is said; waits
-        for that."""
+        """The diagnostics published last for a text, for its current version by default; waits
+        for them."""
         wanted = self.documents[uri].version if version is None else version
 
         def newest():
@@ -492,7 +491,7 @@ class Client(Connection):
         ]
 
     def published_when(self, uri, holds, what="diagnostics stay as they are"):
-        """What was published of a text, once it is as it should be."""
+        """The diagnostics of a text, once they satisfy a condition."""
 
         def newest():
             for message in reversed(self.notifications):
@@ -504,7 +503,7 @@ class Client(Connection):
         return self.wait_until(newest, what)["diagnostics"]
 
     def asked_for(self, method, count=1):
-        """The parameters of the first request of a method by the server, once it has been answered
+        """The parameters of the server's first request of a method, once it has been answered
         `count` times."""
 
         def requests():
@@ -515,7 +514,7 @@ class Client(Connection):
         return found[0].get("params")
 
     def settle(self):
-        """Returns once the server has sent all answers to earlier messages: slow requests are answered
+        """Returns once the server has answered all earlier messages: slow requests are answered
         one after the other, and this is the last of them."""
         self.request("workspace/symbol", {"query": "settle"})
 
@@ -525,7 +524,7 @@ class Client(Connection):
             return [m["params"] for m in self.notifications if m["method"] == method]
 
     def stop(self):
-        """Says goodbye as the protocol has it; raises what the server did wrong."""
+        """Shuts the server down; raises the violations that were recorded."""
         self.request("shutdown")
         self.notify("exit")
         code = self.finish()
@@ -533,28 +532,28 @@ class Client(Connection):
             raise Violation("the exit code is %d\n%s" % (code, self.said()))
         missing = [m for n, m in self.pending.items() if not self.answered[n]]
         if missing:
-            raise Violation("without an answer: %r" % missing)
+            raise Violation("requests without a response: %r" % missing)
         if self.violations:
             raise Violation("; ".join(self.violations[:5]))
 
 
 def path_of(uri):
-    """The path of an address of this machine."""
+    """The path of a file URI on this machine."""
     parsed = urlparse(uri)
     if parsed.scheme != "file":
-        raise ValueError("%s is no file" % uri)
+        raise ValueError("%s is not a file URI" % uri)
     return unquote(parsed.path)
 
 
 def changes_of(edit):
-    """The edits of a workspace edit, by text."""
+    """The edits of a workspace edit, by URI."""
     if "documentChanges" in edit:
         return [(c["textDocument"]["uri"], c["edits"]) for c in edit["documentChanges"]]
     return sorted((edit.get("changes") or {}).items())
 
 
 def check_ranges(value, violate):
-    """Finds ranges that are none, wherever they stand in a message."""
+    """Reports invalid ranges anywhere in a message."""
     if isinstance(value, list):
         for each in value:
             check_ranges(each, violate)
@@ -564,7 +563,7 @@ def check_ranges(value, violate):
             places = [(p.get("line"), p.get("character")) for p in (start, end)]
             numbers = [n for place in places for n in place]
             if not all(isinstance(n, int) and 0 <= n < 2**31 for n in numbers):
-                violate("no range: %r" % value)
+                violate("not a range: %r" % value)
             elif places[0] > places[1]:
                 violate("a range that ends before it starts: %r" % value)
         for each in value.values():

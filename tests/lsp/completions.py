@@ -1,4 +1,4 @@
-"""What may be written at a place, and that what is written compiles."""
+"""Completions, and that the completed code compiles."""
 
 import re
 
@@ -30,7 +30,7 @@ class Typed:
         self.uri = self.source.uri
 
     def ask(self, typed, back=0):
-        """The completions behind what is typed; `back` characters before its end."""
+        """The completions after the typed text, or `back` characters before its end."""
         at = self.source["at"]
         self.client.write_all(self.uri, self.source.text[:at] + typed + self.source.text[at:])
         found = self.client.at(self.uri, at + len(typed) - back, "textDocument/completion")
@@ -38,7 +38,7 @@ class Typed:
         return {item["label"]: item for item in items}
 
     def accept(self, item):
-        """Writes what a completion writes, with its places as they are."""
+        """Inserts a completion, including its placeholders."""
         edit = dict(item["textEdit"])
         if item.get("insertTextFormat") == 2:
             edit["newText"] = PLACE.sub(lambda place: place.group(1) or "", edit["newText"])
@@ -48,7 +48,7 @@ class Typed:
         return edit["newText"]
 
     def left(self):
-        """The errors of the text as it is now."""
+        """The errors of the current text."""
         return [d["message"] for d in errors(self.client.published(self.uri))]
 
 
@@ -74,9 +74,9 @@ def components_of_a_vector(case):
     holds("w" in found and "xyzw" in found, "components of a call", sorted(found))
     typed.accept(found["w"])
     same(typed.left(), [], "the errors")
-    same(sorted(typed.ask("list.")), ["length()"], "what an array has")
-    same(typed.ask("here."), {}, "what a number has")
-    same(typed.ask("here = 1."), {}, "what follows the point of a number")
+    same(sorted(typed.ask("list.")), ["length()"], "members of an array")
+    same(typed.ask("here."), {}, "members of a number")
+    same(typed.ask("here = 1."), {}, "completions after a decimal point")
 
 
 @test
@@ -84,24 +84,24 @@ def names_that_are_in_scope(case):
     typed = Typed(case)
     found = typed.ask("here = ")
     for name in ("here", "ray", "fragCoord", "map", "LIMIT", "iTime", "mix", "Ray", "vec3"):
-        holds(name in found, "«%s» is not offered" % name, sorted(found))
+        holds(name in found, "«%s» is not completed" % name, sorted(found))
     for name in ("inner", "turn", "after", "later", "origin", "mainImage", "p", "gain"):
         holds(name not in found, "«%s» cannot be named here" % name)
     holds(found["here"]["sortText"] < found["iTime"]["sortText"] < found["mix"]["sortText"],
-          "what is near comes first", [found[n]["sortText"] for n in ("here", "iTime", "mix")])
+          "the nearest names come first", [found[n]["sortText"] for n in ("here", "iTime", "mix")])
     same(found["ray"]["detail"], "Ray", "the type of a variable")
     inside = typed.ask("for (int k = 0; k < 3; k++) { float deep = 1.0; here +=  }", back=2)
     holds("k" in inside and "deep" in inside, "names of the loop", sorted(inside))
 
 
 @test
-def calls_have_places_for_their_arguments(case):
+def calls_have_placeholders_for_arguments(case):
     typed = Typed(case)
     found = typed.ask("here = ma;", back=1)
     same(found["map"]["textEdit"]["newText"], "map(${1:p}, ${2:gain})", "a function of the shader")
     same(found["map"]["insertTextFormat"], 2, "its format")
     contains(found["mix"]["textEdit"]["newText"], "mix(${1:", "a function of the language")
-    contains(found["mix"]["documentation"]["value"], "`a`", "what is said of it")
+    contains(found["mix"]["documentation"]["value"], "`a`", "its documentation")
     found = typed.ask("here = abs;", back=1)
     typed.accept(found["abs"])
     contains(typed.client.text(typed.uri), "here = abs(x);", "the text, with the name of the parameter")
@@ -110,7 +110,7 @@ def calls_have_places_for_their_arguments(case):
 
 
 @test
-def who_knows_no_snippets_gets_none(case):
+def clients_without_snippets_get_plain_text(case):
     capabilities = everything()
     capabilities["textDocument"]["completion"]["completionItem"]["snippetSupport"] = False
     typed = Typed(case, capabilities=capabilities)
@@ -125,7 +125,7 @@ def directives(case):
     for words in ("#", "# ", "#inc"):
         found = typed.ask(words)
         holds({"define", "ifdef", "endif", "include"} <= set(found) and "mix" not in found,
-              "other words behind «%s»" % words, sorted(found))
+              "other completions after «%s»" % words, sorted(found))
     typed.accept(typed.ask("#def LOCAL 1.0\nhere = LOCAL;", back=len(" LOCAL 1.0\nhere = LOCAL;"))["define"])
     contains(typed.client.text(typed.uri), "#define LOCAL 1.0\n", "the text")
     same(typed.left(), [], "the errors")
@@ -135,11 +135,12 @@ def directives(case):
 def paths_of_includes(case):
     case.write("lib.glsl", "float lib() { return 1.0; }\n")
     case.write("inner/deep.glsl", "float deep() { return 1.0; }\n")
-    case.write("picture.png", "no picture")
+    case.write("picture.png", "no image file")
     typed = Typed(case)
     same(sorted(typed.ask('#include "')), ["inner", "lib.glsl"], "the files")
     same(sorted(typed.ask('#include "inner/')), ["deep.glsl"], "the files of a folder")
-    # It works at the head, where directives are at home, and what is accepted is found.
+    # Includes are completed at the start of a line, where directives are allowed; the inserted path
+    # resolves.
     head = '#include "lib.'
     typed.client.write_all(typed.uri, head + '"\n' + typed.source.text.replace("here = 1.0", "here = lib()"))
     found = typed.client.at(typed.uri, len(head), "textDocument/completion")["items"]
@@ -153,14 +154,14 @@ def names_of_rules(case):
     typed = Typed(case)
     found = typed.ask("// shaderlint: allow(unus")
     holds({"unused-variable", "float-equality"} <= set(found) and "mix" not in found, "others", sorted(found)[:9])
-    holds(len(found["unused-variable"]["detail"]) > 10, "no summary", found["unused-variable"])
+    holds(len(found["unused-variable"]["detail"]) > 10, "no rule summary", found["unused-variable"])
     typed.accept(found["unused-variable"])
     contains(typed.client.text(typed.uri), "// shaderlint: allow(unused-variable", "the text")
     found = typed.ask("// shaderlint: allow(float-equality, unused-v")
     typed.accept(found["unused-variable"])
-    contains(typed.client.text(typed.uri), "allow(float-equality, unused-variable", "a second rule")
-    same(typed.ask("// any other comm"), {}, "completions in a comment")
-    same(typed.ask("/* here = ma */", back=3), {}, "completions in a comment")
+    contains(typed.client.text(typed.uri), "allow(float-equality, unused-variable", "the second rule")
+    same(typed.ask("// any other comm"), {}, "completions in an ordinary comment")
+    same(typed.ask("/* here = ma */", back=3), {}, "completions in an ordinary comment")
 
 
 @test
@@ -171,7 +172,7 @@ def snippets(case):
     same(len(loops), 1, "the snippets of a loop")
     typed.accept(loops[0])
     same(typed.left(), [], "the errors of a loop as it is written")
-    # Outside of functions there are others.
+    # Outside functions there are other snippets.
     client = typed.client
     client.write_all(typed.uri, "\n")
     items = client.at(typed.uri, 0, "textDocument/completion")["items"]
@@ -184,22 +185,22 @@ def snippets(case):
 
 
 @test
-def a_word_is_replaced_up_to_the_place(case):
+def a_word_is_replaced_up_to_the_cursor(case):
     typed = Typed(case)
     found = typed.ask("float copy = hexyz;", back=4)
     start, end = typed.client.lines(typed.uri).span(found["here"]["textEdit"]["range"])
-    same(typed.client.text(typed.uri)[start:end], "he", "what is replaced")
+    same(typed.client.text(typed.uri)[start:end], "he", "the replaced range")
 
 
 @test
-def a_whole_webgl_shader_has_other_names(case):
+def complete_webgl_shaders_have_other_names(case):
     client = case.client()
     source = case.write("a.frag", "#version 300 es\nprecision highp float;\nin vec2 vUv;\nuniform float gain;\n"
                         "out vec4 color;\nvoid main() {\n    color = vec4(vUv, «at»gain, 1.0);\n}\n").open(client)
     items = client.at(source.uri, source["at"], "textDocument/completion")["items"]
     labels = {i["label"] for i in items}
-    holds({"vUv", "gain", "gl_FragCoord", "texture", "dFdx"} <= labels, "what is missing", sorted(labels))
-    holds(not {"iTime", "texture2D", "gl_Position", "gl_FragColor"} & labels, "what is not there", sorted(labels))
+    holds({"vUv", "gain", "gl_FragCoord", "texture", "dFdx"} <= labels, "missing names", sorted(labels))
+    holds(not {"iTime", "texture2D", "gl_Position", "gl_FragColor"} & labels, "names that are not declared", sorted(labels))
     layout = case.write("b.frag", "#version 300 es\nprecision highp float;\nlayout(«at») out vec4 color;\n"
                         "void main() { color = vec4(1.0); }\n").open(client)
     labels = {i["label"] for i in client.at(layout.uri, layout["at"], "textDocument/completion")["items"]}
@@ -207,7 +208,7 @@ def a_whole_webgl_shader_has_other_names(case):
 
 
 @test
-def all_completions_replace_a_stretch_of_one_line(case):
+def completions_replace_a_range_of_one_line(case):
     typed = Typed(case)
     for words in ("", "he", "ray.", "here = map(", "#", "// shaderlint: allow(", "vec3(", "else", "}"):
         for item in typed.ask(words).values():

@@ -1,4 +1,5 @@
-"""Shaders inside other languages: findings and edits stand where the text of the file has them."""
+"""Shaders inside other languages: positions of diagnostics and edits refer to the containing
+file."""
 
 import json
 
@@ -28,7 +29,7 @@ WRAPPED = {
 
 
 def judged(case, name):
-    """A shader inside of something: what is found, and what a renaming there makes of it."""
+    """Checks diagnostics and a renaming for a shader inside another file."""
     language, around = WRAPPED[name]
     client = case.client()
     source = case.write(name, around % SHADER).open(client, language)
@@ -36,13 +37,13 @@ def judged(case, name):
     found = client.published(source.uri)
     same([lines.span(d["range"])[0] for d in errors(found)], [source["bad"]], "the error")
     contains(client.at(source.uri, source["var"], "textDocument/hover")["contents"]["value"],
-             "float unused", "what is shown of it")
+             "float unused", "the code at the error")
     client.apply(client.at(source.uri, source["var"], "textDocument/rename", newName="other"))
     same(client.text(source.uri), source.text.replace("unused", "other"), "the text afterwards")
     client.replace(source.uri, client.text(source.uri).index("nope"), client.text(source.uri).index("nope") + 4, "x")
     client.published(source.uri)
     names = [s["name"] for s in client.of(source.uri, "textDocument/documentSymbol")]
-    holds("main" in names and "gain" in names, "the outline has not all of it", names)
+    holds("main" in names and "gain" in names, "the outline is incomplete", names)
 
 
 @test
@@ -81,17 +82,17 @@ def shaders_in_markdown(case):
 
 
 @test
-def a_script_without_shaders_is_left_in_peace(case):
+def a_script_without_shaders_has_no_diagnostics(case):
     client = case.client()
     source = case.write("plain.js", "const a = `b ${1 + 1}`;\nfor (;;) { if (a) break; }\n")
     source.open(client, "javascript")
-    same(client.published(source.uri), [], "what is found")
+    same(client.published(source.uri), [], "the diagnostics")
     for method in ("documentSymbol", "foldingRange", "documentColor"):
         same(client.of(source.uri, "textDocument/" + method) or [], [], method)
 
 
 def export(image, common):
-    """An export of ShaderToy, as the site writes it: in one line."""
+    """A ShaderToy export as the website writes it: on one line."""
     def one(name, kind, code):
         output = [{"id": 37, "channel": 0}] if kind == "image" else []
         return {"inputs": [], "outputs": output, "code": code, "name": name, "description": "",
@@ -116,7 +117,7 @@ def shaders_in_exports(case):
     use = source.text.index("wave(iTime)")
     location = client.at(source.uri, use, "textDocument/definition")
     same(lines.span(location["range"])[0], source.text.index("wave(float x)"), "the definition")
-    # A name goes through all passes of an export, whose strings stay what they are.
+    # A name is renamed in all passes of an export; its strings stay escaped.
     client.apply(client.at(source.uri, use, "textDocument/rename", newName="ripple"))
     same(client.text(source.uri), source.text.replace("wave(", "ripple("), "the text afterwards")
     json.loads(client.text(source.uri))
@@ -139,4 +140,4 @@ def an_edit_in_an_export_is_escaped(case):
     passes = json.loads(client.text(source.uri))["renderpass"]
     contains(passes[0]["code"], "    // shaderlint: allow(unused-variable)\n    float unused", "the pass")
     found = client.published(source.uri)
-    same([d for d in found if d["code"] == "unused-variable"], [], "what is left")
+    same([d for d in found if d["code"] == "unused-variable"], [], "the remaining diagnostics")

@@ -1,4 +1,4 @@
-"""Formatting: a whole text, a range, what was just typed; by the configuration and by the editor."""
+"""Formatting: whole texts, ranges and on typing; by configuration and by editor settings."""
 
 from harness import errors, holds, refusal, same, test
 
@@ -33,22 +33,22 @@ def a_text_is_formatted(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     same(edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR)), NEAT, "the text")
-    same(client.of(source.uri, "textDocument/formatting", options=FOUR), [], "the edits of a neat text")
+    same(client.of(source.uri, "textDocument/formatting", options=FOUR), [], "the edits of a formatted text")
 
 
 @test
-def the_editor_says_how_far_lines_are_indented(case):
+def indentation_follows_the_editor(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     edits = client.of(source.uri, "textDocument/formatting", options={"tabSize": 2, "insertSpaces": True})
     expected = NEAT.replace("        ", "\t\t").replace("    ", "\t")
-    same(edited(client, source, edits), expected.replace("\t", "  "), "the text, by two blanks")
+    same(edited(client, source, edits), expected.replace("\t", "  "), "the text, indented by two spaces")
     edits = client.of(source.uri, "textDocument/formatting", options={"tabSize": 4, "insertSpaces": False})
-    same(edited(client, source, edits), expected, "the text, by tabs")
+    same(edited(client, source, edits), expected, "the text, indented by tabs")
 
 
 @test
-def the_configuration_comes_before_the_editor(case):
+def the_configuration_overrides_the_editor(case):
     case.write("shaderlint.toml", '[format]\nindent = 3\nbrace = "next"\n')
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
@@ -57,7 +57,7 @@ def the_configuration_comes_before_the_editor(case):
 
 
 @test
-def a_range_is_formatted_and_nothing_outside(case):
+def range_formatting_keeps_the_rest(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     start, end = source["loop"] + 2, source["close"]
@@ -65,14 +65,14 @@ def a_range_is_formatted_and_nothing_outside(case):
                       range=client.lines(source.uri).range(start, end))
     text = edited(client, source, edits)
     before, after = source.text[:source["loop"]], source.text[source["close"] + 1:]
-    holds(text.startswith(before), "what stands before changes:", text)
-    holds(text.endswith(after), "what stands behind changes:", text)
+    holds(text.startswith(before), "code before the range changes:", text)
+    holds(text.endswith(after), "code after the range changes:", text)
     same(text[len(before):len(text) - len(after)],
          "    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }", "the range")
 
 
 @test
-def a_range_that_is_neat_has_no_edits(case):
+def a_formatted_range_has_no_edits(case):
     client = case.client()
     source = case.write("a.glsl", NEAT).open(client)
     for start, end in ((0, 0), (0, len(NEAT)), (60, 200)):
@@ -89,8 +89,8 @@ def a_block_is_formatted_when_it_is_closed(case):
     text = edited(client, source, edits)
     holds("    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }\n" in text,
           "the loop is not formatted:", text)
-    holds(text.startswith(source.text[:source["loop"]]), "what stands before changes:", text)
-    holds(text.endswith(source.text[at:]), "what stands behind changes:", text)
+    holds(text.startswith(source.text[:source["loop"]]), "code before the block changes:", text)
+    holds(text.endswith(source.text[at:]), "code after the block changes:", text)
 
 
 @test
@@ -104,16 +104,16 @@ def a_line_is_formatted_when_it_ends(case):
 
 
 @test
-def a_text_whose_brackets_do_not_match_is_refused(case):
+def unmatched_brackets_are_rejected(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     client.replace(source.uri, source["first"], source["first"], "((")
     error = refusal(lambda: client.of(source.uri, "textDocument/formatting", options=FOUR))
-    holds(error.message, "no reason", error)
+    holds(error.message, "no reason is given", error)
 
 
 @test
-def shaders_in_a_page_are_formatted_and_nothing_else(case):
+def only_shaders_of_a_page_are_formatted(case):
     client = case.client()
     body = '<p>é𝄞   two</p>\n<script type="x-shader/x-fragment">#version 300 es\nprecision highp float;\n' \
            "out vec4 color;\nvoid main( ){color=vec4( 1.0 ) ;}\n</script>\n<script>const a   = 1;</script>\n"
@@ -121,12 +121,12 @@ def shaders_in_a_page_are_formatted_and_nothing_else(case):
     text = edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR))
     holds("color = vec4(1.0);" in text, "it is not formatted:", text)
     same((text[:text.index("#version")], text[text.index("</script>"):]),
-         (body[:body.index("#version")], body[body.index("</script>"):]), "what stands around")
+         (body[:body.index("#version")], body[body.index("</script>"):]), "the code around it")
     same(errors(client.published(source.uri)), [], "the errors")
 
 
 @test
-def line_breaks_stay_as_they_are(case):
+def line_breaks_are_preserved(case):
     client = case.client()
     source = case.write("a.glsl", UGLY.replace("\n", "\r\n")).open(client)
     text = edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR))

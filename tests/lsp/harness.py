@@ -1,4 +1,5 @@
-"""What the tests share: how they are found, a workspace on the disk, and checks that say what they saw."""
+"""Shared by the tests: test registration, a workspace on disk, and checks with informative
+failures."""
 
 import os
 import shutil
@@ -13,13 +14,13 @@ TESTS = []
 
 
 def test(function):
-    """Makes a function a test; its name says what holds."""
+    """Registers a function as a test; its name states the property."""
     TESTS.append(function)
     return function
 
 
 class Case:
-    """What a test has: the program, a folder of its own, and the clients that it starts."""
+    """The environment of a test: the program, a temporary folder, and the clients that it starts."""
 
     def __init__(self, program):
         self.program = program
@@ -29,20 +30,20 @@ class Case:
     def client(self, **settings):
         """Starts an editor on the folder of the test."""
         settings.setdefault("folder", self.folder)
-        # Pages are written below the folder, so that the test sees them come and go.
+        # The server writes pages below the folder, so that the test can check that they are deleted.
         environment = {"TMPDIR": self.temp()}
         client = Client([self.program, "lsp"], environment=environment, **settings)
         self.clients.append(client)
         return client
 
     def temp(self):
-        """The folder for what the server writes."""
+        """The folder for files written by the server."""
         path = self.folder + ".temp"
         os.makedirs(path, exist_ok=True)
         return path
 
     def write(self, name, text):
-        """Writes a file, whose marks are taken out; gives its address, text and marks."""
+        """Writes a file without its marks; returns URI, text and marks."""
         text, places = marked(text)
         path = os.path.join(self.folder, name)
         os.makedirs(os.path.dirname(path), exist_ok=True)
@@ -51,11 +52,11 @@ class Case:
         return Source(uri_of(path), text, places, path)
 
     def uri(self, name):
-        """The address of a file that need not be there."""
+        """The URI of a file that need not exist."""
         return uri_of(os.path.join(self.folder, name))
 
     def end(self):
-        """Says goodbye to the servers that are still there."""
+        """Shuts down the servers that are still running."""
         try:
             for client in self.clients:
                 if client.process.poll() is None and not client.is_closed:
@@ -66,7 +67,7 @@ class Case:
             self.clear()
 
     def clear(self):
-        """Ends whatever is left."""
+        """Kills the remaining processes and deletes the folder."""
         for client in self.clients:
             client.kill()
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -74,7 +75,7 @@ class Case:
 
 
 class Source:
-    """A text with named places."""
+    """A text with named positions."""
 
     def __init__(self, uri, text, places, path=None):
         self.uri = uri
@@ -101,60 +102,60 @@ def without(capabilities, *path):
 
 
 def pulling():
-    """The capabilities of a client that asks for diagnostics itself."""
+    """The capabilities of a client that pulls diagnostics."""
     capabilities = everything()
     capabilities["textDocument"]["diagnostic"] = {"relatedDocumentSupport": True}
     return capabilities
 
 
 def same(found, expected, what=""):
-    """Two things that must be equal."""
+    """Asserts that two values are equal."""
     if found != expected:
-        raise AssertionError("%s is\n    %r\n  and should be\n    %r" % (what or "this", found, expected))
+        raise AssertionError("%s is\n    %r\n  but expected\n    %r" % (what or "this", found, expected))
 
 
 def holds(condition, what, *seen):
-    """Something that must hold."""
+    """Asserts a condition."""
     if not condition:
         shown = "".join("\n    %.1500r" % (each,) for each in seen)
         raise AssertionError(what + shown)
 
 
 def contains(text, part, what="the text"):
-    """A text that must say something."""
+    """Asserts that a text contains a part."""
     holds(part in text, "%s does not have %r:" % (what, part), text)
 
 
 def rules(diagnostics):
-    """The rules of findings, in their order."""
+    """The rules of diagnostics, in order."""
     return [d["code"] for d in diagnostics]
 
 
 def errors(diagnostics):
-    """The findings that are errors."""
+    """The diagnostics that are errors."""
     return [d for d in diagnostics if d["severity"] == 1]
 
 
 def by_rule(diagnostics, rule):
-    """The only finding of a rule."""
+    """The only diagnostic of a rule."""
     found = [d for d in diagnostics if d["code"] == rule]
-    holds(len(found) == 1, "one finding of %s, not %d:" % (rule, len(found)), diagnostics)
+    holds(len(found) == 1, "expected one diagnostic of %s, found %d:" % (rule, len(found)), diagnostics)
     return found[0]
 
 
 def refusal(ask, code=None):
-    """The error that a question is answered with."""
+    """The error that a request is answered with."""
     try:
         found = ask()
     except RpcError as error:
         if code is not None:
             same(error.code, code, "the code of «%s»" % error.message)
         return error
-    raise AssertionError("this is answered, and should be refused:\n    %.800r" % (found,))
+    raise AssertionError("expected an error, got a result:\n    %.800r" % (found,))
 
 
 def run_tests(program, only=None):
-    """Runs all tests, a line each; how many passed and failed."""
+    """Runs all tests and prints a line for each; returns the numbers of passed and failed tests."""
     passed, failed = 0, 0
     for function in TESTS:
         name = function.__name__

@@ -1,4 +1,4 @@
-"""What is shown of a place: types, ranges, constants, loops, pictures, documentation; signatures."""
+"""Hovers: types, ranges, constants, loops, images, documentation; and signature help."""
 
 import base64
 import re
@@ -37,9 +37,9 @@ def opened(case, **settings):
 
 
 def said(client, source, place):
-    """What is shown of a place, and the word that it is about."""
+    """The hover text at a position, and the code at its range."""
     found = client.at(source.uri, source[place], "textDocument/hover")
-    holds(found, "nothing is shown at «%s»" % place)
+    holds(found, "no hover at «%s»" % place)
     return found["contents"]["value"], client.lines(source.uri).at(found["range"])
 
 
@@ -55,20 +55,20 @@ def a_hover_has_the_declaration(case):
     }
     for place, (word, declaration) in expected.items():
         text, about = said(client, source, place)
-        same(about, word, "what the hover at «%s» is about" % place)
+        same(about, word, "the range of the hover at «%s»" % place)
         contains(text, "```glsl\n%s\n```" % declaration, "the hover")
     contains(said(client, source, "xy")[0], "vec2", "the hover of components")
     same(client.at(source.uri, source.text.index("{"), "textDocument/hover"), None, "a hover of a bracket")
 
 
 @test
-def a_hover_has_the_words_of_the_author(case):
+def a_hover_has_the_comment_of_the_declaration(case):
     client, source = opened(case)
     for place in ("fn", "call"):
         contains(said(client, source, place)[0], "Noise of a point.\nIt is cheap.", "the hover")
     contains(said(client, source, "origin")[0], "where it starts", "the hover")
     holds("Noise of a point" not in said(client, source, "par")[0],
-          "what is said of the function is not said of its parameter", said(client, source, "par"))
+          "the comment of the function is shown for its parameter", said(client, source, "par"))
 
 
 @test
@@ -84,40 +84,40 @@ def a_hover_has_ranges_and_constants(case):
 
 
 @test
-def a_hover_has_the_turns_of_a_loop_and_those_of_a_run(case):
+def a_hover_has_static_and_sampled_iteration_counts(case):
     client, source = opened(case)
-    contains(said(client, source, "loop")[0], "turns at most 8 times", "the hover")
+    contains(said(client, source, "loop")[0], "at most 8 iterations", "the hover")
     client.asked_for("workspace/inlayHint/refresh")
     text = said(client, source, "loop")[0]
-    turns = re.search(r"seen in a run: at most (\d+) turns, ([\d.]+) in the mean", text)
-    holds(turns, "no run is spoken of:", text)
-    holds(1 <= float(turns.group(2)) <= int(turns.group(1)) <= 8, "impossible turns:", text)
+    turns = re.search(r"sample run: at most (\d+) iterations, ([\d.]+) on average", text)
+    holds(turns, "no sampled loop counts:", text)
+    holds(1 <= float(turns.group(2)) <= int(turns.group(1)) <= 8, "impossible iteration counts:", text)
 
 
 @test
-def a_hover_has_a_picture(case):
+def a_hover_has_an_image(case):
     client, source = opened(case)
     text = said(client, source, "wave")[0]
     found = re.search(r"\(data:image/png;base64,([A-Za-z0-9+/=]+)\)", text)
-    holds(found, "no picture:", text)
+    holds(found, "no image:", text)
     data = base64.b64decode(found.group(1), validate=True)
     same(data[:8], b"\x89PNG\r\n\x1a\n", "the signature")
     same(data[-8:-4], b"IEND", "the last chunk")
     width, height = struct.unpack(">II", data[16:24])
     holds(16 <= width <= 1024 and 9 <= height <= 1024, "its size", width, height)
-    # Nobody draws what is the same everywhere, and nobody draws what is no variable.
+    # There is no image for a constant value or for code that is not a variable.
     for place in ("steps", "fn", "macro", "field"):
-        holds("image/png" not in said(client, source, place)[0], "a picture of «%s»" % place)
+        holds("image/png" not in said(client, source, place)[0], "an image for «%s»" % place)
 
 
 @test
-def pictures_can_be_turned_off(case):
+def images_can_be_turned_off(case):
     client, source = opened(case, options={"pictures": False})
-    holds("image/png" not in said(client, source, "wave")[0], "a picture nobody wants")
+    holds("image/png" not in said(client, source, "wave")[0], "an image although images are off")
 
 
 @test
-def a_hover_documents_what_the_language_and_the_host_give(case):
+def a_hover_documents_built_ins_and_host_names(case):
     client, source = opened(case)
     for place, words in (("sin", "sine of `angle`"), ("time", "seconds since the start"),
                          ("texture", "texture")):
@@ -126,7 +126,7 @@ def a_hover_documents_what_the_language_and_the_host_give(case):
 
 
 @test
-def a_client_without_markdown_gets_none(case):
+def clients_without_markdown_get_plain_text(case):
     capabilities = everything()
     capabilities["textDocument"]["hover"]["contentFormat"] = ["plaintext"]
     client, source = opened(case, capabilities=capabilities)
@@ -134,17 +134,17 @@ def a_client_without_markdown_gets_none(case):
     same(found["contents"]["kind"], "plaintext", "the kind")
     text = found["contents"]["value"]
     contains(text, "float wave", "the hover")
-    holds("```" not in text and "data:image" not in text, "Markdown for who does not read it", text)
+    holds("```" not in text and "data:image" not in text, "Markdown for a client without Markdown", text)
 
 
 @test
-def a_hover_of_a_suppression_says_what_the_rule_is_about(case):
+def a_hover_of_a_suppression_describes_the_rule(case):
     client = case.client()
     source = case.write("a.glsl", SHADER.replace(
         "    Ray ray", "    // shaderlint: allow(«rule»unused-variable)\n    Ray ray")).open(client)
     text, about = said(client, source, "rule")
-    same(about, "unused-variable", "what it is about")
-    holds(len(text) > 30, "too little", text)
+    same(about, "unused-variable", "the range of the hover")
+    holds(len(text) > 30, "too short", text)
 
 
 def help_at(client, source, offset):
@@ -152,7 +152,7 @@ def help_at(client, source, offset):
 
 
 def active(found):
-    """The label of the parameter that is being written."""
+    """The label of the active parameter."""
     signature = found["signatures"][found.get("activeSignature") or 0]
     number = signature.get("activeParameter", found.get("activeParameter"))
     start, end = signature["parameters"][number]["label"]
@@ -160,7 +160,7 @@ def active(found):
 
 
 @test
-def signatures_follow_the_argument(case):
+def signature_help_follows_the_argument(case):
     client = case.client()
     source = case.write("a.glsl", """float shade(vec3 normal, float gain, out vec3 color) { color = normal * gain; return gain; }
 struct Ray { vec3 origin; float speed; };
@@ -177,9 +177,9 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
                              ("speed", "float speed")):
         same(active(help_at(client, source, source[place])), parameter, "the parameter at «%s»" % place)
     found = help_at(client, source, source["one"])
-    same(found["signatures"][0]["label"], "float shade(vec3 normal, float gain, out vec3 color)", "the form")
+    same(found["signatures"][0]["label"], "float shade(vec3 normal, float gain, out vec3 color)", "the signature")
     contains(active(help_at(client, source, source["third"])), "a", "the third parameter of mix")
-    contains(help_at(client, source, source["third"])["signatures"][0]["label"], "mix(", "the form of mix")
+    contains(help_at(client, source, source["third"])["signatures"][0]["label"], "mix(", "the signature of mix")
     labels = [s["label"] for s in help_at(client, source, source["coord"])["signatures"]]
     holds(all("texture(" in label for label in labels), "other functions", labels)
     contains(help_at(client, source, source["coord"])["signatures"][0]["documentation"]["value"], "texture",
@@ -188,7 +188,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 
 
 @test
-def signatures_come_while_a_call_is_typed(case):
+def signature_help_works_while_typing(case):
     client = case.client()
     text = "float wave(vec2 place, float gain) { return place.x * gain; }\n" \
            "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n    float a = \n}\n"
@@ -202,4 +202,4 @@ def signatures_come_while_a_call_is_typed(case):
         if parameter:
             same(active(found), parameter, "the parameter after «%s»" % typed)
         else:
-            contains(found["signatures"][0]["label"], "max(", "the form of what is inside")
+            contains(found["signatures"][0]["label"], "max(", "the signature of the inner call")

@@ -1,4 +1,4 @@
-"""How a session begins, goes on and ends; what is said of questions that mean nothing."""
+"""Start, course and end of a session; answers to invalid requests."""
 
 import json
 
@@ -26,11 +26,11 @@ PROVIDERS = {
 
 
 @test
-def all_that_is_answered_is_announced(case):
+def all_features_are_announced(case):
     client = case.client()
     told = client.initialized["capabilities"]
     missing = [name for name in sorted(PROVIDERS) if told.get(name) in (None, False)]
-    same(missing, [], "what is not announced")
+    same(missing, [], "features that are not announced")
     same(told["textDocumentSync"]["change"], 2, "the kind of changes")
     same(told["textDocumentSync"]["openClose"], True, "openClose")
     same(client.initialized["serverInfo"]["name"], "shaderlint", "the server's name")
@@ -44,36 +44,36 @@ def all_that_is_answered_is_announced(case):
     holds("quickfix" in told["codeActionProvider"]["codeActionKinds"], "no quick fixes", told)
     folders = told["workspace"]["workspaceFolders"]
     holds(folders["supported"] and folders["changeNotifications"], "no workspace folders", told)
-    holds("diagnosticProvider" not in told, "diagnostics are to be pulled by who cannot", told)
+    holds("diagnosticProvider" not in told, "pull diagnostics are announced to a client that cannot pull", told)
 
 
 @test
-def who_pulls_is_told_that_it_can(case):
+def pull_diagnostics_are_announced(case):
     provider = case.client(capabilities=pulling()).initialized["capabilities"]["diagnosticProvider"]
     holds(provider["interFileDependencies"] and provider["workspaceDiagnostics"], "both", provider)
 
 
 @test
-def files_to_watch_are_registered(case):
+def watched_files_are_registered(case):
     params = case.client().asked_for("client/registerCapability")
     methods = [r["method"] for r in params["registrations"]]
-    same(methods, ["workspace/didChangeWatchedFiles"], "what is registered")
+    same(methods, ["workspace/didChangeWatchedFiles"], "the registered methods")
     patterns = [w["globPattern"] for w in params["registrations"][0]["registerOptions"]["watchers"]]
     holds("**/shaderlint.toml" in patterns, "the configuration is not watched", patterns)
 
 
 @test
-def a_client_that_can_do_nothing_is_served(case):
+def clients_without_capabilities_are_supported(case):
     client = case.client(capabilities={})
     source = case.write("a.frag.glsl", BROKEN).open(client)
     found = client.published(source.uri)
     same(rules(found), ["undeclared-name"], "the rules")
-    holds("relatedInformation" not in found[0], "related places nobody asked for", found)
-    same(client.asked, [], "what the server asks of a client that can answer nothing")
+    holds("relatedInformation" not in found[0], "unrequested related information", found)
+    same(client.asked, [], "requests to a client without capabilities")
 
 
 def encoded(case, offered, chosen):
-    """One place behind characters of two and four bytes, in the units that were chosen."""
+    """A position after characters of two and four bytes, in the negotiated encoding."""
     capabilities = everything()
     if offered is None:
         del capabilities["general"]
@@ -96,13 +96,13 @@ def encoded(case, offered, chosen):
     found = client.at(source.uri, source["again"], "textDocument/documentHighlight")
     starts = sorted(client.lines(source.uri).span(h["range"])[0] for h in found)
     same(starts, sorted(source[p] for p in ("var", "use", "again")), "the highlights")
-    # A change behind the wide characters of the same line lands where it should.
+    # A change after wide characters of the same line is applied at the correct position.
     client.replace(source.uri, source["bad"], source["bad"] + 5, "wave")
-    same(errors(client.published(source.uri)), [], "what is left")
+    same(errors(client.published(source.uri)), [], "the remaining errors")
 
 
 @test
-def columns_are_utf_16_units_unless_said(case):
+def columns_are_utf_16_units_by_default(case):
     encoded(case, None, "utf-16")
 
 
@@ -117,35 +117,35 @@ def columns_can_be_utf_16_units(case):
 
 
 @test
-def columns_can_be_characters(case):
+def columns_can_be_utf_32_units(case):
     encoded(case, ["utf-32"], "utf-32")
 
 
 @test
-def texts_change_in_stretches_and_as_a_whole(case):
+def texts_change_incrementally_and_completely(case):
     client = case.client()
     source = case.write("a.glsl", BROKEN).open(client)
     same(rules(errors(client.published(source.uri))), ["undeclared-name"], "at first")
     lines = client.lines(source.uri)
     start = source["use"]
-    # Several changes in one message: each is one of the text that the one before it made.
+    # Several changes in one message: each refers to the text that results from the previous one.
     client.change(source.uri, [
         {"range": lines.range(start, start + len("missing")), "text": ""},
         {"range": lines.range(start, start), "text": "vec2(0.0)"},
         {"range": lines.range(start + 4, start + 4), "text": "\n\n/* 𝄞 */ "},
     ])
-    same(errors(client.published(source.uri)), [], "after three stretches")
+    same(errors(client.published(source.uri)), [], "after three ranges")
     client.write_all(source.uri, "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, q, 1.0); }")
     found = errors(client.published(source.uri))
-    same([client.lines(source.uri).at(d["range"]) for d in found], ["q"], "after a whole text")
+    same([client.lines(source.uri).at(d["range"]) for d in found], ["q"], "after a full replacement")
     # Line breaks of all three kinds.
     client.write_all(source.uri, "// a\r// b\r\n// c\n" + GOOD.replace("iTime", "time9"))
     found = errors(client.published(source.uri))
-    same([client.lines(source.uri).at(d["range"]) for d in found], ["time9"], "behind line breaks")
+    same([client.lines(source.uri).at(d["range"]) for d in found], ["time9"], "after line breaks")
 
 
 @test
-def questions_that_mean_nothing_are_errors(case):
+def invalid_requests_are_errors(case):
     client = case.client()
     source = case.write("a.glsl", GOOD).open(client)
     place = {"textDocument": {"uri": source.uri}}
@@ -159,14 +159,14 @@ def questions_that_mean_nothing_are_errors(case):
     refusal(lambda: client.request("workspace/executeCommand", {"command": "no.such"}),
             INVALID_PARAMS)
     refusal(lambda: client.request("workspace/executeCommand", {"arguments": 3}), INVALID_PARAMS)
-    # Notifications that mean nothing have no answer, and do no harm.
+    # Invalid notifications have no response and do no harm.
     client.notify("textDocument/didOpen", {"textDocument": {"uri": 5}})
     client.notify("textDocument/nonsense", {"a": 1})
     client.notify("$/cancelRequest", {"id": None})
     client.notify("$/cancelRequest", {"id": 12345})
     client.notify("$/cancelRequest", {})
     client.notify("$/setTrace", {"value": "verbose"})
-    # A place behind the end of a line or of the text is its end.
+    # A position after the end of a line or of the text means the end.
     for line, character in ((0, 9999), (9999, 0), (2, 9999)):
         client.request("textDocument/hover", dict(
             place, position={"line": line, "character": character}))
@@ -174,7 +174,7 @@ def questions_that_mean_nothing_are_errors(case):
 
 
 @test
-def a_change_of_an_unknown_text_does_no_harm(case):
+def changes_of_unknown_texts_are_ignored(case):
     client = case.client()
     uri = case.uri("nobody.glsl")
     client.notify("textDocument/didChange", {
@@ -185,31 +185,31 @@ def a_change_of_an_unknown_text_does_no_harm(case):
     same(errors(client.published(source.uri)), [], "the findings")
     told = [p for p in client.told("textDocument/publishDiagnostics")
             if p["uri"] == uri and p["diagnostics"]]
-    same(told, [], "what is told of a text that is not open")
+    same(told, [], "diagnostics of a text that is not open")
 
 
 @test
-def closing_clears_what_was_told(case):
+def closing_clears_diagnostics(case):
     client = case.client()
     source = case.write("a.glsl", BROKEN).open(client)
-    holds(client.published(source.uri), "nothing is told")
+    holds(client.published(source.uri), "no diagnostics are published")
     client.close(source.uri)
     client.published_when(source.uri, lambda found: found == [])
     refusal(lambda: client.of(source.uri, "textDocument/foldingRange"))
-    # Opened again, it is a text like any other, whatever its version.
+    # Opened again, the text is treated like any other, whatever its version.
     client.open(source.uri, source.text, version=1)
     client.published_when(source.uri, lambda found: rules(errors(found)) == ["undeclared-name"])
 
 
 @test
-def a_text_that_was_never_saved_is_judged(case):
+def untitled_texts_are_checked(case):
     client = case.client()
     uri = "untitled:Untitled-1"
     client.open(uri, BROKEN.replace("«use»", ""))
     same(rules(errors(client.published(uri))), ["undeclared-name"], "the rules")
     at = client.text(uri).index("fragColor =")
     location = client.at(uri, at, "textDocument/definition")
-    same((location["uri"], client.lines(uri).at(location["range"])), (uri, "fragColor"), "the place")
+    same((location["uri"], client.lines(uri).at(location["range"])), (uri, "fragColor"), "the position")
     edit = client.at(uri, at, "textDocument/rename", newName="color")
     client.apply(edit)
     same(client.text(uri).count("color"), 2, "the new names")
@@ -218,7 +218,7 @@ def a_text_that_was_never_saved_is_judged(case):
 
 
 @test
-def cancelled_questions_have_one_answer_each(case):
+def cancelled_requests_have_one_response_each(case):
     client = case.client()
     body = "".join(
         "float f%d(float x) { return sin(x * %d.0) + f%d(x); }\n" % (i, i, i - 1) for i in range(1, 300))
@@ -233,7 +233,7 @@ def cancelled_questions_have_one_answer_each(case):
         ("textDocument/completion", place),
     ]
     cancelled = 0
-    # A server that is faster than its client may have answered all of them: they are asked again.
+    # A server that is faster than its client may have answered all of them: then they are repeated.
     for _ in range(100):
         sent = []
         for number in range(60):
@@ -255,7 +255,7 @@ def cancelled_questions_have_one_answer_each(case):
 
 
 @test
-def it_ends_when_it_is_told(case):
+def the_server_exits_after_shutdown(case):
     client = case.client()
     client.request("shutdown")
     client.notify("exit")
@@ -263,22 +263,22 @@ def it_ends_when_it_is_told(case):
 
 
 @test
-def an_exit_without_goodbye_is_a_failure(case):
+def exit_without_shutdown_is_a_failure(case):
     client = case.client()
     client.notify("exit")
     same(client.finish(), 1, "the exit code")
 
 
 @test
-def it_ends_with_its_client(case):
+def the_server_exits_with_its_client(case):
     client = case.client()
     case.write("a.glsl", GOOD).open(client)
     client.process.stdin.close()
-    same(client.finish(), 1, "the exit code of who was left without a word")
+    same(client.finish(), 1, "the exit code after the client exited")
 
 
 @test
-def after_shutdown_nothing_is_answered(case):
+def requests_after_shutdown_are_errors(case):
     client = case.client()
     source = case.write("a.glsl", GOOD).open(client)
     client.request("shutdown")
@@ -289,7 +289,7 @@ def after_shutdown_nothing_is_answered(case):
 
 
 @test
-def before_initialize_nothing_is_answered(case):
+def requests_before_initialize_are_errors(case):
     client = case.client(start=False)
     refusal(lambda: client.request("textDocument/hover", {}), -32002)
     client.notify("textDocument/didOpen", {})
@@ -299,21 +299,22 @@ def before_initialize_nothing_is_answered(case):
 
 
 @test
-def an_exit_before_initialize_ends_it(case):
+def exit_before_initialize_ends_the_server(case):
     client = case.client(start=False)
     client.notify("exit")
     same(client.finish(), 1, "the exit code")
 
 
 @test
-def a_second_initialize_is_refused(case):
+def a_second_initialize_is_rejected(case):
     client = case.client()
     refusal(lambda: client.request("initialize", {"capabilities": {}, "processId": None}))
 
 
 @test
-def messages_may_come_in_pieces_and_in_heaps(case):
-    # Of a client that can do nothing nothing is asked, so that no answer comes between the pieces.
+def messages_may_be_split_or_batched(case):
+    # The server sends no requests to a client without capabilities, so no response arrives between the
+    # pieces.
     client = case.client(capabilities={})
     source = case.write("a.glsl", GOOD).open(client)
     messages = b""
@@ -338,7 +339,7 @@ def messages_may_come_in_pieces_and_in_heaps(case):
 
 
 @test
-def numbers_of_questions_may_be_texts(case):
+def request_ids_may_be_strings(case):
     client = case.client()
     source = case.write("a.glsl", GOOD).open(client)
     with client.changed:
@@ -349,7 +350,7 @@ def numbers_of_questions_may_be_texts(case):
 
 
 @test
-def old_clients_name_one_folder(case):
+def root_uri_is_supported(case):
     case.write("lib.glsl", "float lib() { return 1.0; }\n")
     client = case.client(start=False, capabilities=without(everything(), "workspace"))
     params = {"processId": None, "capabilities": client.capabilities,

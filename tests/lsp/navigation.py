@@ -1,4 +1,4 @@
-"""Definitions, references, highlights, call hierarchies, across files."""
+"""Definitions, references, highlights and call hierarchies across files."""
 
 import re
 
@@ -32,8 +32,8 @@ def opened(case):
 
 
 def place(client, found):
-    """Where a location is: its address and the offset of its start."""
-    holds(found, "nothing is found")
+    """A location as URI and start offset."""
+    holds(found, "no location")
     found = found[0] if isinstance(found, list) else found
     return found["uri"], client.lines(found["uri"]).span(found["range"])[0]
 
@@ -51,7 +51,7 @@ def definitions_are_found_in_this_file_and_in_others(case):
     same(place(client, found), (library.uri, library["proto"]), "the declaration")
     found = client.at(source.uri, source["path"], "textDocument/definition")
     same(place(client, found), (library.uri, 0), "the file that is included")
-    same(client.at(source.uri, source["host"], "textDocument/definition"), None, "where the host's is")
+    same(client.at(source.uri, source["host"], "textDocument/definition"), None, "the definition of a host's name")
     for name in ("variable", "use"):
         found = client.at(source.uri, source[name], "textDocument/typeDefinition")
         same(place(client, found), (library.uri, library["struct"]), "the type of «%s»" % name)
@@ -59,7 +59,7 @@ def definitions_are_found_in_this_file_and_in_others(case):
 
 
 @test
-def definitions_follow_what_is_not_saved(case):
+def definitions_use_unsaved_texts(case):
     client, source, library = opened(case)
     library.open(client)
     client.replace(library.uri, 0, 0, "// é\n// 𝄞\n")
@@ -68,7 +68,7 @@ def definitions_follow_what_is_not_saved(case):
 
 
 @test
-def a_definition_at_the_path_is_that_very_file(case):
+def the_definition_of_an_include_path_is_the_file(case):
     client = case.client()
     case.write("one/lib.glsl", "float one() { return 1.0; }\n")
     case.write("two/lib.glsl", "float two() { return 2.0; }\n")
@@ -85,7 +85,7 @@ def references(client, source, offset, declaration=True):
 
 
 def every(source, word):
-    """All places of a word in a text."""
+    """All occurrences of a word in a text."""
     return [m.start() for m in re.finditer(r"\b%s\b" % word, source.text)]
 
 
@@ -94,20 +94,20 @@ def references_are_found_in_all_files(case):
     client, source, library = opened(case)
     other = case.write("b.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) {\n'
                        "    float shapes = 1.0;\n    c = vec4(shape(vec3(p, shapes)));\n}\n")
-    # This one has a function of its own that is called the same.
+    # This file has its own function with the same name.
     case.write("c.glsl", "float shape(vec3 p) { return 1.0; }\nvoid mainImage(out vec4 c, in vec2 p) "
                "{ c = vec4(shape(vec3(p, 1.0))); }\n")
     everywhere = sorted([(s.uri, at) for s in (source, library, other) for at in every(s, "shape")])
-    same(references(client, source, source["call"]), everywhere, "from where it is called")
+    same(references(client, source, source["call"]), everywhere, "from a call")
     library.open(client)
-    same(references(client, library, library["def"]), everywhere, "from where it is defined")
+    same(references(client, library, library["def"]), everywhere, "from the definition")
     calls = [(u, at) for u, at in everywhere if u != library.uri]
     same(references(client, source, source["call"], declaration=False), calls, "without declarations")
     same(references(client, source, source["read"]), [(source.uri, at) for at in every(source, "t")], "of a local")
 
 
 @test
-def highlights_tell_reads_from_writes(case):
+def highlights_distinguish_reads_and_writes(case):
     client, source, _ = opened(case)
     found = client.at(source.uri, source["read"], "textDocument/documentHighlight")
     kinds = {client.lines(source.uri).span(h["range"])[0]: h["kind"] for h in found}
@@ -120,7 +120,7 @@ def highlights_tell_reads_from_writes(case):
 
 
 @test
-def passes_of_a_folder_know_their_common_code(case):
+def passes_of_a_folder_use_their_common_code(case):
     client = case.client()
     common = case.write("common.glsl", "float «def»wave(float x) { return sin(x); }\n")
     image = case.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
@@ -144,7 +144,7 @@ def calls_are_followed_both_ways(case):
     same((item["name"], item["uri"]), ("shape", library.uri), "the function")
     lines = client.lines(item["uri"])
     outer, inner = lines.span(item["range"]), lines.span(item["selectionRange"])
-    holds(outer[0] <= inner[0] and inner[1] <= outer[1], "its name is not inside of it", item)
+    holds(outer[0] <= inner[0] and inner[1] <= outer[1], "its selection range is outside its range", item)
     march = client.at(source.uri, source.text.index("march(Ray"), "textDocument/prepareCallHierarchy")[0]
     calls = client.request("callHierarchy/outgoingCalls", {"item": march})
     same([c["to"]["name"] for c in calls], ["shape"], "what march calls")
@@ -166,7 +166,7 @@ def callers_are_found_in_other_files(case):
 
 
 @test
-def overloads_are_apart(case):
+def overloads_are_distinguished(case):
     client = case.client()
     source = case.write("a.glsl", """float «one»size(vec2 p) { return length(p); }
 float «two»size(vec3 p) { return length(p) * 2.0; }
@@ -180,9 +180,8 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(«first»size(p), «second»siz
 
 
 @test
-def a_slow_question_leaves_nothing_old_behind(case):
-    """A question about all files takes its time; what is read for it meanwhile is not kept for a
-    newer text."""
+def slow_requests_leave_no_stale_state(case):
+    """A request over all files takes time; the state read for it is not kept for a newer text."""
     capabilities = pulling()
     for number in range(200):
         case.write("a%03d.glsl" % number, "float f(float x) { return x; }\n" * 60)
@@ -196,7 +195,7 @@ def a_slow_question_leaves_nothing_old_behind(case):
     for count in (0, 10, 30, 100, 300):
         client.replace(source.uri, 0, 0, "\n")
         number = client.send("workspace/symbol", {"query": "nowhere"})
-        # The answers to quick questions count how far the slow one has come.
+        # The responses to quick requests measure the progress of the slow one.
         for _ in range(count):
             client.of(library.uri, "textDocument/foldingRange")
         client.replace(library.uri, library["fn"], library["fn"] + 4, "ripp")

@@ -1,9 +1,9 @@
-"""Random edits and random questions, as nobody types and every editor may.
+"""Random edits and requests, as nobody types and every editor may send.
 
-After each burst the text that the server has is compared with the one that the client has: opened
-under another name, the client's text must have the same colours, outline and findings. Every
-question has exactly one answer, no answer speaks of an internal failure, and memory does not grow
-without bound. A seed says which edits they are; one that fails is printed.
+After each burst the server's text is compared with the client's: opened under another name, the
+client's text must have the same semantic tokens, outline and diagnostics. Every request has
+exactly one response, no response reports an internal error, and memory does not grow without
+bound. A seed determines the edits; the seed of a failing session is printed.
 """
 
 import json
@@ -67,7 +67,7 @@ uniform float gain;
 void main() { color = vec4(vUv * gain, 0.0, 1.0); }
 </script>
 """
-# No name ends with that of another: a path that is cut never names the text that it stands in.
+# No name is a suffix of another: a truncated path never names its own file.
 MORE = "float more(float x) { return x + 1.0; }\n"
 STARTS = {"first.glsl": BASE, "second.glsl": BASE, "page.html": PAGE, "lib.glsl": LIBRARY, "more.glsl": MORE}
 INCLUDED = ("lib.glsl", "more.glsl")
@@ -91,14 +91,14 @@ TEXTS = [
 ]
 RANGES = ["codeAction", "inlayHint", "rangeFormatting", "semanticTokens/range", "colorPresentation"]
 FORMAT = {"tabSize": 4, "insertSpaces": True}
-# Bursts of one session.
+# Bursts per session.
 MOST_BURSTS = 600
-# What a question may be answered with besides a result.
+# Error codes that a request may be answered with.
 ALLOWED = (CANCELLED, CONTENT_MODIFIED, REQUEST_FAILED)
 
 
 def name_of(uri):
-    """The name of the file at an address."""
+    """The file name in a URI."""
     return uri.rsplit("/", 1)[-1]
 
 
@@ -125,7 +125,8 @@ class Typist:
         for name, text in STARTS.items():
             self.client.open(self.uri(name), text, "html" if name.endswith("html") else "glsl")
         self.uris = list(self.client.documents)
-        # A copy of what others include would be another text: nobody includes these.
+        # A renamed copy of an included file would be a different text, so the others do not include
+        # these.
         self.compared = [u for u in self.uris if not u.endswith(INCLUDED)]
 
     def uri(self, name):
@@ -144,7 +145,7 @@ class Typist:
         changes = []
         for _ in range(self.random.choice([1, 1, 1, 1, 2, 3])):
             start, end, new = self.stretch(text)
-            # `change` reads positions in the text that the change before has made.
+            # `change` interprets positions in the text after the previous change.
             changes.append({"range": self.range_in(text, start, end), "text": new})
             text = text[:start] + new + text[end:]
         if self.random.random() < 0.01:
@@ -152,7 +153,7 @@ class Typist:
         self.client.change(uri, changes)
 
     def stretch(self, text):
-        """A stretch of a text that is replaced, and by what."""
+        """A range of a text, and its replacement."""
         choice = self.random.random()
         at = self.boundary(text, self.random.randint(0, len(text)))
         if choice < 0.45:
@@ -163,23 +164,23 @@ class Typist:
             lines = text.splitlines(keepends=True) or [""]
             first = self.random.randrange(len(lines))
             pasted = "".join(lines[first:first + self.random.randint(1, 3)])
-            # Texts that double and double again are another test.
+            # Repeatedly doubling texts are covered by another test.
             return at, at, pasted if len(text) < 12_000 else ""
         end = self.boundary(text, min(len(text), at + self.random.randint(0, 12)))
         return at, end, self.random.choice(PIECES)
 
     @staticmethod
     def boundary(text, at):
-        """A place that has a position of its own: none inside of a CR LF."""
+        """A valid position: never between CR and LF."""
         return at + 1 if 0 < at < len(text) and text[at - 1:at + 1] == "\r\n" else at
 
     def range_in(self, text, start, end):
         return Lines(text, self.client.encoding).range(start, max(start, end))
 
-    # Questions.
+    # Requests.
 
     def ask(self):
-        """One question of any kind; sometimes it is cancelled."""
+        """One request of a random kind; sometimes it is cancelled."""
         uri = self.random.choice(self.uris)
         text = self.client.text(uri)
         lines = self.client.lines(uri)
@@ -231,7 +232,7 @@ class Typist:
         return number
 
     def burst(self):
-        """Some edits and questions without a breath; all questions are answered."""
+        """A burst of edits and requests; all requests are answered."""
         for _ in range(self.random.randint(5, 60)):
             if self.random.random() < 0.6:
                 self.edit()
@@ -252,7 +253,7 @@ class Typist:
     # Comparing.
 
     def view(self, uri):
-        """What the server makes of a text without running it."""
+        """What the server reports for a text without sampling."""
         tokens = self.client.of(uri, "textDocument/semanticTokens/full")["data"]
         symbols = self.client.of(uri, "textDocument/documentSymbol")
         if self.pulls:
@@ -262,7 +263,8 @@ class Typist:
         return {"tokens": tokens, "symbols": symbols, "findings": static(told)}
 
     def compare(self):
-        """The text of the client, opened as another document, is judged as the server's own."""
+        """The client's text, opened as another document, must have the same results as the
+        server's."""
         uri = self.random.choice(self.compared)
         text = self.client.text(uri)
         self.copies += 1
@@ -283,27 +285,28 @@ class Typist:
             self.client.close(copy)
 
     def published_as(self, uri, expected):
-        """The findings of a text once they are as expected, or those that stay otherwise."""
+        """The published diagnostics once they equal the expected ones, or the last ones
+        otherwise."""
         try:
             return static(self.client.published_when(uri, lambda told: static(told) == expected))
         except TimeoutError:
             return static(self.client.published(uri))
 
     def touched(self, uri, other):
-        """Whether a text is judged as it should be once it has changed and is the same again: then
-        what was wrong is what the server kept, not what it makes of the text."""
+        """Whether the diagnostics are as expected after an edit and its reversal: then the error
+        was in cached state of the server."""
         self.client.replace(uri, 0, 0, "\n")
         self.client.replace(uri, 0, 1, "")
         is_same = self.view(uri) == other
-        return "not any more after a change: it was kept" if is_same else "still do after a change"
+        return "no longer differ after a change: stale cached state" if is_same else "still differ after a change"
 
 
 RUNTIME = set()
 
 
 def static(findings):
-    """The findings that need no run, in order."""
-    ran = ("seen in a run", "pixels of")
+    """The diagnostics that need no sampling, sorted."""
+    ran = ("seen in a run", "sample run", "pixels of", "sampled ")
     return sorted(
         (d["range"]["start"]["line"], d["range"]["start"]["character"], d["range"]["end"]["line"],
          d["range"]["end"]["character"], d["code"], d["message"])
@@ -311,7 +314,7 @@ def static(findings):
 
 
 def runtime_rules(program):
-    """The rules that only a run answers: they come later than the rest."""
+    """The rules that only sampling answers: their diagnostics arrive later."""
     out = subprocess.run([program, "rules", "--format", "json"], stdout=subprocess.PIPE, check=True)
     rules = json.loads(out.stdout)
     rules = rules["rules"] if isinstance(rules, dict) else rules
@@ -319,7 +322,7 @@ def runtime_rules(program):
 
 
 def resident(pid):
-    """The memory that a process holds, in MB; None where nobody tells."""
+    """Resident memory of a process, in MB; None if the system does not report it."""
     try:
         with open("/proc/%d/status" % pid, encoding="ascii") as file:
             for line in file:
@@ -331,7 +334,7 @@ def resident(pid):
 
 
 def session(program, seed, bursts):
-    """Types some bursts into one server; raises what goes wrong."""
+    """Types some bursts into one server; raises failures."""
     typist = Typist(program, seed)
     early = None
     try:
@@ -339,7 +342,7 @@ def session(program, seed, bursts):
             typist.burst()
             typist.compare()
             if burst % 40 == 39:
-                # Texts of broken brackets alone would test little else.
+                # Reset the texts, because only broken brackets would accumulate and test little else.
                 for uri in typist.uris:
                     typist.client.write_all(uri, STARTS[name_of(uri)])
             if burst == bursts // 4:
@@ -354,11 +357,11 @@ def session(program, seed, bursts):
 
 
 def run(program, bursts, seed):
-    """Random sessions, each with the next seed; whether all went well."""
+    """Random sessions, each with the next seed; returns whether all passed."""
     RUNTIME.update(runtime_rules(program))
     fine = True
     while bursts > 0:
-        # Sessions long enough that memory shows whether it grows, and several seeds in a long run.
+        # Sessions long enough that growing memory shows, and several seeds in a long run.
         count = min(bursts, MOST_BURSTS)
         begun = time.monotonic()
         try:

@@ -1,4 +1,4 @@
-"""Names are changed wherever they mean the same, and refused where they would mean something else."""
+"""Renaming: all uses are changed, and a renaming that would change the meaning is rejected."""
 
 import json
 import os
@@ -10,14 +10,14 @@ from harness import contains, errors, holds, refusal, same, test
 
 
 def renamed(client, source, offset, new):
-    """Renames, and gives the texts of all files that changed."""
+    """Renames; returns the texts of all changed files."""
     edit = client.at(source.uri, offset, "textDocument/rename", newName=new)
     client.apply(edit)
     return {uri: client.lines(uri).text for uri, _ in changes_of(edit)}
 
 
 @test
-def a_name_is_prepared_with_its_range(case):
+def prepare_rename_returns_the_range(case):
     client = case.client()
     source = case.write("a.glsl", "/* é𝄞 */ float «fn»wave(float x) { return sin(x); }\n").open(client)
     found = client.at(source.uri, source["fn"] + 2, "textDocument/prepareRename")
@@ -26,7 +26,7 @@ def a_name_is_prepared_with_its_range(case):
 
 
 @test
-def names_change_through_macros(case):
+def renaming_covers_macros(case):
     client = case.client()
     text = """float wave(float x) { return sin(x); }
 #define CALL(x) wave(x) * «in»gain
@@ -53,7 +53,7 @@ void mainImage(out vec4 c, in vec2 p) {
 
 
 @test
-def macros_and_members_change(case):
+def macros_and_members_are_renamed(case):
     client = case.client()
     source = case.write("a.glsl", """#define «macro»LIMIT(x) min(x, 4.0)
 #ifdef LIMIT
@@ -75,7 +75,7 @@ void mainImage(out vec4 c, in vec2 p) {
 
 
 @test
-def names_change_through_includes(case):
+def renaming_covers_includes(case):
     client = case.client()
     library = case.write("lib.glsl", "float «fn»wave(float x) { return sin(x); }\n")
     first = case.write("a.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
@@ -88,11 +88,11 @@ def names_change_through_includes(case):
     for source in (library, first, second):
         same(after[source.uri], source.text.replace("wave", "ripple"), "the text")
     with open(path_of(apart.uri), encoding="utf-8") as file:
-        same(file.read(), apart.text, "the text of a file that has nothing to do with it")
+        same(file.read(), apart.text, "the text of an unrelated file")
 
 
 @test
-def names_change_through_the_passes_of_a_folder(case):
+def renaming_covers_the_passes_of_a_folder(case):
     client = case.client()
     body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(«%s»wave(p.x)); }\n"
     common = case.write("common.glsl", "float «def»wave(float x) { return sin(x); }\n").open(client)
@@ -103,7 +103,7 @@ def names_change_through_the_passes_of_a_folder(case):
         same(sorted(after), sorted([common.uri, image.uri, buffer.uri]), "the files")
         for each in (common, image, buffer):
             same(after[each.uri], each.text.replace("wave", "ripple"), "the text")
-            # As it was before, for the next.
+            # Restored for the next test.
             if each.uri in client.documents:
                 client.write_all(each.uri, each.text)
         case.write("bufferA.glsl", body % "use")
@@ -111,10 +111,10 @@ def names_change_through_the_passes_of_a_folder(case):
 
 
 @test
-def passes_that_come_later_are_found_by_who_is_not_told(case):
+def new_passes_are_found_without_file_events(case):
     client = case.client()
     common = case.write("common.glsl", "float wave(float x) { return sin(x); }\n").open(client)
-    # The folder is old when it is looked at, and new when a pass is added.
+    # The folder is old when it is read, and new after a pass was added.
     os.utime(case.folder, (1_000_000_000, 1_000_000_000))
     client.of(common.uri, "textDocument/documentSymbol")
     client.write_all(common.uri, common.text + "// more\n")
@@ -127,7 +127,7 @@ def passes_that_come_later_are_found_by_who_is_not_told(case):
 
 
 @test
-def names_change_through_the_passes_of_an_export(case):
+def renaming_covers_the_passes_of_an_export(case):
     client = case.client()
     image = "void mainImage(out vec4 c, in vec2 p) {\n\tc = vec4(wave(p.x)); // \"wave\"\n}\n"
     source = case.write("s.json", export(image, "float wave(float x) { return sin(x); }\n"))
@@ -145,7 +145,7 @@ FRAGMENT = HEAD + "in vec2 «f»vUv;\nuniform float gain;\nout vec4 color;\n" \
 
 
 @test
-def a_varying_changes_in_both_stages_of_a_page(case):
+def a_varying_is_renamed_in_both_stages_of_a_page(case):
     client = case.client()
     text = '<script type="x-shader/x-vertex">%s</script>\n<script type="x-shader/x-fragment">%s</script>\n'
     source = case.write("page.html", text % (VERTEX, FRAGMENT)).open(client, "html")
@@ -158,7 +158,7 @@ def a_varying_changes_in_both_stages_of_a_page(case):
 
 
 @test
-def a_varying_changes_in_both_files_of_a_pair(case):
+def a_varying_is_renamed_in_both_files_of_a_pair(case):
     client = case.client()
     vertex = case.write("a.vert", VERTEX).open(client)
     fragment = case.write("a.frag", FRAGMENT)
@@ -177,7 +177,7 @@ def a_varying_changes_in_both_files_of_a_pair(case):
 
 
 @test
-def a_uniform_changes_in_both_files_of_a_pair(case):
+def a_uniform_is_renamed_in_both_files_of_a_pair(case):
     client = case.client()
     vertex = case.write("a.vert", VERTEX).open(client)
     fragment = case.write("a.frag", FRAGMENT).open(client)
@@ -186,7 +186,7 @@ def a_uniform_changes_in_both_files_of_a_pair(case):
 
 
 @test
-def what_others_name_stays(case):
+def externally_defined_names_cannot_be_renamed(case):
     client = case.client()
     source = case.write("a.glsl", """void «entry»mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 «own»uv = fragCoord / «host»iResolution.xy;
@@ -200,26 +200,26 @@ def what_others_name_stays(case):
             contains(error.message, "`%s`" % words, "the reason")
     for place in ("keyword", "swizzle"):
         error = refusal(lambda: client.at(source.uri, source[place] + 1, "textDocument/rename", newName="other"))
-        holds(len(error.message) > 10, "no reason", error)
+        holds(len(error.message) > 10, "no reason is given", error)
 
 
 @test
-def what_is_no_name_is_refused(case):
+def invalid_names_are_rejected(case):
     client = case.client()
     source = case.write("a.glsl", "float «fn»wave(float x) { return x; }\n").open(client)
     for new in ("float", "1x", "a b", "", "for", "gl_wave", "a__b", "é", "sample", "wave()"):
         error = refusal(lambda: client.at(source.uri, source["fn"], "textDocument/rename", newName=new))
-        holds(len(error.message) > 10, "no reason", error)
+        holds(len(error.message) > 10, "no reason is given", error)
     same(changes_of(client.at(source.uri, source["fn"], "textDocument/rename", newName="wave")), [], "the same name")
 
 
 @test
-def what_would_mean_something_else_is_refused(case):
+def renamings_that_change_the_meaning_are_rejected(case):
     client = case.client()
     cases = {
         "a parameter that a local of an inner block hides":
             ("float f(float «x»p) { { float q = 2.0; q += p; } return p; }", "q"),
-        "a local that would take the place of a global that is used":
+        "a local that would hide a used global":
             ("const float q = 1.0;\nfloat f() { float «x»p = 2.0; return p * q; }", "q"),
         "a global that a parameter would hide":
             ("const float «x»p = 1.0;\nfloat f(float q) { return p * q; }", "q"),
@@ -235,7 +235,7 @@ def what_would_mean_something_else_is_refused(case):
         source = case.write("case%d.glsl" % number, text + "\n").open(client)
         error = refusal(lambda: client.at(source.uri, source["x"], "textDocument/rename", newName=new))
         contains(error.message, "`%s`" % new, "the reason for %s" % what)
-    # What is allowed: another scope, another struct, another number of parameters.
+    # Allowed: another scope, another struct, another number of parameters.
     fine = [
         ("float f(float «x»p) { return p; }\nfloat g(float q) { return q; }", "q"),
         ("struct S { float «x»p; };\nfloat q = 1.0;\nfloat f(S s) { return s.p * q; }", "q"),
@@ -249,7 +249,7 @@ def what_would_mean_something_else_is_refused(case):
 
 
 @test
-def what_a_script_asks_for_by_name_stays(case):
+def names_used_by_a_script_cannot_be_renamed(case):
     client = case.client()
     source = case.write("s.js", "const f = `" + FRAGMENT.replace("«f»", "").replace(
         "uniform float gain", "uniform float «u»gain") +

@@ -1,4 +1,5 @@
-"""How a text is built and looks: symbols, colours, hints, folds, selections, lenses."""
+"""Document structure: symbols, semantic tokens, inlay hints, folding, selection ranges, code
+lenses."""
 
 import re
 
@@ -46,7 +47,7 @@ def inside(lines, outer, inner):
 
 
 @test
-def symbols_hold_their_members(case):
+def symbols_contain_their_members(case):
     client, source = opened(case)
     lines = client.lines(source.uri)
     found = client.of(source.uri, "textDocument/documentSymbol")
@@ -54,27 +55,27 @@ def symbols_hold_their_members(case):
          ["STEPS", "seen", "Ray", "gain", "SKY", "shape", "mainImage"], "the outline, in the order of the text")
     for symbol in found + [m for s in found for m in s.get("children", [])]:
         holds(inside(lines, symbol["range"], symbol["selectionRange"]), "a name outside of its range", symbol)
-        same(lines.at(symbol["selectionRange"]), symbol["name"], "what stands at the name")
+        same(lines.at(symbol["selectionRange"]), symbol["name"], "the code at the name")
     ray = found[2]
     same([m["name"] for m in ray["children"]], ["origin", "speed"], "the members")
-    holds(all(inside(lines, ray["range"], m["range"]) for m in ray["children"]), "members outside", ray)
+    holds(all(inside(lines, ray["range"], m["range"]) for m in ray["children"]), "members outside their parent", ray)
     kinds = {s["name"]: s["kind"] for s in found}
     same((kinds["shape"], kinds["Ray"], kinds["SKY"]), (12, 23, 14), "function, struct, constant")
     contains(lines.at(found[-1]["range"]), "fragColor = vec4(sqrt", "the range of a function")
 
 
 @test
-def old_clients_get_a_flat_list(case):
+def clients_without_hierarchy_get_flat_symbols(case):
     client, source = opened(case, capabilities=without(
         everything(), "textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"))
     found = client.of(source.uri, "textDocument/documentSymbol")
     same([s["location"]["uri"] for s in found if s["location"]["uri"] != source.uri], [], "other files")
     names = [s["name"] for s in found]
-    holds({"Ray", "shape", "mainImage"} <= set(names), "what is missing", names)
+    holds({"Ray", "shape", "mainImage"} <= set(names), "missing symbols", names)
 
 
 def decoded(client, uri, data):
-    """Coloured stretches: their words, types and modifiers, by offset."""
+    """Semantic tokens: their text, type and modifiers, by offset."""
     legend = client.initialized["capabilities"]["semanticTokensProvider"]["legend"]
     lines = client.lines(uri)
     found, line, column, last = {}, 0, 0, 0
@@ -84,7 +85,7 @@ def decoded(client, uri, data):
         line, column = line + down, right if down else column + right
         start = lines.offset({"line": line, "character": column})
         end = lines.offset({"line": line, "character": column + length})
-        holds(start >= last and end > start, "stretches overlap or are empty", data[at:at + 5])
+        holds(start >= last and end > start, "tokens overlap or are empty", data[at:at + 5])
         holds(bits < 1 << len(legend["tokenModifiers"]), "unknown modifiers", bits)
         modifiers = {m for i, m in enumerate(legend["tokenModifiers"]) if bits >> i & 1}
         found[start] = (lines.text[start:end], legend["tokenTypes"][kind], modifiers)
@@ -97,37 +98,37 @@ def colours(client, uri):
 
 
 @test
-def names_are_coloured_by_their_meaning(case):
+def semantic_tokens_reflect_the_meaning(case):
     client, source = opened(case)
     found = decoded(client, source.uri, colours(client, source.uri)["data"])
     same(found[source["steps"]][:2], ("STEPS", "macro"), "a macro")
     same(found[source["ray"]][:2], ("Ray", "struct"), "a struct")
     same(found[source["deep"]], ("sqrt", "function", {"defaultLibrary"}), "a built-in")
     same(found[source["total"]][:2], ("total", "variable"), "a local")
-    holds("declaration" in found[source["total"]][2], "where it is declared", found[source["total"]])
-    holds("modification" in found[source["write"]][2], "where it is written", found[source["write"]])
+    holds("declaration" in found[source["total"]][2], "the declaration", found[source["total"]])
+    holds("modification" in found[source["write"]][2], "a write", found[source["write"]])
     at = source.text.index("place) - radius")
     same(found[at][:2], ("place", "parameter"), "a parameter")
     same(found[source.text.index("origin")][:2], ("origin", "property"), "a member")
     holds("readonly" in found[source.text.index("SKY *")][2], "a constant", found[source.text.index("SKY *")])
     same(found[source.text.index("iResolution")][1:], ("variable", {"readonly", "defaultLibrary"}), "a uniform")
-    # What the compiler does not see is dimmed whole.
-    same(found[source.text.index("unseen")][:2], ("unseen", "comment"), "what is left out")
+    # Code removed by the preprocessor is dimmed.
+    same(found[source.text.index("unseen")][:2], ("unseen", "comment"), "the inactive code")
 
 
 @test
-def colours_of_a_range_are_some_of_all(case):
+def tokens_of_a_range_are_a_subset(case):
     client, source = opened(case)
     everywhere = decoded(client, source.uri, colours(client, source.uri)["data"])
     start, end = source.text.index("float shape"), source.text.index("    vec2 uv")
     range_ = client.lines(source.uri).range(start, end)
     some = decoded(client, source.uri, client.of(
         source.uri, "textDocument/semanticTokens/range", range=range_)["data"])
-    same(some, {at: token for at, token in everywhere.items() if start <= at < end}, "the colours of two lines")
+    same(some, {at: token for at, token in everywhere.items() if start <= at < end}, "the tokens of two lines")
 
 
 @test
-def a_difference_of_colours_makes_the_old_ones_new(case):
+def token_deltas_update_old_tokens(case):
     client, source = opened(case)
     known = colours(client, source.uri)
     data, number = known["data"], known["resultId"]
@@ -141,19 +142,19 @@ def a_difference_of_colours_makes_the_old_ones_new(case):
         client.replace(source.uri, at, at + length, new)
         told = client.of(source.uri, "textDocument/semanticTokens/full/delta", previousResultId=number)
         if "edits" in told:
-            # From the last to the first, so that places stay what they are.
+            # From last to first, so that offsets stay valid.
             for edit in sorted(told["edits"], key=lambda e: -e["start"]):
                 data[edit["start"]:edit["start"] + edit["deleteCount"]] = edit.get("data", [])
         else:
             data = told["data"]
         number = told["resultId"]
         full = colours(client, source.uri)
-        same(data, full["data"], "the colours after «%s»" % new)
+        same(data, full["data"], "the tokens after «%s»" % new)
         number = full["resultId"]
     unchanged = client.of(source.uri, "textDocument/semanticTokens/full/delta", previousResultId=number)
-    same(unchanged.get("edits"), [], "a difference of nothing")
+    same(unchanged.get("edits"), [], "an empty delta")
     unknown = client.of(source.uri, "textDocument/semanticTokens/full/delta", previousResultId="nonsense")
-    same(unknown.get("data"), full["data"], "the answer to who knows something else")
+    same(unknown.get("data"), full["data"], "the response to an unknown result id")
 
 
 def hints(client, source):
@@ -163,14 +164,14 @@ def hints(client, source):
 
 
 @test
-def hints_name_parameters_and_count_turns(case):
+def hints_show_parameters_and_iterations(case):
     client, source = opened(case, options={"run": False})
     found = hints(client, source)
     same(found.get(source["arg"]), "place:", "the first argument")
     same(found.get(source["arg2"]), "radius:", "the second argument")
-    contains(found.get(source["turns"], ""), "8", "the turns of the loop")
+    contains(found.get(source["turns"], ""), "8", "the iterations of the loop")
     same(len(found), 3, "the number of hints")
-    # In a range are only those of that range.
+    # The hints of a range are only those inside it.
     lines = client.lines(source.uri)
     some = client.of(source.uri, "textDocument/inlayHint",
                      range=lines.range(source["arg"] - 5, source["arg"] + 3))
@@ -178,41 +179,41 @@ def hints_name_parameters_and_count_turns(case):
 
 
 @test
-def hints_tell_what_a_run_has_shown(case):
+def hints_show_sampled_counts(case):
     client, source = opened(case)
     client.published(source.uri)
     client.asked_for("workspace/inlayHint/refresh")
-    contains(hints(client, source)[source["turns"]], "seen: 8", "the turns of the loop")
+    contains(hints(client, source)[source["turns"]], "sampled: 8", "the iterations of the loop")
 
 
 @test
-def hints_are_as_they_are_set(case):
+def hints_follow_the_settings(case):
     client, source = opened(case, options={"run": False, "hints": {"parameters": False, "types": True}})
     found = hints(client, source)
-    holds("place:" not in found.values(), "parameters nobody wants", found)
+    holds("place:" not in found.values(), "parameter hints although they are off", found)
     holds(any(label.startswith(": vec") for label in found.values()), "no types", found)
-    # Another setting, told with the notification.
+    # Changed settings, sent with the notification.
     client.notify("workspace/didChangeConfiguration", {"settings": {"shaderlint": {
         "run": False, "hints": {"parameters": False, "loopIterations": False, "types": False}}}})
     same(hints(client, source), {}, "the hints when all are off")
 
 
 @test
-def wrong_settings_are_told_and_not_used(case):
+def invalid_settings_are_reported_and_ignored(case):
     client, source = opened(case, options={"run": False, "hints": {"parameters": "never"}})
-    messages = client.wait_until(lambda: client.told("window/showMessage"), "nothing is said")
+    messages = client.wait_until(lambda: client.told("window/showMessage"), "no message")
     contains(messages[0]["message"], "expected a boolean", "the message")
-    holds("place:" in hints(client, source).values(), "the settings are used")
+    holds("place:" in hints(client, source).values(), "the wrong settings are used")
 
 
 @test
-def settings_are_asked_for(case):
+def settings_are_requested(case):
     off = {"hints": {"parameters": False, "loopIterations": False}, "run": False, "lenses": False}
     client, source = opened(case, settings={"shaderlint": off})
     client.asked_for("workspace/configuration")
     same(hints(client, source), {}, "the hints, which are off")
     same(client.of(source.uri, "textDocument/codeLens") or [], [], "the lenses, which are off")
-    # The client says that something has changed, and not what: it is asked again.
+    # The client announces a change without its content: the server requests the settings again.
     client.settings = {"shaderlint": {"run": False}}
     client.notify("workspace/didChangeConfiguration", {"settings": None})
     client.asked_for("workspace/configuration", count=2)
@@ -220,7 +221,7 @@ def settings_are_asked_for(case):
 
 
 @test
-def folds_leave_the_last_line(case):
+def folds_exclude_the_last_line(case):
     client, source = opened(case)
     found = client.of(source.uri, "textDocument/foldingRange")
     lines = SHADER.split("\n")
@@ -242,7 +243,7 @@ def folds_leave_the_last_line(case):
 
 
 @test
-def folds_can_begin_inside_of_a_line(case):
+def folds_can_start_within_a_line(case):
     capabilities = everything()
     capabilities["textDocument"]["foldingRange"]["lineFoldingOnly"] = False
     client, source = opened(case, capabilities=capabilities)
@@ -254,7 +255,7 @@ def folds_can_begin_inside_of_a_line(case):
 
 
 @test
-def selections_grow(case):
+def selection_ranges_grow(case):
     client, source = opened(case)
     lines = client.lines(source.uri)
     offsets = [source[name] for name in ("deep", "write", "arg2", "ray")] + [0, len(source.text)]
@@ -282,7 +283,7 @@ def selections_grow(case):
 
 
 @test
-def colours_are_shown_and_written(case):
+def colours_are_shown_and_edited(case):
     client, source = opened(case)
     lines = client.lines(source.uri)
     found = client.of(source.uri, "textDocument/documentColor")
@@ -293,17 +294,17 @@ def colours_are_shown_and_written(case):
     for place, written in ((0, "vec3(1.0, 0.5, 0.0)"), (1, "vec4(1.0, 0.5, 0.0, 1.0)")):
         offered = client.of(source.uri, "textDocument/colorPresentation",
                             color=new, range=found[place]["range"])
-        holds(offered, "no way to write it")
+        holds(offered, "no presentation")
         edit = offered[0].get("textEdit") or {"range": found[place]["range"], "newText": offered[0]["label"]}
         client.apply({"changes": {source.uri: [edit]}})
         contains(client.text(source.uri), written, "the text")
         found = client.of(source.uri, "textDocument/documentColor")
-        holds(abs(found[place]["color"]["green"] - 0.5) < 1e-6, "it is read otherwise than written", found)
+        holds(abs(found[place]["color"]["green"] - 0.5) < 1e-6, "the written colour differs", found)
     same(errors(client.published(source.uri)), [], "the errors")
 
 
 @test
-def lenses_offer_what_the_server_does(case):
+def lenses_offer_server_commands(case):
     client, source = opened(case)
     lines = client.lines(source.uri)
     found = client.of(source.uri, "textDocument/codeLens")
@@ -311,27 +312,27 @@ def lenses_offer_what_the_server_does(case):
     holds(any("Preview" in t for t in titles) and any("operations" in t for t in titles), "other lenses", titles)
     commands = client.initialized["capabilities"]["executeCommandProvider"]["commands"]
     for lens in found:
-        contains(lines.at(lens["range"]), "mainImage", "what it stands above")
-        holds(lens["command"]["command"] in [""] + commands, "a command nobody knows", lens)
+        contains(lines.at(lens["range"]), "mainImage", "the code below the lens")
+        holds(lens["command"]["command"] in [""] + commands, "an unknown command", lens)
     preview = [lens for lens in found if "Preview" in lens["command"]["title"]][0]
     client.request("workspace/executeCommand", preview["command"])
     client.asked_for("window/showDocument")
 
 
 @test
-def a_lens_tells_what_a_run_has_cost(case):
+def a_lens_shows_the_sampled_cost(case):
     client, source = opened(case)
     client.published(source.uri)
     client.asked_for("workspace/codeLens/refresh")
     titles = [lens["command"]["title"] for lens in client.of(source.uri, "textDocument/codeLens")]
-    cost = [re.search(r"in a run: (\d+) operations per pixel(?:, (\d+) at most)?; loops up to 8 iterations", t) for t in titles]
+    cost = [re.search(r"sample run: (\d+) operations per pixel(?:, (\d+) at most)?; loops up to 8 iterations", t) for t in titles]
     cost = [c for c in cost if c]
     holds(len(cost) == 1 and 0 < int(cost[0].group(1)) <= int(cost[0].group(2) or cost[0].group(1)), "the cost", titles)
     holds(not any("estimated" in t for t in titles), "two costs", titles)
 
 
 @test
-def a_client_with_views_gets_lenses_for_numbers(case):
+def clients_with_views_get_lenses_for_numbers(case):
     client, source = opened(case, options={"previewCommand": "editor.preview"})
     tuned = case.write("b.glsl", "#define GAIN 0.5 // how bright (0~2)\nvoid mainImage(out vec4 c, in vec2 p) "
                        "{ c = vec4(GAIN * p.x / iResolution.x); }\n").open(client)
@@ -340,14 +341,14 @@ def a_client_with_views_gets_lenses_for_numbers(case):
     holds("editor.preview" in commands, "its own command is not used", found)
     tune = commands.get("shaderlint.tune")
     holds(tune, "no lens for the number", found)
-    same(tune["title"], "Change GAIN: 0 … 2", "what it says")
+    same(tune["title"], "Change GAIN: 0 … 2", "its title")
     uri, range_, value, low, high = tune["arguments"]
-    same((uri, client.lines(tuned.uri).at(range_), value), (tuned.uri, "0.5", 0.5), "what is tuned")
-    same((low, high), (0, 2), "from where to where")
+    same((uri, client.lines(tuned.uri).at(range_), value), (tuned.uri, "0.5", 0.5), "the tuned value")
+    same((low, high), (0, 2), "its range")
 
 
 @test
-def a_broken_text_keeps_its_shape(case):
+def invalid_code_keeps_its_structure(case):
     client, source = opened(case)
     client.replace(source.uri, source["write"], source["write"], "total = ((; {")
     for method in ("documentSymbol", "foldingRange", "documentColor", "codeLens", "semanticTokens/full"):
@@ -356,12 +357,12 @@ def a_broken_text_keeps_its_shape(case):
         except RpcError as error:
             raise AssertionError("a broken text has no %s: %s" % (method, error))
     names = [s["name"] for s in client.of(source.uri, "textDocument/documentSymbol")]
-    holds({"Ray", "shape"} <= set(names), "the outline of what stands before the mistake", names)
+    holds({"Ray", "shape"} <= set(names), "the outline before the error", names)
 
 
 @test
-def selections_are_no_deeper_than_clients_can_read(case):
-    """Each selection stands inside of the next in the message, too: a sum of many terms is as deep
+def selection_ranges_have_limited_depth(case):
+    """In the response each selection range contains its parent: a sum of many terms nests as deep
     as it is long."""
     client = case.client(options={"run": False})
     uri = case.uri("sum.glsl")

@@ -1,7 +1,7 @@
-"""Texts as the protocol counts them: lines, columns in units that are negotiated, edits.
+"""Texts in the protocol's units: lines, columns in a negotiated encoding, edits.
 
-Offsets are those of Python, characters. A marked text has names in `«»` where a test wants a place;
-the marks are taken out before anybody else sees it.
+Offsets are Python's, in characters. A marked text contains names in `«»` at the positions that a
+test uses; the marks are removed before the text is used.
 """
 
 import re
@@ -26,7 +26,7 @@ def marked(text):
 
 
 def units(text, encoding):
-    """How many columns a stretch of a line has."""
+    """The number of columns of a part of a line."""
     if encoding == "utf-8":
         return len(text.encode("utf-8"))
     if encoding == "utf-16":
@@ -40,7 +40,7 @@ class Lines:
     def __init__(self, text, encoding):
         self.text = text
         self.encoding = encoding
-        # For each line: where it starts, and where it ends without its line break.
+        # For each line: its start, and its end without the line break.
         self.lines = []
         start = 0
         for ending in LINE_BREAK.finditer(text):
@@ -61,11 +61,11 @@ class Lines:
         return {"line": low, "character": units(self.text[start:min(offset, end)], self.encoding)}
 
     def range(self, start, end):
-        """The range of a stretch."""
+        """The range between two offsets."""
         return {"start": self.position(start), "end": self.position(end)}
 
     def offset(self, position, strict=True):
-        """The offset of a position. A server has no reason to name one that is not there."""
+        """The offset of a position. A server must not use positions that do not exist."""
         line, column = position["line"], position["character"]
         if line >= len(self.lines):
             if strict:
@@ -89,20 +89,20 @@ class Lines:
         return at
 
     def span(self, range_):
-        """The stretch of a range."""
+        """The offsets of a range."""
         start, end = self.offset(range_["start"]), self.offset(range_["end"])
         if start > end:
             raise ValueError("the range %r ends before it starts" % range_)
         return start, end
 
     def at(self, range_):
-        """What stands in a range."""
+        """The text in a range."""
         start, end = self.span(range_)
         return self.text[start:end]
 
 
 def apply_edits(text, edits, encoding):
-    """A text after edits that are all in places of the text before, as the protocol has it."""
+    """A text after edits whose positions all refer to the original text, as the protocol defines."""
     lines = Lines(text, encoding)
     spans = []
     for number, edit in enumerate(edits):

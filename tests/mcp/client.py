@@ -1,5 +1,5 @@
-"""The tools of `shaderlint mcp`, called by a client of the protocol's own library; and what no client
-of it says, by hand.
+"""Tests the tools of `shaderlint mcp` with the protocol's official client library, and raw
+messages that no client of it sends.
 
     client.py PROGRAM
 """
@@ -24,9 +24,9 @@ from mcp import ClientSession, StdioServerParameters
 from mcp.client.stdio import stdio_client
 
 PROGRAM = os.path.abspath(sys.argv[1])
-# Seconds after which all of this is ended, with what it waits for: a busy machine is slow, not wrong.
+# Timeout for all tests in seconds: a busy machine is slow, not wrong.
 LIMIT = 900
-# What an answer may hold of text, in bytes, with what is said of the rest.
+# Limit of the text in an answer in bytes, including the note about omitted lines.
 MAX_TEXT = 24_200
 
 BROKEN = """void mainImage(out vec4 color, in vec2 at) {
@@ -45,7 +45,7 @@ PLAIN = """void mainImage(out vec4 color, in vec2 at) {
     color = vec4(at / iResolution.xy, 0.5, 1.0);
 }
 """
-# Some minutes for one core.
+# Takes minutes on one core.
 SLOW = """void mainImage(out vec4 color, in vec2 at) {
     float sum = 0.0;
     for (int i = 0; i < 2000000; i++) sum += sin(sum + float(i) * at.x);
@@ -55,29 +55,29 @@ SLOW = """void mainImage(out vec4 color, in vec2 at) {
 
 
 class Tools:
-    """A session with the server, in a folder of its own."""
+    """A session with the server, in its own folder."""
 
     def __init__(self, session, folder):
         self.session = session
         self.folder = folder
 
     async def call(self, name, /, **arguments):
-        """Calls a tool. Gives its texts, its pictures, and whether it failed."""
+        """Calls a tool. Returns its texts, its images, and whether it failed."""
         result = await self.session.call_tool(name, arguments)
         texts = [block.text for block in result.content if block.type == "text"]
         pictures = [base64.b64decode(block.data) for block in result.content if block.type == "image"]
-        assert texts and all(text.strip() for text in texts), f"{name} answers nothing"
-        assert all(len(text.encode()) <= MAX_TEXT for text in texts), f"{name} answers without bounds"
+        assert texts and all(text.strip() for text in texts), f"{name}: empty answer"
+        assert all(len(text.encode()) <= MAX_TEXT for text in texts), f"{name}: answer too long"
         return "\n".join(texts), pictures, bool(result.is_error)
 
     async def good(self, name, /, **arguments):
-        """Calls a tool that does not fail. Gives its text."""
+        """Calls a tool that must succeed. Returns its text."""
         text, _, failed = await self.call(name, **arguments)
         assert not failed, text
         return text
 
     async def bad(self, name, /, **arguments):
-        """Calls a tool that fails. Gives why."""
+        """Calls a tool that must fail. Returns the error."""
         text, _, failed = await self.call(name, **arguments)
         assert failed, text
         return text
@@ -112,9 +112,9 @@ async def test_tools_are_described(tools):
     assert heat["enum"] == ["steps", "cost", "overdraw", "nan"], heat
 
 
-async def test_check_tells_place_rule_and_edit(tools):
+async def test_check_reports_position_rule_and_edit(tools):
     tools.write("a.glsl", BROKEN)
-    expected = "a.glsl:2:36: error int-float-mix: `float` and `int` do not mix in `+`; replace `1` with `1.0`"
+    expected = "a.glsl:2:36: error int-float-mix: cannot add `int` to `float`; replace `1` with `1.0`"
     for text in (
         await tools.good("check", path="a.glsl"),
         await tools.good("check", path="."),
@@ -122,25 +122,25 @@ async def test_check_tells_place_rule_and_edit(tools):
     ):
         assert text.startswith(expected + "\n"), text
         assert "a.glsl:4:5: error undeclared-name" in text
-        assert "1 shader in 1 file: 2 errors" in text
+        assert "Found 2 errors (1 shader in 1 file)" in text
 
 
-async def test_check_takes_options(tools):
+async def test_check_accepts_options(tools):
     text = await tools.good("check", code=BROKEN, only=["undeclared-name"])
     assert "int-float-mix" not in text and "undeclared-name" in text, text
     code = "void main() { gl_FragColor = vec4(1.0); }"
     assert "error" not in await tools.good("check", code=code, name="a.frag", dialect="webgl1")
     assert "error" in await tools.good("check", code=code, name="a.frag", dialect="webgl2")
-    assert "there is no" in await tools.bad("check", code=PLAIN, only=["no-such-rule"])
+    assert "unknown rule" in await tools.bad("check", code=PLAIN, only=["no-such-rule"])
 
 
-async def test_check_of_what_is_well_says_so(tools):
+async def test_check_reports_success(tools):
     text = await tools.good("check", code=PLAIN)
     assert "1 shader in 1 file" in text and "error" not in text, text
 
 
-async def test_check_says_what_it_did_not_read(tools):
-    assert "there is no such file" in await tools.bad("check", path="missing.glsl")
+async def test_check_reports_unreadable_input(tools):
+    assert "no such file" in await tools.bad("check", path="missing.glsl")
     assert "skipped" in await tools.good("check", path=tools.write("a.py", "print(1)\n"))
     assert "either `path` or `code`" in await tools.bad("check", path="a.py", code=PLAIN)
     assert "`path` or some `code`" in await tools.bad("check")
@@ -148,13 +148,13 @@ async def test_check_says_what_it_did_not_read(tools):
     assert "`code`" in await tools.bad("check", path="-")
 
 
-async def test_answers_are_cut_and_keep_the_summary(tools):
+async def test_long_answers_are_truncated_and_keep_the_summary(tools):
     for number in range(300):
         tools.write(f"{number:03}.glsl", BROKEN)
     text = await tools.good("check", path=".")
     assert text.startswith("000.glsl:2:36: error"), text[:200]
-    assert "lines are left out" in text
-    assert "300 shaders in 300 files: 600 errors" in text.splitlines()[-2], text[-500:]
+    assert "lines omitted" in text
+    assert "Found 600 errors (300 shaders in 300 files)" in text.splitlines()[-2], text[-500:]
 
 
 async def test_a_path_may_look_like_an_option(tools):
@@ -164,7 +164,7 @@ async def test_a_path_may_look_like_an_option(tools):
     assert "--fix" in text[0], text
 
 
-async def test_fix_shows_a_diff_and_writes_on_demand(tools):
+async def test_fix_shows_a_diff_and_writes_on_request(tools):
     name = tools.write("a.glsl", BROKEN)
     text = await tools.good("fix", path=name)
     assert "-    float wave = sin(at.x * 0.1) + 1;\n+    float wave = sin(at.x * 0.1) + 1.0;\n" in text
@@ -174,17 +174,17 @@ async def test_fix_shows_a_diff_and_writes_on_demand(tools):
     assert "undeclared-name" in text and "int-float-mix" not in text, text
 
 
-async def test_fix_of_a_text_answers_the_text(tools):
+async def test_fix_of_a_text_returns_the_text(tools):
     text, _, failed = await tools.call("fix", code=BROKEN)
     assert not failed and text.startswith(MENDED), text
-    assert "undeclared-name" in text, "what is left stands behind the text"
-    assert "nothing can be fixed" in await tools.good("fix", code=PLAIN)
+    assert "undeclared-name" in text, "the remaining diagnostics follow the text"
+    assert "no fixes available" in await tools.good("fix", code=PLAIN)
     assert "only files" in await tools.bad("fix", code=BROKEN, write=True)
     long = BROKEN + "// something\n" * 3000
     assert "save it" in await tools.bad("fix", code=long)
 
 
-async def test_unsafe_fixes_are_asked_for(tools):
+async def test_unsafe_fixes_need_an_option(tools):
     name = tools.write("a.glsl", ROOT)
     await tools.good("fix", path=name, write=True)
     assert tools.read(name) == ROOT
@@ -192,7 +192,7 @@ async def test_unsafe_fixes_are_asked_for(tools):
     assert "sqrt(max(uv.y - 0.5, 0.0))" in tools.read(name)
 
 
-async def test_run_answers_with_a_picture_and_facts(tools):
+async def test_run_returns_an_image_and_facts(tools):
     name = tools.write("a.glsl", ROOT)
     text, pictures, failed = await tools.call("run", path=name, width=64, height=48, report=True)
     assert not failed, text
@@ -201,7 +201,7 @@ async def test_run_answers_with_a_picture_and_facts(tools):
     assert "written" not in text and tempfile.gettempdir() not in text, text
 
 
-async def test_run_takes_options(tools):
+async def test_run_accepts_options(tools):
     for options, expected in (
         ({}, (480, 270)),
         ({"heatmap": "cost", "width": 32, "height": 16, "time": 2.5}, (32, 16)),
@@ -218,9 +218,9 @@ async def test_run_takes_options(tools):
     assert "mean 0.250" in text, text
 
 
-async def test_run_says_why_there_is_no_picture(tools):
+async def test_run_reports_errors(tools):
     assert "int-float-mix" in await tools.bad("run", code=BROKEN)
-    assert "524288 are allowed" in await tools.bad("run", code=PLAIN, width=4096, height=4096)
+    assert "the limit is 524288" in await tools.bad("run", code=PLAIN, width=4096, height=4096)
     assert "d@42" in await tools.bad("run", code=PLAIN, show="nothing")
 
 
@@ -230,7 +230,7 @@ async def test_explain(tools):
     assert "sqrt-negative" in await tools.good("explain")
 
 
-async def test_port_answers_with_shaders(tools):
+async def test_port_returns_shaders(tools):
     text = await tools.good("port", code=PLAIN)
     assert text.startswith("image.frag:\n#version 300 es\n"), text[:200]
     assert "\npass.vert:\n" in text
@@ -238,22 +238,22 @@ async def test_port_answers_with_shaders(tools):
     assert " error " not in await tools.good("check", code=checked, name="a.frag")
 
 
-async def test_port_writes_pages_and_nothing_over_others(tools):
+async def test_port_writes_pages_without_overwriting(tools):
     name = tools.write("a.glsl", PLAIN)
     assert "written: page.html" in await tools.good("port", path=name, output="page.html", verify=True)
     assert tools.read("page.html").startswith("<!doctype html>")
-    assert "is there already" in await tools.bad("port", path=name, output="page.html")
+    assert "already exists" in await tools.bad("port", path=name, output="page.html")
     await tools.good("port", path=name, output="page.html", force=True)
     assert "name an `output`" in await tools.bad("port", path=name, target="html")
     assert "possible values" in await tools.bad("port", path=name, target="cobol")
 
 
-async def test_port_of_broken_code_says_what_is_wrong(tools):
+async def test_port_reports_errors(tools):
     text, _, _ = await tools.call("port", code=BROKEN)
     assert "int-float-mix" in text, text
 
 
-async def test_calls_do_not_wait_for_their_order(tools):
+async def test_calls_run_concurrently(tools):
     calls = [tools.good("check", code=PLAIN) for _ in range(20)]
     calls += [tools.good("run", code=PLAIN, width=16, height=16) for _ in range(5)]
     assert all(await asyncio.gather(*calls))
@@ -268,17 +268,17 @@ def test_a_cancelled_call_ends_its_process():
         wait_for(lambda: not children(server.pid))
         say(server, called(3, "check", {"code": PLAIN}))
         while (answer := json.loads(server.stdout.readline()))["id"] != 3:
-            assert answer["id"] == 1, "a cancelled call is not answered"
+            assert answer["id"] == 1, "no answer to a cancelled call"
         assert not answer["result"]["isError"], answer
         server.stdin.close()
 
 
-def test_a_client_that_goes_at_once():
+def test_a_client_that_exits_immediately():
     done = subprocess.run([PROGRAM, "mcp"], stdin=subprocess.DEVNULL, capture_output=True)
     assert (done.returncode, done.stdout) == (0, b""), done
 
 
-def test_a_client_that_goes_in_the_middle_of_a_call():
+def test_a_client_that_exits_during_a_call():
     with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
         for message in (*BEGINNING, called(2, "run", {"code": SLOW})):
             say(server, message)
@@ -289,7 +289,7 @@ def test_a_client_that_goes_in_the_middle_of_a_call():
     wait_for(lambda: not any(os.path.exists(f"/proc/{pid}") for pid in own))
 
 
-def test_what_no_client_says_is_answered_or_passed_over():
+def test_invalid_messages_are_answered_or_ignored():
     with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
         for message in BEGINNING:
             say(server, message)
@@ -340,7 +340,7 @@ def size_of(png):
 
 
 def children(pid):
-    """The processes that a process has started."""
+    """The child processes of a process."""
     found = []
     for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
         with contextlib.suppress(OSError):
@@ -349,7 +349,7 @@ def children(pid):
 
 
 def wait_for(condition):
-    """Waits for something that the system does not tell of."""
+    """Polls a condition."""
     while not condition():
         time.sleep(0.005)
 
@@ -370,7 +370,7 @@ def main():
     faulthandler.dump_traceback_later(LIMIT, exit=True)
     passed = failed = 0
     tests = {name: test for name, test in globals().items() if name.startswith("test_")}
-    # Each test has a server and a folder of its own, and one waits some seconds for a server to end.
+    # Each test has its own server and folder, and one waits some seconds for a server to exit.
     with concurrent.futures.ThreadPoolExecutor(4) as pool:
         done = {name: pool.submit(run, test) for name, test in tests.items()}
     for name, outcome in done.items():

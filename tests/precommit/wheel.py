@@ -1,6 +1,7 @@
-"""Writes the wheel of programs that are already built, as `maturin build` would write it from the source.
+"""Writes the wheel for programs that are already built, as `maturin build` would build it from
+source.
 
-    wheel.py FOLDER OUT     FOLDER holds the programs; prints the path of the wheel in OUT
+    wheel.py FOLDER OUT     FOLDER contains the programs; prints the path of the wheel in OUT
 """
 
 import base64

@@ -1,11 +1,12 @@
-//! No two files need each other, straight or through others: each can be read after those that it uses.
+//! No two files depend on each other, directly or indirectly: each can be read after the files that
+//! it uses.
 
 use super::code::Crate;
 use super::{crates, files};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Circles that are left: the files of each, or folders that hold all of some. This list only becomes
-/// shorter.
+/// Remaining dependency cycles: the files of each, or folders that contain them. This list must
+/// only become shorter.
 const LEFT: &[&[&str]] = &[
     &["fuzz/src/main.rs", "fuzz/src/throw.rs"],
     &[
@@ -63,7 +64,7 @@ const LEFT: &[&[&str]] = &[
 
 type Arrows<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
 
-/// What can be reached from a file.
+/// All files that a file depends on, directly or indirectly.
 fn reached<'a>(arrows: &Arrows<'a>, from: &str) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut open: Vec<&str> = arrows.get(from).into_iter().flatten().copied().collect();
@@ -75,7 +76,7 @@ fn reached<'a>(arrows: &Arrows<'a>, from: &str) -> BTreeSet<&'a str> {
     reached
 }
 
-/// The sets of files that reach each other.
+/// The strongly connected components with more than one file.
 fn circles<'a>(arrows: &Arrows<'a>) -> BTreeSet<Vec<&'a str>> {
     let reached_by = arrows.keys().map(|file| (*file, reached(arrows, file)));
     let all: BTreeMap<&str, BTreeSet<&str>> = reached_by.collect();
@@ -89,7 +90,7 @@ fn circles<'a>(arrows: &Arrows<'a>) -> BTreeSet<Vec<&'a str>> {
 }
 
 #[test]
-fn files_need_each_other_one_way() {
+fn file_dependencies_have_no_new_cycles() {
     let all = files(&["src", "rules", "fuzz"], ".rs");
     let folders = crates();
     let mut arrows = Arrows::new();
@@ -97,7 +98,7 @@ fn files_need_each_other_one_way() {
         arrows.extend(Crate::new(folder, &folders, &all).arrows());
     }
     let count: usize = arrows.values().map(BTreeSet::len).sum();
-    assert!(count > 1000, "{count} arrows");
+    assert!(count > 1000, "{count} dependencies");
     let mut met = BTreeSet::new();
     let mut said = Vec::new();
     for circle in circles(&arrows) {
@@ -114,11 +115,15 @@ fn files_need_each_other_one_way() {
     assert!(said.is_empty(), "{}", said.join("\n"));
     let places = LEFT.iter().copied().flatten();
     let gone: Vec<&str> = places.filter(|p| !met.contains(*p)).copied().collect();
-    assert!(gone.is_empty(), "in no circle any more: {}", gone.join(" "));
+    assert!(
+        gone.is_empty(),
+        "no longer in a cycle; remove from LEFT: {}",
+        gone.join(" ")
+    );
 }
 
 fn tell(circle: &[&str], arrows: &Arrows) -> String {
-    let mut said = format!("a circle of {}:", circle.len());
+    let mut said = format!("a dependency cycle of {} files:", circle.len());
     for from in circle {
         for to in arrows[from].iter().filter(|to| circle.contains(to)) {
             said += &format!("\n    {from} -> {to}");
@@ -127,7 +132,7 @@ fn tell(circle: &[&str], arrows: &Arrows) -> String {
     said
 }
 
-/// The circles of a crate of these files.
+/// The dependency cycles of a crate with these files.
 fn circles_of(texts: &[(&str, &str)]) -> Vec<Vec<String>> {
     let file = |(name, text): &(&str, &str)| (format!("a/{name}.rs"), text.to_string());
     let files: Vec<(String, String)> = texts.iter().map(file).collect();
@@ -139,7 +144,7 @@ fn circles_of(texts: &[(&str, &str)]) -> Vec<Vec<String>> {
 }
 
 #[test]
-fn circles_are_seen_however_they_are_written() {
+fn cycles_are_found_in_every_spelling() {
     let two = [vec!["a/b.rs".to_string(), "a/c.rs".to_string()]];
     let lib = ("lib", "mod b;\nmod c;\npub use b::B;\npub use c::C;\n");
     let b = ("b", "use super::c::C;\npub struct B;\n");

@@ -1,20 +1,21 @@
-//! Rust as the guards read it: tokens, the modules of a crate, and what each file names in others.
+//! A simple reader for Rust: tokens, the modules of a crate, and the names that each file uses from
+//! others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A piece of Rust; comments are none.
+/// A Rust token; comments are skipped.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Token<'a> {
-    /// A name or a keyword.
+    /// An identifier or a keyword.
     Name(&'a str),
-    /// What stands between the quotes of a string.
+    /// The content of a string literal.
     Text(&'a str),
     /// `::`
     Path,
     Mark(char),
 }
 
-/// The tokens of a file, and the line of each.
+/// The tokens of a file, with their line numbers.
 pub fn tokens(text: &str) -> Vec<(Token<'_>, usize)> {
     let mut tokens = Vec::new();
     let (mut rest, mut line) = (text, 1);
@@ -28,7 +29,7 @@ pub fn tokens(text: &str) -> Vec<(Token<'_>, usize)> {
     tokens
 }
 
-/// The token that a text begins with, and how many bytes it takes.
+/// The token at the start of a text, and its length in bytes.
 fn next(rest: &str, first: char) -> (Option<Token<'_>>, usize) {
     if rest.starts_with("//") {
         return (None, rest.find('\n').unwrap_or(rest.len()));
@@ -51,7 +52,10 @@ fn next(rest: &str, first: char) -> (Option<Token<'_>>, usize) {
             return string(rest, start);
         }
         let close = format!("\"{}", "#".repeat(hashes));
-        let end = rest[start..].find(&close).expect("a string ends") + start;
+        let end = rest[start..]
+            .find(&close)
+            .expect("unterminated string literal")
+            + start;
         return (Some(Token::Text(&rest[start..end])), end + close.len());
     }
     if first == '\'' {
@@ -66,7 +70,7 @@ fn next(rest: &str, first: char) -> (Option<Token<'_>>, usize) {
     (mark, first.len_utf8())
 }
 
-/// A string whose text begins at `start`.
+/// A string literal whose content begins at `start`.
 fn string(rest: &str, start: usize) -> (Option<Token<'_>>, usize) {
     let mut is_escaped = false;
     let end = rest[start..].find(|c| {
@@ -74,11 +78,11 @@ fn string(rest: &str, start: usize) -> (Option<Token<'_>>, usize) {
         is_escaped = c == '\\' && !is_escaped;
         is_end
     });
-    let end = end.expect("a string ends") + start;
+    let end = end.expect("unterminated string literal") + start;
     (Some(Token::Text(&rest[start..end])), end + 1)
 }
 
-/// The length of a character, or of the mark before a lifetime.
+/// The length of a character literal, or of the quote of a lifetime.
 fn character(rest: &str) -> usize {
     let mut chars = rest.char_indices().skip(1);
     match chars.next() {
@@ -91,7 +95,7 @@ fn character(rest: &str) -> usize {
     }
 }
 
-/// Tokens without what is compiled for tests alone.
+/// Tokens without the items that are compiled only for tests.
 pub fn without_tests<'a>(tokens: &[(Token<'a>, usize)]) -> Vec<(Token<'a>, usize)> {
     let test = ["cfg", "(", "test", ")", "]"];
     let is_test = |at: usize| {
@@ -116,7 +120,7 @@ pub fn without_tests<'a>(tokens: &[(Token<'a>, usize)]) -> Vec<(Token<'a>, usize
     kept
 }
 
-/// Where the item that starts at `at` ends: after its `;`, or after the `}` of its block.
+/// The end of the item that starts at `at`: after its `;`, or after the `}` of its block.
 fn end_of_item(tokens: &[(Token, usize)], mut at: usize) -> usize {
     let mut depth = 0;
     while let Some((token, _)) = tokens.get(at) {
@@ -137,27 +141,27 @@ fn end_of_item(tokens: &[(Token, usize)], mut at: usize) -> usize {
     at
 }
 
-/// The names of a path from the first to the last.
+/// The names of a path, from first to last.
 type Names<'a> = Vec<&'a str>;
 
-/// What one file of a crate says of others.
+/// The imports and paths of one file.
 #[derive(Default)]
 pub struct Module<'a> {
     pub file: &'a str,
-    /// What its `use` bring in, by the name that it has here; `*` brings in all that a module has.
+    /// The imports of its `use` declarations by local name; `*` imports everything of a module.
     imports: Vec<(&'a str, Names<'a>)>,
-    /// The paths that stand in its code.
+    /// The paths used in its code.
     paths: BTreeSet<Names<'a>>,
 }
 
-/// The files of one crate, by the names of their modules.
+/// The files of one crate, by module path.
 #[derive(Default)]
 pub struct Crate<'a> {
     modules: BTreeMap<Names<'a>, Module<'a>>,
 }
 
 impl<'a> Crate<'a> {
-    /// Reads the files of a crate that stands in `folder`, where other crates may stand in `others`.
+    /// Reads the files of the crate in `folder`, without the crates in `others`.
     pub fn new(folder: &str, others: &[String], files: &'a [(String, String)]) -> Self {
         let mut read = Crate::default();
         let is_of = |file: &str, folder: &str| {
@@ -182,7 +186,7 @@ impl<'a> Crate<'a> {
         read
     }
 
-    /// Which file names something of which other: each pair once.
+    /// The dependencies between files: each pair once.
     pub fn arrows(&self) -> BTreeMap<&'a str, BTreeSet<&'a str>> {
         let mut arrows: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
         for (place, module) in &self.modules {
@@ -199,8 +203,8 @@ impl<'a> Crate<'a> {
         arrows
     }
 
-    /// The file that defines what a path in a module means. A module itself is defined by nothing: who
-    /// brings one in says with each use what is taken from it.
+    /// The file that defines the item of a path in a module. A module itself has no definition:
+    /// each use of an imported module names the item.
     fn definer(&self, place: &[&'a str], path: &[&'a str], depth: usize) -> Option<&'a str> {
         let (mut module, rest) = self.start(place, path)?;
         let mut rest = rest.to_vec();
@@ -219,13 +223,13 @@ impl<'a> Crate<'a> {
         if let Some((_, path)) = import.filter(|_| depth < 8) {
             let mut path = path.clone();
             path.extend(&rest[1..]);
-            // What comes of another crate is brought in from there.
+            // Items of other crates are imported from there.
             return self.definer(&module, &path, depth + 1);
         }
         Some(here.file)
     }
 
-    /// The module that a path starts in, and the rest of the path.
+    /// The module in which a path starts, and the rest of the path.
     fn start<'p>(
         &self,
         place: &[&'a str],
@@ -278,7 +282,7 @@ impl<'a> Module<'a> {
         module
     }
 
-    /// One path of a `use`, or a group of them; gives where it ends.
+    /// One path of a `use`, or a group of them; returns its end.
     fn import(&mut self, tokens: &[Token<'a>], mut at: usize, before: &[&'a str]) -> usize {
         let mut path = before.to_vec();
         loop {
@@ -313,7 +317,7 @@ impl<'a> Module<'a> {
         at
     }
 
-    /// A path in the code; gives where it ends.
+    /// A path in the code; returns its end.
     fn path(&mut self, tokens: &[Token<'a>], mut at: usize) -> usize {
         let mut path = Vec::new();
         while let Some(Token::Name(name)) = tokens.get(at) {

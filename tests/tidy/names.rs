@@ -1,11 +1,11 @@
-//! One name, one meaning: types, and the names of hosts.
+//! Each name has a single meaning: types, and the names of hosts.
 
 use super::code::{Token, tokens, without_tests};
 use super::{files, root};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Types that share their name with others, and how many there are of it. This list only becomes
-/// shorter, and its numbers smaller.
+/// Type names that are declared more than once, and how often. This list must only become shorter,
+/// and its numbers smaller.
 const SHARED: &[(&str, usize)] = &[
     ("Allow", 2),
     ("Along", 2),
@@ -90,7 +90,7 @@ const SHARED: &[(&str, usize)] = &[
     ("Written", 2),
 ];
 
-/// The types that a text declares: for everyone or for itself alone.
+/// The types that a text declares, public or private.
 fn types(text: &str) -> Vec<&str> {
     let all = tokens(text);
     let tokens = without_tests(&all);
@@ -106,7 +106,7 @@ fn types(text: &str) -> Vec<&str> {
             ] => {
                 found.push(name);
             }
-            // Inside of something it is what an implementation calls by the name of a trait.
+            // Inside an impl it is an associated type.
             [Token::Name("type"), Token::Name(name)] if depth == 0 => found.push(name),
             _ => {}
         }
@@ -114,9 +114,9 @@ fn types(text: &str) -> Vec<&str> {
     found
 }
 
-/// A reader who meets a type's name knows which it is.
+/// A type name identifies a single type.
 #[test]
-fn types_have_names_of_their_own() {
+fn type_names_are_unique() {
     let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for (file, text) in files(&["src", "rules"], ".rs") {
         for name in types(&text) {
@@ -131,14 +131,14 @@ fn types_have_names_of_their_own() {
     for (name, files) in &places {
         let most = shared.get(name.as_str()).copied().unwrap_or(1);
         if files.len() > most {
-            wrong.push(format!("{name} is taken: {}", files.join(" ")));
+            wrong.push(format!("{name} is already used: {}", files.join(" ")));
         }
     }
     for (name, listed) in SHARED {
         let count = places.get(*name).map_or(0, Vec::len);
         if count < *listed {
             wrong.push(format!(
-                "{name} is listed {listed} times and stands {count} times"
+                "{name} is listed with {listed} declarations but has {count}"
             ));
         }
     }
@@ -146,28 +146,28 @@ fn types_have_names_of_their_own() {
 }
 
 #[test]
-fn types_are_seen_however_they_are_declared() {
+fn every_kind_of_type_declaration_is_found() {
     let text = "pub(crate) struct A;\nenum B<'a> { C(&'a str) }\nfn f() { struct D; }\n\
         impl E for A { type Output = u8; }\ntype F = u8; // struct G;\n#[cfg(test)]\nmod tests { struct H; }";
     assert_eq!(types(text), ["A", "B", "D", "F"]);
 }
 
-/// Files and folders in which hosts are still told by their names. This list only becomes shorter.
+/// Files and folders that still identify hosts by name. This list must only become shorter.
 const TELL_HOSTS: &[&str] = &[
     "src/engine/include/find.rs",
     "src/engine/include/mod.rs",
     "src/engine/include/scan.rs",
     "src/port/dialect/",
-    // The name of a context of a canvas is that of the host, too.
+    // The name of a canvas context is also the name of a host.
     "src/text/embed/context.rs",
     "src/text/embed/embedder.rs",
     "src/text/embed/markdown.rs",
     "src/text/kind/mod.rs",
 ];
 
-/// Who runs a shader is told by the table of hosts, not by a name in the code.
+/// Hosts are identified by the host table, not by a name in the code.
 #[test]
-fn no_host_is_told_by_its_name() {
+fn hosts_are_not_identified_by_name() {
     let hosts = files(&["src/host"], ".glsl").into_iter();
     let stem = |file: String| {
         let name = file.rsplit('/').next().unwrap().to_string();
@@ -194,7 +194,9 @@ fn no_host_is_told_by_its_name() {
         }
     }
     for place in TELL_HOSTS.iter().filter(|place| !met.contains(*place)) {
-        wrong.push(format!("{place} tells no host by its name any more"));
+        wrong.push(format!(
+            "{place} no longer identifies a host by name; remove it"
+        ));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(root().join("src/host/presets").exists());

@@ -3,19 +3,19 @@
 use super::scratch::{BROKEN, Scratch, WARNED};
 
 #[test]
-fn what_was_there_is_left_out_and_what_is_new_is_not() {
+fn a_baseline_hides_known_findings_only() {
     let scratch = Scratch::new(&[("src/a.glsl", WARNED), ("src/b.glsl", BROKEN)]);
     let ran = scratch.run(&["--write-baseline", "baseline.json", "src"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
-    assert_eq!(ran.err, "shaderlint: 4 findings written to baseline.json\n");
+    assert_eq!(ran.err, "shaderlint: wrote 4 findings to baseline.json\n");
     let check = || scratch.run(&["-q", "--baseline", "baseline.json", "src"]);
     let ran = check();
     assert_eq!((ran.code, ran.out.as_str(), ran.err.as_str()), (0, "", ""));
 
-    // Lines move; the findings stay known.
+    // Moving lines does not invalidate the baseline.
     scratch.write("src/a.glsl", format!("// a\n// b\n{WARNED}"));
     assert_eq!(check().out, "");
-    // The same line once more is new, and so is the same text in another file.
+    // A second occurrence of the same line is new, and so is the same text in another file.
     scratch.write(
         "src/a.glsl",
         WARNED.replace(
@@ -32,7 +32,7 @@ fn what_was_there_is_left_out_and_what_is_new_is_not() {
 }
 
 #[test]
-fn a_baseline_holds_from_every_folder() {
+fn a_baseline_works_from_every_folder() {
     let scratch = Scratch::new(&[("src/a.glsl", WARNED)]);
     scratch.run(&["--write-baseline", "baseline.json", "./src/a.glsl"]);
     let path = scratch.path("src/a.glsl");
@@ -60,7 +60,7 @@ fn a_baseline_holds_from_every_folder() {
 }
 
 #[test]
-fn what_is_no_baseline_is_told() {
+fn invalid_baselines_are_reported() {
     let scratch = Scratch::new(&[("a.glsl", WARNED), ("b.json", "{}"), ("c.json", "{")]);
     for file in ["b.json", "c.json", "missing.json"] {
         let ran = scratch.run(&["--baseline", file, "a.glsl"]);
@@ -74,7 +74,7 @@ fn what_is_no_baseline_is_told() {
 }
 
 #[test]
-fn what_is_gone_is_named_and_dropped() {
+fn stale_baseline_entries_are_reported_and_removed() {
     let scratch = Scratch::new(&[
         ("src/a.glsl", WARNED),
         ("src/b.glsl", BROKEN),
@@ -87,21 +87,21 @@ fn what_is_gone_is_named_and_dropped() {
     assert_eq!(ran.code, 0);
     assert_eq!(
         ran.err,
-        "shaderlint: src/a.glsl: `pow-negative-base` of the baseline is gone\n\
-         shaderlint: src/c.glsl: `pow-negative-base` of the baseline is gone\n\
-         shaderlint: src/c.glsl: `unused-variable` of the baseline is gone\n\
-         shaderlint: --write-baseline takes out of the baseline what is gone\n"
+        "shaderlint: src/a.glsl: `pow-negative-base` is in the baseline but no longer reported\n\
+         shaderlint: src/c.glsl: `pow-negative-base` is in the baseline but no longer reported\n\
+         shaderlint: src/c.glsl: `unused-variable` is in the baseline but no longer reported\n\
+         shaderlint: use --write-baseline to remove obsolete entries\n"
     );
     let first = ran.out.lines().next();
     assert_eq!(
         first,
-        Some("2 shaders in 2 files, no findings; 3 in the baseline")
+        Some("All checks passed (2 shaders in 2 files); 3 in the baseline")
     );
-    // What is known of files that this run does not look at stays.
+    // Entries for files that are not checked in this run remain.
     let ran = scratch.run(&["--write-baseline", "baseline.json", "src/a.glsl"]);
     assert_eq!(
         ran.err.lines().next(),
-        Some("shaderlint: src/a.glsl: `pow-negative-base` is gone")
+        Some("shaderlint: src/a.glsl: removed `pow-negative-base`")
     );
     let ran = scratch.run(&["--baseline", "baseline.json", "src"]);
     assert_eq!((ran.code, ran.err.as_str()), (0, ""));

@@ -1,9 +1,40 @@
 //! `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
 
 use super::scratch::{BROKEN, Scratch, mended};
+use shaderlint::lint::ALIASES;
+use shaderlint::rules::RULES;
 use std::io::{BufRead, BufReader, Read};
 use std::process::Stdio;
 use std::sync::mpsc::{self, Receiver};
+
+#[test]
+fn an_alias_names_its_rule_everywhere() {
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    bool b = p.x > 9.0;\n    c = vec4(b == true ? 1.0 : 0.5);\n}\n";
+    let allowed = format!("// shaderlint: allow-file(redundant-bool)\n{code}");
+    let scratch = Scratch::new(&[
+        ("a.glsl", code),
+        ("allowed.glsl", &allowed),
+        ("off.toml", "[rules]\nredundant-bool = \"off\"\n"),
+    ]);
+    let only = |arguments: &[&str]| {
+        scratch
+            .run(&[&["-q", "--format", "short"], arguments].concat())
+            .out
+    };
+    let found = only(&["--only", "redundant-bool", "a.glsl"]);
+    assert!(found.contains("[needless-bool]"), "{found}");
+    assert!(only(&["a.glsl"]).contains("[needless-bool]"));
+    assert_eq!(only(&["--ignore", "redundant-bool", "a.glsl"]), "");
+    assert_eq!(only(&["--config", "off.toml", "a.glsl"]), "");
+    assert_eq!(only(&["allowed.glsl"]), "");
+    let pages = ["redundant-bool", "needless-bool"].map(|n| scratch.run(&["explain", n]).out);
+    assert_eq!(pages[0], pages[1]);
+    assert!(pages[0].contains("**Alias:** `redundant-bool`"));
+    for (alias, name) in ALIASES {
+        assert!(RULES.iter().any(|r| r.name == *name), "{name}");
+        assert!(RULES.iter().all(|r| r.name != *alias), "{alias}");
+    }
+}
 
 #[test]
 fn every_rule_is_listed_and_explained() {
@@ -47,7 +78,7 @@ fn completions_and_the_man_page_name_the_options() {
     assert!(man.contains(".TH shaderlint 1") && man.contains("\\-\\-write\\-baseline"));
 }
 
-/// A shader with one error in a lot that has nothing to do with it.
+/// A shader with one error and a lot of unrelated code.
 const LARGE: &str = "#version 300 es
 precision highp float;
 uniform float time;
@@ -63,7 +94,7 @@ void main() {
 ";
 
 #[test]
-fn a_shader_is_reduced_to_what_its_error_needs() {
+fn reduce_keeps_an_error() {
     let scratch = Scratch::new(&[("a.frag", LARGE)]);
     let ran = scratch.run(&["reduce", "a.frag"]);
     assert_eq!(ran.code, 0, "{}", ran.err);
@@ -79,7 +110,7 @@ fn a_shader_is_reduced_to_what_its_error_needs() {
 }
 
 #[test]
-fn a_shader_is_reduced_to_what_a_rule_or_a_command_needs() {
+fn reduce_keeps_a_rule_or_a_command_result() {
     let clean = LARGE.replace("vec2(time)", "time");
     let scratch = Scratch::new(&[("a.frag", LARGE), ("c.frag", &clean)]);
     let ran = scratch.run(&[
@@ -92,18 +123,18 @@ fn a_shader_is_reduced_to_what_a_rule_or_a_command_needs() {
     ]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{}", ran.err);
     assert!(scratch.read("small.frag").len() < 100);
-    // Nothing is written over a file that is there.
+    // Existing files are not overwritten.
     let ran = scratch.run(&["reduce", "a.frag", "-o", "a.frag"]);
     assert_eq!((ran.code, scratch.read("a.frag").as_str()), (2, LARGE));
     for (args, complaint) in [
-        (&["reduce", "c.frag"][..], "there is no error to keep"),
+        (&["reduce", "c.frag"][..], "no errors to keep"),
         (
             &["reduce", "c.frag", "--rule", "nonsense"],
-            "no rule or compile error",
+            "unknown rule or compile error",
         ),
         (
             &["reduce", "c.frag", "--rule", "vector-size"],
-            "not all of these rules",
+            "not all of the given rules",
         ),
         (&["reduce", "c.frag", "--keep", "true"], "no `{}`"),
         (
@@ -120,13 +151,13 @@ fn a_shader_is_reduced_to_what_a_rule_or_a_command_needs() {
 
 #[cfg(unix)]
 #[test]
-fn a_shader_is_reduced_to_what_a_command_accepts() {
+fn reduce_keeps_a_successful_command() {
     let scratch = Scratch::new(&[("it's.frag", LARGE)]);
     let ran = scratch.run(&["reduce", "it's.frag", "--keep", "grep -q wave {}"]);
     assert_eq!((ran.code, ran.out.trim()), (0, "wave"), "{}", ran.err);
 }
 
-/// The lines that a process writes, as they come.
+/// The lines that a process writes, as they arrive.
 fn lines_of(stream: impl Read + Send + 'static) -> Receiver<String> {
     let (sender, lines) = mpsc::channel();
     std::thread::spawn(move || {
@@ -136,7 +167,7 @@ fn lines_of(stream: impl Read + Send + 'static) -> Receiver<String> {
     lines
 }
 
-/// Waits for a line that holds `wanted`, at most until the process ends.
+/// Waits for a line that contains `wanted`, at most until the process ends.
 fn until(lines: &Receiver<String>, wanted: &str) {
     let mut seen = Vec::new();
     for line in lines {

@@ -9,7 +9,7 @@ fn config(text: &str) -> Scratch {
 }
 
 #[test]
-fn the_nearest_configuration_above_a_file_holds() {
+fn the_nearest_configuration_above_a_file_applies() {
     let scratch = Scratch::new(&[
         ("shaderlint.toml", "rules.pow-negative-base = \"off\""),
         ("a.glsl", WARNED),
@@ -27,7 +27,7 @@ fn the_nearest_configuration_above_a_file_holds() {
     assert_eq!(scratch.places(&["--no-config", "a.glsl"]), all);
     let given = ["--config", "own/shaderlint.toml", "a.glsl"];
     assert_eq!(scratch.places(&given), ["2:22 pow-negative-base"]);
-    // From inside, `..` leads to the same file.
+    // From a subfolder, `..` leads to the same file.
     let ran = scratch.run_in("own/deep", &["--format", "short", "../../a.glsl"]);
     assert!(ran.out.contains("unused-variable") && !ran.out.contains("pow-negative-base"));
     let named = ["-", "--stdin-filename", "own/b.glsl", "--format", "short"];
@@ -47,7 +47,7 @@ fn rules_and_groups_have_levels() {
     assert_eq!(level("[rules]\nnumeric = \"info\""), some("info"));
     assert_eq!(level("[rules]\nnumeric = \"off\""), None);
     let both = "[rules]\npow-negative-base = \"warning\"\nnumeric = \"off\"";
-    assert_eq!(level(both), some("warning"), "a rule goes before its group");
+    assert_eq!(level(both), some("warning"), "a rule overrides its group");
     let table = "[rules]\npow-negative-base = { level = \"info\" }";
     assert_eq!(level(table), some("info"));
 }
@@ -87,7 +87,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 ";
 
 #[test]
-fn options_and_target_change_what_rules_go_by() {
+fn options_and_target_affect_rules() {
     let scratch = Scratch::new(&[("a.glsl", MARCH)]);
     let finds = |text: &str| {
         scratch.write("shaderlint.toml", text);
@@ -107,7 +107,7 @@ fn options_and_target_change_what_rules_go_by() {
         out.split('[').next().unwrap().to_string()
     };
     let limits = "[rules.step-budget]\nmain = 199\n";
-    assert_eq!(level(limits), "note");
+    assert_eq!(level(limits), "info");
     assert_eq!(
         level(&format!("target = \"swiftshader\"\n{limits}")),
         "warning"
@@ -116,12 +116,12 @@ fn options_and_target_change_what_rules_go_by() {
         level(&format!(
             "target = \"swiftshader\"\n{limits}level = \"info\""
         )),
-        "note"
+        "info"
     );
 }
 
 #[test]
-fn overrides_hold_for_their_paths() {
+fn overrides_apply_to_their_paths() {
     let scratch = Scratch::new(&[
         (
             "shaderlint.toml",
@@ -150,7 +150,7 @@ fn overrides_hold_for_their_paths() {
     assert_eq!(
         level("legacy/new/a.glsl"),
         "info",
-        "the later override goes first"
+        "the later override wins"
     );
 }
 
@@ -193,7 +193,7 @@ fn the_host_declares_uniforms() {
         assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{file}");
     }
     assert_eq!(scratch.run(&["none/a.frag"]).code, 1);
-    // The types are those that are told.
+    // The declared types are used.
     scratch.write(
         "shaderlint.toml",
         uniforms.replace("\"float\"", "\"sampler2D\""),
@@ -257,7 +257,7 @@ fn include_and_exclude_choose_files_in_folders() {
     assert_eq!(
         files(&["third_party/a.glsl"]),
         ["third_party/a.glsl"],
-        "it is named"
+        "a file that is named is checked"
     );
     assert_eq!(
         files(&["--force-exclude", "a.glsl", "third_party/a.glsl"]),
@@ -268,7 +268,7 @@ fn include_and_exclude_choose_files_in_folders() {
 }
 
 #[test]
-fn a_mistake_is_an_error_with_its_place() {
+fn configuration_errors_have_a_position() {
     let wrong = |text: &str, message: &str| {
         let ran = config(text).run(&["a.glsl", "a.glsl"]);
         assert_eq!((ran.code, ran.out.as_str()), (2, ""));
@@ -280,7 +280,7 @@ fn a_mistake_is_an_error_with_its_place() {
     );
     wrong(
         "[rules]\nflaot-equality = \"off\"",
-        "shaderlint.toml:2:1: there is no rule or group `flaot-equality`; did you mean `float-equality`?",
+        "shaderlint.toml:2:1: unknown rule or group `flaot-equality`; did you mean `float-equality`?",
     );
     wrong(
         "[rules.step-budget]\nmian = 3",
@@ -288,16 +288,16 @@ fn a_mistake_is_an_error_with_its_place() {
     );
     wrong(
         "[[overrides]]\nrules = {}",
-        "shaderlint.toml:1:1: an override needs `paths`: `paths = [\"legacy/**\"]`",
+        "shaderlint.toml:1:1: an override requires `paths`; add `paths = [\"legacy/**\"]`",
     );
     wrong(
         "exclude = [\"a\", \"[\"]",
-        "shaderlint.toml:1:17: `[` is no pattern: unclosed character class; missing ']'",
+        "shaderlint.toml:1:17: invalid pattern `[`: unclosed character class; missing ']'",
     );
 }
 
 #[test]
-fn a_wrong_configuration_is_told_once_and_others_still_count() {
+fn an_invalid_configuration_is_reported_once_and_others_apply() {
     let scratch = Scratch::new(&[
         ("bad/shaderlint.toml", "x = 1"),
         ("bad/a.glsl", WARNED),
@@ -322,7 +322,7 @@ fn a_wrong_configuration_is_told_once_and_others_still_count() {
 }
 
 #[test]
-fn the_committed_schema_is_fresh() {
+fn the_committed_schema_is_up_to_date() {
     let schema = Scratch::new(&[]).run(&["schema"]).out;
     let path = root().join("editors/shaderlint.schema.json");
     if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
@@ -331,13 +331,13 @@ fn the_committed_schema_is_fresh() {
     let committed = fs::read_to_string(path).unwrap_or_default();
     assert!(
         schema == committed,
-        "editors/shaderlint.schema.json is stale"
+        "editors/shaderlint.schema.json is out of date"
     );
 }
 
-/// The schema and the reader must know the same keys.
+/// The schema and the reader must have the same keys.
 #[test]
-fn the_schema_knows_what_the_reader_knows() {
+fn the_schema_has_the_keys_of_the_reader() {
     let schema: Value = serde_json::from_str(&Scratch::new(&[]).run(&["schema"]).out).unwrap();
     let keys = |at: &str| -> Vec<String> {
         let object = schema.pointer(at).and_then(Value::as_object).unwrap();
@@ -347,7 +347,7 @@ fn the_schema_knows_what_the_reader_knows() {
         let ran = config(text).run(&["a.glsl"]);
         let names = ran
             .err
-            .split("there are `")
+            .split("expected one of `")
             .nth(1)
             .unwrap()
             .trim_end()
@@ -371,9 +371,9 @@ fn the_schema_knows_what_the_reader_knows() {
 }
 
 #[test]
-fn the_example_of_the_readme_is_read() {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let example = readme.split("```toml\n").nth(1).unwrap();
+fn the_documented_example_is_valid() {
+    let page = fs::read_to_string(root().join("docs/configuration.md")).unwrap();
+    let example = page.split("```toml\n").nth(1).unwrap();
     let scratch = config(example.split("```").next().unwrap());
     let ran = scratch.run(&["a.glsl"]);
     assert_eq!(ran.err, "");
@@ -387,7 +387,7 @@ fn a_clean_file_needs_no_configuration() {
 }
 
 #[test]
-fn a_host_of_ones_own_is_described_in_glsl() {
+fn a_user_defined_host_is_described_in_glsl() {
     let host = "// My engine\n//\n// It puts its uniforms before every shader.\n// version: 300 es\n// names: all\n\
         precision highp float;\nuniform mat4 uCamera;\n#ifdef VERTEX_SHADER\nin vec3 aPosition;\n#endif\n";
     let good = "void main() { gl_Position = uCamera * vec4(aPosition, 1.0); }\n";
@@ -403,13 +403,14 @@ fn a_host_of_ones_own_is_described_in_glsl() {
     ]);
     let ran = scratch.run(&["-q", "good.vert"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
-    // All its names are told, so that another one is a mistake.
+    // All its names are declared, so any other name is an error.
     assert_eq!(scratch.places(&["bad.vert"]), ["1:62 undeclared-name"]);
     scratch.write("engine/host.glsl", "// My engine\n// names: many\n");
     let ran = scratch.run(&["good.vert"]);
     assert_eq!(ran.code, 2);
     assert!(
-        ran.err.contains("engine/host.glsl:2: `many`"),
+        ran.err
+            .contains("engine/host.glsl:2: expected `all` or `some`, found `many`"),
         "{}",
         ran.err
     );

@@ -9,7 +9,10 @@ fn safe_fixes_are_written_until_nothing_is_left() {
     let ran = scratch.run(&["--fix", "."]);
     assert_eq!(
         (ran.code, ran.out.as_str()),
-        (0, "2 findings fixed; 2 shaders in 2 files, no findings\n")
+        (
+            0,
+            "All checks passed (2 shaders in 2 files); fixed 2 findings\n"
+        )
     );
     assert_eq!(scratch.read("a.glsl"), mended());
     let again = scratch.run(&["-q", "--fix", "."]);
@@ -18,36 +21,36 @@ fn safe_fixes_are_written_until_nothing_is_left() {
 }
 
 #[test]
-fn how_a_fix_is_known_to_keep_the_picture_is_told_on_demand() {
+fn verbose_output_tells_how_fixes_were_verified() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    vec3 v = vec3(p, iTime);\n    v = v;\n    c = vec4(v, 1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let ran = scratch.run(&["-v", "--fix", "a.glsl"]);
-    let told = "shaderlint: a.glsl: fixed: 1 by the same bits wherever it was looked\n";
+    let told = "shaderlint: a.glsl: fixed: 1 with identical sampled pixels\n";
     assert!(ran.err.starts_with(told), "{}", ran.err);
     assert_eq!(scratch.read("a.glsl"), code.replace("    v = v;\n", ""));
 }
 
 #[test]
-fn one_fix_opens_the_way_for_the_next() {
-    // The error hides what the rules say of the shader that compiles.
+fn a_fix_can_enable_another() {
+    // The error hides findings of rules, which need a valid shader.
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    float unused = a;\n    c = vec4(p, a, 1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let ran = scratch.run(&["--unsafe-fixes", "a.glsl"]);
     assert_eq!(
         ran.out,
-        "2 findings fixed; 1 shader in 1 file, no findings\n"
+        "All checks passed (1 shader in 1 file); fixed 2 findings\n"
     );
     let fixed = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1.0;\n    c = vec4(p, a, 1.0);\n}\n";
     assert_eq!(scratch.read("a.glsl"), fixed);
 }
 
 #[test]
-fn unsafe_fixes_want_to_be_asked_for() {
+fn unsafe_fixes_need_an_option() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(iTime * 2.0 + 3.0);\n    c = vec4(a);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let told = scratch.run(&["a.glsl"]).out;
     assert!(
-        told.ends_with("1 shader in 1 file: 1 warning; 1 can be fixed with --unsafe-fixes\n"),
+        told.ends_with("Found 1 warning (1 shader in 1 file); 1 fixable with --unsafe-fixes\n"),
         "{told}"
     );
     scratch.run(&["--fix", "a.glsl"]);
@@ -55,7 +58,7 @@ fn unsafe_fixes_want_to_be_asked_for() {
     let ran = scratch.run(&["--unsafe-fixes", "a.glsl"]);
     assert_eq!(
         ran.out,
-        "1 finding fixed; 1 shader in 1 file, no findings\n"
+        "All checks passed (1 shader in 1 file); fixed 1 finding\n"
     );
     assert!(
         scratch
@@ -90,7 +93,7 @@ fn a_diff_writes_nothing() {
 }
 
 #[test]
-fn standard_input_comes_out_mended() {
+fn fixed_standard_input_is_printed() {
     let scratch = Scratch::new(&[]);
     let ran = scratch.pipe(BROKEN, &["--fix", "-"]);
     assert_eq!((ran.code, ran.out), (0, mended()));
@@ -99,7 +102,7 @@ fn standard_input_comes_out_mended() {
         (ran.code, ran.out.as_str(), ran.err.as_str()),
         (0, CLEAN, "")
     );
-    // What is left to say does not mix with the text.
+    // The remaining findings are not mixed with the text.
     let ran = scratch.pipe(WARNED, &["--fix", "-", "--stdin-filename", "x/a.glsl"]);
     assert_eq!(ran.out, WARNED);
     assert!(
@@ -113,12 +116,12 @@ fn standard_input_comes_out_mended() {
 }
 
 #[test]
-fn line_ends_stay() {
+fn line_ends_are_preserved() {
     let crlf = BROKEN.replace('\n', "\r\n");
     let scratch = Scratch::new(&[("a.glsl", &crlf)]);
     assert_eq!(scratch.run(&["--fix", "a.glsl"]).code, 0);
     assert_eq!(scratch.read("a.glsl"), mended().replace('\n', "\r\n"));
-    // A fix that puts lines in ends them as the file does.
+    // Lines inserted by a fix end like the other lines of the file.
     let code = "#version 300 es\r\nout vec4 c;\r\nvoid main() {\r\n    c = vec4(1.0);\r\n}\r\n";
     scratch.write("b.frag", code);
     scratch.run(&["--unsafe-fixes", "b.frag"]);
@@ -133,7 +136,7 @@ fn line_ends_stay() {
 
 #[cfg(unix)]
 #[test]
-fn links_modes_and_read_only_files() {
+fn symbolic_links_modes_and_read_only_files() {
     use std::os::unix::fs::{PermissionsExt, symlink};
     let scratch = Scratch::new(&[("real/a.glsl", BROKEN), ("locked.glsl", BROKEN)]);
     let mode = |name: &str, mode: u32| {
@@ -151,23 +154,23 @@ fn links_modes_and_read_only_files() {
     assert_eq!(ran.code, 2);
     assert!(
         ran.err
-            .contains("locked.glsl: the fixes cannot be written: the file is read-only")
+            .contains("locked.glsl: cannot write the fixes: the file is read-only")
     );
     assert!(
-        ran.out.contains("1 shader in 1 file: 2 errors"),
+        ran.out.contains("Found 2 errors (1 shader in 1 file)"),
         "{}",
         ran.out
     );
     assert_eq!(scratch.read("locked.glsl"), BROKEN);
     let left: Vec<_> = fs::read_dir(scratch.path("")).unwrap().collect();
-    assert_eq!(left.len(), 3, "no temporary file stays");
+    assert_eq!(left.len(), 3, "no temporary file is left");
 }
 
 const MAIN: &str =
     "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0.0, 1.0); float a = 1; c.x = a; }";
 
 #[test]
-fn shaders_inside_other_files_are_mended_in_place() {
+fn shaders_inside_other_files_are_fixed_in_place() {
     let fixed = MAIN.replace("= 1;", "= 1.0;");
     let texts = [
         (
@@ -195,14 +198,14 @@ fn a_string_in_quotes_stays_a_string() {
 }
 
 #[test]
-fn exports_are_mended_where_they_stand() {
+fn exports_are_fixed_in_place() {
     let code = format!("// \"quoted\" \u{e9}\r\n{MAIN}");
     let pass = serde_json::json!({"type": "image", "name": "Image", "code": code, "inputs": [], "outputs": []});
     let export = serde_json::json!({"info": {"name": "x = 1;"}, "renderpass": [pass]}).to_string();
     let export = format!("[ {} ]\n", export.replace('\u{e9}', "\\u00e9"));
     let scratch = Scratch::new(&[("a.json", &export)]);
     let plain = scratch.run(&["a.json"]).out;
-    let promise = "\n1 shader in 1 file: 1 error; 1 can be fixed with --fix\n";
+    let promise = "\nFound 1 error (1 shader in 1 file); 1 fixable with --fix\n";
     assert!(plain.contains(promise), "{plain}");
     let fixed = export.replace("a = 1;", "a = 1.0;");
     let piped = scratch.pipe(&export, &["--fix", "-", "--stdin-filename", "a.json"]);
@@ -210,13 +213,16 @@ fn exports_are_mended_where_they_stand() {
     let ran = scratch.run(&["--fix", "a.json"]);
     assert_eq!(
         (ran.code, ran.out.as_str()),
-        (0, "1 finding fixed; 1 shader in 1 file, no findings\n")
+        (
+            0,
+            "All checks passed (1 shader in 1 file); fixed 1 finding\n"
+        )
     );
     assert_eq!(scratch.read("a.json"), fixed);
 }
 
 #[test]
-fn errors_that_come_to_light_are_mended_too() {
+fn errors_uncovered_by_fixes_are_fixed_too() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 0; float b = max(a, 0); vec3 v = a;\n    c = vec4(v, b);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let told = scratch.run(&["a.glsl"]).out;
@@ -226,16 +232,16 @@ fn errors_that_come_to_light_are_mended_too() {
         fixed.contains("float a = 0.0; float b = max(a, 0.0);"),
         "{fixed}"
     );
-    let summary = ran.out.lines().find(|l| l.contains(" fixed; "));
+    let summary = ran.out.split("; fixed ").nth(1);
     let count = summary.unwrap().split(' ').next().unwrap();
     assert!(
-        told.contains(&format!("; {count} can be fixed with --fix")),
+        told.contains(&format!("; {count} fixable with --fix")),
         "{told}"
     );
 }
 
 #[test]
-fn comments_stay_where_code_goes() {
+fn comments_remain_when_code_is_removed() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float unused = 2.0; // why\n    float other /* what */ = 1.0;\n    c = vec4(1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     scratch.run(&["--unsafe-fixes", "a.glsl"]);
@@ -246,24 +252,27 @@ fn comments_stay_where_code_goes() {
 }
 
 #[test]
-fn what_an_included_file_no_longer_has_is_not_said() {
+fn fixed_findings_of_included_files_are_not_reported() {
     let common = "float one() { float a = 1; return a; }\n";
     let image =
         "#include \"common.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }\n";
     let scratch = Scratch::new(&[("a.glsl", image), ("common.glsl", common)]);
     let ran = scratch.run(&["--fix", "a.glsl", "common.glsl"]);
-    let said = "1 finding fixed; 2 shaders in 2 files, no findings\n";
+    let said = "All checks passed (2 shaders in 2 files); fixed 1 finding\n";
     assert_eq!((ran.code, ran.out.as_str()), (0, said));
 }
 
 #[test]
-fn an_included_file_is_mended_as_itself_only() {
+fn included_files_are_fixed_only_when_checked_themselves() {
     let common = "float one() { float a = 1; return a; }\n";
     let image =
         "#include \"common.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }\n";
     let scratch = Scratch::new(&[("a.glsl", image), ("common.glsl", common)]);
     let told = scratch.run(&["a.glsl"]).out;
-    assert!(told.contains("\n1 shader in 1 file: 1 error\n"), "{told}");
+    assert!(
+        told.contains("\nFound 1 error (1 shader in 1 file)\n"),
+        "{told}"
+    );
     scratch.run(&["--fix", "a.glsl"]);
     assert_eq!(scratch.read("a.glsl"), image);
     assert_eq!(scratch.read("common.glsl"), common);

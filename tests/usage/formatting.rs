@@ -1,4 +1,4 @@
-//! `fmt`: what is written, printed and refused, and where the style comes from.
+//! `fmt`: written, printed and rejected files, and the source of the style.
 
 use super::scratch::Scratch;
 
@@ -10,17 +10,20 @@ fn files_are_written_in_place() {
     let scratch = Scratch::new(&[("a.frag", UGLY), ("lib/b.frag", PRETTY), ("c.txt", UGLY)]);
     let ran = scratch.run(&["fmt"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
-    assert_eq!(ran.err, "shaderlint fmt: 1 file formatted, 1 already\n");
+    assert_eq!(
+        ran.err,
+        "shaderlint fmt: 1 file reformatted, 1 already formatted\n"
+    );
     assert_eq!(scratch.read("a.frag"), PRETTY);
     assert_eq!(scratch.read("c.txt"), UGLY);
     let ran = scratch.run(&["fmt", "a.frag"]);
-    assert_eq!(ran.err, "shaderlint fmt: 1 file formatted already\n");
+    assert_eq!(ran.err, "shaderlint fmt: 1 file already formatted\n");
     let ran = scratch.run(&["fmt", "-q", "a.frag"]);
     assert_eq!((ran.code, ran.err.as_str()), (0, ""));
 }
 
 #[test]
-fn what_differs_is_told_and_nothing_written() {
+fn check_reports_differences_and_writes_nothing() {
     let scratch = Scratch::new(&[("a.frag", UGLY), ("b.frag", PRETTY)]);
     let ran = scratch.run(&["fmt", "--check", "."]);
     assert_eq!(
@@ -29,7 +32,7 @@ fn what_differs_is_told_and_nothing_written() {
     );
     assert_eq!(
         ran.err,
-        "shaderlint fmt: 1 file would be formatted, 1 already\n"
+        "shaderlint fmt: 1 file would be reformatted, 1 already formatted\n"
     );
     let ran = scratch.run(&["fmt", "--diff", "-q", "."]);
     let diff = "--- a/a.frag\n+++ b/a.frag\n@@ -1,2 +1,3 @@\n-void main(){gl_FragColor=vec4( 1.0 ) ;\n\
@@ -42,7 +45,7 @@ fn what_differs_is_told_and_nothing_written() {
 }
 
 #[test]
-fn standard_input_goes_to_standard_output() {
+fn formatted_standard_input_is_printed() {
     let scratch = Scratch::new(&[(".editorconfig", "[*.vert]\nindent_size = 2\n")]);
     let ran = scratch.pipe(UGLY, &["fmt", "-"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, PRETTY));
@@ -53,9 +56,9 @@ fn standard_input_goes_to_standard_output() {
     assert_eq!((ran.code, ran.out.as_str()), (0, other));
 }
 
-/// Whoever puts the output in the place of the input loses nothing.
+/// Writing the output back to the input loses nothing.
 #[test]
-fn what_cannot_be_formatted_stays() {
+fn unformattable_text_is_unchanged() {
     let open = "void main(){\n  a = (b;\n}\n";
     let scratch = Scratch::new(&[("a.frag", open), ("b.frag", UGLY)]);
     let ran = scratch.run(&["fmt", "."]);
@@ -63,9 +66,9 @@ fn what_cannot_be_formatted_stays() {
     let (first, rest) = ran.err.split_once('\n').unwrap();
     assert_eq!(
         first,
-        "shaderlint fmt: a.frag:2:7: not formatted: this bracket is never closed"
+        "shaderlint fmt: a.frag:2:7: not formatted: unclosed bracket"
     );
-    assert_eq!(rest, "shaderlint fmt: 1 file formatted\n");
+    assert_eq!(rest, "shaderlint fmt: 1 file reformatted\n");
     assert_eq!(scratch.read("a.frag"), open);
     assert_eq!(scratch.read("b.frag"), PRETTY);
     let ran = scratch.pipe(open, &["fmt", "-"]);
@@ -74,12 +77,12 @@ fn what_cannot_be_formatted_stays() {
     let ran = scratch.run(&["fmt", "c.frag"]);
     assert_eq!(
         (ran.code, ran.err.as_str()),
-        (2, "shaderlint fmt: c.frag: the file is not UTF-8\n")
+        (2, "shaderlint fmt: c.frag: the file is not valid UTF-8\n")
     );
 }
 
 #[test]
-fn the_style_is_that_of_the_nearest_files() {
+fn the_nearest_style_files_apply() {
     let scratch = Scratch::new(&[
         ("a.frag", UGLY),
         ("old/b.frag", UGLY),
@@ -98,6 +101,6 @@ fn the_style_is_that_of_the_nearest_files() {
     assert_eq!(scratch.read("old/b.frag"), PRETTY.replace("    ", " "));
     scratch.write("shaderlint.toml", "format.width = 7\n");
     let ran = scratch.run(&["fmt", "a.frag"]);
-    let said = "shaderlint fmt: a.frag: shaderlint.toml:1:16: this must be 20 to 1000\n";
+    let said = "shaderlint fmt: a.frag: shaderlint.toml:1:16: expected a number from 20 to 1000\n";
     assert_eq!((ran.code, ran.err.as_str()), (2, said));
 }

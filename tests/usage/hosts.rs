@@ -1,4 +1,4 @@
-//! Who runs a shader: both programs read the same table, and say the same.
+//! Hosts of shaders: both programs use the same table and report the same.
 
 use super::scratch::Scratch;
 use insta_cmd::get_cargo_bin;
@@ -12,7 +12,7 @@ use std::process::Command;
 
 const DIALECTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/dialects");
 
-/// The shaders of the fixtures, by host; not those that others take in.
+/// The shaders of the fixtures, by host; without included files.
 fn fixtures() -> Vec<(String, PathBuf)> {
     let mut all = Vec::new();
     for folder in fs::read_dir(DIALECTS).unwrap() {
@@ -30,7 +30,7 @@ fn fixtures() -> Vec<(String, PathBuf)> {
     all
 }
 
-/// What `shaderport` says that a file was read as, and whether it makes something of it.
+/// What `shaderport` reports as the type of a file, and whether it produces output.
 fn ported(scratch: &Scratch, path: &Path, more: &[&str]) -> (Option<String>, bool) {
     let out = Command::new(get_cargo_bin("shaderport"))
         .current_dir(scratch.path(""))
@@ -47,21 +47,21 @@ fn ported(scratch: &Scratch, path: &Path, more: &[&str]) -> (Option<String>, boo
         .unwrap();
     let said = String::from_utf8(out.stderr).unwrap();
     let line = said.lines().find_map(|l| l.strip_prefix("note: read as "));
-    let told = line.map(|l| l.split("; as much").next().unwrap_or(l).to_string());
+    let told = line.map(|l| l.split("; ").next().unwrap_or(l).to_string());
     (told, out.status.success())
 }
 
 #[test]
-fn both_programs_read_a_shader_alike() {
+fn both_programs_recognise_the_same_host() {
     let scratch = Scratch::new(&[]);
     for (host, path) in fixtures() {
         let (told, _) = ported(&scratch, &path, &[]);
         let linted = scratch.run(&["-v", path.to_str().unwrap()]);
         let name = path.file_name().unwrap().to_str().unwrap();
-        let line = linted.err.lines().find(|l| l.contains(": read as "));
+        let line = linted.err.lines().find(|l| l.contains(": checked as "));
         let (_, line) = line
             .unwrap_or_else(|| panic!("{name}: {}", linted.err))
-            .split_once(": read as ")
+            .split_once(": checked as ")
             .unwrap();
         match told {
             Some(told) => assert!(
@@ -69,16 +69,17 @@ fn both_programs_read_a_shader_alike() {
                 "{host}/{name}: {line}\n{told}"
             ),
             None => {
-                let is_told = presets().any(|p| line.starts_with(&format!("{}, by ", p.read_as())));
+                let is_told =
+                    presets().any(|p| line.starts_with(&format!("{} (found ", p.read_as())));
                 assert!(!is_told, "{host}/{name}: {line}");
             }
         }
     }
 }
 
-/// What plays is not refused for its dialect.
+/// A shader that `shaderport` plays is not rejected for its dialect.
 #[test]
-fn what_one_program_plays_the_other_does_not_refuse() {
+fn playable_shaders_are_not_rejected_for_their_dialect() {
     let scratch = Scratch::new(&[]);
     for (host, path) in fixtures() {
         let is_whole = ["bonzomatic", "kodelife", "kodi", "synthclipse"].contains(&host.as_str());
@@ -101,7 +102,7 @@ fn what_one_program_plays_the_other_does_not_refuse() {
     }
 }
 
-/// An ISF shader as people write them for desktops: persistent passes, and numbers that convert.
+/// A typical ISF shader for desktops: persistent passes, and implicit conversions.
 const ISF: &str = r#"/*{
   "ISFVSN": "2",
   "INPUTS": [
@@ -119,9 +120,9 @@ void main() {
 }
 "#;
 
-/// The head of a text says what its names are: what remains unknown is a mistake.
+/// The head of a text declares its names: an unknown name is an error.
 #[test]
-fn what_the_head_of_a_text_declares_is_known() {
+fn names_declared_in_the_head_are_known() {
     let wrong = ISF.replace("old), amount)", "old), amuont)");
     let versioned = ISF.replace("}*/", "}*/\n#version 120");
     let scratch = Scratch::new(&[("a.fs", ISF), ("b.fs", &wrong), ("c.fs", &versioned)]);
@@ -129,7 +130,7 @@ fn what_the_head_of_a_text_declares_is_known() {
         assert_eq!(scratch.places(&[file]), [] as [&str; 0], "{file}");
         let (told, plays) = ported(&scratch, Path::new(file), &[]);
         assert!(
-            plays && told.is_some_and(|t| t.starts_with("ISF, by ")),
+            plays && told.is_some_and(|t| t.starts_with("ISF (found ")),
             "{file}"
         );
     }
@@ -137,9 +138,9 @@ fn what_the_head_of_a_text_declares_is_known() {
     assert!(!ported(&scratch, Path::new("b.fs"), &[]).1);
 }
 
-/// What is included may hold directives of the host, too, and need not be a shader.
+/// An included file may contain directives of the host, too, and need not be a shader.
 #[test]
-fn directives_of_a_host_are_obeyed() {
+fn host_directives_are_applied() {
     let image = "#include \"ui.glsl\"\n#iChannel0 \"file://buffer.glsl\"\n\
         void mainImage(out vec4 c, in vec2 p) {\n    \
         c = texture(iChannel0, p / iResolution.xy) * speed * iMouseButton.x;\n}\n";
@@ -157,7 +158,7 @@ fn directives_of_a_host_are_obeyed() {
     assert!(ported(&scratch, Path::new("a.glsl"), &[]).1);
     assert_eq!(scratch.places(&["typo.glsl"]), ["4:50 undeclared-name"]);
     assert!(!ported(&scratch, Path::new("typo.glsl"), &[]).1);
-    // What is not there may declare it.
+    // A missing file may declare it.
     let told = scratch.run(&["away.glsl", "--format", "short"]);
     assert!(
         told.out.contains("info[undeclared-name]: `speed`"),
@@ -166,7 +167,7 @@ fn directives_of_a_host_are_obeyed() {
     );
 }
 
-/// A shader in a text or a script is read as one in a file of its own is.
+/// A shader in Markdown or a script is read like one in its own file.
 #[test]
 fn hosts_of_shaders_inside_other_files_are_known() {
     let bonzomatic = "#version 410 core\nuniform float fGlobalTime;\nuniform vec2 v2Resolution;\n\
@@ -177,20 +178,20 @@ fn hosts_of_shaders_inside_other_files_are_known() {
     let script = format!("const a = `{wrong}`;\nconst b = `#version 330\nvoid main() {{}}`;\n");
     let scratch = Scratch::new(&[("a.md", &text), ("a.js", &script)]);
     let ran = scratch.run(&["a.md", "-v"]);
-    assert!(ran.out.contains("no findings"), "{}", ran.out);
+    assert!(ran.out.contains("All checks passed"), "{}", ran.out);
     assert!(
-        ran.err.contains("read as Bonzomatic: fragment shader"),
+        ran.err.contains("checked as Bonzomatic: fragment shader"),
         "{}",
         ran.err
     );
     let places = ["7:74 undeclared-name", "10:12 unsupported-version"];
     assert_eq!(scratch.places(&["a.js"]), places);
-    // A text that holds shaders is none itself.
+    // Markdown that contains shaders is not itself a shader.
     assert!(!ported(&scratch, Path::new("a.md"), &[]).1);
 }
 
 #[test]
-fn a_mistake_in_a_text_of_several_passes_is_told_once() {
+fn errors_in_multi_pass_texts_are_reported_once() {
     let code = "/*{\"INPUTS\": [], \"PASSES\": [{\"TARGET\": \"a\"}, {}]}*/\n\
                 void main() { gl_FragColor = vec4(unknown); }\n";
     let scratch = Scratch::new(&[("a.fs", code)]);
@@ -201,16 +202,16 @@ fn a_mistake_in_a_text_of_several_passes_is_told_once() {
         .unwrap();
     let said = String::from_utf8(out.stderr).unwrap();
     assert_eq!(
-        said.matches("nothing declares `unknown`").count(),
+        said.matches("`unknown` is not declared").count(),
         1,
         "{said}"
     );
     assert!(said.contains("1 error in 1 file"), "{said}");
 }
 
-/// Files that include each other, and others twice, end.
+/// Files that include each other, or others twice, do not recurse forever.
 #[test]
-fn what_includes_without_end_is_answered() {
+fn circular_includes_terminate() {
     let main =
         "#iChannel0 \"self\"\n#include \"0.glsl\"\nvoid mainImage(out vec4 c, vec2 p) { c = x; }\n";
     let mut files = vec![("main.glsl".to_string(), main.to_string())];
@@ -224,9 +225,9 @@ fn what_includes_without_end_is_answered() {
     assert!(!ported(&scratch, Path::new("main.glsl"), &[]).1);
 }
 
-/// Programs are told who runs a file in the words that people read.
+/// The machine-readable formats name the host with the same words as the human-readable ones.
 #[test]
-fn programs_are_told_what_a_file_is_read_as() {
+fn machine_readable_formats_name_the_host() {
     let bonzomatic = Path::new(DIALECTS).join("bonzomatic/default.glsl");
     let bonzomatic = fs::read_to_string(bonzomatic).unwrap();
     let toy = "void mainImage(out vec4 c, vec2 p) { c = vec4(x); }\n";
@@ -245,7 +246,7 @@ fn programs_are_told_what_a_file_is_read_as() {
     assert_eq!(hosts, ["bonzomatic", "shadertoy", "isf"]);
     for (reading, (file, _)) in readings.iter().zip(files) {
         let read_as = reading["read_as"].as_str().unwrap();
-        let line = format!("{file}: read as {read_as}; no configuration");
+        let line = format!("{file}: checked as {read_as}; no configuration");
         assert!(
             reading["file"] == file && said.contains(&line),
             "{line}\n{said}"
@@ -262,10 +263,10 @@ fn programs_are_told_what_a_file_is_read_as() {
 }
 
 #[test]
-fn a_name_of_no_host_is_told_with_those_close_to_it() {
+fn unknown_hosts_get_suggestions() {
     let scratch = Scratch::new(&[("a.glsl", "void main() {}")]);
     let ran = scratch.run(&["a.glsl", "--host", "bonzomatik"]);
-    let said = "there is no host `bonzomatik`; did you mean `bonzomatic`?";
+    let said = "unknown host `bonzomatik`; did you mean `bonzomatic`?";
     assert_eq!(ran.code, 2);
     assert!(ran.err.contains(said), "{}", ran.err);
     let (told, plays) = ported(&scratch, Path::new("a.glsl"), &["--from", "bonzomatik"]);
@@ -278,18 +279,18 @@ fn a_name_of_no_host_is_told_with_those_close_to_it() {
     );
 }
 
-/// A desktop shader that nothing shows the host of is no shader of WebGL; the user may name one.
+/// A desktop shader without a recognised host is not a WebGL shader; the user may name one.
 #[test]
-fn a_desktop_shader_of_no_host_is_refused() {
+fn desktop_shaders_without_a_host_are_rejected() {
     let code = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     assert_eq!(scratch.places(&["a.glsl"]), ["1:1 unsupported-version"]);
     assert_eq!(scratch.run(&["a.glsl", "--host", "kodelife"]).code, 0);
 }
 
-/// Places are those of the file, whatever goes around it.
+/// Positions are those of the file, regardless of the added code.
 #[test]
-fn mistakes_in_a_desktop_shader_are_found_where_they_are() {
+fn errors_in_desktop_shaders_have_correct_positions() {
     let code = "#version 150\nin VertexData {\n    vec2 v_texcoord;\n} inData;\n\
         uniform vec3 spectrum;\nout vec4 c;\nvoid main() {\n    c = vec4(spectrums, 1) * inData.v_texcoord.x;\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
@@ -300,9 +301,9 @@ fn mistakes_in_a_desktop_shader_are_found_where_they_are() {
     );
 }
 
-/// A host of one's own says what its names mean, too.
+/// A user-defined host declares the meaning of its names, too.
 #[test]
-fn a_described_host_builds_on_another() {
+fn a_user_defined_host_can_extend_another() {
     let host = "// Mine\n//\n// As three.js.\n// base: three\nuniform float mine; // = tmie\n";
     let scratch = Scratch::new(&[
         ("shaderlint.toml", "[host]\nprelude = \"host.glsl\"\n"),
@@ -315,7 +316,7 @@ fn a_described_host_builds_on_another() {
     let ran = scratch.run(&["a.frag"]);
     assert_eq!(ran.code, 2);
     assert!(
-        ran.err.contains("host.glsl:5: `tmie` is none of"),
+        ran.err.contains("host.glsl:5: expected one of"),
         "{}",
         ran.err
     );
@@ -324,8 +325,8 @@ fn a_described_host_builds_on_another() {
     assert_eq!(scratch.run(&["a.frag"]).code, 0);
 }
 
-/// A shader of the host that `host.glsl` describes gets what that says in all programs, and a mistake in
-/// it is one in both.
+/// A shader of the host described in `host.glsl` gets its declarations in all programs, and an
+/// error in it is reported by both.
 fn own_host(scratch: &Scratch, file: &str, more: &[&str]) {
     let args = |first: &[&'static str]| -> Vec<String> {
         let all = first.iter().chain(more).map(|a| a.to_string());
@@ -358,16 +359,16 @@ fn own_host(scratch: &Scratch, file: &str, more: &[&str]) {
     assert!(
         wrong
             .out
-            .contains("error[undeclared-name]: nothing declares `arae`"),
+            .contains("error[undeclared-name]: `arae` is not declared"),
         "{}",
         wrong.out
     );
     assert!(!ported(scratch, Path::new(file), more).1);
 }
 
-/// What a user says of a host is as good as what the table says of its own.
+/// A user-defined host is equivalent to a built-in one.
 #[test]
-fn a_host_of_ones_own_is_as_good_as_others() {
+fn user_defined_hosts_equal_built_in_ones() {
     let names = "uniform float tick; // = time\nuniform vec2 area; // = resolution\n";
     let three = format!("// Mine\n//\n// As three.js.\n//\n// base: three\n// names: all\n{names}");
     let over = format!("// Mine\n//\n// More of three.js.\n//\n// names: all\n{names}");
@@ -395,7 +396,7 @@ fn a_host_of_ones_own_is_as_good_as_others() {
     }
 }
 
-/// Whether something in a text shows a host.
+/// Whether a text can identify the host.
 fn is_shown(host: &Preset) -> bool {
     let names = &host.meanings;
     !host.signs.is_empty()
@@ -404,10 +405,10 @@ fn is_shown(host: &Preset) -> bool {
         || names.varyings.iter().any(|r| r.weight > 0)
 }
 
-/// A host that a text shows has a shader that shows it; of others something around the text does.
+/// Each host that a text can identify has a fixture; the others are identified by something else.
 #[test]
-fn every_host_has_a_fixture_or_is_known_by_other_things() {
-    // Nothing around a text shows these: only the user says it.
+fn every_host_has_a_fixture_or_is_identified_otherwise() {
+    // Nothing in or around a text identifies these: only the user can name them.
     const NAMED: [&str; 2] = ["openframeworks", "processing"];
     for host in presets() {
         let has_fixture = Path::new(DIALECTS).join(host.name).is_dir();
@@ -425,9 +426,9 @@ fn every_host_has_a_fixture_or_is_known_by_other_things() {
     }
 }
 
-/// What a host puts before shaders compiles.
+/// The code that a host puts before shaders compiles.
 #[test]
-fn what_hosts_declare_compiles() {
+fn host_declarations_compile() {
     for host in presets() {
         for name in ["a.frag", "a.vert"] {
             let mut options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));

@@ -1,18 +1,18 @@
-//! Files that shaders name, and ShaderToy's passes in files of their own.
+//! Included files, and ShaderToy passes in separate files.
 
 use super::scratch::Scratch;
 
 /// A file with a function.
 const F: &str = "vec2 f() { return vec2(1.0); }\n";
 
-/// A shader that calls it, wrongly: that is found where the file is.
+/// A shader that calls it incorrectly: the error is reported if the file is found.
 fn calling(directive: &str) -> String {
     format!(
         "{directive}\nvoid mainImage(out vec4 c, in vec2 p) {{ float x = f(); c = vec4(x); }}\n"
     )
 }
 
-/// The rules of what is found in `a.glsl`.
+/// The rules of the findings in `a.glsl`.
 #[track_caller]
 fn rules(scratch: &Scratch, args: &[&str]) -> Vec<String> {
     let places = scratch.places(args);
@@ -29,7 +29,7 @@ fn finds(file: &str, directive: &str) {
 }
 
 #[test]
-fn a_file_is_found_as_bundlers_find_it() {
+fn files_are_resolved_like_bundlers_do() {
     finds("src/x/f.glsl", "#include \"f.glsl\"");
     finds("src/x/f.glsl", "#include './f.glsl';");
     finds("src/x/f.glsl", "#include f");
@@ -49,7 +49,7 @@ fn a_file_is_found_as_bundlers_find_it() {
 }
 
 #[test]
-fn what_is_not_found_is_no_error() {
+fn missing_includes_are_not_errors() {
     let missing = calling("#include \"nowhere.glsl\"");
     let scratch = Scratch::new(&[("a.glsl", &missing)]);
     assert_eq!(scratch.run(&["-q", "a.glsl"]).code, 0);
@@ -57,11 +57,15 @@ fn what_is_not_found_is_no_error() {
     let scratch = Scratch::new(&[("f.glsl", F), ("in/a.glsl", &outside)]);
     assert_eq!(scratch.run_in("in", &["-q", "a.glsl"]).code, 0);
     let found = scratch.places(&["in/a.glsl"]);
-    assert_eq!(found.len(), 1, "the folder at hand holds both: {found:?}");
+    assert_eq!(
+        found.len(),
+        1,
+        "the current folder contains both: {found:?}"
+    );
 }
 
 #[test]
-fn a_repository_or_package_around_may_be_read() {
+fn includes_may_leave_the_folder_within_a_repository() {
     for (mark, text) in [
         (".git/HEAD", ""),
         ("package.json", "{}"),
@@ -91,11 +95,11 @@ fn include_roots_are_searched() {
     assert_eq!(rules(&scratch, &["src/a.glsl"]), ["vector-size"]);
     scratch.write("shaderlint.toml", "include_roots = \"lib\"");
     let ran = scratch.run(&["src/a.glsl"]);
-    assert!(ran.err.contains("this must be a list"), "{}", ran.err);
+    assert!(ran.err.contains("expected a list"), "{}", ran.err);
 }
 
 #[test]
-fn a_file_is_put_in_once() {
+fn a_file_is_included_once() {
     let a = calling("#include \"b.glsl\"\n#include \"f.glsl\"\n#include \"f.glsl\"");
     let b = "#ifdef X\n#include \"f.glsl\"\n#endif\n#include \"k.glsl\"\n#include \"k.glsl\"\n";
     let k = "const float K = 1.0;\n";
@@ -104,7 +108,7 @@ fn a_file_is_put_in_once() {
 }
 
 #[test]
-fn conditions_decide_between_two_copies() {
+fn conditional_includes_of_the_same_file() {
     let a = calling(
         "#define X\n#ifdef X\n#include \"f.glsl\"\n#endif\n#ifndef Y\n#include \"f.glsl\"\n#endif",
     );
@@ -122,7 +126,7 @@ fn conditions_decide_between_two_copies() {
 }
 
 #[test]
-fn what_means_something_else_each_time_is_put_in_each_time() {
+fn includes_with_different_meanings_are_repeated() {
     let a = "#define T float\n#include \"t.glsl\"\n#undef T\n#define T vec2\n#include \"t.glsl\"\n#undef T\n\
         void mainImage(out vec4 c, in vec2 p) { c = vec4(twice(1.0), twice(p), 1.0); }\n";
     let t = "T twice(T a) { return a * 2.0; }\n";
@@ -138,7 +142,7 @@ fn what_means_something_else_each_time_is_put_in_each_time() {
 }
 
 #[test]
-fn a_circle_is_an_error_without_a_guard() {
+fn circular_includes_without_a_guard_are_errors() {
     let a = calling("#include \"f.glsl\"");
     let f = format!("#include \"g.glsl\"\n{F}");
     let g = "#include \"f.glsl\"\nfloat g() { return 2.0; }\n";
@@ -152,7 +156,7 @@ fn a_circle_is_an_error_without_a_guard() {
 }
 
 #[test]
-fn modules_of_glslify_keep_their_names_for_themselves() {
+fn glslify_modules_have_private_names() {
     let a = "#pragma glslify: f = require(./lib)\n#pragma glslify: g = require('pkg', map = scene, n = 3)\n\
         float hash(float p) { return p; }\nfloat scene(float p) { return p; }\n\
         void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x), g(p.y), hash(p.x), f(p)); }\n";
@@ -178,7 +182,7 @@ fn modules_of_glslify_keep_their_names_for_themselves() {
 }
 
 #[test]
-fn of_packages_only_errors_are_told() {
+fn only_errors_are_reported_for_packages() {
     let a =
         "#include \"pkg/f.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x)); }\n";
     let warned = "float f(float x) { float unused = 1.0; return pow(x - 9.0, 2.0); }\n";
@@ -190,7 +194,7 @@ fn of_packages_only_errors_are_told() {
 }
 
 #[test]
-fn common_stands_before_the_passes_beside_it() {
+fn common_code_precedes_the_passes_of_its_folder() {
     let common = "#define K 2.0\nfloat one() { float unused = 1.0; return K; }\n";
     let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(one()) * K; }\n";
     let scratch = Scratch::new(&[
@@ -210,12 +214,12 @@ fn common_stands_before_the_passes_beside_it() {
     assert_eq!(
         scratch.run(&["-q", "Image.glsl"]).code,
         1,
-        "a pile of images"
+        "unrelated image passes"
     );
 }
 
 #[test]
-fn common_is_judged_as_common() {
+fn common_code_is_checked_as_common_code() {
     let common = "vec4 look(sampler2D s, vec2 p) { return texture(s, p); }\n// what main and texture2D did\n";
     let image = "void mainImage(out vec4 c, in vec2 p) { c = look(iChannel0, p); }\n";
     let scratch = Scratch::new(&[("common.frag", common), ("image.frag", image)]);
@@ -223,14 +227,14 @@ fn common_is_judged_as_common() {
     assert_eq!(ran.code, 0, "{}", ran.out);
     assert!(
         ran.err
-            .contains("common.frag: read as ShaderToy common code"),
+            .contains("common.frag: checked as ShaderToy common code"),
         "{}",
         ran.err
     );
 }
 
 #[test]
-fn a_host_of_chunks_keeps_them() {
+fn chunks_of_a_host_are_not_read_from_files() {
     let a = "#include <common>\nvoid main() { gl_FragColor = vec4(saturate(0.5)); }\n";
     let scratch = Scratch::new(&[("a.frag", a), ("common.glsl", "float ( ;\n")]);
     scratch.write("shaderlint.toml", "host = \"three\"");

@@ -1,13 +1,13 @@
-//! Files of every kind that a repository may hold: what is not GLSL ES is never written, byte for
-//! byte, and what is GLSL ES inside of it is mended.
+//! Files of every kind found in repositories: anything but GLSL ES stays unchanged, byte for byte,
+//! and GLSL ES inside other files is fixed.
 
 use super::scratch::Scratch;
 use std::collections::BTreeMap;
 use std::fs;
 
-/// A whole shader with two mistakes and a comment.
+/// A complete shader with two errors and a comment.
 const SHADER: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\nvoid main() {\n    float a = 1; // kept\n    float b = max(a, 0);\n    color = vec4(a, b, a, b);\n}\n";
-/// What a program for a desktop looks like, behind its `#version`.
+/// A typical desktop program, after its `#version`.
 const DESKTOP: &str = "layout(location = 0) out vec4 color;\nvoid main() {\n    float a = 1;\n    color = vec4(a)\n}\n";
 
 fn mended(text: &str) -> String {
@@ -15,7 +15,7 @@ fn mended(text: &str) -> String {
         .replace("max(a, 0)", "max(a, 0.0)")
 }
 
-/// Files that hold shaders, with `§` where one stands.
+/// Files that contain shaders, with `§` for each shader.
 const HOLDERS: &[(&str, &str)] = &[
     ("whole.frag", "§"),
     ("whole.glsl", "§"),
@@ -70,7 +70,7 @@ const HOLDERS: &[(&str, &str)] = &[
     ),
 ];
 
-/// Files that are left alone. `§` stands for a whole shader in them.
+/// Files that must not change. `§` stands for a complete shader in them.
 const OTHERS: &[(&str, &str)] = &[
     (
         "tool.py",
@@ -236,10 +236,10 @@ const OTHERS: &[(&str, &str)] = &[
     ),
 ];
 
-/// A style's name, and what it makes of a text.
+/// The name of a style, and how it transforms a text.
 type Style = (&'static str, fn(&str) -> String);
 
-/// How a repository writes its files.
+/// Encodings and line ends of files.
 const STYLES: [Style; 4] = [
     ("plain", |text| text.to_string()),
     ("crlf", |text| text.replace('\n', "\r\n")),
@@ -247,7 +247,7 @@ const STYLES: [Style; 4] = [
     ("open", |text| text.trim_end_matches('\n').to_string()),
 ];
 
-/// The files, each as it is and as `--fix` is to leave it.
+/// The files, each with its content before and after `--fix`.
 fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
     let mut all = BTreeMap::new();
     for (style, write) in STYLES {
@@ -328,10 +328,10 @@ fn check(args: &[&str], explicit: bool) {
         );
         assert_eq!(&now, expected, "{name}");
     }
-    // What was promised is done; more may come to light.
-    let fixed = ran.out.lines().find(|l| l.contains(" fixed; "));
+    // All fixes offered must be applied; more may become possible.
+    let fixed = ran.out.split("; fixed ").nth(1);
     let fixed = fixed.and_then(|l| l.split(' ').next()).unwrap_or("");
-    let promise = told.out.split(" can be fixed with --fix").next();
+    let promise = told.out.split(" fixable with --fix").next();
     let promised = promise.and_then(|p| p.rsplit(' ').next()).unwrap_or("");
     let [fixed, promised] = [fixed, promised].map(|n| n.parse::<usize>().unwrap());
     assert!(100 < promised && promised <= fixed, "{promised} {fixed}");
@@ -345,24 +345,24 @@ fn check(args: &[&str], explicit: bool) {
 }
 
 #[test]
-fn nothing_is_written_in_a_folder_but_glsl() {
+fn only_glsl_is_changed_in_folders() {
     check(&["--fix"], false);
 }
 
 #[test]
-fn nothing_is_written_in_files_that_are_named_but_glsl() {
+fn only_glsl_is_changed_in_named_files() {
     check(&["--fix"], true);
     check(&["--fix", "--unsafe-fixes"], true);
 }
 
 #[test]
-fn what_is_not_read_is_said_in_one_line() {
+fn skipped_files_are_reported_in_one_line() {
     let scratch = Scratch::new(&[("a.py", "x = 'void main() {}'\n")]);
     let ran = scratch.run(&["a.py"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
     assert_eq!(
         ran.err,
-        "shaderlint: a.py: skipped: it is Python, by its ending\n"
+        "shaderlint: a.py: skipped: the extension indicates Python\n"
     );
     let piped = scratch.pipe(
         "float a = 1;\n",
@@ -372,7 +372,7 @@ fn what_is_not_read_is_said_in_one_line() {
 }
 
 #[test]
-fn desktop_shaders_are_passed_over_or_ported_on_demand() {
+fn desktop_shaders_are_skipped_or_ported_on_request() {
     let code = "#version 330\nprecision highp float;\nout vec4 c;\nvoid main() { float a = 1; c = vec4(a); }\n";
     let scratch = Scratch::new(&[("a.frag", code)]);
     assert_eq!(scratch.places(&["a.frag"]), ["1:1 unsupported-version"]);
@@ -390,7 +390,7 @@ fn desktop_shaders_are_passed_over_or_ported_on_demand() {
 }
 
 #[test]
-fn what_programs_write_is_passed_over_in_folders() {
+fn generated_files_are_skipped_in_folders() {
     let script = format!("const fragmentShader = `{SHADER}`;\n");
     let scratch = Scratch::new(&[]);
     let mapped = format!("{script}//# sourceMappingURL=a.js.map\n");
@@ -403,23 +403,23 @@ fn what_programs_write_is_passed_over_in_folders() {
     ] {
         scratch.write(name, text);
     }
-    let fixed = |args: &[&str]| scratch.run(args).out.contains(" fixed; ");
+    let fixed = |args: &[&str]| scratch.run(args).out.contains("; fixed ");
     let told = scratch.run(&["-v", "."]);
     let said = [
-        "src/node_modules: skipped: a folder that programs fill",
-        "dist: skipped: a folder that programs fill",
-        "src/b.js: skipped: it names the map to its sources",
+        "src/node_modules: skipped: dependencies or build output",
+        "dist: skipped: dependencies or build output",
+        "src/b.js: skipped: generated: refers to a source map",
     ];
     for line in said {
         assert!(told.err.contains(line), "{}", told.err);
     }
     assert!(
-        told.err.contains("1 file skipped for the ending"),
+        told.err.contains("1 file skipped because of the extension"),
         "{}",
         told.err
     );
     assert!(fixed(&["--fix", "."]) && !fixed(&["--fix", "."]));
-    // What is named itself is read.
+    // A file that is named explicitly is read.
     for name in ["dist", "src/b.js", "src/c.d.ts", "src/node_modules"] {
         assert!(fixed(&["--fix", name]), "{name}");
     }
@@ -439,7 +439,7 @@ fn a_byte_order_mark_of_a_file_is_a_warning() {
     assert!(!told.out.contains("error["), "{}", told.out);
     scratch.run(&["--fix", "a.frag"]);
     assert_eq!(scratch.read("a.frag"), shader);
-    // In a string it reaches the compiler.
+    // Inside a string the byte order mark reaches the compiler.
     scratch.write(
         "a.js",
         format!("const fragmentShader = `\u{feff}{shader}`;\n"),

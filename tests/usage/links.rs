@@ -1,5 +1,5 @@
-//! Vertex and fragment shaders that belong together: which are linked, where it is told, and what
-//! is never guessed.
+//! Vertex and fragment shaders that belong together: which are linked, where errors are reported,
+//! and what is never guessed.
 
 use super::scratch::Scratch;
 
@@ -38,7 +38,7 @@ fn check(files: &[(&str, &str)], args: &[&str], expected: &[&str]) {
 }
 
 #[test]
-fn files_side_by_side_are_linked_and_told_once() {
+fn adjacent_files_are_linked_and_reported_once() {
     for (vert, frag) in [
         ("a.vert", "a.frag"),
         ("a.vs", "a.fs"),
@@ -49,7 +49,7 @@ fn files_side_by_side_are_linked_and_told_once() {
         let files = [(vert, VERTEX), (frag, FRAGMENT)];
         let expected = format!("{frag}:3:9 link-varying");
         check(&files, &["."], &[&expected]);
-        // Whichever of the two is named, the other is looked at, too.
+        // Naming either of the two checks the other one, too.
         check(&files, &[vert], &[&expected]);
         check(&files, &[frag], &[&expected]);
         check(&files, &[frag, vert], &[&expected]);
@@ -57,13 +57,13 @@ fn files_side_by_side_are_linked_and_told_once() {
 }
 
 #[test]
-fn other_files_are_not() {
+fn unrelated_files_are_not_linked() {
     check(&[("a.vert", VERTEX), ("b.frag", FRAGMENT)], &["."], &[]);
     check(&[("a.vert", VERTEX), ("sub/a.frag", FRAGMENT)], &["."], &[]);
-    // The other's own mistakes are not this file's.
+    // The other file's own errors are not reported for this one.
     let broken = FRAGMENT.replace("color =", "color + =");
     check(&[("a.vert", VERTEX), ("a.frag", &broken)], &["a.vert"], &[]);
-    // What the page may turn on is not missing.
+    // A name that the page may define is not missing.
     let vertex = VERTEX.replace("out vec3 vUv;", "#ifdef UV\nout vec2 vUv;\n#endif");
     let vertex = vertex
         .replace("vUv = ", "gl_PointSize = ")
@@ -92,7 +92,7 @@ fn a_page_with_one_of_each_is_linked() {
         &["p.html"],
         &["p.html:8:14 link-varying"],
     );
-    // Of three shaders nobody knows which belong together, until a script says it.
+    // With three shaders it is unknown which belong together, unless a script links them.
     let third = PAGE
         .replace("id=\"fs\"", "id=\"other\"")
         .replace("uTime", "uOther");
@@ -107,7 +107,7 @@ fn a_page_with_one_of_each_is_linked() {
 }
 
 #[test]
-fn uniforms_that_a_page_asks_for_are_there() {
+fn uniforms_queried_by_a_page_must_exist() {
     let page = PAGE.replace("varying vec3 vUv;", "varying vec2 vUv;");
     let page = page.replace("vec4(vUv * uTime, 1.0)", "vec4(vUv * uTime, 0.0, 1.0)");
     let asks = |name: &str| {
@@ -123,7 +123,7 @@ fn uniforms_that_a_page_asks_for_are_there() {
         &["--ignore", "unknown-uniform", "p.html"],
         &[],
     );
-    // A second program may have it.
+    // A second program may declare it.
     let two = format!("{page}{}", asks("'utime'"));
     check(&[("p.html", &two)], &["p.html"], &[]);
 }
@@ -149,7 +149,7 @@ const bad = new THREE.ShaderMaterial({
 });
 ";
     check(&[("m.js", script)], &["m.js"], &["m.js:14:18 link-varying"]);
-    // A name that is not declared keeps nothing from being linked.
+    // An undeclared name does not prevent linking.
     let unknown = script.replacen("vec4(vUv, 0.0, 1.0)", "vec4(vUv, other, 1.0)", 2);
     let all = ["m.js:8:44 undeclared-name", "m.js:14:18 link-varying"];
     check(&[("m.js", &unknown)], &["m.js"], &all);

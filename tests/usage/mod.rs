@@ -1,5 +1,5 @@
-//! The linter as people set it up and use it, each time in a folder of its own: configuration,
-//! suppressions, fixes, baselines, and every output format read by a parser.
+//! Configuration and use of the linter, each test in its own folder: configuration, suppressions,
+//! fixes, baselines, and every output format, read by a parser.
 
 mod baselines;
 mod commands;

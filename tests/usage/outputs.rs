@@ -1,5 +1,5 @@
-//! Every format for programs, read by a parser. What each format must hold is written down here from
-//! its specification.
+//! Every machine-readable format, read by a parser. The required content of each format is written
+//! down here from its specification.
 
 use super::scratch::{BROKEN, CLEAN, Scratch, WARNED};
 use serde_json::Value;
@@ -30,12 +30,12 @@ fn json(scratch: &Scratch, format: &str, args: &[&str]) -> Value {
 
 fn list<'a>(value: &'a Value, path: &str) -> &'a Vec<Value> {
     let found = value.pointer(path).and_then(Value::as_array);
-    found.unwrap_or_else(|| panic!("no list at {path} in {value}"))
+    found.unwrap_or_else(|| panic!("no array at {path} in {value}"))
 }
 
 fn text<'a>(value: &'a Value, path: &str) -> &'a str {
     let found = value.pointer(path).and_then(Value::as_str);
-    found.unwrap_or_else(|| panic!("no text at {path} in {value}"))
+    found.unwrap_or_else(|| panic!("no string at {path} in {value}"))
 }
 
 fn number(value: &Value, path: &str) -> u64 {
@@ -43,7 +43,8 @@ fn number(value: &Value, path: &str) -> u64 {
     found.unwrap_or_else(|| panic!("no number at {path} in {value}"))
 }
 
-/// The text that a SARIF region covers, found by its lines and columns and again by its bytes.
+/// The text that a SARIF region covers, found by its lines and columns and again by its byte
+/// offsets.
 fn covered<'a>(file: &'a str, region: &Value) -> &'a str {
     let offset = |line: &str, column: &str| {
         let (line, column) = (
@@ -127,7 +128,7 @@ fn sarif_points_at_the_code() {
 }
 
 #[test]
-fn places_in_an_export_are_told_in_words() {
+fn positions_in_exports_are_described_in_words() {
     let log = json(&scratch(), "sarif", &["export.json"]);
     let result = &list(&log, "/runs/0/results")[0];
     assert_eq!(
@@ -145,7 +146,7 @@ fn places_in_an_export_are_told_in_words() {
     );
     assert!(
         result.get("fixes").is_none(),
-        "its places are none of the file"
+        "its positions are not those of the file"
     );
 }
 
@@ -171,7 +172,7 @@ fn an_absolute_path_becomes_relative() {
 }
 
 #[test]
-fn fingerprints_outlive_other_changes() {
+fn fingerprints_survive_unrelated_changes() {
     let prints = |text_of_file: &str, path: &str, format: &str| -> Vec<String> {
         let scratch = Scratch::new(&[("a.glsl", text_of_file)]);
         let log = json(&scratch, format, &["a.glsl"]);
@@ -204,7 +205,7 @@ fn fingerprints_outlive_other_changes() {
 }
 
 #[test]
-fn two_lines_alike_have_two_fingerprints() {
+fn identical_lines_have_different_fingerprints() {
     let line = "    fragColor += pow(iTime - 9.0, 2.0);\n";
     let code = format!(
         "void mainImage(out vec4 fragColor, in vec2 p) {{\n    fragColor = vec4(p, 0.0, 1.0);\n{line}{line}}}\n"
@@ -235,7 +236,7 @@ fn gitlab_has_the_documented_keys() {
     assert_eq!(clean, Value::Array(Vec::new()));
 }
 
-/// Reads a workflow command as the runner does.
+/// Parses a workflow command like GitHub's runner.
 fn command(line: &str) -> (String, Vec<(String, String)>, String) {
     let (head, message) = line.strip_prefix("::").unwrap().split_once("::").unwrap();
     let (name, properties) = head.split_once(' ').unwrap();
@@ -321,7 +322,7 @@ fn junit_is_xml_and_counts() {
         .unwrap();
     assert_eq!(
         failure.attribute("message"),
-        Some("`float` and `int` do not mix in `/`")
+        Some("cannot divide `float` by `int`")
     );
     assert!(
         failure
@@ -335,7 +336,7 @@ fn junit_is_xml_and_counts() {
     assert_eq!(
         warned.next_back().unwrap().attribute("failures"),
         Some("1"),
-        "an info is no failure"
+        "an info is not a failure"
     );
 }
 
@@ -370,7 +371,7 @@ fn checkstyle_is_xml_with_places() {
 }
 
 #[test]
-fn formats_hold_together_without_any_finding() {
+fn formats_are_valid_without_findings() {
     let scratch = scratch();
     for format in ["json", "sarif", "gitlab"] {
         json(&scratch, format, &["clean.glsl"]);
@@ -384,7 +385,7 @@ fn formats_hold_together_without_any_finding() {
     }
     for format in ["human", "agent"] {
         let ran = scratch.run(&["--format", format, "clean.glsl"]);
-        assert_eq!(ran.out, "1 shader in 1 file, no findings\n");
+        assert_eq!(ran.out, "All checks passed (1 shader in 1 file)\n");
     }
 }
 
@@ -398,7 +399,7 @@ fn json_counts_columns_in_both_units() {
 }
 
 #[test]
-fn places_in_a_page_are_those_of_the_page() {
+fn positions_in_a_page_are_relative_to_the_page() {
     let page = "<p>é</p>\n<script type=\"x-shader/x-fragment\">#version 300 es\n/* 𝄞 */ float x = 1;\n</script>\n";
     let scratch = Scratch::new(&[("a.html", page)]);
     let found = json(&scratch, "json", &["a.html"]);
@@ -419,8 +420,8 @@ fn statistics_sum_up() {
             "      2  int-float-mix",
             "      1  pow-negative-base",
             "      1  unused-variable",
-            "2 shaders in 2 files: 2 errors, 1 warning, 1 info; 2 can be fixed with --fix, 1 more with --unsafe-fixes",
-            "rules did not run in 2 functions with errors: `halfOf` of a b/größe,1.glsl, `mainImage` of a b/größe,1.glsl"
+            "Found 2 errors, 1 warning, 1 info (2 shaders in 2 files); 2 fixable with --fix, 1 more with --unsafe-fixes",
+            "Rules skipped 2 functions with errors: `halfOf` in a b/größe,1.glsl, `mainImage` in a b/größe,1.glsl"
         ]
     );
     assert_eq!(ran.code, 1);

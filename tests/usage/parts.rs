@@ -1,4 +1,4 @@
-//! Parts of shaders: what is wrong whatever completes them, and what completes them.
+//! Shader fragments: errors that no host can fix, and what a host adds.
 
 use super::scratch::Scratch;
 
@@ -21,7 +21,7 @@ fn check(name: &str, code: &str, expected: &[&str]) {
 }
 
 #[test]
-fn what_a_part_does_not_declare_fits_everywhere() {
+fn undeclared_names_in_fragments_have_any_type() {
     check(
         "a.glsl",
         "float f(Light l) { vec3 a = l.colour * uSun + tint(vec2(1.0), l); return a.x + K[2].y; }",
@@ -50,7 +50,7 @@ fn what_a_part_does_not_declare_fits_everywhere() {
 }
 
 #[test]
-fn an_unknown_word_may_be_a_macro() {
+fn unknown_identifiers_may_be_macros() {
     check(
         "a.glsl",
         "IN vec2 uv;\nOUT_COLOR(vec4 c)\nPRECISE float f(float x) { return x; }",
@@ -74,7 +74,7 @@ fn an_unknown_word_may_be_a_macro() {
 }
 
 #[test]
-fn groups_that_a_host_decides_on_may_be_there_or_not() {
+fn conditional_groups_of_a_host_may_be_present_or_absent() {
     check(
         "a.glsl",
         "#ifdef USE_COLOR\nvec4 tint;\n#else\nfloat tint;\n#endif\nvec4 f() { return tint; }",
@@ -103,7 +103,7 @@ fn groups_that_a_host_decides_on_may_be_there_or_not() {
 }
 
 #[test]
-fn a_part_is_of_the_version_that_it_uses() {
+fn the_version_of_a_fragment_follows_from_its_code() {
     check(
         "a.frag",
         "in vec2 uv;\nout vec4 c;\nvoid main() { c = texture(map, uv); }",
@@ -133,7 +133,7 @@ fn a_part_is_of_the_version_that_it_uses() {
 }
 
 #[test]
-fn statements_of_a_part_stand_in_a_function_of_its_host() {
+fn top_level_statements_of_fragments_are_allowed() {
     check(
         "a.glsl",
         "diffuse.rgb *= tint;\nfloat x = 1;\nif (x > 2.0) { discard; }",
@@ -142,7 +142,7 @@ fn statements_of_a_part_stand_in_a_function_of_its_host() {
 }
 
 #[test]
-fn a_slip_of_one_letter_is_told() {
+fn a_typo_of_one_letter_is_reported() {
     let code = "uniform vec3 lightColour;\nvec3 f(vec3 a) { return a * lightColour + lightColuor * lightColour; }";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let ran = scratch.run(&["-q", "--format", "short", "a.glsl"]);
@@ -150,13 +150,13 @@ fn a_slip_of_one_letter_is_told() {
         (ran.code, ran.out.as_str()),
         (
             0,
-            "a.glsl:2:43: warning[undeclared-name]: nothing declares `lightColuor`\n"
+            "a.glsl:2:43: warning[undeclared-name]: `lightColuor` is not declared\n"
         )
     );
 }
 
 #[test]
-fn a_whole_shader_is_judged_as_it_stands() {
+fn complete_shaders_are_checked_without_a_host() {
     check(
         "a.frag",
         "precision highp float;\nvoid main() { gl_FragColor = x; }",
@@ -172,7 +172,7 @@ fn a_whole_shader_is_judged_as_it_stands() {
         "void mainImage(out vec4 c, in vec2 p) { c = x; }",
         &["1:45 undeclared-name"],
     );
-    // Another host's entry.
+    // The entry point of another host.
     check(
         "a.glsl",
         "void mainImage(const in vec4 i, const in vec2 uv, out vec4 c) { c = i + x; }",
@@ -186,7 +186,7 @@ fn a_whole_shader_is_judged_as_it_stands() {
 }
 
 #[test]
-fn hosts_are_found_by_words_imports_and_packages() {
+fn hosts_are_identified_by_names_imports_and_packages() {
     let code = "varying vec2 vUv;\nvoid main() { gl_Position = vec4(uv.xyz, 1.0); }\n";
     let scratch = Scratch::new(&[
         ("none/a.vert", code),
@@ -225,23 +225,23 @@ fn hosts_are_found_by_words_imports_and_packages() {
 }
 
 #[test]
-fn what_is_open_is_summed_up() {
+fn unchecked_names_are_summarised() {
     let scratch = Scratch::new(&[
         ("a.glsl", "float f() { return x + y; }"),
         ("b.glsl", "float g() { return x; }"),
     ]);
     let ran = scratch.run(&["."]);
-    let last = "2 files are parts of shaders; 2 names come from what completes them: `[host]` in shaderlint.toml makes them checked";
+    let last = "2 files are shader fragments using 2 names from a host; set `[host]` in shaderlint.toml to check them";
     assert!(ran.out.ends_with(&format!("{last}\n")), "{}", ran.out);
     let told = scratch.run(&["-v", "a.glsl"]).err;
-    assert!(told.contains("which declares `x`, `y`"), "{told}");
+    assert!(told.contains("names from the host: `x`, `y`"), "{told}");
 }
 
 #[test]
-fn fixes_of_parts_are_asked_for() {
+fn only_certain_fixes_are_applied_to_fragments() {
     let code = "uniform bool active;\nfloat f(float x) { return active ? x + 1 : vec2(x).x; }\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     scratch.run(&["--fix", "a.glsl"]);
-    // The mistake between known things is mended; the name, which a program sets, stays.
+    // The error between known operands is fixed; the name, which a program sets, stays.
     assert_eq!(scratch.read("a.glsl"), code.replace("x + 1", "x + 1.0"));
 }

@@ -1,8 +1,10 @@
-//! Every command in the README does what it says, in an empty home and a copy of the corpus.
+//! Tests README.md and docs/*.md: every command runs, in an empty home and a copy of the corpus, every
+//! option and link exists, and the README is short.
 //!
-//! What stands in fences of `sh` is run line by line. `cargo` is not run: what it is asked for must be
-//! there, and what needs a feature is run where the tests are built with it. Names of files that a
-//! reader has, and the repository has not, stand for fixtures.
+//! Fences of `sh` are run line by line. Fences of `console` hold a command after `$` and exactly what it
+//! prints; `INSTA_UPDATE=always cargo test` writes it. `cargo` is not run, but its package and features
+//! must exist; a fence that installs a feature is run where the tests are built with it. Names of files
+//! that only a reader has are fixtures.
 
 use super::scratch::{BROKEN, root};
 use insta_cmd::get_cargo_bin;
@@ -11,7 +13,7 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// What the README calls files that its reader has, and what they are here.
+/// Files that the documentation expects its reader to have, and the fixtures used in their place.
 const READERS: [(&str, &str); 4] = [
     ("image.glsl", "tests/fixtures/clean.glsl"),
     ("photo.jpg", "tests/browser/page.png"),
@@ -19,10 +21,13 @@ const READERS: [(&str, &str); 4] = [
     ("src", "tests/fixtures/passes"),
 ];
 
-/// What words of the README with two hyphens are `cargo`'s.
-const CARGO: [&str; 5] = ["--", "--features", "--path", "--release", "--bin"];
+/// Options of `cargo`.
+const CARGO: [&str; 6] = ["--", "--features", "--path", "--release", "--bin", "--git"];
 
-/// Options that only programs with the feature `naga` have.
+/// Words of the README, code included.
+const MOST_WORDS: usize = 900;
+
+/// Options of programs built with the feature `naga`.
 const OF_NAGA: [&str; 2] = ["--interface", "--first-row"];
 
 /// A stage each.
@@ -69,10 +74,24 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// A copy of what the commands read, and an empty home.
+/// The README and the pages of `docs`, by path in the repository.
+fn texts() -> Vec<(String, String)> {
+    let mut paths = vec!["README.md".to_string()];
+    for entry in fs::read_dir(root().join("docs")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        paths.push(format!("docs/{name}"));
+    }
+    paths.sort();
+    let read = |path: String| {
+        let text = fs::read_to_string(root().join(&path)).unwrap();
+        (path, text)
+    };
+    paths.into_iter().map(read).collect()
+}
+
+/// A copy of the files that commands read, and an empty home.
 struct Place {
     folder: tempfile::TempDir,
-    readme: String,
 }
 
 impl Place {
@@ -90,11 +109,10 @@ impl Place {
         fs::write(work.join("old.glsl"), OLD).unwrap();
         fs::write(work.join("broken.frag"), BROKEN).unwrap();
         fs::create_dir(folder.path().join("home")).unwrap();
-        let readme = fs::read_to_string(root().join("README.md")).unwrap();
-        Place { folder, readme }
+        Place { folder }
     }
 
-    /// A line that is run with the programs on the path.
+    /// A command line with the programs on `PATH`.
     fn command(&self, line: &str) -> Command {
         let programs = get_cargo_bin("shaderlint");
         let path = std::env::var("PATH").unwrap_or_default();
@@ -111,9 +129,9 @@ impl Place {
     /// Runs a line; gives the exit code and all that is printed.
     fn run(&self, line: &str) -> (Option<i32>, String) {
         let output = self.command(line).output().unwrap();
-        let mut told = String::from_utf8_lossy(&output.stdout).into_owned();
-        told.push_str(&String::from_utf8_lossy(&output.stderr));
-        (output.status.code(), told)
+        let mut printed = String::from_utf8_lossy(&output.stdout).into_owned();
+        printed.push_str(&String::from_utf8_lossy(&output.stderr));
+        (output.status.code(), printed)
     }
 
     /// Runs a line until it waits for changes.
@@ -121,9 +139,9 @@ impl Place {
         let mut command = self.command(&format!("exec {line}"));
         command.stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
-        let told = BufReader::new(child.stderr.take().unwrap()).lines();
-        let mut told = told.map(Result::unwrap);
-        let waits = told.any(|line| line.contains("waiting for changes"));
+        let lines = BufReader::new(child.stderr.take().unwrap()).lines();
+        let mut lines = lines.map(Result::unwrap);
+        let waits = lines.any(|line| line.contains("waiting for changes"));
         child.kill().unwrap();
         child.wait().unwrap();
         assert!(waits, "{line}");
@@ -154,73 +172,130 @@ fn judge_cargo(line: &str) -> Option<String> {
     None
 }
 
+/// Runs the commands of a fence; gives how many.
+fn run_fence(place: &Place, fence: &str) -> usize {
+    let mut ran = 0;
+    // After an installation with a feature, the programs of that feature are meant.
+    let mut needs_feature = false;
+    for line in fence.lines() {
+        let line = line.split(" # ").next().unwrap().trim();
+        let mut command = line.to_string();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        } else if line.starts_with("cargo ") {
+            needs_feature |= line.contains("--features");
+            match judge_cargo(line) {
+                Some(run) => command = run,
+                None => continue,
+            }
+        } else if line.starts_with("tests/") {
+            let program = line.split_whitespace().next().unwrap();
+            assert!(root().join(program).is_file(), "{line}");
+            continue;
+        }
+        if needs_feature && !cfg!(feature = "naga") {
+            continue;
+        }
+        ran += 1;
+        if command.contains(" --watch") {
+            place.watch(&command);
+            continue;
+        }
+        let (code, printed) = place.run(&command);
+        let finds = command.starts_with("shaderlint") && code == Some(1);
+        assert!(code == Some(0) || finds, "{line}: {code:?}\n{printed}");
+    }
+    ran
+}
+
 #[cfg(unix)]
 #[test]
 fn every_command_runs_in_an_empty_home() {
-    let place = Place::new();
-    let mut ran = 0;
-    for fence in fences(&place.readme, "sh") {
-        // Behind an installation with a feature, the programs of that feature are meant.
-        let mut wants_feature = false;
-        for line in fence.lines() {
-            let line = line.split(" # ").next().unwrap().trim();
-            let mut command = line.to_string();
-            if line.is_empty() || line.starts_with('#') {
-                continue;
-            } else if line.starts_with("cargo ") {
-                wants_feature |= line.contains("--features");
-                match judge_cargo(line) {
-                    Some(run) => command = run,
-                    None => continue,
-                }
-            } else if line.starts_with("tests/") {
-                let program = line.split_whitespace().next().unwrap();
-                assert!(root().join(program).is_file(), "{line}");
-                continue;
-            }
-            if wants_feature && !cfg!(feature = "naga") {
-                continue;
-            }
-            ran += 1;
-            if command.contains(" --watch") {
-                place.watch(&command);
-                continue;
-            }
-            let (code, told) = place.run(&command);
-            let finds = command.starts_with("shaderlint ") && code == Some(1);
-            assert!(code == Some(0) || finds, "{line}: {code:?}\n{told}");
-        }
+    for (path, text) in texts() {
+        let place = Place::new();
+        let ran = fences(&text, "sh")
+            .into_iter()
+            .map(|f| run_fence(&place, f));
+        let ran: usize = ran.sum();
+        println!("{path}: {ran}");
+        assert!(path != "README.md" || ran >= 8, "only {ran} commands");
     }
-    assert!(ran >= 8, "only {ran} commands were found");
+}
+
+#[cfg(unix)]
+#[test]
+fn what_commands_print_is_fresh() {
+    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    let place = Place::new();
+    let mut shown = 0;
+    for (path, text) in texts() {
+        let mut fresh = text.clone();
+        for fence in fences(&text, "console") {
+            let command = fence.lines().next().and_then(|l| l.strip_prefix("$ "));
+            let command = command.expect("a fence of `console` starts with a command");
+            let (_, printed) = place.run(command);
+            let printed = format!("$ {command}\n{}", printed.trim_end());
+            fresh = fresh.replacen(fence, &printed, 1);
+            shown += 1;
+        }
+        if fresh != text && accept {
+            fs::write(root().join(&path), &fresh).unwrap();
+        }
+        assert!(fresh == text, "{path} is stale: a command prints\n{fresh}");
+    }
+    assert!(shown > 0, "no fence of `console` was found");
 }
 
 #[test]
 fn every_option_and_path_of_the_text_exists() {
     let place = Place::new();
-    let (_, lint) =
-        place.run("shaderlint --help; shaderlint rules --help; shaderlint reduce --help; shaderlint run --help; shaderlint test --help; shaderlint fmt --help");
+    let (_, lint) = place.run(
+        "shaderlint --help; for c in rules reduce run test fmt; do shaderlint $c --help; done",
+    );
     let (_, port) = place.run("shaderport --help");
     let is_end = |c: char| !c.is_ascii_alphanumeric() && c != '-';
-    for code in place.readme.split('`').skip(1).step_by(2) {
-        let is_option = |w: &&str| w.starts_with("--") && !w.starts_with("---");
-        for word in code.split(is_end).filter(is_option) {
-            let known = [&lint, &port].iter().any(|help| help.contains(word));
-            let is_built = cfg!(feature = "naga") || !OF_NAGA.contains(&word);
-            assert!(known || CARGO.contains(&word) || !is_built, "`{word}`");
+    for (path, text) in texts() {
+        for code in text.split('`').skip(1).step_by(2) {
+            let is_option = |w: &&str| w.starts_with("--") && !w.starts_with("---");
+            for word in code.split(is_end).filter(is_option) {
+                let known = [&lint, &port].iter().any(|help| help.contains(word));
+                let is_built = cfg!(feature = "naga") || !OF_NAGA.contains(&word);
+                assert!(
+                    known || CARGO.contains(&word) || !is_built,
+                    "{path}: `{word}`"
+                );
+            }
+        }
+        for link in text.split("](").skip(1) {
+            let target = link.split([')', '#']).next().unwrap();
+            let from = root().join(&path);
+            let exists = from.parent().unwrap().join(target).exists();
+            let is_elsewhere = target.contains("://") || target.is_empty();
+            assert!(is_elsewhere || exists, "{path}: {target}");
         }
     }
-    for link in place.readme.split("](").skip(1) {
-        let target = link.split([')', '#']).next().unwrap();
-        let is_here = target.contains("://") || target.is_empty();
-        assert!(is_here || root().join(target).exists(), "{target}");
+}
+
+#[test]
+fn the_readme_is_short_and_names_every_page() {
+    let texts = texts();
+    let (_, readme) = texts.iter().find(|(path, _)| path == "README.md").unwrap();
+    let words = readme.split_whitespace().count();
+    assert!(words <= MOST_WORDS, "{words} words in README.md");
+    for (path, _) in &texts {
+        let named = readme.contains(&format!("]({path})"));
+        assert!(
+            path == "README.md" || named,
+            "README.md does not link {path}"
+        );
     }
 }
 
 /// A hook takes its programs from a tag that exists, or the reader is told to name one.
 #[test]
 fn the_hook_names_no_tag_that_does_not_exist() {
-    let place = Place::new();
-    let fences = fences(&place.readme, "yaml");
+    let texts = texts();
+    let fences: Vec<&str> = texts.iter().flat_map(|(_, t)| fences(t, "yaml")).collect();
     let revisions = fences.iter().flat_map(|f| f.lines());
     let revisions = revisions.filter_map(|l| l.trim().strip_prefix("rev:"));
     for revision in revisions {
@@ -233,7 +308,7 @@ fn the_hook_names_no_tag_that_does_not_exist() {
         let tags = tags.map_or(String::new(), |t| String::from_utf8(t.stdout).unwrap());
         assert!(
             is_placeholder || tags.lines().any(|t| t == named),
-            "{named} is no tag"
+            "{named} is not a tag"
         );
     }
 }

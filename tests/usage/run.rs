@@ -1,8 +1,8 @@
-//! `run`: what is drawn, what is said, what is refused.
+//! `run`: images, messages and rejected inputs.
 
 use super::scratch::Scratch;
 
-/// Red grows to the right, green up; blue is what a uniform says.
+/// Red increases to the right, green upwards; blue depends on a uniform.
 const RAMP: &str = "#version 300 es
 precision highp float;
 uniform vec2 u_resolution;
@@ -16,7 +16,7 @@ void main() {
 }
 ";
 
-/// A march that ends where it hits, and a loop that always makes four turns.
+/// A march that ends at a hit, and a loop that always runs four iterations.
 const MARCH: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float t = 0.0;
     for (int i = 0; i < 8; i++) {
@@ -30,7 +30,7 @@ const MARCH: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 }
 ";
 
-/// Width, height and the bytes of a PNG.
+/// Width, height and pixels of a PNG.
 fn pixels(scratch: &Scratch, name: &str) -> (u32, u32, Vec<[u8; 3]>) {
     let file = std::fs::File::open(scratch.path(name)).unwrap();
     let decoder = png::Decoder::new(std::io::BufReader::new(file));
@@ -43,7 +43,7 @@ fn pixels(scratch: &Scratch, name: &str) -> (u32, u32, Vec<[u8; 3]>) {
 }
 
 #[test]
-fn a_picture_is_written_with_its_first_row_above() {
+fn images_are_written_top_row_first() {
     let scratch = Scratch::new(&[
         ("a.frag", RAMP),
         ("u.json", "{\"gain\": 0.5, \"turn\": [0, 2, 0, 0]}"),
@@ -59,31 +59,28 @@ fn a_picture_is_written_with_its_first_row_above() {
     let again = scratch.run(&[&args[..], &["-o", "a.png"]].concat());
     assert_eq!(again.code, 2);
     assert!(
-        again.err.contains("a.png is there already; --force"),
+        again.err.contains("a.png already exists; use --force"),
         "{}",
         again.err
     );
     let over = scratch.run(&[&args[..], &["--force", "-o", "a.frag"]].concat());
     assert_eq!(over.code, 2);
-    assert!(over.err.contains("a.frag is what is read"), "{}", over.err);
+    assert!(over.err.contains("a.frag is an input file"), "{}", over.err);
 }
 
 #[test]
-fn uniforms_that_do_not_fit_are_told_with_their_place() {
+fn invalid_uniforms_are_reported_with_their_position() {
     let scratch = Scratch::new(&[("a.frag", RAMP)]);
     for (json, expected) in [
         (
             "{\"gian\": 1}",
-            "u.json:1:10: the shader has no uniform `gian`; did you mean `gain`?",
+            "u.json:1:10: unknown uniform `gian`; did you mean `gain`?",
         ),
         (
             "{\n  \"turn\": [1, 2]\n}",
-            "u.json:2:11: `turn` takes 4 numbers, and this is 2",
+            "u.json:2:11: `turn` expects 4 numbers, found 2",
         ),
-        (
-            "{\"gain\": null}",
-            "u.json:1:10: `gain`: a uniform is a number",
-        ),
+        ("{\"gain\": null}", "u.json:1:10: `gain`: expected a number"),
     ] {
         scratch.write("u.json", json);
         let ran = scratch.run(&["run", "a.frag", "--size", "2x2", "--uniforms", "u.json"]);
@@ -93,15 +90,15 @@ fn uniforms_that_do_not_fit_are_told_with_their_place() {
 }
 
 #[test]
-fn what_nothing_sets_is_told() {
+fn unset_uniforms_are_reported() {
     let scratch = Scratch::new(&[("a.frag", RAMP)]);
     let ran = scratch.run(&["run", "a.frag", "--size", "2x2"]);
     assert_eq!(ran.code, 0);
-    assert!(ran.err.contains("so they are zero: `gain`"), "{}", ran.err);
+    assert!(ran.err.contains("default to 0: `gain`"), "{}", ran.err);
 }
 
 #[test]
-fn loops_are_told_of_as_they_were_seen() {
+fn loop_statistics_are_reported() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     let args = [
         "run", "m.glsl", "--size", "16x1", "--time", "0.5", "--report",
@@ -132,7 +129,7 @@ fn loops_are_told_of_as_they_were_seen() {
 }
 
 #[test]
-fn a_variable_of_a_line_is_shown() {
+fn a_variable_can_be_shown_at_a_line() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     let args = [
         "run", "m.glsl", "--size", "16x1", "-o", "t.png", "--force", "--show",
@@ -145,16 +142,20 @@ fn a_variable_of_a_line_is_shown() {
     assert_eq!(ran.code, 2);
     assert!(
         ran.err
-            .contains("`t` is not read or written on line 1; it is on the lines 2, 4, 5"),
+            .contains("`t` is not used on line 1; it is used on lines 2, 4, 5"),
         "{}",
         ran.err
     );
     let ran = scratch.run(&[&args[..], &["x@1"]].concat());
-    assert!(ran.err.contains("has no variable `x`"), "{}", ran.err);
+    assert!(
+        ran.err.contains("reads or writes no variable `x`"),
+        "{}",
+        ran.err
+    );
 }
 
 #[test]
-fn heat_maps_have_a_legend_below() {
+fn heatmaps_have_a_legend() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     for heat in ["steps", "cost", "overdraw", "nan"] {
         let name = format!("{heat}.png");
@@ -175,13 +176,14 @@ fn heat_maps_have_a_legend_below() {
     let (_, _, steps) = pixels(&scratch, "steps.png");
     assert_ne!(steps[0], steps[20]);
     let (_, _, waiting) = pixels(&scratch, "overdraw.png");
-    // The first pixels of a group leave the march before the others; further on all take eight turns.
+    // The first pixels of a group leave the march before the others; further right all run eight
+    // iterations.
     assert_ne!(waiting[0], waiting[7]);
     assert_eq!(waiting[7], waiting[64]);
 }
 
 #[test]
-fn the_cost_is_told_by_function() {
+fn costs_are_reported_by_function() {
     let shader = "float square(float x) { return x * x; }
 float twice(float x) { return square(x) + square(x + 1.0); }
 void mainImage(out vec4 color, in vec2 place) {
@@ -210,7 +212,7 @@ void mainImage(out vec4 color, in vec2 place) {
 }
 
 #[test]
-fn two_shaders_are_compared_bit_for_bit() {
+fn shaders_are_compared_bit_by_bit() {
     let same = MARCH.replace("t / 16.0", "t * 0.0625");
     let other = MARCH.replace("t / 16.0", "t / 15.0");
     let files = [
@@ -223,7 +225,8 @@ fn two_shaders_are_compared_bit_for_bit() {
     let ran = scratch.run(&[&args[..], &["same.glsl"]].concat());
     assert_eq!(ran.code, 0, "{}", ran.out);
     assert!(
-        ran.out.contains("the same bits on 256 pixels at 8 moments"),
+        ran.out
+            .contains("identical: compared 256 pixels in 8 frames"),
         "{}",
         ran.out
     );
@@ -238,7 +241,7 @@ fn two_shaders_are_compared_bit_for_bit() {
 }
 
 #[test]
-fn a_sheet_holds_pictures_of_several_times() {
+fn a_sheet_contains_images_at_several_times() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     let ran = scratch.run(&[
         "run", "m.glsl", "--size", "64x32", "--sheet", "4", "-o", "s.png",
@@ -247,16 +250,16 @@ fn a_sheet_holds_pictures_of_several_times() {
     let (width, height, pixels) = pixels(&scratch, "s.png");
     assert_eq!((width, height), (76, 62));
     let at = |x: usize, y: usize| pixels[y * 76 + x];
-    // The second picture is that of one second, and green grows with time.
+    // The second image is drawn at one second, and green increases with time.
     assert_eq!((at(10, 10)[1], at(50, 10)[1]), (0, 255));
 }
 
 #[test]
-fn errors_are_told_as_the_linter_tells_them_and_nothing_is_drawn() {
+fn errors_are_reported_like_the_linter_does_and_nothing_is_drawn() {
     let scratch = Scratch::new(&[("a.frag", &RAMP.replace("gain *", "gian *"))]);
     let ran = scratch.run(&["run", "a.frag", "-o", "a.png"]);
     assert_eq!(ran.code, 1);
-    let said = "error[undeclared-name]: nothing declares `gian`";
+    let said = "error[undeclared-name]: `gian` is not declared";
     let checked = scratch.run(&["a.frag"]);
     assert!(ran.out.starts_with(said), "{}", ran.out);
     assert!(checked.out.contains(said), "{}", checked.out);
@@ -266,7 +269,7 @@ fn errors_are_told_as_the_linter_tells_them_and_nothing_is_drawn() {
 }
 
 #[test]
-fn varyings_hold_the_place_in_the_picture() {
+fn varyings_contain_the_pixel_position() {
     let shader = "precision highp float;\nvarying vec2 vUv;\n\
         void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }\n";
     let scratch = Scratch::new(&[("v.frag", shader)]);
@@ -277,7 +280,7 @@ fn varyings_hold_the_place_in_the_picture() {
 }
 
 #[test]
-fn pictures_are_drawn_into_the_terminal() {
+fn images_are_drawn_in_the_terminal() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     let mut command = scratch.command(&["run", "m.glsl", "--size", "4x2", "--color", "always"]);
     command.env("TERM", "xterm").env("COLORTERM", "truecolor");
@@ -288,7 +291,7 @@ fn pictures_are_drawn_into_the_terminal() {
 }
 
 #[test]
-fn the_pictures_of_the_readme_are_what_is_drawn() {
+fn the_readme_images_are_up_to_date() {
     let scratch = Scratch::new(&[]);
     let templates = super::scratch::root().join("corpus/templates");
     let shader = templates.join("voxel.glsl");
@@ -308,7 +311,10 @@ fn the_pictures_of_the_readme_are_what_is_drawn() {
         assert_eq!(ran.code, 0, "{}", ran.err);
         std::fs::copy(templates.join(name), scratch.path("kept.png")).unwrap();
         let drawn = pixels(&scratch, name);
-        assert!(drawn == pixels(&scratch, "kept.png"), "{name} is stale");
+        assert!(
+            drawn == pixels(&scratch, "kept.png"),
+            "{name} is out of date"
+        );
     }
 }
 
@@ -343,16 +349,16 @@ fn projects_are_run_with_all_their_passes() {
     assert_eq!(ran.code, 2);
     assert!(
         ran.err
-            .contains("there is no pass `buffer_b`; there is image, buffer_a"),
+            .contains("the project has no pass `buffer_b`; it has image, buffer_a"),
         "{}",
         ran.err
     );
 }
 
-/// Four colours, the red one in the upper left corner.
+/// Four colours, with red in the upper left corner.
 const COLORS: [[u8; 3]; 4] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0]];
 
-/// A PNG file of two by two pixels.
+/// A PNG file of 2x2 pixels.
 fn colors() -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, 2, 2);
@@ -363,10 +369,10 @@ fn colors() -> Vec<u8> {
     file
 }
 
-/// Pictures given with `--channel`, by `channels.toml` and in an export lie on their channels as in
-/// the page; what is no picture is said to be none.
+/// Images from `--channel`, `channels.toml` and an export have the same orientation as on the page;
+/// a file that is not an image is reported.
 #[test]
-fn pictures_lie_on_channels() {
+fn channel_images_have_the_correct_orientation() {
     let show = "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }";
     let scratch = Scratch::new(&[("show.glsl", show)]);
     scratch.write("colors.png", colors());
@@ -384,13 +390,10 @@ fn pictures_lie_on_channels() {
     assert_eq!(draw(&["show.glsl", "--channel", noflip]).0, turned);
     let (drawn, said) = draw(&["show.glsl", "--channel", "0=half.png"]);
     assert_eq!(drawn, [[0; 3]; 4]);
-    assert!(
-        said.contains("channel 0 is not read, so nothing is on it"),
-        "{said}"
-    );
+    assert!(said.contains("; the channel is empty"), "{said}");
     let (_, said) = draw(&["show.glsl", "--channel", "0=sound.wav"]);
     assert!(
-        said.contains("a made-up spectrum and wave stand for it"),
+        said.contains("; using a synthetic spectrum and wave"),
         "{said}"
     );
     let ran = scratch.run(&[
@@ -403,13 +406,13 @@ fn pictures_lie_on_channels() {
     ]);
     assert_eq!((ran.code, scratch.path("x.png").exists()), (2, false));
     assert!(
-        ran.err.contains("there is no file `color.png`"),
+        ran.err.contains("file `color.png` not found"),
         "{}",
         ran.err
     );
     scratch.write("channels.toml", "0 = \"colors.png,nearest\"\n");
     assert_eq!(draw(&["show.glsl"]).0, COLORS);
-    // What `shaderport` carries in an export is drawn of it.
+    // Media that `shaderport` embeds in an export are drawn.
     let mut port = std::process::Command::new(insta_cmd::get_cargo_bin("shaderport"));
     port.current_dir(scratch.path("."));
     let made = port

@@ -1,27 +1,27 @@
-//! What a run says besides its findings: summaries, `-v` and `-q`, exit codes, and how much is printed.
+//! Messages of a run besides its findings: summaries, `-v` and `-q`, exit codes, and output limits.
 
 use super::scratch::{BROKEN, CLEAN, Scratch, WARNED};
 use serde_json::Value;
 
 #[test]
-fn every_run_sums_up() {
+fn every_run_prints_a_summary() {
     let scratch = Scratch::new(&[
         ("a.glsl", CLEAN),
         ("b.glsl", CLEAN),
         ("c.js", "let a = 1;\n"),
     ]);
     let out = |args: &[&str]| scratch.run(args).out;
-    assert_eq!(out(&["a.glsl"]), "1 shader in 1 file, no findings\n");
-    // No path is the current folder.
-    assert_eq!(out(&[]), "2 shaders in 2 of 3 files, no findings\n");
-    assert_eq!(out(&["c.js"]), "no shader in 1 file, no findings\n");
+    assert_eq!(out(&["a.glsl"]), "All checks passed (1 shader in 1 file)\n");
+    // Without a path the current folder is checked.
+    assert_eq!(out(&[]), "All checks passed (2 shaders in 2 of 3 files)\n");
+    assert_eq!(out(&["c.js"]), "No shaders found in 1 file\n");
     assert_eq!(out(&["-q"]), "");
     scratch.write("a.glsl", BROKEN);
     scratch.write("b.glsl", WARNED);
     assert!(
         out(&[]).ends_with(
-            "\n2 shaders in 2 of 3 files: 2 errors, 1 warning, 1 info; 2 can be fixed with --fix, 1 more with --unsafe-fixes\n\
-         rules did not run in 2 functions with errors: `halfOf` of a.glsl, `mainImage` of a.glsl\n"
+            "\nFound 2 errors, 1 warning, 1 info (2 shaders in 2 of 3 files); 2 fixable with --fix, 1 more with --unsafe-fixes\n\
+         Rules skipped 2 functions with errors: `halfOf` in a.glsl, `mainImage` in a.glsl\n"
         ),
         "{}",
         out(&[])
@@ -34,7 +34,7 @@ fn every_run_sums_up() {
 }
 
 #[test]
-fn what_was_read_and_skipped_can_be_told() {
+fn verbose_output_lists_read_and_skipped_files() {
     let scratch = Scratch::new(&[
         ("shaderlint.toml", "exclude = [\"out\"]"),
         ("a.glsl", CLEAN),
@@ -49,20 +49,20 @@ fn what_was_read_and_skipped_can_be_told() {
     let ran = scratch.run(&["-v"]);
     let lines: Vec<&str> = ran.err.lines().collect();
     for line in [
-        "shaderlint: a.glsl: read as ShaderToy image; shaderlint.toml",
-        "shaderlint: b.vert: read as vertex shader, GLSL ES 3.00; shaderlint.toml",
-        "shaderlint: out/c.glsl: skipped: the configuration leaves it out",
+        "shaderlint: a.glsl: checked as ShaderToy image; shaderlint.toml",
+        "shaderlint: b.vert: checked as vertex shader, GLSL ES 3.00; shaderlint.toml",
+        "shaderlint: out/c.glsl: skipped: excluded by the configuration",
     ] {
         assert!(lines.contains(&line), "{line} in {lines:#?}");
     }
     assert!(ran.err.contains("package.json: skipped: "), "{}", ran.err);
     assert!(ran.err.contains("(.toml, .txt)"), "{}", ran.err);
-    assert_eq!(ran.out, "2 shaders in 2 files, no findings\n");
+    assert_eq!(ran.out, "All checks passed (2 shaders in 2 files)\n");
 }
 
-/// Rules say nothing in a broken function, what they say elsewhere is as if it were whole.
+/// Rules skip a function with errors; their findings elsewhere are the same as without errors.
 #[test]
-fn rules_run_in_the_functions_without_errors() {
+fn rules_run_in_functions_without_errors() {
     let code = "\
 float helper(float x) { return x; }
 float idle(float x) { return x; }
@@ -86,22 +86,16 @@ void mainImage(out vec4 c, in vec2 p) {
     );
     let ran = scratch.run(&["a.glsl"]);
     let last = ran.out.lines().last().unwrap();
-    assert_eq!(
-        last,
-        "rules did not run in 1 function with errors: `mainImage`"
-    );
-    // Where an error stands outside of all functions, nothing is sure.
+    assert_eq!(last, "Rules skipped 1 function with errors: `mainImage`");
+    // An error outside all functions disables all rules.
     scratch.write("a.glsl", format!("{code}}}\n"));
     let ran = scratch.run(&["a.glsl"]);
     let last = ran.out.lines().last().unwrap();
-    assert_eq!(
-        last,
-        "rules did not run in 1 shader, whose errors reach beyond one function"
-    );
+    assert_eq!(last, "Rules skipped 1 shader with errors outside functions");
 }
 
 #[test]
-fn a_comment_in_broken_code_is_not_idle() {
+fn suppressions_in_broken_code_are_not_reported_as_unused() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n\
         c = vec4(pow(iTime - 9.0, 2.0)) + nothing; // shaderlint: allow(pow-negative-base)\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
@@ -109,21 +103,17 @@ fn a_comment_in_broken_code_is_not_idle() {
 }
 
 #[test]
-fn only_what_is_named_is_reported() {
+fn only_selected_rules_are_reported() {
     let scratch = Scratch::new(&[("a.glsl", WARNED), ("b.glsl", BROKEN)]);
     let only = |names: &str| scratch.places(&["--only", names, "."]);
     assert_eq!(only("pow-negative-base"), ["2:22 pow-negative-base"]);
     assert_eq!(only("tidy"), ["3:11 unused-variable"]);
     assert_eq!(only("tidy,int-float-mix").len(), 3);
-    // A rule that is off runs.
+    // A rule that is off runs if it is named.
     assert_eq!(only("unused-parameter"), ["1:42 unused-parameter"; 0]);
     let ran = scratch.run(&["--only", "tidy", "."]);
     assert_eq!(ran.code, 0);
-    assert!(
-        ran.out.contains("1 info; 2 errors left out by --only"),
-        "{}",
-        ran.out
-    );
+    assert!(ran.out.contains("2 errors hidden by --only"), "{}", ran.out);
     let ran = scratch.run(&["--only", "int-flaot-mix", "."]);
     assert_eq!(ran.code, 2);
     assert!(
@@ -137,7 +127,7 @@ fn only_what_is_named_is_reported() {
             .code,
         2
     );
-    // Only what is asked for is mended.
+    // Only the selected findings are fixed.
     scratch.run(&["--unsafe-fixes", "--only", "tidy", "."]);
     assert_eq!(scratch.read("b.glsl"), BROKEN);
     assert!(!scratch.read("a.glsl").contains("unused"));
@@ -179,7 +169,7 @@ fn a_rule_can_fail_the_run() {
     );
     assert!(
         ran.out
-            .contains("1 finding of `pow-negative-base` fails the run, as the configuration says"),
+            .contains("Failed because of 1 finding of `pow-negative-base` (`fail = true`)"),
         "{}",
         ran.out
     );
@@ -196,7 +186,7 @@ fn a_rule_can_fail_the_run() {
     let ran = run("[rules]\nlook = { fail = 1 }");
     assert_eq!(ran.code, 2);
     assert!(
-        ran.err.contains("this must be `true` or `false`"),
+        ran.err.contains("expected `true` or `false`"),
         "{}",
         ran.err
     );
@@ -247,7 +237,10 @@ fn at_most_200_findings_of_a_file_are_printed() {
         assert_eq!(out.matches("b.glsl:").count(), 2, "{format}");
     }
     let out = scratch.run(&["."]).out;
-    assert!(out.contains("301 warnings"), "all are counted: {out}");
+    assert!(
+        out.contains("301 warnings"),
+        "all findings are counted: {out}"
+    );
     let out = scratch.run(&["--format", "json", "."]).out;
     let all: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(all["summary"]["left_out"], 100);
@@ -267,14 +260,14 @@ fn at_most_200_findings_of_a_file_are_printed() {
         roxmltree::Document::parse(&out).unwrap();
         assert!(out.contains("and 100 more findings"), "{format}");
     }
-    // Errors are not crowded out.
+    // Errors are not displaced by other findings.
     scratch.write("a.glsl", many(5) + &code.replace("mainImage", "other"));
     let out = scratch.run(&["--format", "short", "a.glsl"]).out;
     assert_eq!(out.matches("error[").count(), 5, "{out}");
 }
 
 #[test]
-fn rules_and_errors_are_listed_for_programs() {
+fn rules_and_errors_are_listed_as_json() {
     let out = Scratch::new(&[]).run(&["rules", "--format", "json"]).out;
     let list: Value = serde_json::from_str(&out).unwrap();
     let all = list["rules"].as_array().unwrap();
@@ -296,7 +289,7 @@ fn rules_and_errors_are_listed_for_programs() {
 }
 
 #[test]
-fn an_agent_gets_one_line_a_finding() {
+fn the_agent_format_has_one_line_per_finding() {
     let code = "float half(float x) { return x / 2; }\nvoid mainImage(out vec4 c, in vec2 p) {\n    float unused = 1.0;\n    c = vec4(p, 0.0, 1.0)\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code), ("b.glsl", WARNED)]);
     let ran = scratch.run(&["--format", "agent", "-q", "."]);
@@ -314,5 +307,5 @@ fn an_agent_gets_one_line_a_finding() {
         "{}",
         ran.out
     );
-    assert!(ran.out.contains("2 shaders in 2 files: "), "{}", ran.out);
+    assert!(ran.out.contains(" (2 shaders in 2 files)"), "{}", ran.out);
 }

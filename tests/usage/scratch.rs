@@ -1,4 +1,4 @@
-//! A folder to try the program in.
+//! A temporary folder to run the programs in.
 
 use insta_cmd::get_cargo_bin;
 use std::fs;
@@ -6,10 +6,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// A folder that goes away with the test.
+/// A folder that is deleted at the end of the test.
 pub struct Scratch(tempfile::TempDir);
 
-/// The commands that check no files, or run them in any case.
+/// The subcommands that check no files, or always sample them.
 const OTHER_COMMANDS: [&str; 11] = [
     "fmt",
     "lsp",
@@ -24,14 +24,14 @@ const OTHER_COMMANDS: [&str; 11] = [
     "ir",
 ];
 
-/// What a run gave.
+/// Result of a run.
 #[derive(Debug)]
 pub struct Ran {
-    /// The exit code.
+    /// The exit code of the program.
     pub code: i32,
-    /// Standard output.
+    /// Its standard output.
     pub out: String,
-    /// Standard error.
+    /// Its standard error.
     pub err: String,
 }
 
@@ -45,26 +45,26 @@ impl Scratch {
         scratch
     }
 
-    /// The path of a file in it.
+    /// The absolute path of a file in the folder.
     pub fn path(&self, name: &str) -> PathBuf {
-        // The folder for temporary files may itself be a link.
+        // The folder for temporary files may itself be a symbolic link.
         fs::canonicalize(self.0.path()).unwrap().join(name)
     }
 
-    /// Writes a file.
+    /// Writes a file, with its folders.
     pub fn write(&self, name: &str, text: impl AsRef<[u8]>) {
         let path = self.path(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, text).unwrap();
     }
 
-    /// Reads a file.
+    /// Reads a file as text.
     pub fn read(&self, name: &str) -> String {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// The command that runs the program in the folder. It checks by the text alone, since most
-    /// texts here draw nothing worth looking at; what runs show has tests of its own.
+    /// A command that runs `shaderlint` in the folder. It disables sampling, because most texts
+    /// here draw nothing of interest; sampling has its own tests.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(get_cargo_bin("shaderlint"));
         let says_itself = |arg: &&str| OTHER_COMMANDS.contains(arg) || arg.contains("-run");
@@ -78,22 +78,22 @@ impl Scratch {
         command
     }
 
-    /// Runs the program.
+    /// Runs the program in the folder.
     pub fn run(&self, args: &[&str]) -> Ran {
         ran(&mut self.command(args), "")
     }
 
-    /// Runs the program in a folder inside.
+    /// Runs the program in a subfolder.
     pub fn run_in(&self, folder: &str, args: &[&str]) -> Ran {
         ran(self.command(args).current_dir(self.path(folder)), "")
     }
 
-    /// Runs the program with this text as its standard input.
+    /// Runs the program with this text as standard input.
     pub fn pipe(&self, text: &str, args: &[&str]) -> Ran {
         ran(&mut self.command(args), text)
     }
 
-    /// What the program prints of a file, a line each: `line:column rule`.
+    /// The printed findings of a file, each as `line:column rule`.
     pub fn places(&self, args: &[&str]) -> Vec<String> {
         let ran = self.run(&[args, &["--format", "short"]].concat());
         let place = |line: &str| {
@@ -113,7 +113,7 @@ fn ran(command: &mut Command, input: &str) -> Ran {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // A program that needs no input may be gone already.
+    // A program that needs no input may have ended already.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     let out = child.wait_with_output().unwrap();
     Ran {
@@ -123,13 +123,13 @@ fn ran(command: &mut Command, input: &str) -> Ran {
     }
 }
 
-/// The top of the repository.
+/// The root of the repository.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// A shader with one finding of each severity that a default rule has; the warning is the only one
-/// of its line.
+/// A shader with one finding of each severity that default rules have; the warning is the only one
+/// on its line.
 pub const WARNED: &str = "\
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float wave = pow(iTime - 9.0, 2.0);
@@ -138,7 +138,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 }
 ";
 
-/// A shader with two compile errors that have safe fixes, the second behind characters of two and
+/// A shader with two compile errors that have safe fixes, the second after characters of two and
 /// four bytes.
 pub const BROKEN: &str = "\
 // größe 𝄞
@@ -150,7 +150,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 }
 ";
 
-/// [`BROKEN`] when it is mended.
+/// [`BROKEN`] after `--fix`.
 pub fn mended() -> String {
     BROKEN
         .replace("x / 2;", "x / 2.0;")

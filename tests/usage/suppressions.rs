@@ -2,7 +2,7 @@
 
 use super::scratch::Scratch;
 
-/// What is found in the body of a shader.
+/// The findings in the body of a shader.
 fn found(body: &str) -> Vec<String> {
     let code =
         format!("void mainImage(out vec4 c, in vec2 p) {{\nc = vec4(p, 0.0, 1.0);\n{body}\n}}\n");
@@ -12,7 +12,7 @@ fn found(body: &str) -> Vec<String> {
 const POW: &str = "c += pow(iTime - 9.0, 2.0);";
 
 #[test]
-fn behind_code_it_speaks_of_its_line() {
+fn a_trailing_comment_applies_to_its_line() {
     assert_eq!(found(POW), ["3:10 pow-negative-base"]);
     let allowed = format!("{POW} // shaderlint: allow(pow-negative-base) it is squared");
     assert_eq!(found(&allowed), [""; 0]);
@@ -23,7 +23,7 @@ fn behind_code_it_speaks_of_its_line() {
 }
 
 #[test]
-fn alone_it_speaks_of_the_next_statement() {
+fn a_comment_on_its_own_line_applies_to_the_next_statement() {
     let over = format!("// shaderlint: allow(pow-negative-base)\n\n{POW}\n{POW}");
     assert_eq!(found(&over), ["6:10 pow-negative-base"]);
     let block =
@@ -38,13 +38,13 @@ fn alone_it_speaks_of_the_next_statement() {
 }
 
 #[test]
-fn a_whole_file_can_be_allowed() {
+fn a_rule_can_be_allowed_for_a_file() {
     let file = format!("{POW}\n// shaderlint: allow-file(pow-negative-base) measured\n{POW}");
     assert_eq!(found(&file), [""; 0]);
 }
 
 #[test]
-fn what_allows_nothing_is_reported() {
+fn unused_suppressions_are_reported() {
     let unused = "c *= 2.0; // shaderlint: allow(pow-negative-base)";
     assert_eq!(found(unused), ["3:32 unused-allow"]);
     let one_of_two = format!("{POW} // shaderlint: allow(pow-negative-base, float-equality)");
@@ -70,7 +70,7 @@ fn what_allows_nothing_is_reported() {
 }
 
 #[test]
-fn what_is_misspelt_is_spelt_right() {
+fn misspelt_suppressions_are_fixed() {
     let code = |first: &str, second: &str| {
         format!(
             "void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4(pow(iTime - 9.0, 2.0)); // {first}\n    \
@@ -92,7 +92,7 @@ fn what_is_misspelt_is_spelt_right() {
 }
 
 #[test]
-fn a_rule_that_does_not_run_is_not_missed() {
+fn suppressions_of_disabled_rules_are_not_unused() {
     let code = "// shaderlint: allow-file(unused-parameter, pow-negative-base)\n\
         void mainImage(out vec4 c, in vec2 p) { c = vec4(pow(iTime - 9.0, 2.0)); }\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
@@ -119,7 +119,7 @@ fn compile_errors_cannot_be_allowed() {
 }
 
 #[test]
-fn it_holds_in_pages_and_exports() {
+fn suppressions_work_in_pages_and_exports() {
     let line = "void mainImage(out vec4 c, in vec2 p) { c = vec4(pow(iTime - 9.0, 2.0)); }";
     let allow = "// shaderlint: allow(pow-negative-base) known";
     let page = |line: &str| format!("const s = /* glsl */ `\n{line}\n`;\n");
@@ -140,7 +140,7 @@ fn it_holds_in_pages_and_exports() {
 }
 
 #[test]
-fn the_fix_takes_an_idle_comment_out() {
+fn the_fix_removes_unused_suppressions() {
     let code = "// kept\n// shaderlint: allow(pow-negative-base) once\n\
         void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0); // shaderlint: allow(numeric)\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
@@ -150,7 +150,7 @@ fn the_fix_takes_an_idle_comment_out() {
 }
 
 #[test]
-fn an_error_that_is_expected_is_not_told() {
+fn expected_errors_are_not_reported() {
     let expected = "c = vec4(q); // shaderlint: expect(undeclared-name) this tests the compiler";
     assert_eq!(found(expected), [""; 0]);
     let over = "// shaderlint: expect(undeclared-name)\nc = vec4(q);\nc = vec4(r);";

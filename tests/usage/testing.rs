@@ -1,11 +1,11 @@
-//! `test`: which tests are found and run, what is said of those that fail, which pictures are
-//! compared and when one is written.
+//! `test`: which tests are found and run, messages of failed tests, comparison with golden images
+//! and when one is written.
 
 use super::scratch::Scratch;
 use serde_json::Value;
 use std::fs;
 
-/// Helpers without an entry, with a test of their own.
+/// Helpers without an entry point, with a test.
 const SDF: &str = "float sdSphere(vec3 p, float r) { return length(p) - r; }
 float sdBox(vec3 p, vec3 b) {
     vec3 q = abs(p) - b;
@@ -14,7 +14,7 @@ float sdBox(vec3 p, vec3 b) {
 bool test_sphere_inside() { return sdSphere(vec3(0.0), 2.0) == -2.0; }
 ";
 
-/// Tests of the helpers, in a file of their own.
+/// Tests of the helpers, in a separate file.
 const SDF_TESTS: &str = "const float EPS = 1e-4;
 bool near(float a, float b) { return abs(a - b) < EPS; }
 bool test_box_face() {
@@ -30,7 +30,7 @@ bool test_box_left() {
 }
 ";
 
-/// A picture that a number decides.
+/// An image that depends on a number.
 fn wave(level: &str) -> String {
     format!(
         "void mainImage(out vec4 color, in vec2 place) {{
@@ -44,7 +44,7 @@ fn told(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// What came of each test, in order.
+/// Name and status of each test, in order.
 fn states(out: &str) -> Vec<(String, String)> {
     let told = told(out);
     let all = told["tests"].as_array().unwrap().iter();
@@ -54,9 +54,9 @@ fn states(out: &str) -> Vec<(String, String)> {
 }
 
 #[test]
-fn tests_of_helpers_run_with_what_they_test_before_them() {
+fn tests_of_helpers_run_after_the_tested_code() {
     let scratch = Scratch::new(&[("lib/sdf.glsl", SDF), ("lib/sdf.test.glsl", SDF_TESTS)]);
-    // A file, or the folder that holds it: the tests beside it are run, each once.
+    // A file, or the folder that contains it: the tests next to it run once.
     for path in ["lib/sdf.glsl", "lib"] {
         let ran = scratch.run(&["test", path]);
         assert_eq!((ran.code, ran.err.as_str()), (1, ""), "{}", ran.out);
@@ -72,13 +72,13 @@ fn tests_of_helpers_run_with_what_they_test_before_them() {
         );
         assert!(ran.out.ends_with("2 passed, 2 failed\n"), "{}", ran.out);
     }
-    let face = "lib/sdf.test.glsl:3:6: test_box_face: it returned false
+    let face = "lib/sdf.test.glsl:3:6: test_box_face: returned false
   line 5: `abs(d - 1.0) < EPS` is false
     abs(d - 1.0)  0.5
     d             1.5
     EPS           0.0001
 ";
-    let left = "lib/sdf.test.glsl:10:6: test_box_left: it returned false for 50.0 % of 9216 pixels";
+    let left = "lib/sdf.test.glsl:10:6: test_box_left: returned false for 50.0 % of 9216 pixels";
     let ran = scratch.run(&["test", "lib"]);
     assert!(
         ran.out.contains(face) && ran.out.contains(left),
@@ -91,7 +91,7 @@ fn tests_of_helpers_run_with_what_they_test_before_them() {
 }
 
 #[test]
-fn what_a_test_saw_is_told_to_programs() {
+fn json_output_contains_evaluated_conditions() {
     let scratch = Scratch::new(&[("sdf.glsl", SDF), ("sdf.test.glsl", SDF_TESTS)]);
     let ran = scratch.run(&["test", "--format", "json"]);
     let told = told(&ran.out);
@@ -104,7 +104,7 @@ fn what_a_test_saw_is_told_to_programs() {
         (&left["file"], &left["at"]),
         (&"sdf.test.glsl".into(), &"sdf.test.glsl:10:6".into())
     );
-    // What stands behind `&&` is not come to.
+    // The right operand of `&&` is not evaluated.
     let [condition] = &left["conditions"].as_array().unwrap()[..] else {
         panic!("{left}")
     };
@@ -115,7 +115,7 @@ fn what_a_test_saw_is_told_to_programs() {
 }
 
 #[test]
-fn files_with_errors_and_functions_that_are_no_tests_are_told() {
+fn files_with_errors_and_invalid_tests_are_reported() {
     let scratch = Scratch::new(&[
         ("bad.glsl", "bool test_bad() { return 1.0 == vec2(1.0); }\n"),
         (
@@ -131,31 +131,27 @@ fn files_with_errors_and_functions_that_are_no_tests_are_told() {
     assert_eq!(ran.code, 1, "{}", ran.out);
     assert!(ran.out.contains("bad.glsl ... FAILED"), "{}", ran.out);
     assert!(
-        ran.out.contains("it has errors: bad.glsl:1:"),
+        ran.out.contains("the file has errors: bad.glsl:1:"),
         "{}",
         ran.out
     );
-    assert!(ran.out.contains("it cannot be run: `uScale"), "{}", ran.out);
-    let note = "note: odd.glsl:1:6: `test_odd` is not run: a test is `bool test_odd()`\n";
+    assert!(ran.out.contains("cannot run: `uScale"), "{}", ran.out);
+    let note = "note: odd.glsl:1:6: `test_odd` is not a test; expected `bool test_odd()`\n";
     assert_eq!(ran.err, note);
     let nothing = scratch.run(&["test", "--filter", "nowhere", "odd.glsl"]);
     assert_eq!(nothing.code, 2);
-    assert!(
-        nothing.err.contains("there is nothing to test"),
-        "{}",
-        nothing.err
-    );
+    assert!(nothing.err.contains("no tests found"), "{}", nothing.err);
     assert_eq!(scratch.run(&["test", "missing.glsl"]).code, 2);
 }
 
 #[test]
-fn a_whole_shader_is_tested_as_its_host_runs_it() {
+fn complete_shaders_are_tested_with_the_uniforms_of_their_host() {
     let shader =
         wave("iTime") + "bool test_time() { return iResolution.x == 1280.0 && iTime < 5.0; }\n";
     let scratch = Scratch::new(&[("wave.glsl", &shader)]);
     let ran = scratch.run(&["test"]);
     assert!(
-        ran.out.contains("test_time: it returned false at 10 s\n"),
+        ran.out.contains("test_time: returned false at 10 s\n"),
         "{}",
         ran.out
     );
@@ -170,12 +166,12 @@ fn a_whole_shader_is_tested_as_its_host_runs_it() {
 }
 
 #[test]
-fn pictures_are_blessed_and_compared_as_eyes_see() {
+fn golden_images_are_blessed_and_compared_perceptually() {
     let scratch = Scratch::new(&[("wave.glsl", &wave("0.5"))]);
     let ran = scratch.run(&["test"]);
     assert_eq!(ran.code, 2, "{}", ran.out);
     assert!(
-        ran.out.contains("1 whole shader has no picture"),
+        ran.out.contains("1 complete shader has no golden image"),
         "{}",
         ran.out
     );
@@ -185,18 +181,19 @@ fn pictures_are_blessed_and_compared_as_eyes_see() {
     assert_eq!(ran.code, 0, "{}", ran.out);
     assert!(
         ran.out
-            .starts_with("wave.glsl: picture at 0 s ... blessed\n"),
+            .starts_with("wave.glsl: golden image at 0 s ... blessed\n"),
         "{}",
         ran.out
     );
     let blessed = fs::read(scratch.path("wave.glsl.golden.png")).unwrap();
-    // Without a size, that of the picture is drawn; the last bit is not seen.
+    // Without a size, the golden image's size is used; differences in the last bit are ignored.
     for level in ["0.5", "0.502"] {
         scratch.write("wave.glsl", wave(level));
         let ran = scratch.run(&["test", "--bless"]);
         assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{}", ran.out);
         assert!(
-            ran.out.starts_with("wave.glsl: picture at 0 s ... ok\n"),
+            ran.out
+                .starts_with("wave.glsl: golden image at 0 s ... ok\n"),
             "{}",
             ran.out
         );
@@ -211,12 +208,16 @@ fn pictures_are_blessed_and_compared_as_eyes_see() {
     );
     let ran = scratch.run(&["test", "--diff"]);
     assert!(
-        ran.out.contains("wave.glsl.golden.diff.png shows where"),
+        ran.out.contains("; see wave.glsl.golden.diff.png"),
         "{}",
         ran.out
     );
     let ran = scratch.run(&["test", "--diff"]);
-    assert!(ran.out.contains("is there already; --force"), "{}", ran.out);
+    assert!(
+        ran.out.contains("already exists; use --force"),
+        "{}",
+        ran.out
+    );
     assert_eq!(scratch.run(&["test", "--tolerance", "100"]).code, 0);
     assert_eq!(
         fs::read(scratch.path("wave.glsl.golden.png")).unwrap(),
@@ -232,14 +233,14 @@ fn pictures_are_blessed_and_compared_as_eyes_see() {
 }
 
 #[test]
-fn shaders_say_themselves_what_is_drawn() {
+fn shaders_can_specify_sizes_and_times() {
     let shader = format!("// golden: 16x8 at 0, 2.5\n{}", wave("iTime"));
     let scratch = Scratch::new(&[("wave.glsl", &shader), ("bad.frag", "// golden: huge\n")]);
     let ran = scratch.run(&["test", "wave.glsl"]);
     assert_eq!(ran.code, 1, "{}", ran.out);
     assert!(
         ran.out
-            .contains("there is no wave.glsl.golden.2.5s.png; --bless"),
+            .contains("wave.glsl.golden.2.5s.png does not exist; use --bless"),
         "{}",
         ran.out
     );
@@ -248,19 +249,21 @@ fn shaders_say_themselves_what_is_drawn() {
     let passed = |name: &str| (name.to_string(), "passed".to_string());
     assert_eq!(
         states(&ran.out),
-        [passed("picture at 0 s"), passed("picture at 2.5 s")]
+        [
+            passed("golden image at 0 s"),
+            passed("golden image at 2.5 s")
+        ]
     );
     let ran = scratch.run(&["test", "bad.frag"]);
     assert!(
-        ran.out
-            .contains("line 1: write `// golden: 320x180 at 0, 2.5`"),
+        ran.out.contains("line 1: expected a size, times or both"),
         "{}",
         ran.out
     );
 }
 
 #[test]
-fn the_passes_of_a_folder_are_one_picture() {
+fn the_passes_of_a_folder_draw_one_image() {
     let scratch = Scratch::new(&[
         (
             "sea/image.glsl",
@@ -279,7 +282,7 @@ fn the_passes_of_a_folder_are_one_picture() {
         states(&ran.out),
         [
             state("test_shade", "passed"),
-            state("picture at 0 s", "blessed")
+            state("golden image at 0 s", "blessed")
         ]
     );
     assert!(scratch.path("sea/image.glsl.golden.png").exists());

@@ -1,33 +1,33 @@
-//! What is found by running a shader, and how much of it is run.
+//! Findings from sampling, and how much is sampled.
 
 use super::scratch::Scratch;
 
-/// A picture that is as good as black wherever it is looked at.
+/// An image that is almost black everywhere.
 const BLACK: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n    \
                      fragColor = vec4(0.01 * fract(fragCoord.x * 0.37), 0.0, 0.0, 1.0);\n}\n";
 
 #[test]
-fn so_many_pixels_are_run_as_are_asked_for() {
+fn run_samples_sets_the_number_of_pixels() {
     let scratch = Scratch::new(&[("a.glsl", BLACK)]);
     let told = scratch.run(&["--run-samples", "2000", "a.glsl"]);
     assert_eq!(told.code, 0);
     assert!(told.out.contains("[dark-frame]"));
-    assert!(
-        told.out.contains("seen in a run of 1920 pixels"),
-        "{}",
-        told.out
-    );
+    assert!(told.out.contains("sampled 1,920 pixels"), "{}", told.out);
     let silent = scratch.run(&["--no-run", "a.glsl"]);
-    assert!(silent.out.ends_with(", no findings\n"), "{}", silent.out);
+    assert!(
+        silent.out.starts_with("All checks passed ("),
+        "{}",
+        silent.out
+    );
     let both = scratch.run(&["--no-run", "--run-samples", "2000", "a.glsl"]);
     assert_eq!(both.code, 2);
 }
 
 #[test]
-fn the_configuration_says_how_much_is_run() {
+fn the_configuration_sets_the_number_of_samples() {
     let scratch = Scratch::new(&[("a.glsl", BLACK), ("silent.toml", "run_samples = 0\n")]);
     scratch.write("some.toml", "run_samples = 640\n");
-    // The command line goes before the file, so that it must not speak of runs here.
+    // The command line has priority over the file, so it must not mention sampling here.
     let run = |config: &str| {
         let mut command = std::process::Command::new(insta_cmd::get_cargo_bin("shaderlint"));
         let command = command.current_dir(scratch.path("")).env("NO_COLOR", "1");
@@ -37,14 +37,15 @@ fn the_configuration_says_how_much_is_run() {
             .unwrap();
         String::from_utf8(done.stdout).unwrap()
     };
-    assert!(run("silent.toml").ends_with(", no findings\n"));
+    assert!(run("silent.toml").starts_with("All checks passed ("));
     let told = run("some.toml");
-    assert!(told.contains("a run of 640 pixels"), "{told}");
+    assert!(told.contains("sampled 640 pixels"), "{told}");
 }
 
-/// What a text may do and a run never does is no warning, and what it does says so.
+/// A possible problem that sampling never observes is not a warning; one that it observes is
+/// reported with the evidence.
 #[test]
-fn a_run_judges_what_the_text_lets_suspect() {
+fn sampling_confirms_or_dismisses_possible_problems() {
     let suspect = |offset: &str| {
         format!(
             "void mainImage(out vec4 fragColor, in vec2 fragCoord) {{\n    \
@@ -65,12 +66,14 @@ fn a_run_judges_what_the_text_lets_suspect() {
         "never.glsl",
     ]);
     assert!(
-        never.out.starts_with("note[sqrt-negative]"),
+        never.out.starts_with("info[sqrt-negative]"),
         "{}",
         never.out
     );
     assert!(
-        never.out.contains("9216 times and never met this"),
+        never
+            .out
+            .contains("did not occur in 9,216 sampled evaluations"),
         "{}",
         never.out
     );
@@ -82,5 +85,5 @@ fn a_run_judges_what_the_text_lets_suspect() {
         "met.glsl",
     ]);
     assert!(met.out.starts_with("warning[sqrt-negative]"), "{}", met.out);
-    assert!(met.out.contains("a run met this"), "{}", met.out);
+    assert!(met.out.contains("= occurred in "), "{}", met.out);
 }

@@ -1,8 +1,8 @@
-//! Names that are not declared, by what may complete the text that uses them.
+//! Undeclared names, depending on what may complete the text that uses them.
 
 use super::scratch::Scratch;
 
-/// What is printed of a file beside others, without its name.
+/// The output for a file that is checked with others, without its name.
 #[track_caller]
 fn check(files: &[(&str, &str)], expected: &[&str]) {
     let scratch = Scratch::new(files);
@@ -19,8 +19,8 @@ fn check(files: &[(&str, &str)], expected: &[&str]) {
 const OWN: &str = "uniform float opacity;\nvoid main() { gl_FragColor = vec4(opcaity); }\n";
 
 #[test]
-fn a_typo_in_a_text_that_asks_for_no_host_is_an_error() {
-    let told = "2:35: error[undeclared-name]: nothing declares `opcaity`";
+fn typos_without_a_host_are_errors() {
+    let told = "2:35: error[undeclared-name]: `opcaity` is not declared";
     check(&[("a.frag", OWN)], &[told]);
     check(&[("a.glsl", OWN)], &[told]);
     let script = format!("export const shader = `{OWN}`;");
@@ -28,31 +28,33 @@ fn a_typo_in_a_text_that_asks_for_no_host_is_an_error() {
 }
 
 #[test]
-fn a_typo_in_an_open_text_is_a_warning() {
+fn typos_in_fragments_are_warnings() {
     let code = "uniform float opacity; float f(float x) { return noise(x) * opcaity; }";
     check(
         &[("a.glsl", code)],
         &[
-            "1:50: info[undeclared-name]: `noise` is not declared here",
-            "1:61: warning[undeclared-name]: nothing declares `opcaity`",
+            "1:50: info[undeclared-name]: `noise` is not declared in this file",
+            "1:61: warning[undeclared-name]: `opcaity` is not declared",
         ],
     );
 }
 
 #[test]
-fn names_that_look_like_no_other_are_listed_once() {
+fn names_without_a_similar_name_are_listed_once() {
     check(
         &[(
             "a.glsl",
             "float f() { return alpha + beta * gamma + alpha; }",
         )],
-        &["1:20: info[undeclared-name]: 3 names are not declared here: `alpha`, `beta`, `gamma`"],
+        &[
+            "1:20: info[undeclared-name]: 3 names are not declared in this file: `alpha`, `beta`, `gamma`",
+        ],
     );
 }
 
 #[test]
-fn a_name_that_the_repository_has_elsewhere_is_its_own() {
-    let listed = "2:35: info[undeclared-name]: `opcaity` is not declared here";
+fn names_declared_elsewhere_in_the_repository_are_not_typos() {
+    let listed = "2:35: info[undeclared-name]: `opcaity` is not declared in this file";
     let beside = ("b.js", "material.uniforms.opcaity = 1;");
     let top = ("package.json", "{}");
     check(&[("a.frag", OWN), beside, top], &[listed]);
@@ -62,23 +64,23 @@ fn a_name_that_the_repository_has_elsewhere_is_its_own() {
 }
 
 #[test]
-fn numbers_and_prefixes_tell_names_apart() {
+fn names_differing_in_numbers_or_prefixes_are_not_typos() {
     let code = "float f(vec2 uv1, vec3 normal) { return uv2.x + vNormal.x; }";
     check(
         &[("a.glsl", code)],
-        &["1:41: info[undeclared-name]: 2 names are not declared here: `uv2`, `vNormal`"],
+        &["1:41: info[undeclared-name]: 2 names are not declared in this file: `uv2`, `vNormal`"],
     );
 }
 
 #[test]
-fn typos_are_found_in_groups_that_a_host_may_take() {
+fn typos_are_found_in_conditional_groups_of_a_host() {
     let code = "uniform float opacity;\nfloat f() {\n#ifdef FADES\nreturn opcaity;\n#endif\n\
         return opacity;\n}\n";
     check(
         &[("a.glsl", code)],
         &["4:8: warning[undeclared-name]: `opcaity` is not declared"],
     );
-    // Whoever defines the name later has the typo, in a text that is complete too.
+    // Whoever defines the name later has the typo, even in a complete text.
     let whole = "#version 300 es\nprecision highp float;\nuniform float opacity;\nout vec4 color;\n\
         void main() {\n#ifdef FADES\ncolor = vec4(opcaity);\n#endif\ncolor = vec4(opacity);\n}\n";
     check(
@@ -88,25 +90,25 @@ fn typos_are_found_in_groups_that_a_host_may_take() {
 }
 
 #[test]
-fn a_material_of_three_js_is_complete() {
+fn three_js_materials_are_complete() {
     let material = "import * as THREE from 'three';\nnew THREE.ShaderMaterial({ fragmentShader: `\n\
         varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(one * vUv, two, toneMappingExposure); }` });\n";
     let errors = [
-        "4:35: error[undeclared-name]: nothing declares `one`",
-        "4:46: error[undeclared-name]: nothing declares `two`",
+        "4:35: error[undeclared-name]: `one` is not declared",
+        "4:46: error[undeclared-name]: `two` is not declared",
     ];
     check(&[("a.js", material)], &errors);
     let patched = format!("{material}m.onBeforeCompile = (shader) => change(shader);\n");
-    let listed = "4:35: info[undeclared-name]: 2 names are not declared here: `one`, `two`";
+    let listed = "4:35: info[undeclared-name]: 2 names are not declared in this file: `one`, `two`";
     check(&[("a.js", &patched)], &[listed]);
 }
 
 const NEW: &str = "precision highp float;\nin vec2 at;\nout vec4 color;\nvoid main() { color = vec4(at, 0.0, 1.0); }\n";
 
 #[test]
-fn a_shader_that_lacks_its_version_is_told() {
+fn missing_versions_are_reported() {
     let told =
-        "2:1: warning[needs-webgl2]: `in` needs GLSL ES 3.00, but there is no `#version 300 es`";
+        "2:1: warning[needs-webgl2]: `in` requires GLSL ES 3.00, but `#version 300 es` is missing";
     check(&[("a.frag", NEW)], &[told]);
     let top = ("package.json", "{}");
     let adds = ("b.js", "const head = '#version 300 es\\n';");
@@ -130,12 +132,12 @@ fn a_shader_that_lacks_its_version_is_told() {
 }
 
 #[test]
-fn blanks_before_a_version_count_where_they_are_handed_over() {
+fn whitespace_before_a_version_matters_unless_trimmed() {
     let page = format!(
         "<script id=\"f\" type=\"x-shader/x-fragment\">\n#version 300 es\n{NEW}</script>\n\
         <script src=\"read.js\"></script>\n"
     );
-    let told = "2:1: warning[version-placement]: `#version 300 es` must stand on the first line, but a blank line comes before it";
+    let told = "2:1: warning[version-placement]: `#version 300 es` must be on the first line, not after a blank line";
     check(&[("a.html", &page)], &[told]);
     let keeps = "const read = id => gl.shaderSource(s, document.getElementById(id).textContent);";
     let trims =
@@ -148,7 +150,7 @@ fn blanks_before_a_version_count_where_they_are_handed_over() {
 }
 
 #[test]
-fn a_text_that_shows_shaders_has_errors_in_complete_ones_only() {
+fn markdown_has_errors_only_in_complete_shaders() {
     let text = "```glsl\nfloat step(float edge, float x)\nvec2 step(vec2 edge, vec2 x)\n```\n\n\
         ```glsl\nThe function is called twice.\n```\n\n\
         ```glsl\nfloat f(vec2 p) { return p; }\n```\n\n\
@@ -156,17 +158,17 @@ fn a_text_that_shows_shaders_has_errors_in_complete_ones_only() {
     check(
         &[("a.md", text)],
         &[
-            "11:19: warning[vector-size]: the function returns `float`, but this is `vec2`",
-            "16:15: error[vector-size]: `vec3` cannot become `vec4` by itself",
+            "11:19: warning[vector-size]: expected return value of type `float`, found `vec2`",
+            "16:15: error[vector-size]: cannot assign `vec3` to `vec4`",
         ],
     );
 }
 
 #[test]
-fn the_language_of_skia_is_told_by_its_types() {
+fn sksl_is_recognised_by_its_types() {
     let code = "uniform shader image;\nhalf4 main(float2 p) { return image.eval(p); }\n";
     check(
         &[("a.glsl", code)],
-        &["1:1: info[unsupported-version]: this shader is SkSL, which WebGL does not compile"],
+        &["1:1: info[unsupported-version]: WebGL does not support SkSL"],
     );
 }

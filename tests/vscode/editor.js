@@ -1,7 +1,7 @@
-// The package in an editor, in a browser without a window: what it says of a broken shader, and the
-// preview, which follows what is typed.
+// Tests the extension in an editor in a headless browser: diagnostics of a broken shader, and the
+// preview, which follows edits.
 //
-//   node editor.js FOLDER    FOLDER holds shaderlint.vsix, and gets whatever the editor writes
+//   node editor.js FOLDER    FOLDER contains shaderlint.vsix; the editor writes its files there
 import { chromium } from 'playwright-core';
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
@@ -10,10 +10,10 @@ import path from 'node:path';
 
 const work = process.argv[2];
 const program = process.env.CODE_SERVER;
-/** Minutes that all of it may take. Each step waits for what it needs, however slow the machine is. */
+/** Time limit in minutes. Each step waits for its own condition, however slow the machine is. */
 const MINUTES = Number(process.env.MINUTES ?? 60);
 
-/** What is waited for. */
+/** Description of the current step. */
 let waiting = '';
 
 const BROKEN = `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
@@ -56,7 +56,8 @@ void main() {
 }
 \`;
 `;
-// What names a program belongs to the machine that the program runs on, which is not the browser's.
+// A setting that names a program is machine-scoped, and applies to the machine of the extension host,
+// not to the browser.
 const MACHINE_SETTINGS = {
   // The editor takes PATH from the user's shell.
   'shaderlint.path': process.env.SHADERLINT,
@@ -73,7 +74,7 @@ const SETTINGS = {
   '[glsl]': { 'editor.formatOnSave': true },
 };
 
-/** What the editor is told on the command line. */
+/** Command line arguments of the editor. */
 function args(...more) {
   const folders = ['--user-data-dir', path.join(work, 'user'), '--extensions-dir', path.join(work, 'extensions')];
   return [...folders, '--config', path.join(work, 'none.yaml'), ...more];
@@ -94,7 +95,7 @@ function prepare() {
   return shaders;
 }
 
-/** Starts the editor at a port that the system chooses; gives its address when it listens. */
+/** Starts the editor on a free port; resolves to its address once it listens. */
 async function start(shaders) {
   const options = ['--auth', 'none', '--bind-addr', '127.0.0.1:0', '--disable-telemetry', '--disable-update-check'];
   const server = spawn(program, args(...options, shaders), { stdio: ['ignore', 'pipe', 'pipe'], detached: true });
@@ -118,19 +119,19 @@ async function picture(page, name) {
   await page.screenshot({ path: path.join(process.env.SCREENSHOTS, `${name}.png`) });
 }
 
-/** Opens a file, of which a line holds a text: the tab is there before the text is. */
+/** Opens a file and waits for a line with the text, because the tab appears before its content. */
 async function openFile(page, name, text) {
   await page.locator('.explorer-folders-view .monaco-list-row', { hasText: name }).dblclick();
   await page.locator('.tab.active', { hasText: name }).waitFor();
   await page.locator('.view-line', { hasText: text }).first().waitFor();
 }
 
-/** Chooses from the list that is open. Enter would take what has the focus, which may still move. */
+/** Chooses an item of the open list by clicking: the focus may still move, so Enter is unreliable. */
 async function choose(page, title, timeout = 0) {
   await page.locator('.quick-input-list .monaco-list-row', { hasText: title }).first().click({ timeout });
 }
 
-/** Runs a command by its name. What takes the focus late closes the list, which is opened again then. */
+/** Runs a command by name. If the list loses focus and closes, it is opened again. */
 async function runCommand(page, title) {
   await until(`the command ${title}`, async (timeout) => {
     await page.keyboard.press('F1');
@@ -141,8 +142,8 @@ async function runCommand(page, title) {
 }
 
 /**
- * Asks again and again until the answer is there. A try that waits for what does not come is ended after
- * some milliseconds, of which it has more each time.
+ * Repeats until the promise resolves. An attempt that hangs is aborted after a timeout that grows with
+ * each attempt.
  * @param {(timeout: number) => Promise<any>} ask
  */
 async function until(what, ask) {
@@ -156,7 +157,7 @@ async function until(what, ask) {
   }
 }
 
-/** The frame of the page that plays: the one whose shader holds a text. */
+/** The frame of the preview page whose shader contains a text. */
 function player(page, text) {
   const holds = (wanted) => {
     const player = globalThis.shaderport?.player;
@@ -174,8 +175,8 @@ function player(page, text) {
 const time = (frame) => frame.evaluate(() => globalThis.shaderport.player.clock.time);
 
 /**
- * Opens the editor and a broken shader. Window and extensions give each other up after times of their own,
- * which nothing can lengthen: such a window is loaded anew.
+ * Opens the editor and a broken shader. Window and extension host have fixed timeouts for each other;
+ * if they expire, the window is reloaded.
  */
 async function connect(page, address) {
   await until('an editor with the extension', async (timeout) => {
@@ -191,7 +192,7 @@ async function connect(page, address) {
   });
 }
 
-/** What a broken shader looks like. */
+/** Diagnostics of a broken shader. */
 async function findings(page) {
   await openFile(page, 'broken.glsl', 'colour');
   await page.locator('.squiggly-error').first().waitFor();
@@ -210,7 +211,7 @@ async function preview(page) {
   const first = await player(page, 'SPEED 2.0');
   await picture(page, 'preview');
 
-  // A change is shown, and time goes on from where it was.
+  // A change is shown, and the time continues.
   const before = await time(first);
   await page.locator('.view-line', { hasText: 'Waves in two' }).click();
   await page.keyboard.press('Control+End');
@@ -218,9 +219,9 @@ async function preview(page) {
   const second = await player(page, '// The end.');
   assert((await time(second)) >= before, 'the time went back');
 
-  // A broken text leaves the picture, and says why.
+  // A broken text keeps the image and shows the error.
   await page.keyboard.type(' \n}');
-  const words = await until('words of trouble', async () => {
+  const words = await until('an error message', async () => {
     for (const frame of page.frames()) {
       const said = await frame.evaluate(() => document.querySelector('#trouble.error:not([hidden])')?.textContent);
       if (said) return said;
@@ -231,10 +232,10 @@ async function preview(page) {
   console.log(`the preview says: ${words}`);
   await picture(page, 'preview-trouble');
   await page.keyboard.press('Backspace');
-  await page.keyboard.type('// Mended.');
+  await page.keyboard.type('// Fixed.');
 
-  // A slider is written into the code.
-  const third = await player(page, '// Mended.');
+  // A slider changes the number in the code.
+  const third = await player(page, '// Fixed.');
   await third.evaluate(() => globalThis.shaderport.player.setTunable('SPEED', 3));
   await third.evaluate(() => globalThis.dispatchEvent(new Event('input')));
   await third.locator('#more').click();
@@ -245,7 +246,7 @@ async function preview(page) {
   const fourth = await player(page, 'SPEED 3.0');
   assert(await fourth.locator('#panel').isVisible(), 'the panel was open');
 
-  // The line above the number asks for another one.
+  // The code lens above the number asks for another value.
   await page.locator('.codelens-decoration a', { hasText: '0 … 4' }).click();
   const box = page.locator('.quick-input-widget input[type=text]');
   await box.fill('9');
@@ -255,12 +256,12 @@ async function preview(page) {
   await player(page, 'SPEED 1.0');
 }
 
-/** A word in the first line of the editor that holds a text. */
+/** A word in the first line of the editor that contains a text. */
 function word(page, line, text) {
   return page.locator('.view-line', { hasText: line }).first().getByText(text, { exact: true }).first();
 }
 
-/** What the server answers while somebody writes. */
+/** Responses of the server while editing. */
 async function editing(page) {
   await openFile(page, 'glow.glsl', 'glow');
   await page.locator('.squiggly-error').first().waitFor();
@@ -282,7 +283,7 @@ async function editing(page) {
   await page.locator('.view-line', { hasText: 'uv = fragCoord / iResolution' }).waitFor();
   await picture(page, 'formatted');
 
-  await until('a hover with a picture', async (timeout) => {
+  await until('a hover with an image', async (timeout) => {
     await word(page, 'light +=', 'light').hover({ timeout });
     await page.locator('.monaco-hover img').first().waitFor({ timeout });
     return true;
@@ -292,7 +293,7 @@ async function editing(page) {
   await page.locator('.view-line', { hasText: 'level = 1.0;' }).click();
   await page.keyboard.press('End');
   await page.keyboard.type('\nfloat s=smooths');
-  // What is typed fast may not open the list.
+  // Fast typing may not open the list.
   await until('a completion', async (timeout) => {
     await page.keyboard.press('Escape');
     await page.keyboard.press('Control+Space');
@@ -308,14 +309,14 @@ async function editing(page) {
   await picture(page, 'saved');
 }
 
-/** A shader that has never been right. */
+/** A shader that was never valid. */
 async function hopeless(page) {
   await openFile(page, 'broken.glsl', 'colour');
   await runCommand(page, 'Shaderlint: Open Preview');
   await page.locator('.tab.active', { hasText: 'Preview broken.glsl' }).waitFor();
-  await until('why there is no picture', async () => {
+  await until('the error message in the preview', async () => {
     for (const frame of page.frames()) {
-      // The view says it, or the page in it.
+      // Either the view or the page in it shows the message.
       const words = await frame.evaluate(() => ['trouble', 'errors'].map((id) => document.getElementById(id)?.innerText).join());
       if (words.includes('has no strings')) return true;
     }
@@ -347,7 +348,7 @@ page.setDefaultTimeout(0);
 let current = 'start';
 const limit = setTimeout(() => {
   console.error(`more than ${MINUTES} minutes: ${current} is not done${waiting && `, nor has come ${waiting}`}`);
-  // What is waited for fails then, and says where.
+  // The pending wait fails then, with its description.
   void picture(page, 'failed').finally(() => browser.close());
 }, MINUTES * 60_000);
 try {
@@ -363,7 +364,7 @@ try {
 } finally {
   clearTimeout(limit);
   await browser.close();
-  // Asked to end, it would wait half a minute for a browser to come back.
+  // A graceful shutdown would wait half a minute for the browser to reconnect.
   process.kill(-server.pid, 'SIGKILL');
 }
 console.log('5 passed, 0 failed');

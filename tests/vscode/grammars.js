@@ -1,5 +1,5 @@
-// The colours: texts, and what scope some of their words are to have, in GLSL and inside of other
-// languages, whose grammars are those that VS Code comes with.
+// Syntax highlighting: the scopes of words in GLSL and in other languages that contain it, with the
+// grammars of VS Code.
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import oniguruma from 'vscode-oniguruma';
@@ -9,7 +9,7 @@ const require = createRequire(import.meta.url);
 const syntaxes = new URL('../../editors/vscode/syntaxes/', import.meta.url);
 const INJECTION = 'shaderlint.embedded.glsl';
 
-/** Grammars by their scopes. */
+/** Grammars by scope name. */
 const files = new Map([
   ['source.glsl', new URL('glsl.tmLanguage.json', syntaxes)],
   [INJECTION, new URL('embedded.tmLanguage.json', syntaxes)],
@@ -17,7 +17,7 @@ const files = new Map([
 const packaged = new URL('node_modules/tm-grammars/grammars/', import.meta.url);
 for (const name of fs.readdirSync(packaged)) {
   const { scopeName } = JSON.parse(fs.readFileSync(new URL(name, packaged), 'utf8'));
-  // One of them is for GLSL, too.
+  // One of them is also for GLSL.
   if (!files.has(scopeName)) files.set(scopeName, new URL(name, packaged));
 }
 
@@ -34,7 +34,7 @@ const registry = new textmate.Registry({
   getInjections: (scope) => (scope === INJECTION || scope === 'source.glsl' ? [] : [INJECTION]),
 });
 
-/** All tokens of a text, with their scopes. */
+/** All tokens of a text with their scopes. */
 async function tokens(scope, text) {
   const grammar = await registry.loadGrammar(scope);
   let state = textmate.INITIAL;
@@ -66,8 +66,8 @@ void mainImage(out vec4 color, in vec2 at) {
   Ray ray = Ray(vec3(1.0)); ray.origin.x = 1.; double bad;
 }`;
 
-// In each case: the scope of the language, the text, and words with the scopes that they have; a word
-// may be followed by the number of its line.
+// Each case: the scope of the language, the text, and words with their expected scopes; a word may be
+// followed by its line number.
 const CASES = [
   ['source.glsl', SHADER, [
     ['version', 'keyword.control.directive.version'], ['300', 'constant.numeric'], ['es', 'storage.modifier.profile'],
@@ -127,7 +127,7 @@ for (const [scope, text, expected] of CASES) {
     const [word, line] = /^(.+?)(?:@(\d+))?$/s.exec(what).slice(1);
     const found = all.filter((t) => t.word === word && (!line || t.line === Number(line)));
     const holds = (token) => token.scopes.some((s) => s === wanted || s.startsWith(`${wanted}.`));
-    // A word that is no function name may come before one that is.
+    // A word that is not a function name may precede one that is.
     if (line ? found.length > 0 && found.every(holds) : found.some(holds)) passed++;
     else {
       failed++;

@@ -1,9 +1,9 @@
-"""Runs shaderlint over packages and compares its errors with expected.txt beside this file.
+"""Runs shaderlint on packages and compares its errors with expected.txt in this folder.
 
 usage: compare.py SHADERLINT FOLDER LIST
 
-FOLDER/node_modules holds the packages that LIST names. Each line of expected.txt is
-`PACKAGE FILE:LINE RULE | true or false: why`.
+FOLDER/node_modules contains the packages in LIST. Each line of expected.txt is `PACKAGE FILE:LINE
+RULE | true or false: why`.
 """
 import json
 import pathlib
@@ -12,7 +12,7 @@ import sys
 
 
 def errors(binary, root, folders):
-    """The errors in a package as `FILE:LINE RULE`, and how many files and shaders were read."""
+    """The errors in a package as `FILE:LINE RULE`, and the numbers of files and shaders."""
     command = [binary, "--format", "json", ".", *folders]
     ran = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
     if ran.returncode not in (0, 1):

@@ -1,12 +1,12 @@
--- shaderlint's language server for Neovim.
+-- The shaderlint language server for Neovim.
 --
--- From Neovim 0.11 on, this file goes to ~/.config/nvim/lsp/, and
+-- With Neovim 0.11 or newer, copy this file to ~/.config/nvim/lsp/, and add
 --
 --   vim.lsp.enable('shaderlint')
 --
--- into init.lua. Before, call vim.lsp.start (0.8) or vim.lsp.start_client (0.7) with the table.
--- `settings` may say { shaderlint = { run = false, hints = { types = true } } }; editors/README.md
--- lists what can be set.
+-- to init.lua. With older versions, call vim.lsp.start (0.8) or vim.lsp.start_client (0.7) with the table.
+-- `settings` may contain { shaderlint = { run = false, hints = { types = true } } }; editors/README.md
+-- lists all settings.
 
 return {
   cmd = { 'shaderlint', 'lsp' },

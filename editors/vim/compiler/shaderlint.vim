@@ -1,8 +1,8 @@
-" shaderlint for :make. Put this file into ~/.vim/compiler (Neovim: ~/.config/nvim/compiler), then
+" shaderlint for :make. Copy this file to ~/.vim/compiler (Neovim: ~/.config/nvim/compiler), then
 "
 "   autocmd FileType glsl compiler shaderlint
-"   :make       checks the file; :copen lists what is found
-"   :make %:h   checks its folder too
+"   :make       checks the file; :copen lists the findings
+"   :make %:h   also checks its folder
 if exists('current_compiler')
   finish
 endif

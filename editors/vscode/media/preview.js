@@ -1,5 +1,5 @@
-// Shows the pages of a shader one after another. A page is loaded behind the visible one and replaces it
-// when it draws, taking over the time, the mouse, the numbers that were set and the open tab.
+// Shows the pages of a shader one after another. A page is loaded hidden and replaces the visible one when
+// it draws, with the same time, mouse, slider values and open tab.
 'use strict';
 
 const vscode = acquireVsCodeApi();
@@ -16,7 +16,7 @@ let shown = null;
 let next = null;
 let lastTime = -1;
 
-/** What a page offers to others; `null` if it could not start. */
+/** The interface of a page; `null` if it could not start. */
 function faceOf(frame) {
     return frame?.contentWindow?.shaderport ?? null;
 }
@@ -43,7 +43,7 @@ async function loaded(frame) {
     await face?.ready;
     if (frame !== next) return;
     const error = face?.errors[0];
-    // The last picture is more useful than an empty page with an error that the editor shows too.
+    // The last image is more useful than an empty page; the editor shows the error.
     if (error && faceOf(shown)) {
         say(error.line > 0 ? `${error.pass}, line ${error.line}: ${error.text}` : `${error.pass}: ${error.text}`, true);
         frame.remove();
@@ -65,19 +65,19 @@ async function loaded(frame) {
     frame.contentWindow.addEventListener('keydown', passOn);
 }
 
-/** Remembers the numbers in the code. */
+/** Stores the numbers in the code. */
 function remember(frame, player) {
     frame.numbers = new Map(player.project.tunables.map(({ name, value }) => [name, value]));
     frame.controls = new Map([...player.controls].map(([name, value]) => [name, JSON.stringify(value)]));
 }
 
-/** Carries the state of one player over to another. */
+/** Transfers the state of one player to another. */
 function carry(from, to) {
     const [old, face] = [faceOf(from), faceOf(to)];
     const { clock, isPlaying, mouse, project } = old.player;
     for (const { name, value } of project.tunables) {
         const came = from.numbers.get(name);
-        // A number that has changed in the code is newer.
+        // A number that changed in the code takes precedence.
         if (value !== came && to.numbers.get(name) === came) face.player.setTunable(name, value);
     }
     for (const [name, value] of old.player.controls) {
@@ -117,7 +117,7 @@ function offerNumbers() {
     offer.querySelector('span').textContent = words.join(', ');
 }
 
-/** Passes keys on to this window, the only one that the editor listens to; text fields keep theirs. */
+/** Forwards keys to this window, the only one that the editor listens to; text fields keep theirs. */
 function passOn(event) {
     const isCommand = event.ctrlKey || event.metaKey || /^F\d+$/.test(event.key);
     if (!isCommand || /^(INPUT|TEXTAREA)$/.test(event.target.tagName)) return;

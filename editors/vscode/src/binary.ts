@@ -1,10 +1,10 @@
-// Where the program is.
+// Finds the `shaderlint` program.
 import { statSync } from 'node:fs';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { SECTION } from './settings';
 
-/** The program: the one in the settings, else the one in the package, else the one on `PATH`. */
+/** Path of the program: from the settings, bundled with the extension, or on `PATH`. */
 export function binary(context: vscode.ExtensionContext): string {
     const settings = vscode.workspace.getConfiguration(SECTION);
     const named = settings.get<string>('path', '').trim();
@@ -14,7 +14,7 @@ export function binary(context: vscode.ExtensionContext): string {
     return isFile(packaged) ? packaged : onPath(name);
 }
 
-/** A path from the settings: it may begin at the home folder or at the first folder of the workspace. */
+/** A path from the settings, relative to the home folder or to the first folder of the workspace. */
 function resolved(named: string): string {
     const home = process.env['HOME'] ?? process.env['USERPROFILE'] ?? '';
     const fromHome = named.replace(/^~(?=[\\/])/, home);
@@ -28,14 +28,14 @@ function resolved(named: string): string {
 }
 
 /**
- * The full path of a program on `PATH`. Windows would look into the current folder first, which is one
- * of the workspace's; so relative folders are left out too.
+ * The full path of a program on `PATH`. Windows would search the current folder first, which belongs to
+ * the workspace, so relative folders are skipped as well.
  */
 function onPath(name: string): string {
     const file = process.platform === 'win32' && path.extname(name) === '' ? `${name}.exe` : name;
     const folders = (process.env['PATH'] ?? '').split(path.delimiter).filter((folder) => path.isAbsolute(folder));
     const found = folders.map((folder) => path.join(folder, file)).find(isFile);
-    if (found === undefined) throw new Error(`\`${name}\` is neither in the extension nor on PATH.`);
+    if (found === undefined) throw new Error(`\`${name}\` was found neither in the extension nor on PATH.`);
     return found;
 }
 

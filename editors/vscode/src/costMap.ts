@@ -1,4 +1,4 @@
-// Pictures of what each pixel costs, drawn by the program from the saved file.
+// Cost maps: images of the cost of each pixel, drawn by the program from the saved file.
 import { execFile } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -7,14 +7,14 @@ import * as vscode from 'vscode';
 import { type Previews, uriOf } from './preview';
 
 interface Kind extends vscode.QuickPickItem {
-    /** Its name on the command line. */
+    /** Value of `--heatmap`. */
     readonly heatmap: string;
 }
 
 const KINDS: Kind[] = [
     { heatmap: 'cost', label: 'Operations per pixel' },
     { heatmap: 'steps', label: 'Loop iterations per pixel' },
-    { heatmap: 'overdraw', label: 'Divergence', description: 'share of the work that a pixel only waits for' },
+    { heatmap: 'overdraw', label: 'Divergence', description: 'share of the work of its group that a pixel only waits for' },
     { heatmap: 'nan', label: 'NaN and infinity', description: 'where values are not finite' },
 ];
 
@@ -38,7 +38,7 @@ export class CostMaps implements vscode.Disposable {
     async show(place: unknown): Promise<void> {
         const uri = uriOf(place);
         if (uri?.scheme !== 'file') {
-            void vscode.window.showInformationMessage('Save the shader to a file first: a cost map is drawn from the saved file.');
+            void vscode.window.showInformationMessage('Save the shader first: cost maps are drawn from the saved file.');
             return;
         }
         const kind = await vscode.window.showQuickPick(KINDS, { title: 'Show cost map' });
@@ -75,7 +75,7 @@ export class CostMaps implements vscode.Disposable {
 
 class CostMap {
     private isStale = false;
-    /** Stops the drawing that is under way. */
+    /** Stops the current drawing. */
     private stop: AbortController | undefined;
 
     constructor(
@@ -94,7 +94,7 @@ class CostMap {
         this.stop?.abort();
     }
 
-    /** Draws the map again; a hidden one when it is next seen. */
+    /** Redraws the map; a hidden one when it becomes visible. */
     redraw(): void {
         this.isStale = true;
         if (this.panel.visible) void this.draw();
@@ -115,7 +115,7 @@ class CostMap {
             token.onCancellationRequested(() => { stop.abort(); });
             return this.run(time, stop.signal).catch((error: unknown) => ({ picture: undefined, words: String(error) }));
         });
-        // The picture that was there stays when the drawing is cancelled.
+        // The previous image stays if the drawing is cancelled.
         if (!stop.signal.aborted) this.panel.webview.html = page(drawn, time);
     }
 

@@ -61,7 +61,7 @@ async function start(context: vscode.ExtensionContext, output: vscode.OutputChan
         const command = binary(context);
         client = createClient(command, output);
         await client.start().catch((error: unknown) => {
-            throw new Error(`\`${command} lsp\` does not answer. It may be damaged or too old. (${String(error)})`);
+            throw new Error(`\`${command} lsp\` does not respond. The program may be damaged or too old. (${String(error)})`);
         });
         hasStarted = true;
     } catch (error) {
@@ -105,7 +105,7 @@ async function stop(): Promise<void> {
     try {
         await old?.dispose();
     } catch {
-        // One that has crashed cannot be asked to stop.
+        // A crashed server cannot be stopped.
     }
 }
 

@@ -1,5 +1,5 @@
-// A shader as a page that plays it, beside its editor. The server makes the page; `media/preview.js`
-// shows it, and carries what plays from one page to the next.
+// The preview of a shader next to its editor. The server creates the page; `media/preview.js` shows it,
+// and transfers the state of the player from one page to the next.
 import * as vscode from 'vscode';
 import { ErrorCodes, type LanguageClient, RequestType, ResponseError } from 'vscode-languageclient/node';
 import { text } from './tune';
@@ -27,7 +27,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
     ) {
         this.subscriptions = [
             vscode.window.registerWebviewPanelSerializer(VIEW, this),
-            // Another text may be a pass or an include of the one that is shown.
+            // Other documents may be passes or includes of the shader.
             vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
                 if (contentChanges.length === 0) return;
                 for (const [uri, preview] of this.previews) {
@@ -61,7 +61,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
         else panel.dispose();
     }
 
-    /** Asks a new server for all pages again. */
+    /** Requests all pages again from a new server. */
     renew(): void {
         for (const preview of this.previews.values()) preview.renewSoon();
     }
@@ -113,7 +113,7 @@ class Preview {
         this.asked?.cancel();
     }
 
-    /** Asks for the page when the typing pauses; a hidden preview waits until it is seen. */
+    /** Requests the page when typing pauses; a hidden preview waits until it is visible. */
     renewSoon(): void {
         this.isStale = true;
         clearTimeout(this.timer);
@@ -126,7 +126,7 @@ class Preview {
         this.asked = asked;
         this.isStale = false;
         const told = await this.page(asked.token);
-        // What was asked for later is newer.
+        // A later request replaces this one.
         if (this.asked === asked) await this.panel.webview.postMessage(told);
     }
 
@@ -167,12 +167,12 @@ async function write(uri: vscode.Uri, numbers: { name: string; value: number; in
     const code = document.getText();
     const edit = new vscode.WorkspaceEdit();
     for (const { name, value, integer } of numbers) {
-        // The page plays what somebody else may have written.
+        // The shader may come from a stranger.
         if (!/^[A-Za-z_]\w*$/.test(name) || !Number.isFinite(value)) continue;
         const head = `^([ \\t]*#[ \\t]*define[ \\t]+${name}[ \\t]+)`;
         const found = new RegExp(`${head}([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)`, 'm').exec(code);
         if (!found) {
-            void vscode.window.showWarningMessage(`There is no \`#define ${name}\` with a number in this file.`);
+            void vscode.window.showWarningMessage(`This file has no \`#define ${name}\` with a number.`);
             continue;
         }
         const start = found.index + (found[1] ?? '').length;

@@ -1,8 +1,8 @@
-// Changes a number in the code whose range is given in a comment beside it.
+// Changes a number in the code with a range in a comment next to it.
 import * as vscode from 'vscode';
 import type { Range } from 'vscode-languageclient';
 
-/** How many steps of a range are offered. */
+/** Number of steps of a range that are suggested. */
 const STEPS = 4;
 
 /** Asks for a new value for the number at `range`, and writes it. */
@@ -11,7 +11,7 @@ export async function tune(uri: string, range: Range, value: number, min: number
     const { start, end } = range;
     const place = new vscode.Range(start.line, start.character, end.line, end.character);
     const before = document.getText(place);
-    // Only then is it an `int` in GLSL.
+    // Without a decimal point it is an `int` in GLSL.
     const isWhole = /^[-+]?\d+$/.test(before);
     const written = isWhole && min === 0 && max === 1
         ? await vscode.window.showQuickPick(['0', '1'], { title: 'Off or on', placeHolder: before })
@@ -21,7 +21,7 @@ export async function tune(uri: string, range: Range, value: number, min: number
             prompt: steps(min, max).map((step) => text(step, isWhole)).join('   '),
             validateInput: (typed) => refusal(typed, isWhole, Math.min(min, value), Math.max(max, value)),
         });
-    // The text may have changed meanwhile.
+    // The document may have changed in the meantime.
     if (written === undefined || document.getText(place) !== before) return;
     const edit = new vscode.WorkspaceEdit();
     edit.replace(document.uri, place, text(Number(written), isWhole));
@@ -35,11 +35,11 @@ function steps(min: number, max: number): number[] {
 function refusal(typed: string, isWhole: boolean, least: number, most: number): string | undefined {
     const number = Number(typed);
     if (typed.trim() === '' || !Number.isFinite(number)) return 'Not a number.';
-    if (isWhole && !Number.isInteger(number)) return 'Must be a whole number, like the one in the code.';
+    if (isWhole && !Number.isInteger(number)) return 'Must be an integer, like the number in the code.';
     return number < least || number > most ? `Must be between ${least} and ${most}.` : undefined;
 }
 
-/** A number as GLSL takes it. */
+/** A number as a GLSL literal. */
 export function text(value: number, isWhole: boolean): string {
     if (isWhole) return String(Math.round(value));
     const digits = String(Number(value.toPrecision(6)));

@@ -1,13 +1,13 @@
-//! Values.
+//! Expressions with known values.
 
 use super::{Kind, LONGEST, Type, Way, Writer};
 
-/// Up to here floats are exact whole numbers, with room for a sum.
+/// Floats up to this magnitude are exact integers, and so are their sums.
 const EXACT: u64 = 1 << 22;
-/// What is stored is at most this.
+/// Largest magnitude of a stored float.
 const STORED: u64 = 64;
 
-/// A value, and how large its floats are at most.
+/// An expression, with the largest magnitude of its floats.
 pub(super) struct Value {
     pub text: String,
     most: u64,
@@ -23,13 +23,13 @@ impl Value {
 }
 
 impl Writer {
-    /// A value whose floats are small enough to be stored.
+    /// An expression whose floats are small enough to be stored.
     pub(super) fn value(&mut self, ty: Type, depth: usize) -> String {
         let value = self.expression(ty, depth);
         self.within(value, STORED, ty).text
     }
 
-    /// The same where floats are at most `most`, else what is left of them.
+    /// The value itself if its floats are at most `most`, otherwise reduced to that range.
     fn within(&mut self, value: Value, most: u64, ty: Type) -> Value {
         if value.most <= most || ty.kind != Kind::Float || !ty.is_plain() {
             return value;
@@ -59,7 +59,7 @@ impl Writer {
         }
     }
 
-    /// A variable or a part of one, or what is written out.
+    /// A variable, a component of one, or a literal.
     fn leaf(&mut self, ty: Type, depth: usize) -> Value {
         let path = (!self.one_in(5))
             .then(|| self.path(ty, false, depth.min(1)))
@@ -70,7 +70,7 @@ impl Writer {
         }
     }
 
-    /// A variable of a type, or a part of one that has it.
+    /// A variable of the type, or a component of one that has the type.
     pub(super) fn path(&mut self, wanted: Type, written: bool, depth: usize) -> Option<String> {
         for _ in 0..8 {
             let at = self.below(self.variables.len());
@@ -92,7 +92,7 @@ impl Writer {
         None
     }
 
-    /// A part of something: an element, member, column or some lanes.
+    /// A component of something: an element, member, column or swizzle.
     fn part(&mut self, text: &str, ty: Type, wanted: Type, depth: usize) -> Option<(String, Type)> {
         if ty.array > 0 {
             let at = self.index(ty.array, depth);
@@ -119,7 +119,7 @@ impl Writer {
         })
     }
 
-    /// Some lanes, none twice.
+    /// A swizzle without repeated components.
     fn lanes(&mut self, of: usize, count: usize) -> String {
         let set = self.pick(&["xyzw", "rgba", "stpq"]);
         let mut left: Vec<char> = set.chars().take(of).collect();
@@ -128,7 +128,7 @@ impl Writer {
             .collect()
     }
 
-    /// An index below a size.
+    /// An index less than `size`.
     fn index(&mut self, size: usize, depth: usize) -> String {
         if depth == 0 || self.one_in(3) {
             return self.below(size).to_string();
@@ -192,13 +192,13 @@ impl Writer {
         }
     }
 
-    /// A value of a type of another kind, converted.
+    /// An expression of another scalar type, converted.
     fn converted(&mut self, ty: Type, from: Kind, depth: usize) -> String {
         let value = self.value(Type { kind: from, ..ty }, depth);
         match (from, ty.kind) {
             (Kind::Int, Kind::Float) => format!("{}({value} & 63)", ty.name()),
             (Kind::Uint, Kind::Float) => format!("{}({value} & 63u)", ty.name()),
-            // No unsigned number is below 0.
+            // Unsigned integers are never negative.
             (Kind::Float, Kind::Uint) => format!("{}(abs({value}))", ty.name()),
             _ => format!("{}({value})", ty.name()),
         }
@@ -228,7 +228,7 @@ impl Writer {
                 format!("({x} {} {y})", self.pick(&["&&", "||", "^^", "==", "!="]))
             }
             2 => {
-                // The right side may do something, or be left out.
+                // The right operand may have side effects or be skipped.
                 let x = self.value(ty, depth);
                 let step = self.step().unwrap_or("1".to_string());
                 let op = self.pick(&["&&", "||"]);
@@ -259,7 +259,7 @@ impl Writer {
         }
     }
 
-    /// `x++` and the like, of an integer.
+    /// `x++` and the like, for an integer.
     pub(super) fn step(&mut self) -> Option<String> {
         let place = self.path(Type::scalar(Kind::Int), true, 0)?;
         Some(match self.below(4) {
@@ -306,7 +306,7 @@ impl Writer {
             }
             4 if is_signed => format!("{}({})", self.pick(&["abs", "sign"]), self.value(ty, depth)),
             5 => {
-                // Of negative numbers a rest is undefined.
+                // The remainder of negative operands is undefined.
                 let (x, y) = (self.value(ty, depth), self.value(other, depth));
                 match (is_signed, self.below(2)) {
                     (true, 0) => format!("(({x} & 0xffff) % (({y} & 255) | 1))"),
@@ -457,12 +457,12 @@ impl Writer {
         }
     }
 
-    /// A call of a function that gives a type.
+    /// A call of a function that returns the type.
     pub(super) fn call(&mut self, returns: Type, depth: usize) -> Option<String> {
         let fitting: Vec<usize> = (0..self.functions.len())
             .filter(|f| self.functions[*f].returns == Some(returns))
             .collect();
-        // What is called in a loop may loop itself.
+        // A function called in a loop may contain a loop itself.
         if fitting.is_empty() || self.loops > 1 {
             return None;
         }
@@ -482,7 +482,7 @@ impl Writer {
                 Way::Out | Way::Inout => {
                     let place = self.path(*ty, true, 0)?;
                     let root = |text: &str| text.split(['.', '[']).next().map(str::to_string);
-                    // Which of two writes to one variable comes last is not said.
+                    // The order of two writes to one variable is unspecified.
                     if written.contains(&root(&place)) {
                         return None;
                     }

@@ -1,20 +1,21 @@
-//! Writes programs of which every number is known: integers, and floats that are small whole numbers,
-//! so that every machine that keeps to the language draws the same bits. A seed always gives the same
+//! Generates programs with exactly known results: integers, and floats that are small integers, so
+//! that every conforming implementation draws the same bits. The same seed always gives the same
 //! program.
 //!
-//! What the language leaves undefined is not written, but for integers divided by zero, of which every
-//! machine that is asked here makes the same. Loops end by a count of their own.
+//! The programs avoid everything that the language leaves undefined, except integer division by
+//! zero, for which all tested implementations give the same result. Loops end by their own
+//! counters.
 //!
-//! `mod.rs` holds what a program knows of itself, `expression.rs` values, `statement.rs` the rest.
+//! `mod.rs` contains the state of a program, `expression.rs` expressions, `statement.rs` the rest.
 
 mod expression;
 mod statement;
 
 use crate::mutate::Random;
 
-/// A program with the uniforms that it is drawn with.
+/// A program with the values of its uniforms.
 pub struct Computing {
-    /// The text: GLSL ES 3.00, a fragment shader with one output of type `uvec4`.
+    /// The source: GLSL ES 3.00, a fragment shader with one output of type `uvec4`.
     pub text: String,
     /// The value of the uniform `seeds`, an `ivec4`.
     pub seeds: [i32; 4],
@@ -22,10 +23,10 @@ pub struct Computing {
     pub parts: [f32; 4],
 }
 
-/// The program of a seed.
+/// The program for a seed.
 pub fn compute(seed: u64) -> Computing {
     let mut random = Random::new(seed);
-    // The first numbers of small seeds are alike.
+    // The first random numbers of small seeds are similar.
     for _ in 0..8 {
         random.below(2);
     }
@@ -48,7 +49,7 @@ pub fn compute(seed: u64) -> Computing {
     Computing { text, seeds, parts }
 }
 
-/// What a number is.
+/// Scalar type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
     Bool,
@@ -57,15 +58,15 @@ enum Kind {
     Float,
 }
 
-/// A type: a number, vector or matrix, or a struct, or an array of these.
+/// A type: a scalar, vector, matrix or struct, or an array of these.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Type {
     kind: Kind,
     columns: usize,
     rows: usize,
-    /// The number of a struct; then the others mean nothing.
+    /// Index of a struct; the other fields are then unused.
     record: Option<usize>,
-    /// 0 for what is no array.
+    /// Array length; 0 if it is not an array.
     array: usize,
 }
 
@@ -103,7 +104,7 @@ impl Type {
         self.array == 0 && self.record.is_none()
     }
 
-    /// Its name, an array's with its size.
+    /// Its name in GLSL; for an array including the size.
     fn name(self) -> String {
         let name = match (self.record, self.kind, self.columns, self.rows) {
             (Some(record), ..) => format!("S{record}"),
@@ -143,29 +144,29 @@ struct Function {
     name: String,
     params: Vec<(Way, Type)>,
     returns: Option<Type>,
-    /// How long its text is with all that it calls.
+    /// Length of its text including all callees.
     size: usize,
 }
 
-/// Longest text of a function with all that it calls, which a browser's compiler puts in one.
+/// Longest text of a function including all callees, which a browser's compiler may inline.
 const LONGEST: usize = 8000;
 
-/// A program that is being written.
+/// A program that is being generated.
 struct Writer {
     random: Random,
     variables: Vec<Variable>,
-    /// By struct the types of its members.
+    /// Member types of each struct.
     records: Vec<Vec<Type>>,
     functions: Vec<Function>,
     names: usize,
-    /// How many loops are open.
+    /// Number of enclosing loops.
     loops: usize,
-    /// Whether a `break` may stand here.
+    /// Whether `break` is allowed here.
     is_breakable: bool,
     is_main: bool,
-    /// What the open function gives.
+    /// Return type of the current function.
     returns: Option<Type>,
-    /// How long the text is of all that the open function calls.
+    /// Total text length of all functions called by the current function.
     called: usize,
 }
 
@@ -174,7 +175,7 @@ impl Writer {
         self.random.below(limit)
     }
 
-    /// True once in `n` times.
+    /// True with probability `1 / n`.
     fn one_in(&mut self, n: usize) -> bool {
         self.random.below(n) == 0
     }
@@ -196,7 +197,7 @@ impl Writer {
         });
     }
 
-    /// A number or vector, seldom a matrix.
+    /// A scalar or vector, rarely a matrix.
     fn plain_type(&mut self) -> Type {
         let kinds = [
             Kind::Int,

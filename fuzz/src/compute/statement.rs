@@ -1,8 +1,8 @@
-//! Statements, functions, and the whole.
+//! Statements, functions and complete programs.
 
 use super::{Function, Kind, Type, Way, Writer};
 
-/// What wraps floats into what can be stored, and what is drawn.
+/// Helpers that reduce floats to the stored range, and the output.
 const HEAD: &str = "#version 300 es
 precision highp float;
 precision highp int;
@@ -27,7 +27,7 @@ void mixIn(uint x) { sum = (sum ^ x) * 16777619u + (sum >> 13); }
 ";
 
 impl Writer {
-    /// A whole program.
+    /// A complete program.
     pub(super) fn program(&mut self) -> String {
         let mut text = HEAD.to_string();
         self.declare("seeds", Type::vector(Kind::Int, 4), false);
@@ -36,7 +36,7 @@ impl Writer {
             text.push_str(&self.record());
         }
         for _ in 0..self.below(4) {
-            // Globals begin with what is constant.
+            // Initialisers of globals are constant.
             let outer = std::mem::take(&mut self.variables);
             let text_of = self.declaration('g');
             text.push_str(&text_of);
@@ -56,7 +56,7 @@ impl Writer {
         text + "drawn = uvec4(sum, at, sum >> 16);\n}\n"
     }
 
-    /// All that is left of the variables goes into what is drawn.
+    /// Combines the final values of all variables into the output.
     fn gather(&mut self, globals: usize) -> String {
         let mut text = String::new();
         let seen = self.variables.clone();
@@ -102,7 +102,7 @@ impl Writer {
         let mut text = format!("struct S{} {{\n", self.records.len());
         for at in 0..self.below(3) + 1 {
             let ty = self.value_type();
-            // Structs hold numbers, and arrays of them.
+            // Structs contain scalars, vectors, matrices and arrays of these.
             let ty = if ty.record.is_some() {
                 self.plain_type()
             } else {
@@ -231,7 +231,7 @@ impl Writer {
         text
     }
 
-    /// A loop of a few turns, of each of the three kinds.
+    /// A loop of a few iterations: `for`, `while` or `do`.
     fn repeat(&mut self, depth: usize) -> String {
         let count = match self.below(2) {
             0 => (self.below(6) + 1).to_string(),
@@ -248,8 +248,8 @@ impl Writer {
         self.loops -= 1;
         self.variables.truncate(outer);
         match self.below(4) {
-            // Not `int i = 0, n = 6`: Chromium 156 ends such a loop early where a loop in it goes on
-            // by `continue`.
+            // Not `int i = 0, n = 6`: Chromium 156 ends such a loop early if a nested loop executes
+            // `continue`.
             0 => format!(
                 "{{ int n{name} = {count};\nfor (int {name} = 0; {name} < n{name}; {name}++) {body}}}\n"
             ),

@@ -1,17 +1,17 @@
-//! Expressions of a wanted type.
+//! Expressions of a requested type.
 
 use super::{Function, Use, Way, Writer};
 use shaderlint::semantic::builtins::{BuiltinKind, Overload};
 use shaderlint::semantic::{Base, Scalar, Type};
 
-/// A name, and what is behind it.
+/// A place expression and its type.
 struct Path {
     text: String,
     ty: Type,
 }
 
 impl Writer {
-    /// An expression of a type, its operators nested `depth` deep at the most.
+    /// An expression of a type, with operators nested at most `depth` deep.
     pub(super) fn expression(&mut self, ty: Type, depth: u32) -> String {
         let ty = if self.slip() { self.numeric_type() } else { ty };
         if depth == 0 {
@@ -33,7 +33,7 @@ impl Writer {
         found.unwrap_or_else(|| self.leaf(ty))
     }
 
-    /// Names of variables, of their members, elements and components.
+    /// Names of variables, their members, elements and components.
     fn paths(&mut self, writable: bool) -> Vec<Path> {
         let mut paths = Vec::new();
         let anything = writable && self.slip();
@@ -74,7 +74,7 @@ impl Writer {
         paths.push(Path { text, ty });
     }
 
-    /// An index of something with `size` parts.
+    /// An index into something with `size` components.
     fn index(&mut self, size: u32) -> String {
         if self.slip() {
             let odd = ["-1", "7", "1.0", "true", "(0, 9)", "9u"];
@@ -89,7 +89,7 @@ impl Writer {
         }
     }
 
-    /// A variable as an index: in GLSL ES 1.00 that of a loop.
+    /// A variable as an index: in GLSL ES 1.00 only a loop index.
     fn variable_index(&mut self) -> Option<String> {
         let fits = |usage: Use| match usage {
             Use::Index => true,
@@ -104,7 +104,7 @@ impl Writer {
         let at = self.below(found.len());
         let name = found.get(at)?.name.clone();
         if self.is_300 {
-            // Some things are for constant indices only.
+            // Some indices must be constant.
             self.unsure();
         }
         Some(name)
@@ -120,7 +120,7 @@ impl Writer {
         fitting.swap_remove(at).text
     }
 
-    /// Something to write to.
+    /// An assignable place.
     pub(super) fn place(&mut self, ty: Type) -> Option<String> {
         let mut fitting: Vec<Path> = self.paths(true);
         fitting.retain(|p| p.ty == ty);
@@ -128,7 +128,7 @@ impl Writer {
         (at < fitting.len()).then(|| fitting.swap_remove(at).text)
     }
 
-    /// The type of something that can be written to.
+    /// The type of an assignable place.
     pub(super) fn place_type(&mut self) -> Option<Type> {
         let fitting: Vec<Path> = self.paths(true);
         let at = self.below(fitting.len());
@@ -189,7 +189,7 @@ impl Writer {
         format!("{name}({})", args.join(", "))
     }
 
-    /// Arguments that make up a number, vector or matrix.
+    /// Constructor arguments for a scalar, vector or matrix.
     fn components(&mut self, ty: Type, depth: u32) -> Vec<String> {
         let wanted = ty.components();
         if self.slip() {
@@ -291,7 +291,7 @@ impl Writer {
         format!("({left} {op} {})", self.expression(right, depth))
     }
 
-    /// A product with a matrix in it.
+    /// A product with a matrix operand.
     fn product(&mut self, ty: Type, depth: u32) -> String {
         let (_, columns, rows) = ty.numeric().unwrap_or((Scalar::Float, 1, 1));
         let inner = self.below(3) as u8 + 2;
@@ -313,7 +313,7 @@ impl Writer {
         self.infix(left, "*", right, depth)
     }
 
-    /// A `bool` made by an operator.
+    /// A `bool` expression with an operator.
     fn truth(&mut self, depth: u32) -> String {
         match self.below(3) {
             0 => {
@@ -335,7 +335,7 @@ impl Writer {
 
     fn ternary(&mut self, ty: Type, depth: u32) -> Option<String> {
         ty.numeric().filter(|_| !ty.is_array()).or_else(|| {
-            // Neither structs nor arrays can be chosen between.
+            // The conditional operator does not accept structs or arrays.
             self.slip().then_some((Scalar::Int, 1, 1))
         })?;
         let condition = self.expression(Type::BOOL, depth);
@@ -375,7 +375,7 @@ impl Writer {
         Some(self.call_text(name.to_string(), args))
     }
 
-    /// A call, with an argument too many or too few if that goes wrong.
+    /// A call, with one argument too many or too few if it is to be invalid.
     fn call_text(&mut self, name: String, mut args: Vec<String>) -> String {
         if self.slip() {
             match self.below(2) {
@@ -393,7 +393,7 @@ impl Writer {
         (at < fitting.len()).then(|| fitting.swap_remove(at).text)
     }
 
-    /// The offset of a lookup.
+    /// The offset of a texture lookup.
     fn offset(&mut self, ty: Type) -> String {
         if self.slip() {
             return self.expression(ty, 1);
@@ -427,7 +427,7 @@ impl Writer {
         Some(self.call_text(function.name.clone(), args))
     }
 
-    /// Components, an element or a member of something larger.
+    /// Components, an element or a member of a larger value.
     fn part(&mut self, ty: Type, depth: u32) -> Option<String> {
         if let Some((scalar, 1, rows)) = ty.numeric() {
             let rest = self.below(3);

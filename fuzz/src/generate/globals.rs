@@ -1,10 +1,10 @@
-//! What stands outside functions.
+//! Declarations outside functions.
 
 use super::{Record, Use, Variable, Writer};
 use shaderlint::semantic::{Base, Scalar, Type};
 
 impl Writer {
-    /// A whole program.
+    /// A complete program.
     pub(super) fn program(&mut self) -> String {
         let mut text = String::new();
         if self.is_300 {
@@ -64,7 +64,7 @@ impl Writer {
         text
     }
 
-    /// What the stage writes.
+    /// The outputs of the stage.
     fn outputs(&mut self) -> String {
         if !self.is_fragment() {
             self.declare("gl_Position", Type::vector(Scalar::Float, 4), Use::Free);
@@ -139,13 +139,13 @@ impl Writer {
         self.pick(&odd).to_string()
     }
 
-    /// A struct.
+    /// A struct declaration.
     pub(super) fn record(&mut self) -> String {
         let mut fields: Vec<(String, Type)> = Vec::new();
         for _ in 0..self.below(3) + 1 {
             let ty = self.value_type();
             let deep = matches!(ty.base, Base::Struct(_));
-            // Structs nest four deep at the most.
+            // Structs nest at most four deep.
             let ty = if deep && self.one_in(2) {
                 Type::INT
             } else {
@@ -263,7 +263,7 @@ impl Writer {
         text
     }
 
-    /// What passes between the stages, or comes into the vertex shader.
+    /// Varyings, or inputs of the vertex shader.
     fn varying(&mut self) -> String {
         let mut ty = self.numeric_type();
         let scalar = ty.scalar_kind().unwrap_or(Scalar::Float);
@@ -350,7 +350,7 @@ impl Writer {
         } else {
             ("", "")
         };
-        // Its members are named through it.
+        // With an instance name, its members are accessed through it.
         for (field, ty) in fields {
             let name = format!("{name}{at}.{field}");
             let usage = Use::Read;

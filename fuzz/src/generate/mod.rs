@@ -1,8 +1,8 @@
-//! Writes programs: typed, with scopes, and right by construction, unless one thing is made wrong on
-//! purpose. A seed always gives the same program.
+//! Generates typed programs with scopes, correct by construction unless one error is inserted on
+//! purpose. The same seed always gives the same program.
 //!
-//! `mod.rs` holds what a program knows of itself, `types.rs` its types, `globals.rs` what stands
-//! outside functions, `statement.rs` and `expression.rs` what stands inside.
+//! `mod.rs` contains the state of a program, `types.rs` its types, `globals.rs` declarations
+//! outside functions, `statement.rs` and `expression.rs` function bodies.
 
 mod expression;
 mod globals;
@@ -14,21 +14,21 @@ use shaderlint::semantic::builtins::Builtins;
 use shaderlint::semantic::{Stage, Type};
 use shaderlint::syntax::Version;
 
-/// A program.
+/// A generated program.
 pub struct Written {
-    /// What it is written for.
+    /// The stage that it is written for.
     pub stage: Stage,
-    /// Its text.
+    /// The source text.
     pub text: String,
-    /// Whether it is right by construction: nothing was made wrong, and nothing was written whose
-    /// verdict hangs on values.
+    /// Whether it is correct by construction: no error was inserted, and nothing was generated
+    /// whose validity depends on values.
     pub is_right: bool,
 }
 
-/// The program of a seed.
+/// The program for a seed.
 pub fn generate(seed: u64) -> Written {
     let mut random = Random::new(seed);
-    // The first numbers of small seeds are alike.
+    // The first random numbers of small seeds are similar.
     for _ in 0..8 {
         random.below(2);
     }
@@ -77,11 +77,11 @@ pub fn generate(seed: u64) -> Written {
 enum Use {
     /// `const`, with a constant value.
     Constant,
-    /// Read and written.
+    /// Readable and writable.
     Free,
     /// Read only.
     Read,
-    /// The index of a loop of GLSL ES 1.00: an index for everything, never written.
+    /// The index of a loop in GLSL ES 1.00: usable as an index everywhere, never written.
     Index,
 }
 
@@ -112,17 +112,17 @@ struct Function {
     returns: Type,
 }
 
-/// What is declared between two braces.
+/// The declarations between two braces.
 #[derive(Default)]
 struct Scope {
     variables: Vec<Variable>,
-    /// Numbers of structs.
+    /// Indices of structs.
     structs: Vec<usize>,
-    /// Every name that is taken.
+    /// All names declared in this scope.
     taken: Vec<String>,
 }
 
-/// A program that is being written.
+/// A program that is being generated.
 struct Writer {
     random: Random,
     is_300: bool,
@@ -132,12 +132,12 @@ struct Writer {
     structs: Vec<Record>,
     functions: Vec<Function>,
     names: u32,
-    /// Whether only constant expressions are wanted.
+    /// Whether only constant expressions are allowed.
     constant: bool,
     loops: u32,
     switches: u32,
     returns: Type,
-    /// How many things can go wrong before one does.
+    /// Number of opportunities for an error to skip before one is inserted.
     slip_in: Option<u32>,
     is_right: bool,
 }
@@ -147,7 +147,7 @@ impl Writer {
         self.random.below(limit)
     }
 
-    /// True once in `n` times.
+    /// True with probability `1 / n`.
     fn one_in(&mut self, n: usize) -> bool {
         self.random.below(n) == 0
     }
@@ -157,7 +157,7 @@ impl Writer {
         all.get(at).copied().unwrap_or("")
     }
 
-    /// Whether this is the thing that goes wrong. Asked wherever something can.
+    /// Whether to insert the error here. Called at every opportunity.
     fn slip(&mut self) -> bool {
         match &mut self.slip_in {
             Some(0) => {
@@ -173,7 +173,7 @@ impl Writer {
         }
     }
 
-    /// What comes hangs on values that are not followed here.
+    /// Marks that validity depends on values, which are not tracked here.
     fn unsure(&mut self) {
         self.is_right = false;
     }
@@ -182,7 +182,7 @@ impl Writer {
         self.stage == Stage::Fragment
     }
 
-    /// A name for something new; now and then one of an outer scope.
+    /// A name for a new declaration; sometimes one that shadows an outer name.
     fn new_name(&mut self, letter: &str) -> String {
         if self.slip() {
             return match self.below(4) {
@@ -207,7 +207,7 @@ impl Writer {
 
     fn some_taken_name(&mut self) -> String {
         let all = self.scopes.iter().flat_map(|s| s.taken.clone());
-        // What hides a struct would hide its constructor.
+        // A declaration that hides a struct would hide its constructor.
         let all: Vec<String> = all
             .filter(|n| !n.starts_with("gl_") && !n.starts_with('S'))
             .collect();
@@ -229,15 +229,15 @@ impl Writer {
         }
     }
 
-    /// The scope that a name means something in, counted from outside.
+    /// The scope in which a name is declared, counted from the outermost.
     fn scope_of(&self, name: &str) -> Option<usize> {
-        // Members of blocks are named through the instance.
+        // Members of blocks are accessed through the instance.
         let name = name.split(['.', '[']).next().unwrap_or(name);
         let holds = |s: &Scope| s.taken.iter().any(|t| t == name);
         self.scopes.iter().rposition(holds)
     }
 
-    /// All variables that can be named here.
+    /// All variables visible here.
     fn visible(&self) -> Vec<Variable> {
         let mut found = Vec::new();
         for (depth, scope) in self.scopes.iter().enumerate() {
@@ -254,7 +254,7 @@ impl Writer {
         text
     }
 
-    /// Writes with only constant expressions.
+    /// Generates only constant expressions.
     fn constantly(&mut self, write: impl FnOnce(&mut Writer) -> String) -> String {
         let before = std::mem::replace(&mut self.constant, true);
         if self.slip() {
@@ -265,7 +265,7 @@ impl Writer {
         text
     }
 
-    /// Takes a token away, doubles it, or puts another in its place.
+    /// Removes a token, duplicates it, or replaces it by another.
     fn break_a_token(&mut self, text: &str) -> String {
         let mut tokens = split(text);
         let solid = |t: &String| !t.trim().is_empty();
@@ -289,16 +289,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_seed_gives_one_program() {
+    fn the_same_seed_gives_the_same_program() {
         for seed in 0..50 {
             assert_eq!(generate(seed).text, generate(seed).text);
         }
         assert_ne!(generate(1).text, generate(2).text);
     }
 
-    /// What is right by construction is right: over 100,000 seeds Chromium agrees.
+    /// Programs that are correct by construction are accepted: Chromium agrees for over 100,000
+    /// seeds.
     #[test]
-    fn programs_that_are_right_are_accepted() {
+    fn correct_programs_are_accepted() {
         let right = (0..1000).map(generate).filter(|p| p.is_right);
         let mut count = 0;
         for program in right {

@@ -4,13 +4,13 @@ use super::{Function, Scope, Use, Way, Writer};
 use shaderlint::semantic::{Scalar, Type};
 
 impl Writer {
-    /// Statements between braces, in a scope of their own.
+    /// Statements between braces, in a new scope.
     fn block(&mut self, depth: u32) -> String {
         let inside = self.in_scope(|w| w.statements(depth));
         format!("{{\n{inside}}}\n")
     }
 
-    /// A few statements, in the scope that is open.
+    /// A few statements in the current scope.
     pub(super) fn statements(&mut self, depth: u32) -> String {
         let count = self.below(4) + 1;
         (0..count).map(|_| self.statement(depth)).collect()
@@ -65,7 +65,7 @@ impl Writer {
         self.pick(&odd).to_string()
     }
 
-    /// Statements that say little.
+    /// Statements with no or little effect.
     fn odd_statement(&mut self) -> String {
         match self.below(7) {
             0 => ";\n".to_string(),
@@ -148,7 +148,7 @@ impl Writer {
         text
     }
 
-    /// What a condition guards: a block, or one statement.
+    /// The body of a branch: a block, or one statement.
     fn branch(&mut self, depth: u32) -> String {
         match self.below(4) {
             0 => self.in_scope(|w| w.expression_statement()),
@@ -157,7 +157,7 @@ impl Writer {
         }
     }
 
-    /// The body of a loop, whose block shares the scope of the loop's head.
+    /// The body of a loop; a block shares the scope of the loop's header.
     fn body(&mut self, depth: u32) -> String {
         self.loops += 1;
         let text = match self.below(4) {
@@ -191,7 +191,7 @@ impl Writer {
         })
     }
 
-    /// A condition that changes while the shader runs: one that is always true is refused.
+    /// A condition that changes while the shader runs: a condition that is always true is rejected.
     fn moving_condition(&mut self) -> String {
         let Some(place) = self.place(Type::INT) else {
             return "false".to_string();
@@ -214,7 +214,7 @@ impl Writer {
         format!("while ({condition}) {body}")
     }
 
-    /// A loop as Appendix A of GLSL ES 1.00 has it.
+    /// A loop in the form required by Appendix A of GLSL ES 1.00.
     fn old_loop(&mut self, depth: u32) -> String {
         let (ty, by) = [(Type::INT, "1"), (Type::FLOAT, "0.5")][self.below(2)];
         self.in_scope(|w| {
@@ -298,7 +298,7 @@ impl Writer {
         format!("return {};\n", self.expression(ty, 2))
     }
 
-    /// A function with its body.
+    /// A function definition.
     pub(super) fn function(&mut self) -> String {
         let returns = if self.one_in(3) {
             Type::VOID
@@ -324,7 +324,8 @@ impl Writer {
         if self.one_in(6) {
             text.push_str(&format!("{head};\n"));
         }
-        // A function is known in its own body, but recursion is refused: it is called later only.
+        // A function is visible in its own body, but recursion is rejected: it is called only after
+        // its definition.
         self.take_name(&name);
         self.returns = returns;
         let body = self.in_scope(|w| {
@@ -349,7 +350,7 @@ impl Writer {
         format!("{text}{head} {{\n{body}}}\n")
     }
 
-    /// A parameter: its text, its name, and what it is.
+    /// A parameter: its text, its name, and its qualifier and type.
     fn parameter(&mut self) -> (String, String, (Way, Type)) {
         self.names += 1;
         let name = format!("p{}", self.names);

@@ -1,10 +1,10 @@
-//! The types of a program, and how they are written.
+//! The types of a program and their spelling.
 
 use super::Writer;
 use shaderlint::semantic::{Base, Sampler, Scalar, Type};
 
 impl Writer {
-    /// A type as it is written before a name; arrays without their size.
+    /// A type before a name; arrays without their size.
     pub(super) fn base_name(&self, ty: Type) -> String {
         match ty.base {
             Base::Numeric {
@@ -23,7 +23,7 @@ impl Writer {
         }
     }
 
-    /// A type as it is written where no name follows.
+    /// A type that no name follows.
     pub(super) fn type_name(&self, ty: Type) -> String {
         match ty.array {
             0 => self.base_name(ty),
@@ -31,7 +31,7 @@ impl Writer {
         }
     }
 
-    /// A type and a name, the size of an array before or behind the name.
+    /// A type and a name, with the array size before or after the name.
     pub(super) fn typed(&mut self, ty: Type, name: &str) -> String {
         if !ty.is_array() {
             return format!("{} {name}", self.base_name(ty));
@@ -44,7 +44,7 @@ impl Writer {
         }
     }
 
-    /// An array's size: a constant expression of that value.
+    /// An array size: a constant expression with that value.
     fn array_size(&mut self, size: u32) -> String {
         if self.slip() {
             let odd = ["0", "-1", "", "1.0", "u1", "(1, 2)", "2][2", "true"];
@@ -68,7 +68,7 @@ impl Writer {
         }
     }
 
-    /// A number, vector or matrix.
+    /// A scalar, vector or matrix.
     pub(super) fn numeric_type(&mut self) -> Type {
         let scalar = self.scalar();
         let rows = self.below(5).max(1) as u8;
@@ -107,7 +107,7 @@ impl Writer {
         }
     }
 
-    /// A type whose values can be made and passed on: GLSL ES 1.00 has no values that are arrays.
+    /// A type whose values can be constructed and passed: GLSL ES 1.00 has no array values.
     pub(super) fn plain_type(&mut self) -> Type {
         loop {
             let ty = self.value_type();
@@ -155,7 +155,7 @@ impl Writer {
         if self.is_300 { new[at] } else { old[at] }
     }
 
-    /// `highp `, now and then, where a type takes it.
+    /// Sometimes `highp `, if the type accepts a precision.
     pub(super) fn precision(&mut self, ty: Type) -> &'static str {
         let takes = match ty.base {
             Base::Numeric { scalar, .. } => scalar != Scalar::Bool,

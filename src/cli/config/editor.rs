@@ -1,18 +1,19 @@
-//! What `.editorconfig` says of how a file is set.
+//! The formatting settings in `.editorconfig`.
 
 use crate::format::{Brace, Indentation, StyleChoice};
 use ec4rs::Properties;
 use ec4rs::property::{IndentSize, IndentStyle, MaxLineLen, TabWidth};
 use std::path::Path;
 
-/// Columns of a tab, where nothing is said of it.
+/// Width of a tab if the settings do not define it.
 const TAB: u32 = 4;
-/// What is taken for a width, and for a level.
+/// Accepted line widths.
 const WIDTHS: std::ops::RangeInclusive<usize> = 20..=1000;
+/// Accepted indentation widths.
 const LEVELS: std::ops::RangeInclusive<usize> = 1..=16;
 
-/// What the files above a path say of it. What cannot be read says nothing: it is for editors to
-/// complain of.
+/// The settings for a path from the files above it. Invalid settings are ignored; editors report
+/// them.
 pub fn choice(path: &Path) -> StyleChoice {
     let Ok(mut properties) = ec4rs::properties_of(path) else {
         return StyleChoice::default();
@@ -24,7 +25,7 @@ pub fn choice(path: &Path) -> StyleChoice {
             Ok(MaxLineLen::Value(width)) if WIDTHS.contains(&width) => Some(width as u32),
             _ => None,
         },
-        // Not one of the standard's own, but of those that its wiki lists.
+        // Not part of the EditorConfig specification, but listed in its wiki.
         brace: match properties
             .get_raw_for_key("curly_bracket_next_line")
             .into_str()

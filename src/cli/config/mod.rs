@@ -1,4 +1,4 @@
-//! `shaderlint.toml`: which one holds for a file.
+//! Finds the `shaderlint.toml` that applies to a file.
 
 mod editor;
 mod project;
@@ -16,44 +16,44 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-/// What the command line says of configurations.
+/// The command-line options that concern configuration files.
 #[derive(Clone, Debug)]
 pub struct ConfigArgs {
-    /// What goes before every configuration.
+    /// Overrides every configuration.
     pub given: Selection,
     /// `--config` and `--no-config`
     pub source: Source,
     /// `--force-exclude`
     pub exclusion: Exclusion,
-    /// The paths that are named.
+    /// The paths on the command line.
     pub paths: Vec<PathBuf>,
 }
 
-/// What `exclude` holds for.
+/// Which files `exclude` applies to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Exclusion {
-    /// Files found in folders.
+    /// Files found in folders only.
     Found,
-    /// Files that are named too, as a hook names them.
+    /// Files named on the command line too, which is how hooks pass them.
     Named,
 }
 
-/// Where the configuration comes from.
+/// Which configuration file is used.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Source {
-    /// The nearest above each file.
+    /// The nearest one above each file.
     Nearest,
-    /// This one, for all files.
+    /// This one for all files.
     File(PathBuf),
-    /// There is none.
+    /// None.
     Nowhere,
 }
 
-/// Finds out how files are judged; each configuration is read once.
+/// Resolves the options of files; each configuration is read once.
 pub struct Configs {
     asked: ConfigArgs,
     cache: Mutex<Cache>,
-    /// What files have been read for others.
+    /// Files that were read for other files, such as includes.
     memo: Arc<Memo>,
 }
 
@@ -61,23 +61,23 @@ type FoundConfig = Result<Option<Arc<Config>>, Arc<str>>;
 
 #[derive(Default)]
 struct Cache {
-    /// By folder.
+    /// The nearest configuration of each folder.
     configs: HashMap<PathBuf, FoundConfig>,
-    /// By folder of files.
+    /// The project of each folder.
     projects: HashMap<PathBuf, ProjectFolders>,
     options: HashMap<ConfigKey, Arc<Options>>,
 }
 
-/// What makes files be judged alike: the folder of the configuration, the project and the overrides.
+/// Files with the same key have the same options: folder of the configuration, project, overrides.
 type ConfigKey = (Option<PathBuf>, ProjectFolders, Vec<usize>);
 
 impl Configs {
-    /// Whether the user names the host of all files.
+    /// Whether `--host` names the host of all files.
     pub fn names_host(&self) -> bool {
         self.asked.given.host.is_some()
     }
 
-    /// Nothing is read yet.
+    /// Reads no file yet.
     pub fn new(asked: ConfigArgs) -> Configs {
         Configs {
             asked,
@@ -86,7 +86,7 @@ impl Configs {
         }
     }
 
-    /// The configuration that holds for a file.
+    /// The configuration that applies to a file.
     pub fn config(&self, path: &Path) -> FoundConfig {
         match &self.asked.source {
             Source::Nowhere => Ok(None),
@@ -99,7 +99,7 @@ impl Configs {
         }
     }
 
-    /// Whether a file is left out although it is named.
+    /// Whether a file on the command line is excluded.
     pub fn leaves_out(&self, path: &Path) -> bool {
         let config = match self.asked.exclusion {
             Exclusion::Found => None,
@@ -108,7 +108,7 @@ impl Configs {
         config.is_some_and(|c| c.leaves_out(&absolute(path)))
     }
 
-    /// The file that holds a file's configuration.
+    /// The configuration file that applies to a file.
     pub fn file_of(&self, path: &Path) -> Option<PathBuf> {
         match &self.asked.source {
             Source::File(file) => Some(file.clone()),
@@ -143,7 +143,7 @@ impl Configs {
             .unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 
-    /// What is wrong with the words of the command line, or with the configuration that it names.
+    /// An error in the command-line options or in the file that `--config` names.
     pub fn problem(&self) -> Option<Arc<str>> {
         let words = self.asked.given.adjust(&mut Settings::of_rules(RULES));
         let named = match &self.asked.source {
@@ -153,7 +153,8 @@ impl Configs {
         words.map_err(unknown).err().or(named)
     }
 
-    /// How a file is judged. Standard input counts as a file of its name.
+    /// The options for checking a file. Standard input counts as the file that `--stdin-filename`
+    /// names.
     pub fn options(&self, path: &Path) -> Result<Arc<Options>, Arc<str>> {
         let config = self.config(path)?;
         let layers = config.as_ref().map(|c| c.layers(&absolute(path)));
@@ -173,13 +174,12 @@ impl Configs {
         Ok(options)
     }
 
-    /// How the code of a file is set: as its configuration says, and of the rest as `.editorconfig`
-    /// says.
+    /// The formatting style of a file: from its configuration, and otherwise from `.editorconfig`.
     pub fn style(&self, path: &Path) -> Result<Style, Arc<str>> {
         self.style_or(path, StyleChoice::default())
     }
 
-    /// The same, and of what nobody says as `last` says.
+    /// The same, with `last` for what neither file sets.
     pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<Style, Arc<str>> {
         let config = self.config(path)?;
         let path = absolute(path);
@@ -188,7 +188,7 @@ impl Configs {
         Ok(said.unwrap_or(others).style())
     }
 
-    /// The project that a file belongs to.
+    /// The project that contains a file.
     fn project(&self, path: &Path) -> ProjectFolders {
         let path = absolute(path);
         let folder = path.parent().unwrap_or(Path::new("/"));
@@ -206,7 +206,7 @@ fn unknown(unknown: UnknownRule) -> Arc<str> {
     let near = unknown
         .near
         .map_or(String::new(), |n| format!("; did you mean `{n}`?"));
-    format!("there is no rule or group `{}`{near}", unknown.name).into()
+    format!("unknown rule or group `{}`{near}", unknown.name).into()
 }
 
 fn load(file: &Path) -> Result<Arc<Config>, Arc<str>> {
@@ -226,10 +226,10 @@ fn load(file: &Path) -> Result<Arc<Config>, Arc<str>> {
     Ok(Arc::new(config))
 }
 
-/// The host that a user names: one of the table, or a file of GLSL that describes one.
+/// The host that a user names: a built-in one, or a GLSL file that describes one.
 ///
 /// # Errors
-/// What is wrong with the name, or with the file.
+/// A message if the host is unknown or the file is invalid.
 pub fn host_of(name: &str) -> Result<&'static Preset, String> {
     if !name.ends_with(".glsl") {
         return host_named(name);
@@ -239,10 +239,10 @@ pub fn host_of(name: &str) -> Result<&'static Preset, String> {
     Ok(kept(own))
 }
 
-/// The host that the configuration of a file names.
+/// The host set in the configuration of a file.
 ///
 /// # Errors
-/// What is wrong with the configuration.
+/// A message if the configuration is invalid.
 pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
     let configs = Configs::new(ConfigArgs {
         given: Selection::default(),
@@ -254,7 +254,7 @@ pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
     Ok(options.host.preset)
 }
 
-/// Reads the file in which the user describes a host; a preset comes before it.
+/// Reads the file that describes a host, in addition to its preset.
 fn describe(host: &mut HostNames, root: &Path) -> Result<(), String> {
     let Some(path) = &host.prelude else {
         return Ok(());

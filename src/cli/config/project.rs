@@ -1,32 +1,33 @@
-//! The project that a file belongs to: what its shaders may include.
+//! The project that contains a file, which limits what its shaders may include.
 
 use crate::engine::path::plain;
 use std::path::{Path, PathBuf};
 
-/// Name of the file.
+/// Name of the configuration file.
 pub const FILE: &str = "shaderlint.toml";
 
-/// A project.
+/// The folders of a project.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct ProjectFolders {
-    /// The folder that no include may leave.
+    /// The outermost folder; includes may not leave it.
     pub root: PathBuf,
-    /// What a leading `/` in a path may mean, the nearest first; the last is the root.
+    /// Folders that a leading `/` in an include may refer to, nearest first; the last is the root.
     pub tops: Vec<PathBuf>,
 }
 
 impl ProjectFolders {
-    /// The project around a folder of files. `named` are the paths that the user gave.
+    /// The project around the folder of a file. `named` are the paths on the command line.
     ///
-    /// A repository, a configuration, a package, the folder that the user named and the one that the
-    /// program runs in each hold a project; the outermost is what may be read.
+    /// A project is a repository, a folder with a configuration or a package, a folder on the
+    /// command line, or the current folder. The outermost one limits what may be read.
     pub fn around(folder: &Path, named: &[PathBuf]) -> ProjectFolders {
         let nearest = |name: &str| {
             let mut above = folder.ancestors();
             above.find(|f| f.join(name).exists()).map(Path::to_path_buf)
         };
         let home = std::env::var_os("HOME").map(PathBuf::from);
-        // Who keeps the settings of a whole machine in a repository has no project in mind.
+        // A repository in the home folder or at the root holds settings of the machine, not a
+        // project.
         let is_narrow =
             |f: &PathBuf| f.parent().is_some() && Some(f) != home.as_ref() && folder.starts_with(f);
         let marked = ["package.json", FILE, ".git"].into_iter();
@@ -48,7 +49,7 @@ impl ProjectFolders {
     }
 }
 
-/// The folder that a package's files are installed for: packages name each other.
+/// The folder that contains `node_modules`: packages may include files of each other.
 fn owner(folder: &Path) -> Option<PathBuf> {
     let mut inside = folder.ancestors();
     let packages = inside
@@ -58,7 +59,7 @@ fn owner(folder: &Path) -> Option<PathBuf> {
     Some(packages?.parent()?.to_path_buf())
 }
 
-/// A path from the root of the file system without `..`, as far as that can be told without asking it.
+/// An absolute path without `..`, resolved lexically.
 pub fn absolute(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
     plain(&path)

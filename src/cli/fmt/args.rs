@@ -5,42 +5,46 @@ use crate::engine::config::Selection;
 use clap::Parser;
 use std::path::PathBuf;
 
-/// Sets the code of shaders in one style. Only white space changes; tokens and comments stay as they
-/// are. Three things can be chosen, in `shaderlint.toml` or `.editorconfig`: `format.indent`,
-/// `format.width` and `format.brace`.
+/// Format shaders; only white space changes.
+///
+/// Tokens and comments are never changed. Three settings in `shaderlint.toml` (`format.indent`,
+/// `format.width`, `format.brace`) or their equivalents in `.editorconfig` control the style.
 #[derive(Parser, Debug)]
 #[command(after_help = "\
-Exit codes: 0 all is formatted, 1 with --check where something is not, 2 wrong use, unreadable input
-or brackets that do not match")]
+Exit codes:
+  0  All files are formatted
+  1  With --check: some files are not formatted
+  2  Wrong usage, unreadable input or unmatched brackets")]
 pub struct FormatArgs {
-    /// Files and folders to format; `-` is standard input, no path the current folder
+    /// Files or folders to format, or `-` for standard input [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Write nothing; name the files that are not formatted, with the first line that differs
-    #[arg(long)]
+    /// List the files that are not formatted, without writing them
+    #[arg(long, help_heading = "Output")]
     pub check: bool,
-    /// Write nothing; print what would change
-    #[arg(long)]
+    /// Show the changes as a diff without writing files
+    #[arg(long, help_heading = "Output")]
     pub diff: bool,
-    /// The configuration, in place of the nearest shaderlint.toml above each file
+    /// Configuration file to use instead of the nearest shaderlint.toml above each file
     #[arg(long, value_name = "FILE", conflicts_with = "no_config")]
+    #[arg(help_heading = "Configuration")]
     pub config: Option<PathBuf>,
-    /// Take no configuration but .editorconfig
-    #[arg(long)]
+    /// Ignore all configuration files except .editorconfig
+    #[arg(long, help_heading = "Configuration")]
     pub no_config: bool,
-    /// Leave out what the configuration excludes even where it is named, as hooks name files
-    #[arg(long)]
+    /// Apply the `exclude` setting to files named on the command line too
+    #[arg(long, help_heading = "Files")]
     pub force_exclude: bool,
-    /// Name of standard input; its ending tells what it is, its folder how it is set
-    #[arg(long, value_name = "NAME")]
+    /// File name to use for standard input; selects the kind of file and the configuration
+    #[arg(long, value_name = "NAME", help_heading = "Files")]
     pub stdin_filename: Option<String>,
-    /// Say nothing but what is wrong
-    #[arg(short, long)]
+    /// Print errors only
+    #[arg(short, long, help_heading = "Output")]
     pub quiet: bool,
 }
 
 impl FormatArgs {
-    /// What is said of configurations.
+    /// The options that concern configuration files.
     pub fn asked(&self) -> ConfigArgs {
         ConfigArgs {
             given: Selection::default(),
@@ -57,7 +61,7 @@ impl FormatArgs {
         }
     }
 
-    /// The paths to format.
+    /// The paths to format; the current folder if none are given.
     pub fn paths(&self) -> Vec<PathBuf> {
         match self.paths.as_slice() {
             [] => vec![PathBuf::from(".")],

@@ -14,7 +14,7 @@ use crate::text::{Encoding, LineIndex, apply_edits};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Formats the paths and gives the exit code.
+/// Formats the paths and returns the exit code.
 pub fn run(args: &FormatArgs) -> io::Result<u8> {
     let configs = Configs::new(args.asked());
     if let Some(message) = configs.problem() {
@@ -51,20 +51,20 @@ fn complain(message: &str) {
     let _ = writeln!(io::stderr(), "shaderlint fmt: {message}");
 }
 
-/// What is known of one input.
+/// The result of formatting one input.
 enum FormatOutcome {
-    /// Its text, and what it becomes.
+    /// The old and the new text, and messages about parts that were left as they are.
     Formatted {
         old: String,
         new: String,
         problems: Vec<String>,
     },
-    /// It holds no shader, as is known from this; and its text.
+    /// The input contains no shader, for this reason; and its text.
     Skipped(String, String),
     Failed(String),
 }
 
-/// How many inputs became what.
+/// The number of inputs with each result.
 #[derive(Default)]
 struct FormatTally {
     changed: usize,
@@ -72,7 +72,7 @@ struct FormatTally {
     has_failed: bool,
 }
 
-/// Formats an input, without writing it.
+/// Formats an input without writing it.
 fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
     let style = match configs.style(Path::new(&input.name)) {
         Ok(style) => style,
@@ -80,7 +80,7 @@ fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
     };
     let content = match read(input) {
         Ok(content) if content.encoding == Encoding::Utf8 => content,
-        Ok(_) => return FormatOutcome::Failed("the file is not UTF-8".to_string()),
+        Ok(_) => return FormatOutcome::Failed("the file is not valid UTF-8".to_string()),
         Err(message) => return FormatOutcome::Failed(message),
     };
     let old = content.text;
@@ -89,7 +89,9 @@ fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
         Err(decision) => return FormatOutcome::Skipped(decision.to_string(), old),
     };
     let Ok(new) = apply_edits(&old, 0, &edits) else {
-        return FormatOutcome::Failed("what was changed overlaps; nothing is written".to_string());
+        return FormatOutcome::Failed(
+            "internal error: edits overlap; the file was not written".to_string(),
+        );
     };
     let lines = LineIndex::new(&old);
     let problems = left.iter().map(|why| {
@@ -128,7 +130,7 @@ impl FormatTally {
                 if input.is_explicit && !args.quiet {
                     complain(&format!("{}: skipped: {reason}", input.name));
                 }
-                // Standard input goes through as it is.
+                // Standard input is passed through unchanged.
                 match input.path.is_none() && !args.check && !args.diff {
                     true => io::stdout().lock().write_all(text.as_bytes()),
                     false => Ok(()),
@@ -164,7 +166,7 @@ impl FormatTally {
                 if let Err(error) = replace(path, old.as_bytes(), new.as_bytes()) {
                     self.has_failed = true;
                     self.changed -= 1;
-                    complain(&format!("{}: cannot be written: {error}", input.name));
+                    complain(&format!("{}: cannot write the file: {error}", input.name));
                 }
                 Ok(())
             }
@@ -175,14 +177,14 @@ impl FormatTally {
     fn sum_up(&self, args: &FormatArgs) {
         let files = |n: usize| format!("{n} file{}", if n == 1 { "" } else { "s" });
         let would = match args.check || args.diff {
-            true => "would be formatted",
-            false => "formatted",
+            true => "would be reformatted",
+            false => "reformatted",
         };
         let message = match (self.changed, self.unchanged) {
             (0, 0) => return,
-            (0, n) => format!("{} formatted already", files(n)),
+            (0, n) => format!("{} already formatted", files(n)),
             (n, 0) => format!("{} {would}", files(n)),
-            (n, m) => format!("{} {would}, {m} already", files(n)),
+            (n, m) => format!("{} {would}, {m} already formatted", files(n)),
         };
         complain(&message);
     }

@@ -13,23 +13,43 @@ use clap_complete::Shell;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// Checks GLSL for WebGL2 and ShaderToy. An error means that the browser's compiler refuses the
-/// shader; everything else is a warning or an info.
+/// A linter for GLSL shaders in WebGL2 and ShaderToy.
 #[derive(Parser, Debug)]
-#[command(name = "shaderlint", version, about, max_term_width = 100)]
+#[command(name = "shaderlint", version, max_term_width = 100)]
 #[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
-#[command(subcommand_help_heading = "Instead of PATH")]
 #[command(override_usage = "shaderlint [OPTIONS] [PATH]...\n       shaderlint <COMMAND>")]
 #[command(after_help = EXIT_CODES)]
 pub struct LintArgs {
-    /// Something else than checking
+    /// Without a command, shaderlint checks files
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// Files and folders to check; `-` is standard input, no path the current folder
+    /// Files or folders to check, or `-` for standard input [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
 
-    /// Run these rules or groups too; `all` is every rule
+    /// Site or library that the shaders are written for, such as `three`, or a file that describes one;
+    /// an unknown name lists all hosts
+    #[arg(long, value_name = "NAME", value_parser = host_of, help_heading = "Files")]
+    #[arg(conflicts_with = "dialect")]
+    pub host: Option<&'static Preset>,
+    /// Dialect of the shaders: auto, shadertoy, webgl2, webgl1
+    #[arg(
+        long,
+        value_enum,
+        default_value_t,
+        value_name = "DIALECT",
+        help_heading = "Files"
+    )]
+    #[arg(hide_possible_values = true)]
+    pub dialect: DialectChoice,
+    /// Apply the `exclude` setting to files named on the command line too
+    #[arg(long, help_heading = "Files")]
+    pub force_exclude: bool,
+    /// File name to use for standard input; its extension selects the kind of file
+    #[arg(long, value_name = "NAME", help_heading = "Files")]
+    pub stdin_filename: Option<String>,
+
+    /// Enable these rules or groups; `all` enables every rule
     #[arg(
         long,
         value_name = "RULE",
@@ -37,7 +57,7 @@ pub struct LintArgs {
         help_heading = "Rules"
     )]
     pub select: Vec<String>,
-    /// Do not run these; of --select and --ignore the more specific holds
+    /// Disable these rules or groups; the more specific of --select and --ignore wins
     #[arg(
         long,
         value_name = "RULE",
@@ -45,7 +65,7 @@ pub struct LintArgs {
         help_heading = "Rules"
     )]
     pub ignore: Vec<String>,
-    /// Report nothing but these rules, groups or compile errors
+    /// Report only these rules, groups or compile errors
     #[arg(
         long,
         value_name = "RULE",
@@ -54,25 +74,10 @@ pub struct LintArgs {
     )]
     #[arg(conflicts_with_all = ["select", "ignore"])]
     pub only: Vec<String>,
-    /// Who runs or completes the shaders, like `three` or `bonzomatic`, or a file that describes one; an
-    /// unknown name shows all
-    #[arg(long, value_name = "NAME", value_parser = host_of, help_heading = "Rules")]
-    #[arg(conflicts_with = "dialect")]
-    pub host: Option<&'static Preset>,
-    /// What the shaders are written for: auto, shadertoy, webgl2, webgl1
-    #[arg(
-        long,
-        value_enum,
-        default_value_t,
-        value_name = "DIALECT",
-        help_heading = "Rules"
-    )]
-    #[arg(hide_possible_values = true)]
-    pub dialect: DialectChoice,
-    /// Run no shader: find what the text tells alone
+    /// Static analysis only: do not execute shaders
     #[arg(long, help_heading = "Rules")]
     pub no_run: bool,
-    /// Run N pixels of each shader, whatever that takes, in place of up to 9216
+    /// Sample N pixels of each shader, however long it takes, instead of up to 9216
     #[arg(
         long,
         value_name = "N",
@@ -80,35 +85,18 @@ pub struct LintArgs {
         help_heading = "Rules"
     )]
     pub run_samples: Option<u32>,
-    /// The configuration, in place of the nearest shaderlint.toml above each file
-    #[arg(
-        long,
-        value_name = "FILE",
-        conflicts_with = "no_config",
-        help_heading = "Rules"
-    )]
-    pub config: Option<PathBuf>,
-    /// Take no configuration
-    #[arg(long, help_heading = "Rules")]
-    pub no_config: bool,
-    /// Leave out what the configuration excludes even where it is named, as hooks name files
-    #[arg(long, help_heading = "Rules")]
-    pub force_exclude: bool,
-    /// Name of standard input in messages; its ending tells what it is
-    #[arg(long, value_name = "NAME", help_heading = "Rules")]
-    pub stdin_filename: Option<String>,
 
-    /// Write the fixes that keep the picture into the files
+    /// Apply safe fixes, which do not change the image
     #[arg(long, help_heading = "Fixes")]
     pub fix: bool,
-    /// Write the other fixes too
+    /// Apply safe and unsafe fixes; unsafe fixes may change the image
     #[arg(long, help_heading = "Fixes")]
     pub unsafe_fixes: bool,
-    /// Print what the fixes would change, and write nothing
+    /// Show the fixes as a diff without writing files
     #[arg(long, help_heading = "Fixes")]
     pub diff: bool,
 
-    /// human, short, agent, json, jsonl, sarif, github, gitlab, junit, checkstyle
+    /// Output format: human, short, agent, json, jsonl, sarif, github, gitlab, junit, checkstyle
     #[arg(
         long,
         value_enum,
@@ -118,19 +106,19 @@ pub struct LintArgs {
     )]
     #[arg(hide_possible_values = true)]
     pub format: FormatChoice,
-    /// Say of each file what it was read as, and what was skipped
+    /// Show how each file was interpreted and what was skipped
     #[arg(short, long, conflicts_with = "quiet", help_heading = "Output")]
     pub verbose: bool,
-    /// Print findings only, no summary; twice: print nothing
+    /// Print findings without a summary; -qq prints nothing
     #[arg(short, long, action = ArgAction::Count, help_heading = "Output")]
     pub quiet: u8,
-    /// Print how often each rule finds something, not the findings
+    /// Print the number of findings of each rule instead of the findings
     #[arg(long, conflicts_with = "diff", help_heading = "Output")]
     pub statistics: bool,
     /// Check again whenever a file changes
     #[arg(long, help_heading = "Output")]
     pub watch: bool,
-    /// When to print in colour: auto, always, never
+    /// When to use colours: auto, always, never
     #[arg(
         long,
         value_enum,
@@ -141,84 +129,99 @@ pub struct LintArgs {
     #[arg(hide_possible_values = true)]
     pub color: ColorChoice,
 
-    /// Exit with 1 on warnings too
-    #[arg(long, conflicts_with = "max_warnings", help_heading = "Exit code")]
-    pub deny_warnings: bool,
-    /// Exit with 1 on more than N warnings
-    #[arg(long, value_name = "N", help_heading = "Exit code")]
-    pub max_warnings: Option<usize>,
-    /// Exit with 0 whatever is found
-    #[arg(long, help_heading = "Exit code")]
-    pub exit_zero: bool,
-    /// Leave out the findings that this file names, and say which of them are gone
-    #[arg(long, value_name = "FILE", help_heading = "Exit code")]
+    /// Configuration file to use instead of the nearest shaderlint.toml above each file
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with = "no_config",
+        help_heading = "Configuration"
+    )]
+    pub config: Option<PathBuf>,
+    /// Ignore all configuration files
+    #[arg(long, help_heading = "Configuration")]
+    pub no_config: bool,
+
+    /// Hide the findings listed in this baseline, and list its obsolete entries
+    #[arg(long, value_name = "FILE", help_heading = "Baseline")]
     pub baseline: Option<PathBuf>,
-    /// Write the findings into this file, for --baseline
-    #[arg(long, value_name = "FILE", help_heading = "Exit code")]
+    /// Write the current findings to a baseline
+    #[arg(long, value_name = "FILE", help_heading = "Baseline")]
     #[arg(conflicts_with_all = ["baseline", "fix", "unsafe_fixes", "diff", "watch"])]
     pub write_baseline: Option<PathBuf>,
 
-    /// Print the page of a rule or a compile error
+    /// Exit with code 1 if there are warnings
+    #[arg(long, conflicts_with = "max_warnings", help_heading = "Exit code")]
+    pub deny_warnings: bool,
+    /// Exit with code 1 if there are more than N warnings
+    #[arg(long, value_name = "N", help_heading = "Exit code")]
+    pub max_warnings: Option<usize>,
+    /// Exit with code 0 even if there are findings
+    #[arg(long, help_heading = "Exit code")]
+    pub exit_zero: bool,
+
+    /// Print the documentation of a rule or a compile error
     #[arg(long, value_name = "NAME", conflicts_with = "paths", hide = true)]
     pub explain: Option<String>,
 }
 
-/// What the help ends with.
+/// Printed after the options.
 const EXIT_CODES: &str = "\
-Exit codes: 0 nothing at or above the threshold (errors, and rules with `fail = true`), 1 findings,
-2 wrong use or unreadable input";
+Exit codes:
+  0  No errors, and no findings of rules with `fail = true`
+  1  Errors, findings of rules with `fail = true`, or too many warnings
+  2  Wrong usage, or a file cannot be read or written";
 
-/// What can be done besides checking.
+/// The commands besides checking.
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Print the page of a rule or a compile error
+    /// Show the documentation of a rule, a compile error or a host
     Explain {
-        /// Its name
+        /// Name of the rule, compile error or host
         name: String,
     },
-    /// List all rules; as JSON with compile errors and all that is known of each
+    /// List all rules; the JSON output also lists compile errors and options
     Rules {
-        /// How to print them: human, json
+        /// Output format: human, json
         #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
         #[arg(hide_possible_values = true)]
         format: ListFormat,
     },
-    /// Set the code of shaders in one style; only white space changes
+    /// Format shaders; only white space changes
     Fmt(super::super::fmt::FormatArgs),
-    /// Draw a shader without a GPU, and say what was seen
+    /// Run a shader on the CPU and show its image and statistics
     Run(Box<super::super::run::RunArgs>),
-    /// Run the tests that are written in GLSL, and compare pictures with those that were blessed
+    /// Run tests written in GLSL and compare shaders with their golden images
     Test(Box<super::super::test::TestArgs>),
-    /// Make a shader small while what is reported of it stays
+    /// Minimise a shader while keeping a diagnostic
     Reduce(super::reduce::ReduceArgs),
-    /// Print what a shader becomes before it is looked at
+    /// Print the IR of a shader
     #[command(hide = true)]
     Ir {
-        /// The shader
+        /// Shader to lower
         #[arg(value_name = "FILE")]
         file: PathBuf,
     },
-    /// Serve an editor: the language server, over standard input and output
+    /// Run the language server over standard input and output
     #[cfg(feature = "lsp")]
     Lsp {
-        /// What editors pass on to name the way; there is no other
+        /// Accepted because editors pass it; stdio is the only transport
         #[arg(long, hide = true)]
         stdio: bool,
     },
-    /// Serve a program that calls tools: the Model Context Protocol, over standard input and output
+    /// Run the Model Context Protocol (MCP) server over standard input and output
     #[cfg(feature = "mcp")]
     Mcp,
-    /// What `shaderport` does, for tools that know where this program is alone
+    /// Run `shaderport`; for the MCP server, which only knows the path of this program
     #[cfg(feature = "mcp")]
     #[command(hide = true, disable_help_flag = true)]
     Port {
-        /// They are parsed where the command is run: no other has to build that parser
+        /// Arguments of `shaderport`, parsed when the command runs
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<OsString>,
     },
-    /// Print the completions for a shell
+    /// Generate shell completions
     Completions {
-        /// The shell
+        /// Shell to generate completions for
         shell: Shell,
     },
     /// Print the man page
@@ -240,22 +243,22 @@ pub enum ListFormat {
 /// The values of `--format`.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
 pub enum FormatChoice {
-    /// With excerpts of the source
+    /// Findings with source excerpts
     #[default]
     Human,
-    /// One line a finding
+    /// One line per finding
     Short,
-    /// One line a finding, with all that belongs to it
+    /// One line per finding, including its fix, labels and notes
     Agent,
     /// One JSON object
     Json,
-    /// One JSON object a line
+    /// One JSON object per line
     Jsonl,
     /// SARIF 2.1.0
     Sarif,
-    /// Annotations of GitHub Actions
+    /// GitHub Actions annotations
     Github,
-    /// GitLab's code quality report
+    /// GitLab code quality report
     Gitlab,
     /// JUnit XML
     Junit,
@@ -263,21 +266,21 @@ pub enum FormatChoice {
     Checkstyle,
 }
 
-/// How much is said.
+/// Verbosity of the output.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Talk {
-    /// `-qq`: only the exit code.
+    /// `-qq`: the exit code only.
     Nothing,
-    /// `-q`: findings.
+    /// `-q`: findings without a summary.
     Findings,
     /// Findings and a summary.
     Normal,
-    /// `-v`: what was read, too.
+    /// `-v`: also how each file was interpreted and what was skipped.
     Verbose,
 }
 
 impl LintArgs {
-    /// The output format.
+    /// The output format; `--statistics` overrides `--format`.
     pub fn format(&self) -> Format {
         match self.format {
             _ if self.statistics => Format::Statistics,
@@ -294,7 +297,7 @@ impl LintArgs {
         }
     }
 
-    /// How much is said.
+    /// The verbosity that `-v` and `-q` select.
     pub fn talk(&self) -> Talk {
         match (self.verbose, self.quiet) {
             (true, _) => Talk::Verbose,
@@ -304,7 +307,7 @@ impl LintArgs {
         }
     }
 
-    /// The paths to check.
+    /// The paths to check; the current folder if none are given.
     pub fn paths(&self) -> Vec<PathBuf> {
         match self.paths.as_slice() {
             [] => vec![PathBuf::from(".")],
@@ -312,7 +315,7 @@ impl LintArgs {
         }
     }
 
-    /// What is said of configurations.
+    /// The options that concern configuration files.
     pub fn asked(&self) -> ConfigArgs {
         ConfigArgs {
             given: Selection {

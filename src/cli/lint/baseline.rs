@@ -1,6 +1,5 @@
-//! `--write-baseline` and `--baseline`: findings that were there before, by file and fingerprint, so
-//! that lines may move. Files are named from the folder of the baseline, whatever folder the command
-//! runs in.
+//! `--write-baseline` and `--baseline`: known findings, identified by file and fingerprint rather
+//! than by line. Paths are relative to the folder of the baseline, not to the current folder.
 
 use super::super::command::{CLEAN, FAILED, complain};
 use super::super::config::{Configs, absolute};
@@ -17,30 +16,30 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Findings that are left out.
+/// Known findings, which are not reported again.
 pub struct Baseline {
     folder: PathBuf,
-    /// By file.
+    /// The findings of each file.
     known: BTreeMap<String, Vec<KnownFinding>>,
-    /// What was there before and is no more, by file and rule: how often.
+    /// How many findings of each file and rule no longer occur.
     stale: BTreeMap<(String, String), usize>,
 }
 
-/// One finding that was there before.
+/// One known finding.
 struct KnownFinding {
     rule: String,
     fingerprint: String,
 }
 
 impl Baseline {
-    /// Reads the file.
+    /// Reads a baseline file.
     pub fn load(path: &Path) -> io::Result<Baseline> {
         let wrong = |message: &str| io::Error::other(format!("{}: {message}", path.display()));
         let text = fs::read_to_string(path).map_err(|e| wrong(&e.to_string()))?;
         let value: Value = serde_json::from_str(&text).map_err(|e| wrong(&e.to_string()))?;
         let files = value.get("files").and_then(Value::as_object);
-        let files =
-            files.ok_or_else(|| wrong("this is no baseline; --write-baseline writes one"))?;
+        let files = files
+            .ok_or_else(|| wrong("not a baseline file; use --write-baseline to create one"))?;
         let known = |entry: &Value| {
             let text = |key: &str| Some(entry.get(key)?.as_str()?.to_string());
             Some(KnownFinding {
@@ -62,7 +61,7 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// Forgets the files that are gone.
+    /// Marks the findings of deleted files as obsolete.
     fn forget_files(&mut self) {
         let folder = self.folder.clone();
         let known = std::mem::take(&mut self.known);
@@ -80,7 +79,7 @@ impl Baseline {
         *self.stale.entry((file.to_string(), rule)).or_default() += 1;
     }
 
-    /// Takes away the findings of one file that it knows.
+    /// Removes the known findings of one file from `found`.
     pub fn filter(&mut self, file: &str, sources: &Sources, found: &mut Vec<Diagnostic>) {
         let name = named(&self.folder, file);
         let Some(known) = self.known.remove(&name) else {
@@ -99,39 +98,39 @@ impl Baseline {
         }
     }
 
-    /// Lines that say which of its findings are gone.
+    /// Messages that list the obsolete entries.
     pub fn stale(&self) -> Vec<String> {
         let line = |((file, rule), count): (&(String, String), &usize)| {
             let times = match count {
                 1 => String::new(),
                 n => format!(" ({n} times)"),
             };
-            format!("{file}: `{rule}` of the baseline is gone{times}")
+            format!("{file}: `{rule}` is in the baseline but no longer reported{times}")
         };
         let mut lines: Vec<String> = self.stale.iter().map(line).collect();
         if !lines.is_empty() {
-            lines.push("--write-baseline takes out of the baseline what is gone".to_string());
+            lines.push("use --write-baseline to remove obsolete entries".to_string());
         }
         lines
     }
 }
 
-/// The folder that the files of a baseline are named from.
+/// The folder that paths in a baseline are relative to.
 fn folder_of(baseline: &Path) -> PathBuf {
     let mut folder = absolute(baseline);
     folder.pop();
     folder
 }
 
-/// The name of a file in a baseline.
+/// The path of a file as written in a baseline.
 fn named(folder: &Path, file: &str) -> String {
     let path = absolute(Path::new(file));
     let path = path.strip_prefix(folder).unwrap_or(&path);
     path.to_string_lossy().replace('\\', "/")
 }
 
-/// Writes the findings of all inputs into the file that the arguments name. Of a baseline that is
-/// there already, what is known of other files stays, as long as those exist.
+/// Writes the findings of all inputs to the baseline file. An existing baseline keeps its entries
+/// for other files that still exist.
 pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<u8> {
     let Some(path) = &args.write_baseline else {
         return Ok(FAILED);
@@ -190,15 +189,15 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
     write_file(path, text.as_bytes(), Overwrite::Allowed)?;
     if args.talk() >= Talk::Normal {
         for ((file, rule), _) in old.iter().flat_map(|o| &o.stale) {
-            tell(&format!("{file}: `{rule}` is gone"));
+            tell(&format!("{file}: removed `{rule}`"));
         }
         let noun = if count == 1 { "finding" } else { "findings" };
-        tell(&format!("{count} {noun} written to {}", path.display()));
+        tell(&format!("wrote {count} {noun} to {}", path.display()));
     }
     Ok(if all_well { CLEAN } else { FAILED })
 }
 
-/// A finding as it stands in the file.
+/// The JSON entry of a finding.
 fn entry(rule: &str, fingerprint: &str) -> Value {
     json!({"rule": rule, "fingerprint": fingerprint})
 }

@@ -1,4 +1,4 @@
-//! The check itself: all inputs, several at a time, and their findings in order.
+//! Checks all inputs in parallel and prints their findings in order.
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::super::config::Configs;
@@ -36,7 +36,7 @@ pub fn check(args: &LintArgs) -> io::Result<u8> {
     let failed = !collected.problems.is_empty();
     let inputs = &collected.inputs;
     if inputs.is_empty() && !failed && talk >= Talk::Normal {
-        complain("warning: there is no shader in the folders given");
+        complain("warning: no shaders found in the given paths");
     }
     if args.write_baseline.is_some() {
         return baseline::write(args, inputs, &configs);
@@ -58,12 +58,12 @@ pub fn check(args: &LintArgs) -> io::Result<u8> {
     })
 }
 
-/// Checks all inputs, several at a time, and prints their findings in order. Says whether all could
-/// be read and written.
+/// Checks all inputs in parallel and prints their findings in order. The flag says whether every
+/// input could be read and written.
 fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<(Summary, bool)> {
     let mend = Mend::of(args);
     let baseline = args.baseline.as_deref().map(Baseline::load).transpose()?;
-    // What is printed of fixes goes first to where the findings would go.
+    // The first round prints diffs or fixed text instead of findings.
     let prints_text = mend.is_some_and(|m| m.prints(inputs));
     let format = if prints_text {
         Format::Short
@@ -81,7 +81,7 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
         all_well: true,
     };
     let mut left_to_mend = mend;
-    // All is mended before anything is said: files include each other.
+    // Files include each other, so all fixes are applied before findings are printed.
     if let Some(mend) = mend.filter(|m| m.writes() && !prints_text) {
         let all = mend_all(inputs, configs, mend)?;
         printer.reporter.add_fixed(all.fixed);
@@ -107,7 +107,7 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
     Ok((summary, printer.all_well))
 }
 
-/// What the findings go to. Where text of fixes takes standard output, they go beside it.
+/// The reporter of a run. It writes to standard error if fixed text takes standard output.
 fn reporter(
     args: &LintArgs,
     format: Format,
@@ -130,22 +130,22 @@ fn reporter(
     }
 }
 
-/// A finding: its file, the pass, where it starts, the rule and the message.
+/// Identifies a finding: file, pass and offset, rule, message.
 type Said = ((String, Option<String>, u32), &'static str, String);
 
-/// Prints what became of inputs.
+/// Prints the outcomes of inputs.
 struct FindingPrinter<'a> {
     reporter: Reporter<BufWriter<Box<dyn Write>>>,
     talk: Talk,
     configs: &'a Configs,
     baseline: Option<Baseline>,
-    /// Mistakes in configurations that were told.
+    /// Configuration errors that were printed already.
     told: Vec<Arc<str>>,
-    /// By input: the findings whose fixes were left alone.
+    /// By input: the findings whose fixes were not applied.
     left: BTreeMap<String, Vec<Diagnostic>>,
-    /// The findings that were printed: a file may be included by many.
+    /// The findings that were printed: several files may include the same one.
     said: HashSet<Said>,
-    /// Whether all could be read and written.
+    /// Whether every input could be read and written.
     all_well: bool,
 }
 
@@ -158,7 +158,7 @@ impl FindingPrinter<'_> {
                 if is_told || self.talk == Talk::Verbose {
                     self.tell(&format!("{}: skipped: {reason}", input.name))?;
                 }
-                // Standard input goes through as it is.
+                // Standard input is passed through unchanged.
                 return mended.map_or(Ok(()), |m| self.mended(input, m));
             }
             Outcome::Failed(message) => {
@@ -185,7 +185,7 @@ impl FindingPrinter<'_> {
         self.report(input, *report, offer)
     }
 
-    /// Says something beside the findings.
+    /// Prints a message on standard error.
     fn tell(&mut self, message: &str) -> io::Result<()> {
         self.reporter.flush()?;
         if self.talk > Talk::Nothing {
@@ -194,7 +194,7 @@ impl FindingPrinter<'_> {
         Ok(())
     }
 
-    /// Says how it is known that what was fixed keeps the picture.
+    /// With `-v`, prints how fixes were verified to keep the image.
     fn proofs(&mut self, name: &str, proofs: &[Proof]) -> io::Result<()> {
         match verbose::proofs(proofs) {
             Some(said) if self.talk == Talk::Verbose => self.tell(&format!("{name}: {said}")),
@@ -263,7 +263,7 @@ impl FindingPrinter<'_> {
             scope.known = before - found.len();
         }
         if scope.known > 0 {
-            // What is left out is not offered to be fixed.
+            // Fixes of findings in the baseline are not on offer.
             offer = Offer::of(&report);
         }
         let found = &report.diagnostics;
@@ -277,7 +277,7 @@ impl FindingPrinter<'_> {
     }
 }
 
-/// What was looked at, as the report counts it.
+/// What was checked, as the summary counts it.
 fn scope_of(shaders: &[Shader]) -> Scope {
     let mut scope = Scope {
         shaders: shaders.len(),
@@ -296,22 +296,22 @@ fn scope_of(shaders: &[Shader]) -> Scope {
     scope
 }
 
-/// What became of the fixes of all inputs.
+/// The results of fixing all inputs.
 #[derive(Default)]
 struct AllMended {
-    /// How many findings are fixed.
+    /// The number of fixed findings.
     fixed: usize,
-    /// What could not be written.
+    /// Messages about files that could not be written.
     refused: Vec<String>,
-    /// By input: what is known of the pictures.
+    /// By input: whether the image was verified to stay the same.
     proofs: BTreeMap<String, Vec<Proof>>,
-    /// By input: the findings whose fixes were left alone.
+    /// By input: the findings whose fixes were not applied.
     left: BTreeMap<String, Vec<Diagnostic>>,
 }
 
-/// Mends all inputs that are files.
+/// Fixes all inputs that are files.
 fn mend_all(inputs: &[InputFile], configs: &Configs, mend: Mend) -> io::Result<AllMended> {
-    /// A file that is mended may let more be mended in those that include it.
+    /// Fixing a file may allow more fixes in the files that include it.
     const ROUNDS: usize = 3;
     let mut all = AllMended::default();
     for round in 0..ROUNDS {

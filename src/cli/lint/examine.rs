@@ -1,4 +1,4 @@
-//! Checking inputs, several at a time.
+//! Checks inputs in parallel.
 
 use super::super::config::Configs;
 use super::super::disk::Disk;
@@ -13,19 +13,19 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
-/// What became of one input.
+/// The result of one input.
 pub enum Outcome {
-    /// What is found after what was mended, and what can be mended.
+    /// The findings that remain after fixing, and the fixes on offer.
     Checked(Box<Report>, Mending, Offer),
-    /// It is nothing that is read, for this reason; standard input is handed on as it is.
+    /// Not a file that is checked, with the reason. Standard input is passed through unchanged.
     Skipped(String, Option<Mended>),
-    /// It cannot be judged, for this reason.
+    /// An error prevented the check, with its message.
     Failed(String),
-    /// Its configuration is wrong, in this way.
+    /// The configuration is invalid, with the message.
     Misconfigured(Arc<str>),
 }
 
-/// Mends all inputs, where they are to be, checks them and hands on what became of them, in order.
+/// Fixes all inputs if asked to, checks them, and passes the outcomes to `print` in order.
 pub fn examine_all(
     inputs: &[InputFile],
     configs: &Configs,
@@ -45,10 +45,10 @@ pub fn examine_all(
     })
 }
 
-/// What all inputs of a run have in common.
+/// What all inputs of a run share.
 struct Examination<'a> {
     configs: &'a Configs,
-    /// Their names.
+    /// The names of all inputs.
     checked: Arc<BTreeSet<String>>,
     disk: Disk,
     mend: Option<Mend>,
@@ -68,10 +68,12 @@ fn examine(input: &InputFile, run: &Examination) -> Outcome {
         claim: input.claim,
         ..Options::clone(&options)
     };
-    // A fault of this program costs one file its answer, never the others theirs.
+    // A panic loses the result of one file only.
     let judged = catch_unwind(AssertUnwindSafe(|| judge(input, content, &options, run)));
     let Ok((report, mending, offer)) = judged else {
-        return Outcome::Failed("shaderlint itself failed on this file; please report it".into());
+        return Outcome::Failed(
+            "internal error: shaderlint crashed on this file; please report it".into(),
+        );
     };
     match report.unread {
         None => Outcome::Checked(Box::new(report), mending, offer),
@@ -83,7 +85,7 @@ fn examine(input: &InputFile, run: &Examination) -> Outcome {
     }
 }
 
-/// Mends and checks one input.
+/// Fixes and checks one input.
 fn judge(
     input: &InputFile,
     mut content: Content,

@@ -1,10 +1,10 @@
-//! `explain` and `rules`: what is known of rules and compile errors.
+//! `explain` and `rules`: the documentation of rules and compile errors.
 
 use super::super::command::{CLEAN, FAILED, complain};
 use super::args::ListFormat;
 use crate::diagnostic::{ERRORS, Severity};
 use crate::host::{Preset, names as host_names, preset};
-use crate::lint::{OptionValue, Page, Renderer};
+use crate::lint::{OptionValue, Page, Renderer, rule_name};
 use crate::rules::{RULES, error_page};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 /// All rules, as a table or as JSON.
 ///
 /// # Errors
-/// Where the JSON cannot be made.
+/// If the JSON cannot be serialised.
 pub fn rules(format: ListFormat) -> io::Result<Vec<u8>> {
     Ok(match format {
         ListFormat::Human => table().into_bytes(),
@@ -24,7 +24,7 @@ pub fn rules(format: ListFormat) -> io::Result<Vec<u8>> {
     })
 }
 
-/// Prints a page and gives the exit code.
+/// Prints the documentation of a rule, compile error or host, and returns the exit code.
 pub fn explain(name: &str) -> io::Result<u8> {
     let host = || preset(name).map(Preset::page);
     let Some(page) = page(name).map(str::to_string).or_else(host) else {
@@ -37,7 +37,7 @@ pub fn explain(name: &str) -> io::Result<u8> {
 
 /// The page of a rule or a compile error.
 pub fn page(name: &str) -> Option<&'static str> {
-    let rule = RULES.iter().find(|r| r.name == name);
+    let rule = RULES.iter().find(|r| r.name == rule_name(name));
     rule.map(|r| r.page).or_else(|| error_page(name))
 }
 
@@ -47,10 +47,10 @@ fn unknown(name: &str) -> String {
     let distances = names.map(|n| (strsim::damerau_levenshtein(n, name), n));
     let near = distances.filter(|(d, _)| *d <= 3).min();
     let near = near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"));
-    format!("there is no rule, compile error or host `{name}`{near}")
+    format!("unknown rule, compile error or host `{name}`{near}")
 }
 
-/// A table of all rules: name, group, level, summary.
+/// A table of all rules: name, group, default severity, summary.
 fn table() -> String {
     let width = RULES.iter().map(|r| r.name.len()).max().unwrap_or(0);
     let mut sorted = RULES.to_vec();
@@ -79,7 +79,7 @@ fn json_of(value: OptionValue) -> Value {
     }
 }
 
-/// All rules and compile errors, with all that is known of each.
+/// All rules and compile errors, with their options, as JSON.
 fn list() -> Value {
     let rules = RULES.iter().map(|rule| {
         let options = rule.options.iter().map(|o| {

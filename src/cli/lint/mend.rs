@@ -8,7 +8,7 @@ use crate::engine::{Files, Options, mend};
 use crate::lint::{Allow, Proof};
 use crate::text::{Content, Encoding, Span};
 
-/// What is done with fixes.
+/// Where fixes are written, and which are allowed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Mend {
     allow: Allow,
@@ -21,15 +21,15 @@ enum Into {
     Diff,
 }
 
-/// What became of the fixes of one input.
+/// The result of applying fixes to one input.
 #[derive(Default)]
 pub struct Mending {
-    /// What was done with them.
+    /// Where the fixed text went.
     pub mended: Option<Mended>,
-    /// By finding that was fixed: what is known of the picture.
+    /// For each fixed finding: whether the image was verified to stay the same.
     pub proofs: Vec<Proof>,
-    /// The findings whose fixes would change the picture, with their places in the text that is
-    /// checked next.
+    /// Findings that keep their fix because it would change the image, with spans in the text that
+    /// is checked next.
     pub left: Vec<Diagnostic>,
 }
 
@@ -42,18 +42,18 @@ impl Mending {
     }
 }
 
-/// What was done with the fixes of one input.
+/// Where the fixed text of one input went.
 pub enum Mended {
-    /// So many were written into the file.
+    /// The number of fixes written to the file.
     Written(usize),
-    /// Text for standard output: a diff, or standard input mended.
+    /// Text for standard output: a diff, or the fixed standard input.
     Text(String),
-    /// They were not written, for this reason.
+    /// Not written, with the reason.
     Refused(String),
 }
 
 impl Mend {
-    /// What the arguments ask for.
+    /// The fixes that the arguments ask for.
     pub fn of(args: &LintArgs) -> Option<Mend> {
         let is_asked = args.fix || args.unsafe_fixes || args.diff;
         is_asked.then_some(Mend {
@@ -66,7 +66,8 @@ impl Mend {
         })
     }
 
-    /// Whether standard output is taken by text, so that findings must go elsewhere.
+    /// Whether a diff or the fixed text goes to standard output, so that findings go to standard
+    /// error.
     pub fn prints(self, inputs: &[InputFile]) -> bool {
         self.into == Into::Diff || inputs.iter().any(|i| i.path.is_none())
     }
@@ -76,7 +77,7 @@ impl Mend {
         self.into == Into::Files
     }
 
-    /// Mends one input. Gives its text as it is now, where that is another.
+    /// Fixes one input. Returns its new text if it changed.
     pub fn apply(
         self,
         input: &InputFile,
@@ -111,7 +112,7 @@ impl Mend {
                         (Some(fixed.text.clone()), Some(Mended::Written(count)))
                     }
                     Err(error) => {
-                        let why = format!("the fixes cannot be written: {error}");
+                        let why = format!("cannot write the fixes: {error}");
                         (None, Some(Mended::Refused(why)))
                     }
                 }

@@ -1,4 +1,4 @@
-//! `ir`: the middle form of a shader, for whoever works on the analyses.
+//! `ir`: prints the IR of a shader, for work on the analyses.
 
 use super::super::command::{CLEAN, FAILED, complain};
 use crate::engine::{NoFiles, Options, analyze};
@@ -7,7 +7,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Prints the middle form of each shader of a file, and gives the exit code.
+/// Prints the IR of each shader in a file, and returns the exit code.
 pub fn run(file: &Path) -> io::Result<u8> {
     let name = file.display().to_string();
     let text = fs::read_to_string(file).map_err(|e| io::Error::other(format!("{name}: {e}")))?;
@@ -20,7 +20,7 @@ pub fn run(file: &Path) -> io::Result<u8> {
     let printed = report.analyses.iter().map(|analysis| {
         let (program, module) = (&analysis.program, analysis.module());
         for problem in verify(program, module) {
-            complain(&format!("{name}: not well-formed: {problem}"));
+            complain(&format!("{name}: invalid IR: {problem}"));
             code = FAILED;
         }
         print(program, module)

@@ -1,5 +1,5 @@
-//! `shaderlint` without a command: files are checked, once or at each change. And the small commands
-//! that tell of rules and shaders.
+//! `shaderlint` without a command, which checks files once or on each change, and the commands
+//! about rules and shaders.
 
 mod args;
 mod baseline;

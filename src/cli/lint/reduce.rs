@@ -1,10 +1,10 @@
-//! `reduce`: a shader made small while what is reported of it stays.
+//! `reduce`: minimises a shader while keeping a diagnostic.
 
 use super::super::command::{CLEAN, FAILED, complain};
 use super::super::output::{self, Overwrite};
 use crate::diagnostic::{ERRORS, Severity};
 use crate::engine::{DialectChoice, NoFiles, Options, check};
-use crate::lint::Settings;
+use crate::lint::{Settings, rule_name};
 use crate::rules::RULES;
 use crate::syntax::reduce;
 use std::collections::BTreeSet;
@@ -13,28 +13,30 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// The arguments of `reduce`.
+/// Minimise a shader while keeping a diagnostic.
 #[derive(clap::Args, Debug)]
 pub struct ReduceArgs {
-    /// The shader
+    /// Shader to minimise
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Keep what this command exits with 0 for; `{}` is the path of what is tried. Without it, the
-    /// errors that shaderlint reports are kept
+    /// Shell command that exits with code 0 for every candidate to keep; `{}` is replaced with the
+    /// path
+    ///
+    /// Without --keep and --rule, the compile errors of the shader are kept.
     #[arg(long, value_name = "COMMAND")]
     keep: Option<String>,
-    /// Keep a finding of this rule
+    /// Keep a finding of this rule or compile error
     #[arg(long, value_name = "NAME", conflicts_with = "keep")]
     rule: Vec<String>,
-    /// Try no more than this
+    /// Maximum number of candidates to test
     #[arg(long, value_name = "N", default_value_t = 10_000)]
     tries: usize,
-    /// Write to this file, not to standard output
+    /// File to write instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
-/// Whether a text is still of interest.
+/// Whether a candidate still shows what is to be kept.
 type Keeps = Box<dyn FnMut(&str) -> bool>;
 
 /// Reduces a file and gives the exit code.
@@ -65,39 +67,39 @@ fn reduced(args: &ReduceArgs) -> Result<String, String> {
     if !keeps(&text) {
         return Err(match &args.keep {
             Some(command) => {
-                format!("{name}: `{command}` does not exit with 0 for the file itself")
+                format!("{name}: `{command}` does not exit with code 0 for the original file")
             }
-            None => format!("{name}: not all of these rules report something"),
+            None => format!("{name}: not all of the given rules report a finding"),
         });
     }
     let left = reduce(&text, args.tries, &mut *keeps);
     let (before, after) = (text.len(), left.text.len());
     complain(&format!(
-        "{name}: {before} bytes became {after} in {} tries",
+        "{name}: reduced from {before} to {after} bytes in {} attempts",
         left.tries
     ));
     Ok(left.text)
 }
 
-/// Keeps what a command exits with 0 for.
+/// Keeps candidates for which the command exits with code 0.
 fn by_command(command: &str, file: &Path) -> Result<Keeps, String> {
     if !command.contains("{}") {
-        return Err("the command has no `{}` where the file's path goes".to_string());
+        return Err("the command has no `{}` placeholder for the file path".to_string());
     }
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
-    // The same name, since the ending tells the stage.
+    // The same file name, because the extension determines the stage.
     let path = folder
         .path()
         .join(file.file_name().unwrap_or("a.glsl".as_ref()));
     let command = command.replace("{}", &quoted(&path));
     Ok(Box::new(move |text| {
-        // The folder lives as long as this does.
+        // Moved into the closure: dropping it would delete the folder.
         let _ = &folder;
         fs::write(&path, text).is_ok() && shell(&command)
     }))
 }
 
-/// Whether the system's shell runs a command to exit code 0.
+/// Whether the system's shell runs the command with exit code 0.
 fn shell(command: &str) -> bool {
     let (program, flag) = if cfg!(windows) {
         ("cmd", "/C")
@@ -113,7 +115,7 @@ fn shell(command: &str) -> bool {
     status.is_ok_and(|s| s.success())
 }
 
-/// A path as one word of the shell.
+/// A path, quoted as one argument of the shell.
 fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
     if cfg!(windows) {
@@ -123,13 +125,13 @@ fn quoted(path: &Path) -> String {
     }
 }
 
-/// Keeps a finding of each rule that is named, or just the errors that there are.
+/// Keeps one finding of each named rule or, without names, the same set of errors.
 fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, String> {
-    let known = |n: &str| ERRORS.contains(&n) || RULES.iter().any(|r| r.name == n);
+    let known = |n: &str| ERRORS.contains(&n) || RULES.iter().any(|r| r.name == rule_name(n));
     if let Some(unknown) = args.rule.iter().find(|n| !known(n)) {
-        return Err(format!("there is no rule or compile error `{unknown}`"));
+        return Err(format!("unknown rule or compile error `{unknown}`"));
     }
-    let wanted: BTreeSet<String> = args.rule.iter().cloned().collect();
+    let wanted: BTreeSet<String> = args.rule.iter().map(|n| rule_name(n).to_string()).collect();
     let select = match wanted.is_empty() {
         true => Vec::new(),
         false => vec!["all".to_string()],
@@ -150,7 +152,7 @@ fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, Str
     }
     let errors = found(text, true);
     if errors.is_empty() {
-        let message = "there is no error to keep: name a `--rule`, or a command with `--keep`";
+        let message = "no errors to keep; use --rule NAME or --keep COMMAND";
         return Err(format!("{}: {message}", args.file.display()));
     }
     Ok(Box::new(move |text| found(text, true) == errors))

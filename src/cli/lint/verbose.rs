@@ -1,4 +1,4 @@
-//! `-v`: what each file was read as, with which configuration, and what was passed over.
+//! `-v`: how each file was interpreted, with which configuration, and what was skipped.
 
 use super::super::command::complain;
 use super::super::config::Configs;
@@ -11,37 +11,37 @@ use crate::report::ReadAs;
 use crate::semantic::Stage;
 use std::path::Path;
 
-/// Most names that are told of one shader.
+/// Maximum number of names listed for one shader.
 const MAX_NAMES: usize = 20;
 
-/// What one file was read as, and the configuration for it.
+/// The `-v` line of one file: how it was interpreted, and its configuration file.
 pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
     let here = std::env::current_dir().unwrap_or_default();
     let config = match configs.file_of(Path::new(&input.name)) {
         Some(file) => format!("{}", file.strip_prefix(&here).unwrap_or(&file).display()),
         None => "no configuration".to_string(),
     };
-    let told = reading(&input.name, report, configs, Recognition::Always).read_as;
-    format!("{}: read as {told}; {config}", input.name)
+    let read_as = reading(&input.name, report, configs, Recognition::Always).read_as;
+    format!("{}: checked as {read_as}; {config}", input.name)
 }
 
-/// Which files are looked at once more to tell who runs them.
+/// Which files are parsed again to detect their host.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Recognition {
-    /// All.
+    /// All files.
     Always,
-    /// Those that were checked as what their host makes of them: it takes as long as checking.
+    /// Only files whose shaders a host composes: detection takes as long as checking.
     WhereComposed,
 }
 
-/// What one file was read as.
+/// How one file was interpreted.
 pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Recognition) -> ReadAs {
     let shaders = match report.shaders.as_slice() {
         [] => "no shader".to_string(),
         all => {
             let told = all.iter().map(|s| told(s, report));
             let mut lines: Vec<(String, usize)> = Vec::new();
-            // A page or a text may hold many of a kind.
+            // A page or a document may contain many shaders of the same kind.
             for line in told {
                 match lines.iter_mut().find(|(l, _)| *l == line) {
                     Some((_, count)) => *count += 1,
@@ -50,7 +50,7 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
             }
             let lines = lines.into_iter().map(|(line, count)| match count {
                 1 => line,
-                n => format!("{n} times {line}"),
+                n => format!("{n} x {line}"),
             });
             lines.collect::<Vec<_>>().join("; ")
         }
@@ -78,8 +78,8 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
     ReadAs { hosts, read_as }
 }
 
-/// Who runs a shader file, and what shows it, as `shaderport` tells it. What ShaderToy's player runs
-/// is told by its passes.
+/// The host of a shader file and the signs that show it, as `shaderport` detects it. `None` for
+/// ShaderToy shaders, which are described by their passes.
 fn recognised(name: &str, report: &Report) -> Option<Recognised> {
     let file = report.file.and_then(|id| report.sources.file(id))?;
     if report.holds_shaders() || report.shaders.is_empty() {
@@ -91,7 +91,7 @@ fn recognised(name: &str, report: &Report) -> Option<Recognised> {
     (!found.signs.is_empty() && !found.is_player()).then_some(found)
 }
 
-/// What one shader was read as, and where rules did not look.
+/// How one shader was interpreted, and where rules were skipped.
 fn told(shader: &Shader, report: &Report) -> String {
     let file = shader.file.and_then(|id| report.sources.file(id));
     let stage = match shader.stage {
@@ -106,23 +106,22 @@ fn told(shader: &Shader, report: &Report) -> String {
     let part = part.map_or(String::new(), |p| format!(" ({p})"));
     let unrun = match (shader.wholeness, &shader.unrun) {
         (_, Unrun::Nowhere) => String::new(),
-        (_, Unrun::Functions { names, .. }) => format!(
-            ", rules not run in `{}` for their errors",
-            names.join("`, `")
-        ),
-        (Wholeness::Excerpt, Unrun::Everywhere) => ", an excerpt: rules not run".to_string(),
-        (Wholeness::Part | Wholeness::Piece, Unrun::Everywhere) => {
-            ", parts of which are elsewhere: rules not run".to_string()
+        (_, Unrun::Functions { names, .. }) => {
+            format!(", rules skipped `{}` because of errors", names.join("`, `"))
         }
-        (Wholeness::Whole, Unrun::Everywhere) => ", rules not run for its errors".to_string(),
+        (Wholeness::Excerpt, Unrun::Everywhere) => ", excerpt: rules skipped".to_string(),
+        (Wholeness::Part | Wholeness::Piece, Unrun::Everywhere) => {
+            ", incomplete: rules skipped".to_string()
+        }
+        (Wholeness::Whole, Unrun::Everywhere) => ", rules skipped because of errors".to_string(),
     };
-    // Of a file that is a shader its line begins with that.
+    // For a file that is one shader, `recognised` already names the host.
     let host = shader.host.filter(|_| report.holds_shaders());
     let host = host.map_or(String::new(), |h| format!("{}: ", h.read_as()));
     format!("{host}{kind}{part}{unrun}{}", completed(shader))
 }
 
-/// Of a part: who completes it, and what it lacks.
+/// For a shader fragment: its hosts, the names they declare, and missing includes.
 fn completed(shader: &Shader) -> String {
     let mut told = String::new();
     if !shader.hosts.is_empty() {
@@ -135,24 +134,27 @@ fn completed(shader: &Shader) -> String {
             0 => String::new(),
             n => format!(" and {n} more"),
         };
-        told.push_str(&format!(", which declares `{}`{more}", first.join("`, `")));
+        told.push_str(&format!(
+            ", names from the host: `{}`{more}",
+            first.join("`, `")
+        ));
     }
     for missing in &shader.missing {
         let places = missing.looked_in.join(", ");
         told.push_str(&format!(", `{}` {}", missing.path, missing.why));
         if !places.is_empty() {
-            told.push_str(&format!(" (looked in {places})"));
+            told.push_str(&format!(" (searched in {places})"));
         }
     }
     told
 }
 
-/// How it is known that what was fixed keeps the picture; nothing where nothing was fixed.
+/// How fixes were verified to keep the image; `None` if nothing was fixed.
 pub fn proofs(proofs: &[Proof]) -> Option<String> {
     let ways = [
-        (Proof::SameCode, "by the same code"),
-        (Proof::SameBits, "by the same bits wherever it was looked"),
-        (Proof::Unknown, "not drawn to be compared"),
+        (Proof::SameCode, "with identical code"),
+        (Proof::SameBits, "with identical sampled pixels"),
+        (Proof::Unknown, "not compared"),
     ];
     let counts = ways.map(|(way, words)| (proofs.iter().filter(|p| **p == way).count(), words));
     let told = counts.iter().filter(|(count, _)| *count > 0);
@@ -160,13 +162,13 @@ pub fn proofs(proofs: &[Proof]) -> Option<String> {
     (!proofs.is_empty()).then(|| format!("fixed: {}", told.collect::<Vec<_>>().join(", ")))
 }
 
-/// What folders hold that was not looked at.
+/// Reports the files and folders that were skipped.
 pub fn passed_over(passed: &PassedOver) {
     for path in &passed.excluded {
-        complain(&format!("{path}: skipped: the configuration leaves it out"));
+        complain(&format!("{path}: skipped: excluded by the configuration"));
     }
     for path in &passed.folders {
-        complain(&format!("{path}: skipped: a folder that programs fill"));
+        complain(&format!("{path}: skipped: dependencies or build output"));
     }
     for (path, reason) in &passed.made {
         complain(&format!("{path}: skipped: {reason}"));
@@ -175,7 +177,7 @@ pub fn passed_over(passed: &PassedOver) {
         let noun = if passed.others == 1 { "file" } else { "files" };
         let endings: Vec<&str> = passed.endings.iter().map(String::as_str).collect();
         complain(&format!(
-            "{} {noun} skipped for the ending of the name ({}), besides what .gitignore names",
+            "{} {noun} skipped because of the extension ({}); files in .gitignore are not counted",
             passed.others,
             endings.join(", ")
         ));

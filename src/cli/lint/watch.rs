@@ -13,18 +13,18 @@ use std::path::{Path, PathBuf};
 /// editors, which clear their list of problems at the first.
 pub fn run(args: &LintArgs) -> io::Result<u8> {
     if args.paths.iter().any(|p| p.as_os_str() == "-") {
-        complain("standard input cannot be watched");
+        complain("cannot watch standard input");
         return Ok(FAILED);
     }
     loop {
         if io::stdout().is_terminal() {
-            // Clears the screen and goes to its top.
+            // Clears the screen and moves the cursor to the top.
             write!(io::stdout(), "\x1b[2J\x1b[H")?;
         }
         complain("checking");
         let before = take_stamp(args);
         check(args)?;
-        // What was mended is no change.
+        // Files written by fixes do not count as changes.
         let stamp = if args.fix || args.unsafe_fixes {
             take_stamp(args)
         } else {

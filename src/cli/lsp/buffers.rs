@@ -1,4 +1,4 @@
-//! The texts that are open in the editor, and the files around them.
+//! The documents that are open in the editor, and the files around them.
 
 use super::super::disk::Disk;
 use super::position::{Columns, TextLines};
@@ -11,43 +11,43 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-/// A text of an editor at a moment. A change makes another of it.
+/// One version of an open document. Changes create a new one.
 pub struct TextBuffer {
-    /// Its address.
+    /// URI of the document.
     pub uri: Uri,
-    /// Its path; one that does not exist for a text that was never saved.
+    /// Path of the document; an invented one for a document that was never saved.
     pub path: String,
-    /// The number that the client gives this state of it.
+    /// Version that the client assigned.
     pub version: i32,
-    /// The text.
+    /// Contents of the document.
     pub text: Arc<str>,
-    /// Its lines.
+    /// Offsets of its lines.
     pub lines: LineIndex,
-    /// The number of this state among all states of all texts.
+    /// Number of this state, unique among all states of all documents.
     pub state: u64,
-    /// What the client takes it for.
+    /// Language id that the client assigned.
     pub language: String,
-    /// What is known of it without running it.
+    /// The analysis without sample runs.
     document: OnceLock<Arc<Document>>,
-    /// What came of running it, once that is done.
+    /// The analysis with sample runs, once they have finished.
     pub ran: Arc<OnceLock<Ran>>,
-    /// What running an earlier state has found.
+    /// Text and analysis of an earlier state.
     pub earlier: Option<(Arc<str>, Arc<OnceLock<Ran>>)>,
 }
 
-/// What came of running a text.
+/// The result of sample runs.
 pub struct Ran {
-    /// What is known of it, the findings of runs included.
+    /// The analysis, including the findings of sample runs.
     pub document: Arc<Document>,
-    /// By shader: what was seen.
+    /// By shader: the recorded values.
     pub seen: Vec<Option<RunSeen>>,
 }
 
 impl TextBuffer {
-    /// A text that was just opened.
+    /// A document that was just opened.
     pub fn new(uri: Uri, language: String, version: i32, text: String, state: u64) -> TextBuffer {
         let path = path_of(&uri).map(|path| path.to_string_lossy().replace('\\', "/"));
-        // A text without a file stands alone, under a name that tells what it is.
+        // A document without a file gets a name with an extension that selects its language.
         let path = path.unwrap_or_else(|| {
             let name: String = uri
                 .0
@@ -73,7 +73,7 @@ impl TextBuffer {
         }
     }
 
-    /// The same place with another text, or with other files around it.
+    /// The next state of the document, with a new text or after changes to other files.
     pub fn next(&self, version: i32, text: Arc<str>, state: u64) -> TextBuffer {
         let earlier = match self.ran.get() {
             Some(_) => Some((self.text.clone(), self.ran.clone())),
@@ -93,7 +93,7 @@ impl TextBuffer {
         }
     }
 
-    /// The text with its lines.
+    /// The text with its line offsets, for conversions of positions.
     pub fn lines(&self, columns: Columns) -> TextLines<'_> {
         TextLines {
             text: &self.text,
@@ -102,7 +102,7 @@ impl TextBuffer {
         }
     }
 
-    /// What is known of it.
+    /// The analysis without sample runs, computed on demand.
     pub fn document(&self, options: &Arc<Options>, files: &dyn Files) -> &Arc<Document> {
         self.document.get_or_init(|| {
             let text = self.text.clone();
@@ -110,13 +110,13 @@ impl TextBuffer {
         })
     }
 
-    /// What is known of it already.
+    /// The analysis without sample runs, if it was computed already.
     pub fn known(&self) -> Option<&Arc<Document>> {
         self.document.get()
     }
 }
 
-/// A text after changes.
+/// Applies changes to a text.
 pub fn changed(
     text: &str,
     changes: Vec<TextDocumentContentChangeEvent>,
@@ -149,7 +149,7 @@ pub fn changed(
     text
 }
 
-/// The range of a whole text.
+/// The range of a complete text.
 pub fn whole(lines: TextLines) -> Range {
     Range {
         start: Position::default(),
@@ -157,12 +157,12 @@ pub fn whole(lines: TextLines) -> Range {
     }
 }
 
-/// The files of the disk, with the texts that are open in the place of theirs.
+/// The files of the disk, overlaid with the open documents.
 #[derive(Clone)]
 pub struct OpenFiles {
-    /// The disk.
+    /// The file system.
     pub disk: Arc<Disk>,
-    /// By path.
+    /// The open documents by path.
     pub open: Arc<BTreeMap<PathBuf, Arc<TextBuffer>>>,
 }
 
@@ -198,7 +198,7 @@ impl Files for OpenFiles {
 
     fn version(&self, path: &Path) -> Option<u64> {
         match self.open.get(path) {
-            // Apart from all that the disk gives.
+            // Never equal to a version of a file on disk.
             Some(buffer) => Some(buffer.state.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
             None => self.disk.version(path),
         }

@@ -1,10 +1,10 @@
-//! What the server can do.
+//! The capabilities of the server.
 
 use super::client::Client;
 use crate::ide::{SymbolKind as Kind, TokenClass};
 use gen_lsp_types::*;
 
-/// The kinds of coloured stretches, by their numbers.
+/// Semantic token types, indexed by number.
 pub const TOKEN_TYPES: [&str; 7] = [
     "variable",
     "parameter",
@@ -14,11 +14,11 @@ pub const TOKEN_TYPES: [&str; 7] = [
     "macro",
     "comment",
 ];
-/// What is said of them besides, by their bits.
+/// Semantic token modifiers, indexed by bit.
 pub const TOKEN_MODIFIERS: [&str; 4] =
     ["declaration", "readonly", "modification", "defaultLibrary"];
 
-/// The number of a class among [`TOKEN_TYPES`].
+/// The index of a class in [`TOKEN_TYPES`].
 pub const fn token_type(class: TokenClass) -> u32 {
     match class {
         TokenClass::Variable => 0,
@@ -30,21 +30,21 @@ pub const fn token_type(class: TokenClass) -> u32 {
     }
 }
 
-/// The number of what the compiler does not see.
+/// The token type of code that the preprocessor removes.
 pub const INACTIVE: u32 = 6;
 
-/// The commands that the server runs.
+/// Command that shows the documentation of a rule.
 pub const EXPLAIN: &str = "shaderlint.explain";
-/// See [`EXPLAIN`].
+/// Command that opens the preview in the browser.
 pub const PREVIEW: &str = "shaderlint.openPreview";
-/// See [`EXPLAIN`].
+/// Command that applies all safe fixes.
 pub const FIX_ALL: &str = "shaderlint.fixAll";
 
-/// The kind of action that mends all that is safe.
+/// The kind of code action that applies all safe fixes.
 pub const FIX_ALL_KIND: CodeActionKind =
     CodeActionKind::Custom(std::borrow::Cow::Borrowed("source.fixAll.shaderlint"));
 
-/// What the server can do for a client.
+/// The capabilities announced to a client.
 pub fn capabilities(client: &Client) -> ServerCapabilities {
     let words = |all: &[&str]| Some(all.iter().map(|s| s.to_string()).collect::<Vec<_>>());
     ServerCapabilities {
@@ -116,7 +116,7 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
     }
 }
 
-/// The colours by meaning.
+/// The semantic token options.
 fn tokens() -> SemanticTokensProvider {
     SemanticTokensProvider::SemanticTokensOptions(SemanticTokensOptions {
         legend: SemanticTokensLegend {
@@ -131,7 +131,7 @@ fn tokens() -> SemanticTokensProvider {
     })
 }
 
-/// What the protocol calls what a name means.
+/// The symbol kind of the protocol for a kind of symbol.
 pub fn symbol_kind(kind: Kind) -> SymbolKind {
     match kind {
         Kind::Function => SymbolKind::Function,

@@ -1,41 +1,41 @@
-//! What the client can do and what its user has set.
+//! The capabilities of the client and the settings of the user.
 
 use super::position::Columns;
 use crate::ide::HintOptions;
 use gen_lsp_types::{InitializeParams, MarkupKind};
 use serde::Deserialize;
 
-/// What the client can do.
+/// The capabilities of the client.
 #[derive(Clone, Default, Debug)]
 pub struct Client {
-    /// What columns count.
+    /// Unit of columns.
     pub columns: Columns,
-    /// Whether it asks for diagnostics itself.
+    /// Whether the client requests diagnostics itself.
     pub pulls: bool,
-    /// Whether it can be told to ask for diagnostics again.
+    /// Whether the server can ask the client to refresh diagnostics.
     pub refreshes_diagnostics: bool,
-    /// Whether it can be told to ask for hints and lenses again.
+    /// Whether the server can ask the client to refresh inlay hints and code lenses.
     pub refreshes_hints: bool,
-    /// Whether completions may have places to fill in.
+    /// Whether completions may be snippets.
     pub snippets: bool,
     /// Whether hovers may be Markdown.
     pub markdown: bool,
-    /// Whether it shows related places beside a diagnostic.
+    /// Whether diagnostics may have related locations.
     pub related: bool,
-    /// Whether it shows documents when told to.
+    /// Whether the client can show documents.
     pub shows_documents: bool,
-    /// Whether it can be told which files to watch.
+    /// Whether the server can register file watchers.
     pub watches: bool,
-    /// Whether it knows its settings when asked.
+    /// Whether the server can request settings.
     pub configurations: bool,
-    /// Whether folds may begin inside of a line.
+    /// Whether folding ranges may start inside a line.
     pub folds_inside_lines: bool,
-    /// Whether it knows outlines with members.
+    /// Whether document symbols may be nested.
     pub nested_outline: bool,
 }
 
 impl Client {
-    /// What a client says of itself.
+    /// Reads the capabilities from the initialisation parameters.
     pub fn of(params: &InitializeParams) -> Client {
         let all = &params.capabilities;
         let general = all.general.as_ref();
@@ -74,32 +74,32 @@ impl Client {
     }
 }
 
-/// What a user can set. All have a value where nothing is said.
+/// The settings of the user, with their defaults.
 #[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub struct UserSettings {
-    /// Whether shaders are run in the background, for what only a run shows.
+    /// Whether shaders are executed in the background for findings of sample runs.
     pub run: bool,
-    /// Whether hovers show what a variable looks like all over the picture.
+    /// Whether hovers show an image of the values of a variable.
     pub pictures: bool,
-    /// What is written between the words.
+    /// Which inlay hints are shown.
     pub hints: UserHints,
-    /// What stands above functions.
+    /// Whether code lenses are shown.
     pub lenses: bool,
-    /// What is run to show a shader, where the client has a view of its own.
+    /// Client command that opens its own preview, if it has one.
     pub preview_command: Option<String>,
 }
 
-/// Which hints are shown.
+/// Which inlay hints are shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub struct UserHints {
-    /// Names of parameters.
+    /// Whether names of parameters are shown.
     pub parameters: bool,
-    /// How often loops turn.
+    /// Whether iteration counts of loops are shown.
     #[serde(rename = "loopIterations")]
     pub turns: bool,
-    /// Types of `?:` and of components.
+    /// Whether types of `?:` and of swizzles are shown.
     pub types: bool,
 }
 
@@ -126,11 +126,11 @@ impl Default for UserHints {
 }
 
 impl UserSettings {
-    /// Reads settings; those of the tool may stand under its name. Clients without settings send
-    /// something else than an object.
+    /// Reads settings, which may be nested under the name of the tool. Clients without settings may
+    /// send values other than objects.
     ///
     /// # Errors
-    /// In words, where one has a value that it cannot have.
+    /// A message if a setting has an invalid value.
     pub fn read(value: &serde_json::Value) -> Result<Option<UserSettings>, String> {
         let own = value.get("shaderlint").unwrap_or(value);
         if !own.is_object() {
@@ -138,13 +138,11 @@ impl UserSettings {
         }
         match UserSettings::deserialize(own) {
             Ok(settings) => Ok(Some(settings)),
-            Err(error) => Err(format!(
-                "shaderlint: the settings stay as they were: {error}"
-            )),
+            Err(error) => Err(format!("shaderlint: invalid settings are ignored: {error}")),
         }
     }
 
-    /// The hints that are wanted.
+    /// The options of inlay hints.
     pub fn hints(&self) -> HintOptions {
         HintOptions {
             parameters: self.hints.parameters,

@@ -1,4 +1,4 @@
-//! Findings as the protocol has them.
+//! Converts findings to diagnostics of the protocol.
 
 use super::buffers::TextBuffer;
 use super::snapshot::Snapshot;
@@ -13,7 +13,7 @@ use gen_lsp_types::{
 };
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// The rules of what can go without a loss, which editors dim.
+/// Rules about unnecessary code, which editors fade out.
 const UNNECESSARY: [&str; 6] = [
     "dead-code",
     "dead-store",
@@ -22,11 +22,11 @@ const UNNECESSARY: [&str; 6] = [
     "unused-macro",
     "unused-variable",
 ];
-/// The rules of what has been replaced, which editors strike out.
+/// Rules about deprecated features, which editors strike through.
 const DEPRECATED: [&str; 1] = ["legacy-extension"];
 
-/// All findings of a text: of runs, where it has been run, else those of an earlier state that still
-/// hold as far as the text around them is the same.
+/// All findings of a document: with those of sample runs if they have finished, otherwise with
+/// those of an earlier state where the surrounding text is unchanged.
 pub fn diagnostics(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
     if snapshot.leaves_out(buffer) {
         return Vec::new();
@@ -40,7 +40,7 @@ pub fn diagnostics(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
     told
 }
 
-/// The findings of a document.
+/// The findings of an analysed document.
 pub fn convert(snapshot: &Snapshot, document: &Document, buffer: Option<&TextBuffer>) -> Vec<Told> {
     let settings = &document.options.settings;
     let all = document.report.diagnostics.iter();
@@ -49,7 +49,7 @@ pub fn convert(snapshot: &Snapshot, document: &Document, buffer: Option<&TextBuf
     told.collect()
 }
 
-/// A finding; `None` where it is of another file.
+/// Converts one finding; `None` if it belongs to another file.
 pub fn one(
     snapshot: &Snapshot,
     document: &Document,
@@ -109,7 +109,7 @@ fn tags(rule: &str) -> Option<Vec<DiagnosticTag>> {
         .then(|| vec![DiagnosticTag::Deprecated])
 }
 
-/// What is wrong, why, and what helps.
+/// The message with its notes and helps.
 fn message(diagnostic: &Diagnostic) -> String {
     let mut text = diagnostic.message.clone();
     if !diagnostic.label.is_empty() && !text.contains(&diagnostic.label) {
@@ -128,7 +128,7 @@ fn info(location: Location, message: String) -> DiagnosticRelatedInformation {
     DiagnosticRelatedInformation { location, message }
 }
 
-/// The other places that explain a finding.
+/// The related locations of a finding.
 fn related(
     snapshot: &Snapshot,
     document: &Document,
@@ -137,7 +137,7 @@ fn related(
     let labels = diagnostic.labels.iter();
     let labels = labels.map(|label| (label.span, label.message.clone()));
     let macros = diagnostic.macros.iter();
-    let macros = macros.map(|m| (m.definition, format!("`{}` is defined here", m.name)));
+    let macros = macros.map(|m| (m.definition, format!("macro `{}` defined here", m.name)));
     let all = labels.chain(macros).filter_map(|(span, message)| {
         let location = snapshot.location(&document.place(span)?)?;
         Some(info(location, message))
@@ -145,7 +145,7 @@ fn related(
     all.collect()
 }
 
-/// The directive that includes a file of this name; the start of the text where it is not found.
+/// The directive that includes a file of this name; the start of the text if there is none.
 fn directive_of(document: &Document, name: &str) -> Option<Span> {
     let text = &document.text;
     let mut at = 0;
@@ -160,8 +160,8 @@ fn directive_of(document: &Document, name: &str) -> Option<Span> {
     Some(Span::at(0))
 }
 
-/// What runs of an earlier state have found, as far as the text around it is the same. It would come
-/// and go with each word that is typed otherwise.
+/// Findings of sample runs of an earlier state, where the surrounding text is unchanged. Otherwise
+/// they would flicker while typing.
 fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
     let Some((text, ran)) = &buffer.earlier else {
         return Vec::new();
@@ -193,7 +193,7 @@ fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
         let range: Range = buffer.lines(snapshot.columns()).range(span);
         Some(Told {
             range,
-            // Their places are those of an earlier text.
+            // Related locations would refer to the earlier text.
             related_information: None,
             ..told
         })
@@ -201,7 +201,7 @@ fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
     moved.collect()
 }
 
-/// How many bytes two texts have in common at their starts and at their ends.
+/// The lengths in bytes of the common prefix and suffix of two texts.
 fn same_ends(a: &str, b: &str) -> (u32, u32) {
     let before = a.bytes().zip(b.bytes()).take_while(|(a, b)| a == b).count();
     let most = a.len().min(b.len()) - before;
@@ -210,7 +210,7 @@ fn same_ends(a: &str, b: &str) -> (u32, u32) {
     (before as u32, after as u32)
 }
 
-/// A name for findings, by which a client knows that nothing has changed.
+/// A result id, by which the client detects unchanged diagnostics.
 pub fn result_id(told: &[Told]) -> String {
     let mut hasher = DefaultHasher::new();
     for one in told {

@@ -1,8 +1,8 @@
 //! `shaderlint lsp`: a language server over standard input and output.
 //!
-//! The loop reads what the client says and answers what is quick. What may take longer has a thread,
-//! and shaders are run on another, after a pause. Texts are never changed: each request is answered
-//! by the state of all texts at the time at which it came.
+//! The main loop reads messages and handles quick requests. Slow requests run on a worker thread,
+//! and sample runs on another one after a pause. Documents are immutable: each request uses a
+//! snapshot of all documents at the time of its arrival.
 
 mod answers;
 mod buffers;
@@ -20,10 +20,10 @@ mod workers;
 use lsp_server::Connection;
 use std::io;
 
-/// Serves a client until it says that it is done. Whether it said so before it went.
+/// Serves a client until it exits. Returns whether it sent `shutdown` before.
 ///
 /// # Errors
-/// Where standard input or output fails.
+/// If standard input or output fails.
 pub fn serve() -> io::Result<bool> {
     let (connection, threads) = Connection::stdio();
     let done = server::serve(connection).unwrap_or(false);

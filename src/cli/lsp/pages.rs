@@ -1,6 +1,7 @@
-//! The pages of rules and errors as files, so that every editor can open them.
+//! The documentation of rules and errors as files, which every editor can open.
 
 use super::uri::uri_of;
+use crate::lint::rule_name;
 use crate::rules::{RULES, error_page};
 use gen_lsp_types::Uri;
 use std::collections::HashMap;
@@ -8,7 +9,7 @@ use std::fs;
 use std::sync::Mutex;
 use tempfile::TempDir;
 
-/// The pages that were asked for.
+/// A folder of documentation files.
 #[derive(Default)]
 pub struct PageFiles {
     made: Mutex<MadePage>,
@@ -16,25 +17,26 @@ pub struct PageFiles {
 
 #[derive(Default)]
 struct MadePage {
-    /// Made at the first question, removed at the end.
+    /// Created on first use, removed at exit.
     folder: Option<TempDir>,
     pages: HashMap<String, Option<Uri>>,
 }
 
 /// The page of a rule or a compile error.
 pub fn page(name: &str) -> Option<&'static str> {
-    let rule = RULES.iter().find(|r| r.name == name);
+    let rule = RULES.iter().find(|r| r.name == rule_name(name));
     rule.map(|r| r.page).or_else(|| error_page(name))
 }
 
 impl PageFiles {
-    /// The address of the page of a rule; `None` where there is none, or where nothing can be written.
+    /// The URI of the documentation of a rule; `None` if there is none or the file cannot be
+    /// written.
     pub fn uri(&self, rule: &str) -> Option<Uri> {
         let text = page(rule)?;
         self.write(&format!("{rule}.md"), text)
     }
 
-    /// Writes a file beside the pages, over one of the same name.
+    /// Writes a file next to the documentation, replacing one of the same name.
     pub fn write_anew(&self, name: &str, content: &str) -> Option<Uri> {
         self.lock().pages.remove(name);
         self.write(name, content)

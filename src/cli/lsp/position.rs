@@ -1,22 +1,22 @@
-//! Places as the protocol counts them: lines and columns in units that the client chooses.
+//! Positions of the protocol: lines and columns in the unit that the client chooses.
 
 use crate::text::{Edit, LineIndex, Span};
 use gen_lsp_types::{Position, PositionEncodingKind, Range, TextEdit};
 
-/// What columns count.
+/// The unit of columns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Columns {
     /// Bytes.
     Utf8,
-    /// UTF-16 code units, unless the client asks for something else.
+    /// UTF-16 code units, the default of the protocol.
     #[default]
     Utf16,
-    /// Characters.
+    /// Unicode scalar values.
     Utf32,
 }
 
 impl Columns {
-    /// The best of what a client offers: what costs least to count.
+    /// The cheapest unit that a client offers.
     pub fn choose(offered: Option<&[PositionEncodingKind]>) -> Columns {
         let offers = |kind| offered.is_some_and(|o| o.contains(&kind));
         if offers(PositionEncodingKind::UTF8) {
@@ -28,7 +28,7 @@ impl Columns {
         }
     }
 
-    /// As the protocol calls it.
+    /// The name of the unit in the protocol.
     pub fn kind(self) -> PositionEncodingKind {
         match self {
             Columns::Utf8 => PositionEncodingKind::UTF8,
@@ -37,7 +37,7 @@ impl Columns {
         }
     }
 
-    /// How many of them a text has.
+    /// The length of a text in this unit.
     pub fn count(self, text: &str) -> u32 {
         match self {
             Columns::Utf8 => text.len() as u32,
@@ -47,19 +47,19 @@ impl Columns {
     }
 }
 
-/// A text with its lines.
+/// A text with its line offsets.
 #[derive(Clone, Copy)]
 pub struct TextLines<'t> {
-    /// The text.
+    /// The complete text.
     pub text: &'t str,
-    /// Where its lines start.
+    /// Offsets of its lines.
     pub index: &'t LineIndex,
-    /// What columns count.
+    /// Unit of columns.
     pub columns: Columns,
 }
 
 impl TextLines<'_> {
-    /// The position of an offset.
+    /// Converts an offset to a position.
     pub fn position(&self, offset: u32) -> Position {
         let at = self
             .index
@@ -76,7 +76,7 @@ impl TextLines<'_> {
         }
     }
 
-    /// The range of a stretch.
+    /// Converts a span to a range.
     pub fn range(&self, span: Span) -> Range {
         Range {
             start: self.position(span.start),
@@ -84,8 +84,8 @@ impl TextLines<'_> {
         }
     }
 
-    /// The offset of a position; what lies behind the end of a line or of the text counts as that end,
-    /// as the protocol has it.
+    /// Converts a position to an offset. Positions after the end of a line or of the text mean that
+    /// end, as the protocol defines.
     pub fn offset(&self, position: Position) -> u32 {
         let Some(start) = self.index.start(position.line.saturating_add(1)) else {
             return self.text.len() as u32;
@@ -105,14 +105,14 @@ impl TextLines<'_> {
         start + line.len() as u32
     }
 
-    /// The stretch of a range.
+    /// Converts a range to a span.
     pub fn span(&self, range: Range) -> Span {
         let start = self.offset(range.start);
         Span::new(start, self.offset(range.end).max(start))
     }
 }
 
-/// Edits of one text.
+/// Converts edits of one text.
 pub fn text_edits(lines: TextLines, edits: &[Edit]) -> Vec<TextEdit> {
     let edit = |edit: &Edit| TextEdit {
         range: lines.range(edit.span),

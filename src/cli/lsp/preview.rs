@@ -9,16 +9,18 @@ use crate::port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
 use crate::semantic::Pass;
 use std::path::Path;
 
-/// The page of a text, with the passes beside it.
+/// The page of a document, with the passes in the same folder.
 pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
     let mut project = project(snapshot, buffer)?;
     let wrong = |error: crate::port::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
     if !project.passes.iter().any(|pass| draws(pass.kind)) {
-        return Err(Failure::refused("there is nothing that draws"));
+        return Err(Failure::refused(
+            "the document contains no shader that can be drawn",
+        ));
     }
-    // A view keeps the last picture that there was.
+    // The view keeps the last valid image.
     if let Some(error) = first_error(&composed) {
         return Err(Failure::refused(error));
     }
@@ -27,7 +29,7 @@ pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
     Ok(html(&project, &composed, None))
 }
 
-/// What is wrong first with the passes of a project, with its line.
+/// The first error in the passes of a project, with its line.
 fn first_error(composed: &Composed) -> Option<String> {
     let analyses = composed.units.iter().map(|unit| composed.analysis(unit));
     let mut all = analyses.flat_map(|analysis| &analysis.diagnostics);
@@ -57,7 +59,7 @@ fn project(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<Project> {
     Project::from_shader(title, &buffer.text).map_err(|e| Failure::refused(e.to_string()))
 }
 
-/// The passes in the folder of a text that is called like one.
+/// The passes in the folder of a document that is named like a pass.
 fn parts(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<PassFile> {
     let own = Path::new(&buffer.path);
     let (Some(folder), Some(name)) = (own.parent(), own.file_name()) else {
@@ -80,7 +82,7 @@ fn parts(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<PassFile> {
     part.collect()
 }
 
-/// What a file is for, by its name.
+/// The role of a file according to its name.
 fn role_of(name: &str) -> Option<PassRole> {
     let (stem, ending) = name.rsplit_once('.')?;
     let is_shader = shadertoy().is_some_and(|host| host.has_ending(ending));

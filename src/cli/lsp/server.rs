@@ -1,4 +1,4 @@
-//! The loop: reads what the client says, keeps the texts, hands out work, tells findings.
+//! The main loop: reads messages, maintains the documents, dispatches work, publishes findings.
 
 use super::super::config::{ConfigArgs, Configs, Exclusion, FILE, Source};
 use super::super::disk::Disk;
@@ -26,20 +26,20 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// After so long without a change shaders are run.
+/// Delay between the last change and a sample run.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// What the loop waits for.
+/// An event of the main loop.
 enum Event {
-    /// The client says something.
+    /// A message from the client.
     Message(Message),
-    /// A text has been run in this state.
+    /// The sample run of a document in this state has finished.
     Ran(PathBuf, u64),
-    /// The client is gone.
+    /// The client closed the connection.
     Gone,
 }
 
-/// The requests that a thread works on or will, and whether the client has cancelled them.
+/// Requests of the worker thread, and whether the client cancelled them.
 type Pending = Arc<Mutex<HashMap<RequestId, bool>>>;
 
 struct Server {
@@ -48,27 +48,27 @@ struct Server {
     sender: Sender<Event>,
     jobs: Jobs,
     now: Snapshot,
-    /// What has been read and not been dealt with.
+    /// Messages that were read but not handled.
     queue: VecDeque<Message>,
-    /// The texts whose findings are to be told.
+    /// Documents with findings to publish.
     untold: Vec<PathBuf>,
-    /// When texts are run.
+    /// When the documents are due for a sample run.
     due: BTreeMap<PathBuf, Instant>,
     pending: Pending,
     slow: Worker,
     runs: Worker,
-    /// Numbers of requests to the client.
+    /// Number of requests sent to the client.
     asked: u32,
-    /// Whether the client has said that it is done.
+    /// Whether the client sent `shutdown`.
     is_done: bool,
-    /// Whether the client is gone.
+    /// Whether the client closed the connection.
     is_gone: bool,
 }
 
-/// Serves a client. Whether it said goodbye.
+/// Serves a client. Returns whether it sent `shutdown` before `exit`.
 ///
 /// # Errors
-/// Where it does not begin as the protocol has it.
+/// If the handshake is invalid.
 pub fn serve(connection: Connection) -> Result<bool, ProtocolError> {
     let (id, params) = connection.initialize_start()?;
     let params: InitializeParams = match serde_json::from_value(params) {
@@ -93,7 +93,7 @@ pub fn serve(connection: Connection) -> Result<bool, ProtocolError> {
     Ok(server.run())
 }
 
-/// How texts are judged in some folders.
+/// The options for checking files in some folders.
 fn configs(folders: &[PathBuf], run_samples: Option<u32>) -> Arc<Configs> {
     Arc::new(Configs::new(ConfigArgs {
         given: Selection {
@@ -106,7 +106,7 @@ fn configs(folders: &[PathBuf], run_samples: Option<u32>) -> Arc<Configs> {
     }))
 }
 
-/// The folders that a client works on.
+/// The workspace folders of a client.
 fn folders(params: &InitializeParams) -> Vec<PathBuf> {
     let folders = &params.workspace_folders_initialize_params.workspace_folders;
     match folders {
@@ -114,9 +114,9 @@ fn folders(params: &InitializeParams) -> Vec<PathBuf> {
             .iter()
             .filter_map(|folder| path_of(&folder.uri))
             .collect(),
-        // Clients of old name one folder.
+        // Old clients send a single folder.
         _ => {
-            #[expect(deprecated, reason = "clients of old send nothing else")]
+            #[expect(deprecated, reason = "old clients send nothing else")]
             let root = params.root_uri.as_ref();
             root.and_then(path_of).into_iter().collect()
         }
@@ -176,7 +176,7 @@ impl Server {
         })
     }
 
-    /// Takes the settings that the client began with, and asks for what it tells only when asked.
+    /// Applies the initial settings, and requests the others from the client.
     fn greet(&mut self, options: Option<&Value>) {
         if let Some(options) = options {
             self.set(options);
@@ -207,13 +207,13 @@ impl Server {
 
     fn ask(&mut self, method: &str, params: Value) {
         self.asked += 1;
-        // The method stands in the number, so that the answer needs no list to be known by.
+        // The id contains the method, so that the response can be matched without a table.
         let id = RequestId::from(format!("{method}#{}", self.asked));
         self.send(Asked::new(id, method.to_string(), params).into());
     }
 
     fn send(&self, message: Message) {
-        // Where the client is gone, the loop hears of it in its own way.
+        // A failure means that the client is gone, which the loop notices itself.
         let _ = self.connection.sender.send(message);
     }
 
@@ -221,7 +221,7 @@ impl Server {
         self.send(Sent::new(N::METHOD.to_string(), params).into());
     }
 
-    /// Runs until the client is done or gone. Whether it said that it is done.
+    /// Runs until the client exits. Returns whether it sent `shutdown`.
     fn run(&mut self) -> bool {
         loop {
             if self.queue.is_empty() {
@@ -232,7 +232,7 @@ impl Server {
                     None => continue,
                 }
             }
-            // All that has been said by now: what is cancelled need not be answered.
+            // Reads everything that has arrived, because requests may be cancelled already.
             while let Ok(event) = self.events.try_recv() {
                 self.take(event);
             }
@@ -251,7 +251,7 @@ impl Server {
         }
     }
 
-    /// The next event; `None` where it is time to run something.
+    /// The next event; `None` if a sample run is due.
     fn wait(&self) -> Option<Event> {
         let first = self.due.values().min();
         match first {
@@ -298,7 +298,7 @@ impl Server {
                 self.queue.remove(at);
                 self.send(cancelled(id).into());
             }
-            // A thread may be at it; what is answered already stays so.
+            // The worker may be handling it; an answer that was sent stays valid.
             None => {
                 if let Some(is_cancelled) = lock(&self.pending).get_mut(&id) {
                     *is_cancelled = true;
@@ -316,7 +316,7 @@ impl Server {
             }
             _ if self.is_done => {
                 let code = ErrorCode::InvalidRequest as i32;
-                self.send(Response::new_err(id, code, "the server is shut down".into()).into());
+                self.send(Response::new_err(id, code, "the server was shut down".into()).into());
             }
             "workspace/executeCommand" => self.command(id, params),
             method => match self.jobs.get(method) {
@@ -329,21 +329,21 @@ impl Server {
                 }
                 None => {
                     let code = ErrorCode::MethodNotFound as i32;
-                    let message = format!("`{method}` is not answered");
+                    let message = format!("method `{method}` is not supported");
                     self.send(Response::new_err(id, code, message).into());
                 }
             },
         }
     }
 
-    /// Answers a request on a thread. Where the texts have changed before it comes to it, the client
-    /// hears that, and asks again if it still wants to know.
+    /// Handles a request on the worker thread. If documents change before, the client gets
+    /// `ContentModified` and may ask again.
     fn later(&self, id: RequestId, job: impl FnOnce(&Snapshot) -> Answer<Value> + Send + 'static) {
         self.later_with_request(id, |snapshot| Ok((job(snapshot)?, None)));
     }
 
-    /// Answers a request on a thread, and asks the client for something behind the answer: before, what
-    /// it does then could make the answer an old one.
+    /// Handles a request on the worker thread, then sends a request to the client. The order
+    /// matters: what the client does next may make the answer stale.
     fn later_with_request(
         &self,
         id: RequestId,
@@ -381,7 +381,7 @@ impl Server {
             "workspace/didChangeConfiguration" => self.with(params, Server::configured),
             "workspace/didChangeWatchedFiles" => self.with(params, Server::watched),
             "workspace/didChangeWorkspaceFolders" => self.with(params, Server::moved),
-            // What is not known is no mistake of the client's.
+            // Unknown notifications are not errors.
             _ => {}
         }
     }
@@ -450,10 +450,11 @@ impl Server {
         }
     }
 
-    /// Judges the open texts anew that were made of a file.
+    /// Analyses the open documents again that depend on a file.
     fn renew_users(&mut self, path: &Path) {
         let changed = path.to_string_lossy().replace('\\', "/");
-        // Of one that is not known yet, a thread may be finding out right now, by the old texts.
+        // The dependencies of a document without analysis are unknown: the worker may be computing
+        // them from the old files.
         let uses = |buffer: &TextBuffer| {
             let known = buffer.known();
             let is_made_of =
@@ -467,7 +468,7 @@ impl Server {
         }
     }
 
-    /// Judges an open text anew, which has not changed itself.
+    /// Analyses an open document again that did not change itself.
     fn again(&mut self, buffer: &TextBuffer) {
         let state = self.next_state();
         let next = buffer.next(buffer.version, buffer.text.clone(), state);
@@ -476,7 +477,7 @@ impl Server {
         self.tell_later(path);
     }
 
-    /// Judges all open texts anew, by configurations that are read again.
+    /// Analyses all open documents again, with configurations that are read again.
     fn renew(&mut self) {
         let folders = self.now.folders.clone();
         self.now.quick = configs(&folders, Some(0));
@@ -503,7 +504,7 @@ impl Server {
     fn changed(&mut self, params: DidChangeTextDocumentParams) {
         let id = params.text_document;
         let Ok(buffer) = self.now.buffer(&id.text_document_identifier.uri).cloned() else {
-            return self.log("a text changes that is not open");
+            return self.log("received a change of a document that is not open");
         };
         let text = changed(&buffer.text, params.content_changes, self.now.columns());
         let state = self.next_state();
@@ -528,7 +529,7 @@ impl Server {
                 diagnostics: Vec::new(),
             });
         }
-        // From now on the disk has the text.
+        // From now on the file on disk counts.
         self.renew_users(&path);
     }
 
@@ -540,7 +541,7 @@ impl Server {
             };
             let name = path.file_name().unwrap_or_default();
             is_wide |= name == FILE || name == ".editorconfig";
-            // A file that is new or gone may be what another includes.
+            // A file that is created or deleted may affect includes.
             is_wide |= event.kind != FileChangeType::Changed;
             if !self.now.files.open.contains_key(&path) {
                 self.renew_users(&path);
@@ -561,7 +562,7 @@ impl Server {
         self.renew();
     }
 
-    /// Tells the findings of the texts that have changed, where the client does not ask for them.
+    /// Publishes the findings of changed documents, unless the client requests them.
     fn tell_findings(&mut self) {
         let untold = std::mem::take(&mut self.untold);
         if self.now.client.pulls {
@@ -577,7 +578,7 @@ impl Server {
         }
     }
 
-    /// Runs the texts that have not changed for a while.
+    /// Starts sample runs of documents that did not change for a while.
     fn start_runs(&mut self) {
         let now = Instant::now();
         let due: Vec<PathBuf> = self
@@ -597,7 +598,7 @@ impl Server {
             let (snapshot, sender) = (self.now.clone(), self.sender.clone());
             self.runs.give(move || {
                 let newest = snapshot.newest.load(Ordering::Relaxed);
-                // Of a text that has changed meanwhile, the next state is waiting.
+                // If the document changed in the meantime, its next state is already due.
                 if newest == snapshot.state || buffer.state == newest {
                     run_buffer(&snapshot, &buffer);
                 }
@@ -606,7 +607,7 @@ impl Server {
         }
     }
 
-    /// A text was run, or had changed before it could be.
+    /// A sample run finished, or was dropped because the document changed.
     fn ran(&mut self, path: &Path, state: u64) {
         let Some(buffer) = self.now.files.open.get(path) else {
             return;
@@ -615,7 +616,7 @@ impl Server {
             return;
         }
         if buffer.ran.get().is_none() {
-            // Another text has changed: it is this one's turn again.
+            // Another document changed: run this one again.
             self.due.insert(path.to_path_buf(), Instant::now() + PAUSE);
             return;
         }
@@ -661,16 +662,16 @@ impl Server {
                 });
             }
             other => {
-                let failure = Failure::invalid(format!("there is no command `{other}`"));
+                let failure = Failure::invalid(format!("unknown command `{other}`"));
                 self.send(response(id, Err(failure)).into());
             }
         }
     }
 
-    /// Shows the page of a rule, and gives its text.
+    /// Shows the documentation of a rule, and returns its text.
     fn explain(&mut self, rule: &str) -> Answer<Value> {
         let Some(text) = page(rule) else {
-            return Err(Failure::invalid(format!("there is no rule `{rule}`")));
+            return Err(Failure::invalid(format!("unknown rule `{rule}`")));
         };
         let uri = self.now.pages.uri(rule);
         match uri.filter(|_| self.now.client.shows_documents) {
@@ -687,31 +688,32 @@ impl Server {
     }
 }
 
-/// Writes the page of a text to a file, for the browser of the system.
+/// Writes the preview page of a document to a file, for the browser.
 fn show(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value)> {
     let html = preview::page(snapshot, buffer)?;
     let uri = snapshot.pages.write_anew("preview.html", &html);
-    let uri = uri.ok_or_else(|| Failure::refused("the page cannot be written"))?;
+    let uri = uri.ok_or_else(|| Failure::refused("cannot write the preview page"))?;
     Ok((
         "window/showDocument",
         json!({ "uri": uri, "external": true }),
     ))
 }
 
-/// All safe fixes of a text.
+/// The edit that applies all safe fixes of a document.
 fn apply_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value)> {
     let action = super::answers::fix_all(snapshot, buffer);
-    let action = action.ok_or_else(|| Failure::refused("there is nothing to fix"))?;
+    let action = action.ok_or_else(|| Failure::refused("no safe fixes available"))?;
     let params = json!({ "label": action.title, "edit": action.edit });
     Ok(("workspace/applyEdit", params))
 }
 
-/// Does something whose faults cost one answer.
+/// Runs a handler; a panic loses one answer only.
 fn guarded<T>(work: impl FnOnce() -> Answer<T>) -> Answer<T> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
         Err(Failure {
             code: ErrorCode::InternalError,
-            message: "shaderlint itself failed on this; please report it".to_string(),
+            message: "internal error: shaderlint crashed on this request; please report it"
+                .to_string(),
         })
     })
 }
@@ -732,7 +734,7 @@ fn cancelled(id: RequestId) -> Response {
 }
 
 fn stale(id: RequestId) -> Response {
-    let message = "the text has changed".to_string();
+    let message = "the document has changed".to_string();
     Response::new_err(id, ErrorCode::ContentModified as i32, message)
 }
 

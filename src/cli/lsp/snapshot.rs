@@ -1,4 +1,4 @@
-//! The state of all texts at a moment, by which a request is answered.
+//! A snapshot of all documents, by which a request is answered.
 
 use super::super::config::{Configs, absolute};
 use super::buffers::{OpenFiles, TextBuffer};
@@ -18,17 +18,17 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 
-/// Why a request has no answer.
+/// Why a request failed.
 #[derive(Debug)]
 pub struct Failure {
-    /// The number of the protocol.
+    /// Error code of the protocol.
     pub code: ErrorCode,
-    /// In words.
+    /// Message for the user.
     pub message: String,
 }
 
 impl Failure {
-    /// A request that cannot be done, for this reason.
+    /// A valid request that cannot be fulfilled.
     pub fn refused(message: impl Into<String>) -> Failure {
         Failure {
             code: ErrorCode::RequestFailed,
@@ -36,7 +36,7 @@ impl Failure {
         }
     }
 
-    /// A request whose parameters mean nothing.
+    /// A request with invalid parameters.
     pub fn invalid(message: impl Into<String>) -> Failure {
         Failure {
             code: ErrorCode::InvalidParams,
@@ -45,49 +45,49 @@ impl Failure {
     }
 }
 
-/// What answers a request.
+/// The result of a request.
 pub type Answer<T> = Result<T, Failure>;
 
-/// By path: what was sent last of the colours of a text.
+/// By path: the semantic tokens that were sent last, with their result id.
 pub type SentTokens = Mutex<HashMap<String, (String, Vec<u32>)>>;
 
-/// The state of all texts at a moment.
+/// The state of all documents at one time.
 #[derive(Clone)]
 pub struct Snapshot {
-    /// What the client can do.
+    /// Capabilities of the client.
     pub client: Arc<Client>,
-    /// What its user has set.
+    /// Settings of the user.
     pub settings: Arc<UserSettings>,
-    /// The texts.
+    /// The open documents and the files on disk.
     pub files: OpenFiles,
-    /// How they are judged without being run.
+    /// Options for checking without sample runs.
     pub quick: Arc<Configs>,
-    /// How they are judged.
+    /// Options for checking with sample runs.
     pub full: Arc<Configs>,
-    /// The folders that the user works on.
+    /// Workspace folders.
     pub folders: Arc<Vec<PathBuf>>,
-    /// The pages of the rules, as files.
+    /// Documentation files.
     pub pages: Arc<PageFiles>,
-    /// What was sent of colours.
+    /// Semantic tokens that were sent.
     pub tokens: Arc<SentTokens>,
-    /// The number of this state, and of the newest one.
+    /// Number of this state.
     pub state: u64,
-    /// See `state`.
+    /// Number of the newest state.
     pub newest: Arc<AtomicU64>,
 }
 
 impl Snapshot {
-    /// Whether texts have changed since.
+    /// Whether documents have changed since.
     pub fn is_stale(&self) -> bool {
         self.newest.load(Ordering::Relaxed) != self.state
     }
 
-    /// What columns count.
+    /// The unit of columns.
     pub fn columns(&self) -> Columns {
         self.client.columns
     }
 
-    /// The text that is open under an address.
+    /// The open document with a URI.
     pub fn buffer(&self, uri: &Uri) -> Answer<&Arc<TextBuffer>> {
         let by_path = path_of(uri).and_then(|path| self.files.open.get(&path));
         let mut all = self.files.open.values();
@@ -95,7 +95,7 @@ impl Snapshot {
         found.ok_or_else(|| Failure::invalid(format!("{} is not open", uri.0)))
     }
 
-    /// How a text is judged. Where the configuration is wrong, as if there was none.
+    /// The options for a document; the defaults if its configuration is invalid.
     pub fn options(&self, configs: &Configs, buffer: &TextBuffer) -> Arc<Options> {
         let options = configs.options(Path::new(&buffer.path)).unwrap_or_default();
         let is_glsl = buffer.language == "glsl";
@@ -108,13 +108,13 @@ impl Snapshot {
         }
     }
 
-    /// What is known of a text without running it.
+    /// The analysis of a document without sample runs.
     pub fn document(&self, buffer: &TextBuffer) -> Arc<Document> {
         let options = self.options(&self.quick, buffer);
         buffer.document(&options, &self.files).clone()
     }
 
-    /// The best that is known of a text.
+    /// The best analysis of a document that exists.
     pub fn best(&self, buffer: &TextBuffer) -> Arc<Document> {
         match buffer.ran.get() {
             Some(ran) => ran.document.clone(),
@@ -122,29 +122,29 @@ impl Snapshot {
         }
     }
 
-    /// What runs of the shaders of a text have shown.
+    /// The values that sample runs recorded, by shader.
     pub fn seen(&self, buffer: &TextBuffer) -> Vec<Option<RunSeen>> {
         buffer.ran.get().map_or(Vec::new(), |ran| ran.seen.clone())
     }
 
-    /// A text and an offset in it.
+    /// A document and the offset of a position in it.
     pub fn place(&self, at: &TextDocumentPositionParams) -> Answer<(&Arc<TextBuffer>, u32)> {
         let buffer = self.buffer(&at.text_document.uri)?;
         Ok((buffer, self.offset(buffer, at.position)))
     }
 
-    /// The offset of a position.
+    /// Converts a position to an offset.
     pub fn offset(&self, buffer: &TextBuffer, position: Position) -> u32 {
         buffer.lines(self.columns()).offset(position)
     }
 
-    /// The address of a file as the client knows it.
+    /// The URI of a file, as the client knows it.
     pub fn uri(&self, path: &str) -> Uri {
         let open = self.files.open.get(Path::new(path));
         open.map_or_else(|| uri_of(path), |buffer| buffer.uri.clone())
     }
 
-    /// A stretch of whatever file as the protocol has it.
+    /// Converts a span in any file to a location.
     pub fn location(&self, place: &FileSpan) -> Option<Location> {
         let range = self.with_lines(&place.path, |lines| lines.range(place.span))?;
         Some(Location {
@@ -153,7 +153,7 @@ impl Snapshot {
         })
     }
 
-    /// Asks the lines of a file, open or not.
+    /// Calls a function with the lines of a file, open or not.
     pub fn with_lines<T>(&self, path: &str, ask: impl FnOnce(TextLines) -> T) -> Option<T> {
         if let Some(buffer) = self.files.open.get(Path::new(path)) {
             return Some(ask(buffer.lines(self.columns())));
@@ -166,7 +166,7 @@ impl Snapshot {
         }))
     }
 
-    /// How a text is set: as its configuration says, and of the rest as the client says.
+    /// The formatting style of a document: from its configuration, and otherwise from the client.
     pub fn style(&self, buffer: &TextBuffer, options: &FormattingOptions) -> Answer<Style> {
         let width = options.tab_size.clamp(1, 16);
         let client = StyleChoice {
@@ -180,19 +180,19 @@ impl Snapshot {
         style.map_err(|message| Failure::refused(&*message))
     }
 
-    /// Whether the configuration leaves a text out.
+    /// Whether the configuration excludes a document.
     pub fn leaves_out(&self, buffer: &TextBuffer) -> bool {
         self.quick.leaves_out(&absolute(Path::new(&buffer.path)))
     }
 
-    /// What was sent of colours.
+    /// The semantic tokens that were sent.
     pub fn sent_tokens(&self) -> MutexGuard<'_, HashMap<String, (String, Vec<u32>)>> {
         self.tokens
             .lock()
             .unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 
-    /// The stretch of a range.
+    /// Converts a range to a span.
     pub fn span(&self, buffer: &TextBuffer, range: gen_lsp_types::Range) -> Span {
         buffer.lines(self.columns()).span(range)
     }

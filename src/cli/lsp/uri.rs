@@ -1,12 +1,12 @@
-//! Paths as addresses, and the other way (RFC 8089).
+//! Conversions between paths and `file:` URIs (RFC 8089).
 
 use gen_lsp_types::Uri;
 use std::path::{Path, PathBuf};
 
-/// The path that an address names; `None` for what is no file.
+/// The path of a `file:` URI; `None` for others.
 pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.0.strip_prefix("file://")?;
-    // An authority may stand before the path: `file://localhost/a`.
+    // The path may follow an authority: `file://localhost/a`.
     let path = rest.get(rest.find('/')?..)?;
     let mut bytes = Vec::with_capacity(path.len());
     let mut rest = path.as_bytes();
@@ -32,7 +32,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     Some(crate::engine::path::plain(Path::new(path)))
 }
 
-/// The address of a path.
+/// The URI of a path.
 pub fn uri_of(path: &str) -> Uri {
     let mut text = String::from("file://");
     if !path.starts_with('/') {

@@ -1,4 +1,4 @@
-//! Threads for what may take long: requests that look at many files, and runs of shaders.
+//! Threads for slow work: requests that read many files, and sample runs.
 
 use super::super::parallel::STACK;
 use super::buffers::{Ran, TextBuffer};
@@ -9,39 +9,39 @@ use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
 use std::thread;
 
-/// Something to be done.
+/// A unit of work.
 pub type Task = Box<dyn FnOnce() + Send>;
 
-/// A thread that does one thing after another.
+/// A thread that runs tasks one after another.
 pub struct Worker {
     queue: Sender<Task>,
 }
 
 impl Worker {
-    /// Starts a thread. It ends when the worker is dropped and nothing is left to do.
+    /// Starts a thread, which ends when the worker is dropped and no task is left.
     ///
     /// # Errors
-    /// Where the system gives none.
+    /// If the system cannot start a thread.
     pub fn start(name: &str) -> std::io::Result<Worker> {
         let (queue, work) = channel::<Task>();
         let builder = thread::Builder::new().name(name.to_string());
         builder.stack_size(STACK).spawn(move || {
             for work in work {
-                // A fault of this program costs one answer, never those behind it.
+                // A panic loses the result of one task only.
                 let _ = catch_unwind(AssertUnwindSafe(work));
             }
         })?;
         Ok(Worker { queue })
     }
 
-    /// Hands something to be done to the thread.
+    /// Queues a task.
     pub fn give(&self, work: impl FnOnce() + Send + 'static) {
         // The thread lives as long as its queue.
         let _ = self.queue.send(Box::new(work));
     }
 }
 
-/// Runs the shaders of a text.
+/// Runs the shaders of a document.
 pub fn run_buffer(snapshot: &Snapshot, buffer: &Arc<TextBuffer>) {
     let options = snapshot.options(&snapshot.full, buffer);
     let text = buffer.text.clone();
@@ -51,6 +51,6 @@ pub fn run_buffer(snapshot: &Snapshot, buffer: &Arc<TextBuffer>) {
         document: Arc::new(document),
         seen,
     };
-    // Nobody else runs this state.
+    // No other task sets this state.
     let _ = buffer.ran.set(ran);
 }

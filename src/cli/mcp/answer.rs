@@ -1,17 +1,16 @@
-//! What a tool answers: bounded, and never empty.
+//! Answers of tools: limited in size, and never empty.
 
 use super::command::CommandOutcome;
 use rmcp::model::{CallToolResult, ContentBlock};
 
-/// Longest text of an answer in bytes, about six thousand tokens. What is longer helps nobody who has
-/// to read it.
+/// Size limit of an answer in bytes, about six thousand tokens.
 pub const MAX_TEXT: usize = 24_000;
-/// Lines that stay at the end of a text that is cut: the summary.
+/// Number of lines kept at the end of a truncated text: the summary.
 const LAST_LINES: usize = 3;
-/// Longest of these lines that is kept, in bytes.
+/// Maximum length of these lines in bytes.
 const MAX_LINE: usize = 1_000;
 
-/// What a tool answers.
+/// The answer of a tool.
 #[derive(Debug)]
 pub struct ToolAnswer {
     blocks: Vec<ContentBlock>,
@@ -19,7 +18,7 @@ pub struct ToolAnswer {
 }
 
 impl ToolAnswer {
-    /// What was asked for. Says `otherwise` where the text is empty.
+    /// A successful answer. `otherwise` replaces an empty text.
     pub fn of(text: &str, otherwise: &str) -> ToolAnswer {
         let mut answer = ToolAnswer {
             blocks: Vec::new(),
@@ -33,16 +32,16 @@ impl ToolAnswer {
         answer
     }
 
-    /// Why there is no answer.
+    /// An answer that reports an error.
     pub fn failed(text: &str) -> ToolAnswer {
         ToolAnswer {
             failed: true,
-            ..ToolAnswer::of(text, "the command failed without a word")
+            ..ToolAnswer::of(text, "the command failed without output")
         }
     }
 
-    /// What a command said: what was asked for, then what it has to say of that. Says `otherwise`
-    /// where it said nothing.
+    /// The output of a command: standard output, then standard error. `otherwise` replaces an empty
+    /// output.
     pub fn of_outcome(outcome: &CommandOutcome, otherwise: &str) -> ToolAnswer {
         let (out, err) = (outcome.out.trim(), outcome.err.trim());
         let first = if out.is_empty() { err } else { &outcome.out };
@@ -59,14 +58,14 @@ impl ToolAnswer {
             .push(ContentBlock::text(shortened(text, MAX_TEXT)));
     }
 
-    /// Adds a text where there is one.
+    /// Adds a text unless it is empty.
     pub fn push_any(&mut self, text: &str) {
         if !text.trim().is_empty() {
             self.push(text);
         }
     }
 
-    /// Adds a PNG.
+    /// Adds a PNG image.
     pub fn push_png(&mut self, bytes: &[u8]) {
         use base64::Engine;
         let data = base64::engine::general_purpose::STANDARD.encode(bytes);
@@ -83,7 +82,7 @@ impl From<ToolAnswer> for CallToolResult {
     }
 }
 
-/// A text of at most `max` bytes, the first and the last lines of one that is longer.
+/// Truncates a text to `max` bytes in the middle; the first and last lines are kept.
 fn shortened(text: &str, max: usize) -> String {
     if text.len() <= max {
         return text.to_string();
@@ -98,12 +97,12 @@ fn shortened(text: &str, max: usize) -> String {
     let mut ends = (0..=room).rev();
     let end = ends.find(|end| rest.is_char_boundary(*end)).unwrap_or(0);
     let head = rest.get(..end).unwrap_or_default();
-    // Whole lines, unless there is one only.
+    // Cut at a line break, unless there is only one line.
     let head = head.rsplit_once('\n').map_or(head, |(lines, _)| lines);
     let left_out = rest.get(head.len()..).unwrap_or_default();
     let told = match left_out.trim_matches('\n').lines().count() {
-        0 | 1 => format!("[{} bytes are left out]", left_out.len()),
-        lines => format!("[{lines} lines are left out: ask for less at a time]"),
+        0 | 1 => format!("[{} bytes omitted]", left_out.len()),
+        lines => format!("[{lines} lines omitted; request less at a time]"),
     };
     format!("{head}\n{told}\n{last}")
 }
@@ -119,7 +118,7 @@ mod tests {
         let short = shortened(&text, 200);
         assert!(short.starts_with("line 0\nline 1\n"), "{short}");
         assert!(short.ends_with("line 997\nline 998\nline 999"), "{short}");
-        let told = "[974 lines are left out: ask for less at a time]";
+        let told = "[974 lines omitted; request less at a time]";
         assert!(short.contains(told), "{short}");
         assert!(short.len() < 200 + told.len() + 2);
     }
@@ -128,7 +127,7 @@ mod tests {
     fn a_long_line_is_cut_between_characters() {
         let short = shortened(&"é".repeat(1000), 201);
         assert_eq!(short.matches('é').count(), 100);
-        assert!(short.contains("[1800 bytes are left out]"), "{short}");
+        assert!(short.contains("[1800 bytes omitted]"), "{short}");
     }
 
     #[test]

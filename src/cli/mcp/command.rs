@@ -1,4 +1,4 @@
-//! A command of this program, in a process of its own.
+//! Runs a command of this program in its own process.
 
 use std::ffi::OsString;
 use std::fmt::Display;
@@ -11,42 +11,42 @@ use tokio::io::{AsyncRead, AsyncReadExt, AsyncWriteExt};
 use tokio::process::{Child, Command};
 use tokio::sync::{Semaphore, oneshot};
 
-/// How long a command may take. Clients wait for about as long.
+/// Time limit of a command, about as long as clients wait.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
-/// Most bytes that are kept of each output: a folder may have any number of findings.
+/// Maximum number of bytes kept of each output; a folder may have any number of findings.
 const MAX_OUTPUT: u64 = 4 << 20;
-/// How many commands run at once. They have several threads themselves.
+/// Maximum number of parallel commands, each of which uses several threads.
 const MAX_RUNNING: usize = 2;
 
-/// This program.
+/// The path of this program, and a limit on parallel commands.
 pub struct OwnProgram {
     path: PathBuf,
     turns: Arc<Semaphore>,
 }
 
-/// What came of a command.
+/// The result of a command.
 #[derive(Debug)]
 pub struct CommandOutcome {
-    /// Its exit code: 0, or 1 where there is something to be mended, or 2 where it failed.
+    /// Exit code: 0 for success, 1 for findings, 2 for failure.
     pub code: i32,
-    /// What it said on standard output.
+    /// Contents of standard output.
     pub out: String,
-    /// What it said on standard error.
+    /// Contents of standard error.
     pub err: String,
 }
 
 impl CommandOutcome {
-    /// All that it said: of a command that fails, some of it may stand on either output.
+    /// Both outputs; a command that fails may use either.
     pub fn said(&self) -> String {
         format!("{}{}", self.out, self.err)
     }
 }
 
 impl OwnProgram {
-    /// This program.
+    /// Determines the path of this program.
     ///
     /// # Errors
-    /// Where the system does not say what it is.
+    /// If the operating system does not provide it.
     pub fn new() -> io::Result<OwnProgram> {
         Ok(OwnProgram {
             path: std::env::current_exe()?,
@@ -54,16 +54,16 @@ impl OwnProgram {
         })
     }
 
-    /// Runs a command, with a text as its standard input. It is ended when nobody waits for it any
-    /// more.
+    /// Runs a command with a text as its standard input. The command is stopped if the caller stops
+    /// waiting.
     ///
     /// # Errors
-    /// In words, where it cannot be started, does not end in time, or is ended by the system.
+    /// A message if the command cannot be started, exceeds the time limit or is killed by a signal.
     pub async fn run(&self, args: Vec<OsString>, input: &str) -> Result<CommandOutcome, String> {
         let turn = self.turns.clone().acquire_owned().await;
         let child = Command::new(&self.path)
             .args(args)
-            // Colours are for terminals, whatever the client's environment says.
+            // The client's environment may force colours.
             .env("NO_COLOR", "1")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -73,7 +73,7 @@ impl OwnProgram {
             .map_err(not_run)?;
         let (caller, gone) = oneshot::channel();
         let input = input.to_string();
-        // A task of its own, for a process that is ended has to be waited for too.
+        // In its own task, because a stopped process must be waited for as well.
         let task = tokio::spawn(async move {
             let _turn = turn;
             ended(child, input, gone).await
@@ -85,10 +85,10 @@ impl OwnProgram {
 }
 
 fn not_run(error: impl Display) -> String {
-    format!("the command cannot be run: {error}")
+    format!("cannot run the command: {error}")
 }
 
-/// What came of a process, which has ended then, in one way or another.
+/// Waits for a process, and kills it on timeout or cancellation.
 async fn ended(
     mut child: Child,
     input: String,
@@ -97,10 +97,10 @@ async fn ended(
     let why = tokio::select! {
         outcome = outcome(&mut child, input) => return outcome.map_err(not_run),
         () = tokio::time::sleep(TIME_LIMIT) => format!(
-            "the command was ended after {} s; ask for less at a time",
+            "the command was stopped after {} s; request less at a time",
             TIME_LIMIT.as_secs()
         ),
-        _ = gone => "it was cancelled".to_string(),
+        _ = gone => "cancelled".to_string(),
     };
     child.kill().await.map_err(not_run)?;
     Err(why)
@@ -109,16 +109,18 @@ async fn ended(
 async fn outcome(child: &mut Child, input: String) -> io::Result<CommandOutcome> {
     let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
     let (Some(mut stdin), Some(stdout), Some(stderr)) = pipes else {
-        return Err(io::Error::other("it has no pipes"));
+        return Err(io::Error::other("the process has no pipes"));
     };
     let feed = async move {
-        // A command that does not read all of it says why itself.
+        // A command that stops reading reports the reason itself.
         let _ = stdin.write_all(input.as_bytes()).await;
     };
     let ((), out, err, status) = tokio::join!(feed, kept(stdout), kept(stderr), child.wait());
     let status = status?;
     let Some(code) = status.code() else {
-        return Err(io::Error::other(format!("it ended by itself: {status}")));
+        return Err(io::Error::other(format!(
+            "the process was terminated: {status}"
+        )));
     };
     Ok(CommandOutcome {
         code,
@@ -127,7 +129,7 @@ async fn outcome(child: &mut Child, input: String) -> io::Result<CommandOutcome>
     })
 }
 
-/// The first [`MAX_OUTPUT`] bytes of an output, which is read to its end.
+/// Reads an output to its end and keeps the first [`MAX_OUTPUT`] bytes.
 async fn kept(mut output: impl AsyncRead + Unpin) -> io::Result<String> {
     let mut bytes = Vec::new();
     (&mut output)

@@ -1,34 +1,34 @@
-//! What a tool reads: a file or a text.
+//! The input of a tool: a file or a text.
 
 use std::ffi::OsString;
 
-/// What a tool reads.
+/// The input of a tool.
 #[derive(Clone, Copy, Debug)]
 pub enum ToolInput<'a> {
-    /// A file or folder.
+    /// Path of a file or folder.
     Path(&'a str),
-    /// A text.
+    /// Text of a shader.
     Code(&'a str),
 }
 
 impl<'a> ToolInput<'a> {
-    /// What is given: one of both.
+    /// Accepts exactly one of path and code.
     ///
     /// # Errors
-    /// In words, where there is none, or both.
+    /// A message if both or neither are given.
     pub fn of(path: Option<&'a String>, code: Option<&'a String>) -> Result<ToolInput<'a>, String> {
         match (path, code) {
             (Some(path), None) if path.is_empty() => Err("`path` is empty".to_string()),
-            // It would be standard input, which is the client's.
-            (Some(path), None) if path == "-" => Err("give the text as `code`".to_string()),
+            // It would mean standard input, which the protocol uses.
+            (Some(path), None) if path == "-" => Err("pass the text as `code`".to_string()),
             (Some(path), None) => Ok(ToolInput::Path(path)),
             (None, Some(code)) => Ok(ToolInput::Code(code)),
-            (None, None) => Err("give a `path` or some `code`".to_string()),
-            (Some(_), Some(_)) => Err("give either `path` or `code`, not both".to_string()),
+            (None, None) => Err("pass a `path` or some `code`".to_string()),
+            (Some(_), Some(_)) => Err("pass either `path` or `code`, not both".to_string()),
         }
     }
 
-    /// Standard input of the command.
+    /// The standard input of the command.
     pub fn text(self) -> &'a str {
         match self {
             ToolInput::Path(_) => "",
@@ -36,7 +36,7 @@ impl<'a> ToolInput<'a> {
         }
     }
 
-    /// The last arguments of the command. A path may begin as an option does.
+    /// The last arguments of the command, after `--` because a path may look like an option.
     pub fn args(self) -> [OsString; 2] {
         let path = match self {
             ToolInput::Path(path) => path,

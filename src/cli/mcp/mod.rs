@@ -1,8 +1,7 @@
-//! `shaderlint mcp`: the commands as tools for programs, in the Model Context Protocol over standard
-//! input and output.
+//! `shaderlint mcp`: a Model Context Protocol server over standard input and output.
 //!
-//! A tool runs a command of this program in a process of its own. So an answer is the command line's,
-//! a failure costs one call alone, and a call that takes too long or is cancelled can be ended.
+//! Each tool runs a command of this program in its own process, so answers match the command line,
+//! a crash affects one call only, and calls can time out or be cancelled.
 
 mod answer;
 mod command;
@@ -19,7 +18,7 @@ use std::io;
 /// Serves a client until it closes standard input.
 ///
 /// # Errors
-/// Where standard input or output fails, or does not begin as the protocol has it.
+/// If standard input or output fails, or the handshake is invalid.
 pub fn serve() -> io::Result<()> {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
@@ -27,14 +26,14 @@ pub fn serve() -> io::Result<()> {
     let served = runtime.block_on(async {
         let running = match ToolServer::new()?.serve(stdio_pipes()).await {
             Ok(running) => running,
-            // Somebody who only looked whether there is a server.
+            // The client closed the connection before the handshake.
             Err(ServerInitializeError::ConnectionClosed(_)) => return Ok(()),
             Err(error) => return Err(io::Error::other(error)),
         };
         running.waiting().await.map_err(io::Error::other)?;
         Ok(())
     });
-    // A read of standard input that nobody waits for must not keep the process.
+    // A pending read of standard input must not keep the process alive.
     runtime.shutdown_background();
     served
 }

@@ -1,4 +1,4 @@
-//! The server: which tools there are, and who answers.
+//! The server: lists the tools and dispatches calls.
 
 use super::answer::ToolAnswer;
 use super::command::OwnProgram;
@@ -11,24 +11,24 @@ use rmcp::service::RequestContext;
 use rmcp::{ErrorData, RoleServer, ServerHandler};
 use std::io;
 
-/// What the client is told of the tools as a whole.
+/// Instructions that the client receives about all tools.
 const INSTRUCTIONS: &str = "\
-GLSL for WebGL2 and ShaderToy. `check` after each change of a shader: an error means that the \
-browser refuses it. `fix` mends what keeps the picture. `run` draws it without a GPU, so that you \
-can look at it, and says what numbers and loops did. `explain` says what a rule means. `port` makes \
-pages, modules and plain WebGL2 of ShaderToy code. Paths are relative to the folder in which the \
-server was started.";
+Tools for GLSL shaders in WebGL2 and ShaderToy. Call `check` after each change of a shader: an error \
+means that the browser rejects it. `fix` applies fixes that do not change the image. `run` draws the \
+shader without a GPU and returns the image with statistics of numbers and loops. `explain` documents \
+a rule. `port` converts ShaderToy shaders to pages, modules or plain WebGL2 shaders. Paths are \
+relative to the folder in which the server was started.";
 
-/// The server.
+/// The MCP server.
 pub struct ToolServer {
     program: OwnProgram,
 }
 
 impl ToolServer {
-    /// A server whose commands are this program's.
+    /// A server that runs commands of this program.
     ///
     /// # Errors
-    /// Where the system does not say which program this is.
+    /// If the path of this program cannot be determined.
     pub fn new() -> io::Result<ToolServer> {
         OwnProgram::new().map(|program| ToolServer { program })
     }
@@ -58,7 +58,7 @@ impl ServerHandler for ToolServer {
         let arguments = request.arguments.unwrap_or_default();
         let answer = tokio::select! {
             answer = tools::call(&request.name, arguments, &self.program) => answer?,
-            () = context.ct.cancelled() => ToolAnswer::failed("it was cancelled"),
+            () = context.ct.cancelled() => ToolAnswer::failed("cancelled"),
         };
         Ok(CallToolResult::from(answer).into())
     }

@@ -1,4 +1,4 @@
-//! The arguments of `shaderport`.
+//! Command-line arguments of `shaderport`.
 
 use super::read;
 use crate::cli::output::Overwrite;
@@ -8,86 +8,118 @@ use crate::port::{Destination, MainChoice, Order, Target};
 use clap::Parser;
 use std::path::{Path, PathBuf};
 
-/// Turns ShaderToy code into WebGL2: a shader file, a folder of passes or an export in, a page that
-/// plays it, a module or plain shaders out.
+/// Ports ShaderToy shaders to WebGL2.
+///
+/// Reads a shader file, a folder of passes or a ShaderToy export. Writes an HTML page, a JavaScript
+/// module or plain shaders.
 #[derive(Parser, Debug)]
-#[command(name = "shaderport", version, about, max_term_width = 100)]
+#[command(name = "shaderport", version, max_term_width = 100)]
+#[command(after_help = EXIT_CODES)]
 pub struct PortArgs {
-    /// A shader file, a ShaderToy export (.json), a folder or several files whose names tell their
-    /// passes (image.glsl, buffer_a.glsl, common.glsl, cubemap.glsl, sound.glsl); `-` is standard
-    /// input
+    /// Shader file, ShaderToy export (.json) or folder of passes; `-` reads standard input
+    ///
+    /// The files of a folder, or several files, are assigned to passes by name: image.glsl,
+    /// buffer_a.glsl, common.glsl, cubemap.glsl, sound.glsl.
     #[arg(value_name = "INPUT")]
     pub(super) input: Vec<PathBuf>,
-    /// File to write, or folder for several shaders; without it the first file goes to standard
-    /// output
-    #[arg(short, long, value_name = "PATH")]
-    pub(super) output: Option<PathBuf>,
-    /// What to make; without it the ending of the output tells
-    #[arg(short, long, value_enum, value_name = "TARGET")]
-    pub(super) target: Option<Target>,
-    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `bonzomatic`, or a file that describes one;
-    /// without it the configuration or the code tells.
-    /// An unknown name shows all
-    #[arg(long, value_name = "NAME", visible_alias = "from")]
-    pub(super) host: Option<String>,
-    /// File of a pass, like `image=a.glsl` or `buffer_a=b.glsl`
-    #[arg(long, value_name = "PASS=FILE")]
+
+    /// File of one pass: `image=a.glsl`, `buffer_a=b.glsl`
+    #[arg(long, value_name = "PASS=FILE", help_heading = INPUT)]
     pub(super) pass: Vec<String>,
-    /// What a channel reads, like `0=keyboard`, `image.1=photo.jpg`, `buffer_a.0=buffer_a` or, by the
-    /// name of a sampler, `u_tex0=photo.jpg`; behind it may stand how, like `,nearest,clamp,noflip`
-    #[arg(long, value_name = "[PASS.]N=SOURCE")]
+    /// Site or library that the shader is written for: `shadertoy`, `glsl-sandbox`, `bonzomatic`
+    ///
+    /// Also accepts a file that describes a host. Default: the host in the configuration, or detected
+    /// from the code. An unknown name lists all hosts.
+    #[arg(long, value_name = "NAME", visible_alias = "from", help_heading = INPUT)]
+    pub(super) host: Option<String>,
+    /// Input of a channel: `0=keyboard`, `image.1=photo.jpg`, `buffer_a.0=buffer_a`
+    ///
+    /// The channel may be the name of a sampler: `u_tex0=photo.jpg`. Append the sampler settings:
+    /// `0=photo.jpg,nearest,clamp,noflip`.
+    #[arg(long, value_name = "[PASS.]N=SOURCE", help_heading = INPUT)]
     pub(super) channel: Vec<String>,
-    /// Folder with the site's files, such as media/a/x.jpg, to be put into the output
-    #[arg(long, value_name = "FOLDER")]
+    /// Folder with a copy of ShaderToy's media files, such as media/a/x.jpg, to embed in the output
+    #[arg(long, value_name = "FOLDER", help_heading = INPUT)]
     pub(super) media: Option<PathBuf>,
-    /// Largest file that goes onto a channel and into the output, like `200M`
+    /// Largest media file to embed: `200M`
     #[arg(long, value_name = "SIZE", default_value = "64M", value_parser = read::size_of)]
+    #[arg(help_heading = INPUT)]
     pub(super) max_media: u64,
-    /// Leave channels black whose files are not at hand, instead of drawing something like them
-    #[arg(long)]
+    /// Leave channels with missing files black instead of drawing stand-ins
+    #[arg(long, help_heading = INPUT)]
     pub(super) no_stand_ins: bool,
-    /// Write what a host must know of a WGSL, SPIR-V, HLSL or MSL shader beside it, as FILE.json: the
-    /// places of uniforms, textures, attributes and varyings
-    #[cfg(feature = "naga")]
-    #[arg(long)]
-    pub(super) interface: bool,
-    /// Which row of the picture a WGSL, SPIR-V, HLSL or MSL shader draws first
-    #[cfg(feature = "naga")]
-    #[arg(long, value_enum, default_value_t, value_name = "ROW")]
-    pub(super) first_row: FirstRow,
-    /// How plain shaders get their `main`
-    #[arg(long, value_enum, default_value_t, value_name = "HOW")]
-    pub(super) main: MainChoice,
-    /// Read back what is written, and tell by pass whether it draws what the original draws: proved
-    /// by the same code, or the same bits on thousands of pixels
-    #[arg(long, conflicts_with = "diff")]
-    pub(super) verify: bool,
-    /// Do as ShaderToy's player does where two channels read one buffer: the last setting wins; and
-    /// where music is not at hand: nothing is on its channel
-    #[arg(long)]
+    /// Match ShaderToy's player exactly
+    ///
+    /// Channels that read the same buffer share the sampler settings that were set last. A channel
+    /// with missing music is silent.
+    #[arg(long, help_heading = INPUT)]
     pub(super) strict_player: bool,
-    /// Mend code that does not compile where there is one answer: old GLSL, names that are reserved or
-    /// built in, global values that are not constant, missing qualifiers; each repair is told
-    #[arg(long)]
-    pub(super) repair: bool,
-    /// Show the repairs as a diff, and write nothing
-    #[arg(long)]
-    pub(super) diff: bool,
-    /// Write over a file that is there already
-    #[arg(long)]
+
+    /// Output file, or folder for several shaders; default: the first file, on standard output
+    #[arg(short, long, value_name = "PATH", help_heading = OUTPUT)]
+    pub(super) output: Option<PathBuf>,
+    /// Output format; default: chosen by the extension of the output
+    #[arg(short, long, value_enum, value_name = "TARGET", help_heading = OUTPUT)]
+    pub(super) target: Option<Target>,
+    /// How plain shaders get a `main` function
+    #[arg(long, value_enum, default_value_t, value_name = "HOW", help_heading = OUTPUT)]
+    pub(super) main: MainChoice,
+    /// Overwrite existing files
+    #[arg(long, help_heading = OUTPUT)]
     pub(super) force: bool,
-    /// Make the output again whenever a file changes, until it is stopped
-    #[arg(long, conflicts_with = "diff")]
+    /// Rewrite the output whenever an input changes
+    #[arg(long, conflicts_with = "diff", help_heading = OUTPUT)]
     pub(super) watch: bool,
-    /// Show the page at http://127.0.0.1, for programs on this machine alone; with `--watch` it is
-    /// drawn anew at each change, and time, sliders and mouse stay
+    /// Serve the page at http://127.0.0.1:PORT, for this machine only
+    ///
+    /// With `--watch` the page reloads on each change and keeps its time, sliders and mouse. The
+    /// default port is 4700.
     #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "4700")]
-    #[arg(require_equals = true, conflicts_with_all = ["diff", "output"])]
+    #[arg(require_equals = true, conflicts_with_all = ["diff", "output"], help_heading = OUTPUT)]
     pub(super) serve: Option<u16>,
+
+    /// Repair code that does not compile where only one fix is possible
+    ///
+    /// Repairs old GLSL, reserved and built-in names, global initialisers that are not constant, and
+    /// missing qualifiers. Each repair is reported.
+    #[arg(long, help_heading = CHECKS)]
+    pub(super) repair: bool,
+    /// Show the repairs as a diff and write nothing
+    #[arg(long, help_heading = CHECKS)]
+    pub(super) diff: bool,
+    /// Verify for each pass that the output draws the same as the input
+    ///
+    /// Reads the output back. A pass is the same if its code is identical or if thousands of pixels
+    /// match bit for bit.
+    #[arg(long, conflicts_with = "diff", help_heading = CHECKS)]
+    pub(super) verify: bool,
+
+    /// Write the resource interface of each shader to FILE.json
+    ///
+    /// Lists the locations and bindings of uniforms, textures, attributes and varyings.
+    #[cfg(feature = "naga")]
+    #[arg(long, help_heading = TRANSLATION)]
+    pub(super) interface: bool,
+    /// Which row of the image is drawn first
+    #[cfg(feature = "naga")]
+    #[arg(long, value_enum, default_value_t, value_name = "ROW", help_heading = TRANSLATION)]
+    pub(super) first_row: FirstRow,
 }
 
+const INPUT: &str = "Input";
+const OUTPUT: &str = "Output";
+const CHECKS: &str = "Repair and verification";
+#[cfg(feature = "naga")]
+const TRANSLATION: &str = "WGSL, SPIR-V, HLSL and MSL";
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  No errors
+  1  The shader has errors, or --verify did not confirm the output
+  2  Wrong usage, or a file cannot be read or written";
+
 impl PortArgs {
-    /// What is to be made, and how.
+    /// The build order that these arguments describe.
     pub(super) fn order<'a>(
         &self,
         target: Target,
@@ -106,27 +138,27 @@ impl PortArgs {
         }
     }
 
-    /// What to make: what is asked for, else what the ending of the output tells.
+    /// The output format: `--target`, or else chosen by the extension of the output.
     pub(super) fn target(&self) -> Result<Target, String> {
         let path = self.output.as_deref().unwrap_or(Path::new(""));
         match (self.target, self.serve) {
             (Some(target), _) => Ok(target),
             (None, Some(_)) if self.output.is_none() => Ok(Target::Html),
-            // A folder may have any name.
+            // A folder may have an extension in its name.
             (None, _) if path.is_dir() => Ok(Target::of_path(path).unwrap_or(Target::Glsl)),
             (None, _) if path.as_os_str() == "-" => Ok(Target::Glsl),
             (None, _) => Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display())),
         }
     }
 
-    /// Whether files are written, and not standard output.
+    /// Whether the output goes to files and not to standard output.
     pub(super) fn is_saved(&self) -> bool {
         self.output
             .as_ref()
             .is_some_and(|path| path.as_os_str() != "-")
     }
 
-    /// Whether a file may be in the way.
+    /// Whether existing files may be overwritten.
     pub(super) fn overwrite(&self) -> Overwrite {
         match self.force {
             true => Overwrite::Allowed,

@@ -1,14 +1,14 @@
-//! The texts that stand beside one and that it asks for: what it includes, its buffers, its vertex
-//! shader.
+//! Companion files that a shader refers to: includes, buffers and its vertex shader.
 
 use super::read::{read_text, shown};
 use crate::port::{Project, TextsBeside};
 use std::path::{Path, PathBuf};
 
-/// Most texts that one is made of.
+/// The largest number of companion files.
 const MAX_TEXTS: usize = 256;
 
-/// Reads a text again with those beside it until it asks for no more; what was read is kept.
+/// Drafts a project again until all companion files that it asks for have been read. The texts are
+/// kept in `beside`.
 pub(super) fn draft_beside(
     path: &Path,
     beside: &mut TextsBeside,
@@ -23,14 +23,14 @@ pub(super) fn draft_beside(
     }
 }
 
-/// Reads the texts that one asks for. Nothing outside its folder is read, whatever it says.
+/// Reads companion files. Files outside of the shader's folder are rejected.
 fn read_wanted(path: &Path, wanted: &[String], texts: &mut TextsBeside) -> Result<(), String> {
     let folder = folder_of(path);
     let root = folder.canonicalize();
     let is_stdin = path.as_os_str() == "-";
     for asked in wanted {
         if texts.len() >= MAX_TEXTS {
-            return Err(format!("it is made of more than {MAX_TEXTS} files"));
+            return Err(format!("the shader includes more than {MAX_TEXTS} files"));
         }
         let found = match &root {
             Ok(root) if !is_stdin => root.join(asked).canonicalize().ok(),
@@ -39,7 +39,7 @@ fn read_wanted(path: &Path, wanted: &[String], texts: &mut TextsBeside) -> Resul
         let is_inside = |file: &PathBuf| root.as_ref().is_ok_and(|root| file.starts_with(root));
         let text = match found {
             Some(file) if !is_inside(&file) => {
-                return Err(format!("`{asked}` leads out of {}", shown(folder)));
+                return Err(format!("`{asked}` is outside of {}", shown(folder)));
             }
             Some(file) if file.is_file() => Some(read_text(&folder.join(asked))?.into()),
             _ => None,
@@ -49,7 +49,7 @@ fn read_wanted(path: &Path, wanted: &[String], texts: &mut TextsBeside) -> Resul
     Ok(())
 }
 
-/// The folder that a file lies in.
+/// The folder of a file.
 pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use std::fs;
 
-    /// Drafts a shader that includes a file; gives what is told, or what is wrong.
+    /// Drafts a shader that includes a file. Returns the notes or the error.
     fn draft(folder: &Path, include: &str) -> Result<Vec<String>, String> {
         let code = format!(
             "#include \"{include}\"\nvoid mainImage(out vec4 c, in vec2 p) {{ c = vec4(1.0); }}\n"
@@ -94,10 +94,10 @@ mod tests {
         assert_eq!(told.len(), 1, "{told:?}");
         let missing = draft(folder.path(), "gone.glsl").unwrap();
         assert!(
-            missing.contains(&"`gone.glsl` is not there".to_string()),
+            missing.contains(&"`gone.glsl` was not found".to_string()),
             "{missing:?}"
         );
         let out = draft(folder.path(), "deep/../../secret.glsl").unwrap_err();
-        assert!(out.contains("`../secret.glsl` leads out of"), "{out}");
+        assert!(out.contains("`../secret.glsl` is outside of"), "{out}");
     }
 }

@@ -1,8 +1,8 @@
-//! What the user puts onto channels: `--channel`, and `channels.toml` beside the code.
+//! Inputs of channels given by the user: `--channel`, and `channels.toml` next to the shader.
 //!
-//! In the file a key is a channel of the Image, or a pass with a table of its channels; a value is
-//! what stands behind the `=` of `--channel`. Paths start at the file's folder and stay in it, since
-//! whoever ports a stranger's shader did not write them.
+//! A key in the file is a channel of the Image, or a pass with a table of its channels. A value has
+//! the form of the part of `--channel` after the `=`. Paths are relative to the file's folder and
+//! must not leave it, since the user may not have written a downloaded file.
 
 use super::beside::folder_of;
 use super::read::{read_text, shown};
@@ -12,16 +12,15 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The name of the file.
 const FILE: &str = "channels.toml";
 
-/// An order, and who gave it, as messages begin.
+/// A channel order, and its origin as a prefix for error messages.
 pub(super) struct GivenOrder {
     pub(super) by: String,
     pub(super) order: ChannelOrder,
 }
 
-/// All orders for the channels of an input, those of `--channel` included; the later ones win.
+/// All orders for the channels of an input, followed by those of `--channel`. Later orders win.
 pub(super) fn orders(input: Option<&Path>, channels: &[String]) -> Result<Vec<GivenOrder>, String> {
     let mut orders = match file_of(input) {
         Some(path) => of_file(&path)?,
@@ -35,8 +34,8 @@ pub(super) fn orders(input: Option<&Path>, channels: &[String]) -> Result<Vec<Gi
     Ok(orders)
 }
 
-/// The file beside the code, where there may be one: for a file `ocean.glsl` its own
-/// `ocean.channels.toml` comes first.
+/// The order file next to the input, if it can have one. For a file `ocean.glsl`, its own
+/// `ocean.channels.toml` takes precedence.
 pub(super) fn file_of(input: Option<&Path>) -> Option<PathBuf> {
     let first = input.filter(|p| p.as_os_str() != "-")?;
     if first.is_dir() {
@@ -64,7 +63,7 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
     })?;
     let mut found: Vec<(usize, String)> = Vec::new();
     let wrong = |value: &Spanned<DeValue>, wanted| {
-        Err(format!("{}: this must be {wanted}", at(value.span().start)))
+        Err(format!("{}: expected {wanted}", at(value.span().start)))
     };
     for (key, value) in table.get_ref() {
         match value.get_ref() {
@@ -74,16 +73,16 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
             DeValue::Table(channels) => {
                 for (channel, source) in channels {
                     let DeValue::String(source) = source.get_ref() else {
-                        return wrong(source, "a text in quotes");
+                        return wrong(source, "a string");
                     };
                     let text = format!("{}.{}={source}", key.get_ref(), channel.get_ref());
                     found.push((channel.span().start, text));
                 }
             }
-            _ => return wrong(value, "a text in quotes, or a table of channels"),
+            _ => return wrong(value, "a string or a table of channels"),
         }
     }
-    // Keys were sorted by their letters.
+    // The parser returns keys in alphabetical order.
     found.sort_by_key(|(start, _)| *start);
     let read = |(start, text): (usize, String)| {
         let by = at(start);
@@ -96,18 +95,18 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
     found.into_iter().map(read).collect()
 }
 
-/// The order with its file's path as it is from here; `by` is the file that gives it.
+/// The order with the path of its file made relative to the current folder. `by` is the order file.
 fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
     let ChannelSource::File(file) = &order.source else {
         return Ok(order);
     };
     let path = by.with_file_name(file);
-    // What does not exist is told of where it is read.
+    // A missing file is reported when it is read.
     if let (Ok(path), Ok(folder)) = (path.canonicalize(), folder_of(by).canonicalize())
         && !path.starts_with(&folder)
     {
         return Err(format!(
-            "`{file}` leads out of the folder; give it with `--channel`"
+            "`{file}` is outside of the folder; pass it with `--channel`"
         ));
     }
     order.source = ChannelSource::File(shown(&path));
@@ -120,7 +119,7 @@ mod tests {
     use crate::port::{ChannelName, PassRole};
     use std::fs;
 
-    /// The orders that a file gives, or what is wrong with it, behind the file's name.
+    /// The orders in a file, or the error without the file name.
     fn read(text: &str) -> Result<Vec<ChannelOrder>, String> {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join(FILE), text).unwrap();
@@ -158,16 +157,13 @@ mod tests {
             let found = read(text).unwrap_err();
             assert!(found.contains(message), "{found}");
         };
-        wrong(
-            "\n99 = 'keyboard'",
-            ":2:1: a channel is a number from 0 to 3",
-        );
-        wrong("[foo]\n0 = 'keyboard'", ":2:1: `foo` is no pass");
-        wrong("0 = 3", ":1:5: this must be a text in quotes");
+        wrong("\n99 = 'keyboard'", ":2:1: expected a channel from 0 to 3");
+        wrong("[foo]\n0 = 'keyboard'", ":2:1: unknown pass `foo`");
+        wrong("0 = 3", ":1:5: expected a string");
         wrong("0 = ", ":1:5: ");
         wrong(
             "0 = '../../../../../../../../../../../etc/passwd'",
-            ":1:1: `../../../../../../../../../../../etc/passwd` leads out of the folder",
+            ":1:1: `../../../../../../../../../../../etc/passwd` is outside of the folder",
         );
     }
 }

@@ -1,4 +1,4 @@
-//! From paths to a project: shader files, folders, exports, and what goes onto channels.
+//! Loads a project from paths: shader files, folders, exports, and the inputs of channels.
 
 use super::args::PortArgs;
 use super::beside::{draft_beside, folder_of};
@@ -17,22 +17,22 @@ use crate::text::kind::{Claim, FileKind, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What the arguments name.
+/// A loaded project.
 pub(super) struct LoadedProject {
     pub(super) project: Project,
-    /// Its passes, put together.
+    /// Its composed passes.
     pub(super) composed: Composed,
-    /// What was repaired in it.
+    /// The repairs that were applied.
     pub(super) repairs: Repairs,
-    /// Its passes as they were before that, where something was.
+    /// The composed passes before the repairs, if there were any.
     pub(super) given: Option<Composed>,
-    /// The files that were read, which nothing may be written over.
+    /// The files that were read. The output must not overwrite them.
     pub(super) read: Vec<PathBuf>,
-    /// What there is to say of the files on channels.
+    /// Notes about the files on channels.
     pub(super) notes: Vec<String>,
 }
 
-/// Reads what the arguments name.
+/// Loads the project that the arguments describe.
 pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     let orders = args.orders()?;
     let mode = if args.repair || args.diff {
@@ -69,9 +69,9 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         .iter()
         .all(|p| !matches!(p.kind, Pass::Image | Pass::Cubemap | Pass::Sound))
     {
-        return Err(format!("{name}: there is no pass of type `image`"));
+        return Err(format!("{name}: no pass of type `image`"));
     }
-    let mut carried = Carried::new(args.max_media, ", more with `--max-media SIZE`");
+    let mut carried = Carried::new(args.max_media, "; raise it with `--max-media SIZE`");
     if let Some(folder) = &args.media {
         carried.find(&mut project, folder)?;
     }
@@ -86,7 +86,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         project.share_samplers();
         let silent = project.unload_music().into_iter();
         notes.extend(silent.map(|channel| {
-            format!("{channel}: its music is not at hand, so nothing is on it, as on the site")
+            format!("{channel}: music file not available; the channel is silent, as on ShaderToy")
         }));
     }
     if !args.no_stand_ins {
@@ -108,8 +108,8 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     })
 }
 
-/// A project with its repairs, where there are any. What a page or a desktop took and WebGL2 does not
-/// is mended unasked, where that is all.
+/// The repaired project; `None` if there is nothing to repair. Without `--repair`, repairs are
+/// applied only if the result compiles, which makes WebGL1 and desktop shaders work.
 fn mend(
     project: &Project,
     composed: &Composed,
@@ -128,8 +128,8 @@ fn mend(
     Ok(is_wanted.then_some((mended, renewed, repaired)))
 }
 
-/// A file as a project, as it is, with the files that it is made of. `from` is the host that the
-/// user says runs it.
+/// Loads a file as a project without repairs. Returns the project and the files that it was loaded
+/// from. `from` is the host given by the user.
 pub(in crate::cli) fn draft(
     path: &Path,
     from: Option<&str>,
@@ -148,25 +148,24 @@ pub(in crate::cli) fn draft(
     Ok((drafted.project, read))
 }
 
-/// The host that the user says runs the code.
+/// The host given by the user.
 fn host(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
     let named = from.map(|name| host_of(name).map_err(|e| format!("--host: {e}")));
     named.transpose()
 }
 
-const USAGE: &str = "give a shader file, a ShaderToy export (.json) or a folder of passes, like \
-                     `shaderport ocean.glsl -o ocean.html`; `-` is standard input, and `--help` tells \
-                     the rest";
+const USAGE: &str = "no input: pass a shader file, a ShaderToy export (.json) or a folder of passes; \
+                     try `shaderport ocean.glsl -o ocean.html`, or `--help` for all options";
 
 impl PortArgs {
-    /// What the user puts onto channels.
+    /// The channel orders of the user.
     pub(super) fn orders(&self) -> Result<Vec<GivenOrder>, String> {
         orders(self.input.first().map(PathBuf::as_path), &self.channel)
     }
 }
 
-/// Puts onto the channels of a project what the user says, or a file beside the input. Gives the
-/// files that were read for it, and what there is to say of them.
+/// Applies the channel orders of the user and of a file next to the input. Returns the files that
+/// were read and notes about them.
 pub(in crate::cli) fn put_channels(
     project: &mut Project,
     input: &Path,
@@ -180,7 +179,7 @@ pub(in crate::cli) fn put_channels(
     Ok((read, carried.remarks().to_vec()))
 }
 
-/// Carries the orders for channels out.
+/// Applies the orders.
 fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> Result<(), String> {
     for GivenOrder { by, order } in orders {
         let wrong = |e| format!("{by}: {e}");
@@ -199,7 +198,7 @@ fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> R
     Ok(())
 }
 
-/// The files of code, and of orders, that the arguments name.
+/// The shader files and order files that the arguments name.
 pub(super) fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
     let input = args.input.first().map(PathBuf::as_path);
     let mut files: Vec<PathBuf> = file_of(input).into_iter().collect();
@@ -214,17 +213,17 @@ pub(super) fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
     Ok(files)
 }
 
-/// Largest file that is put onto a channel, in bytes, where nothing is written.
+/// Largest media file for a project that is not written, in bytes.
 const MOST_MEDIA: u64 = 64 << 20;
 
-/// What is done with code that does not compile.
+/// What to do with code that does not compile.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Mode {
     AsItIs,
     Repair,
 }
 
-/// How the input is called in messages.
+/// The name of the input in messages.
 pub(super) fn name_of(args: &PortArgs) -> String {
     args.input
         .first()
@@ -236,19 +235,19 @@ fn stem(path: &Path) -> String {
         .map_or(String::new(), |s| s.to_string_lossy().into_owned())
 }
 
-/// A project as it was read.
+/// A drafted project.
 struct Drafted {
     project: Project,
-    /// What was repaired in it already.
+    /// Repairs that were already applied.
     repairs: Repairs,
-    /// Its passes as they were before that.
+    /// The composed passes before these repairs.
     given: Option<Composed>,
-    /// The texts beside its own that it is made of.
+    /// The companion files that it was loaded from.
     beside: TextsBeside,
 }
 
 impl Drafted {
-    /// A project that nothing beside it belongs to.
+    /// A project without companion files.
     fn of(project: Project) -> Drafted {
         Drafted {
             project,
@@ -268,13 +267,11 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         return Ok(Drafted::of(project));
     }
     if text.trim_start().starts_with('<') && !text.contains("<pipeline") {
-        return Err(wrong(
-            "this is a page of HTML or XML, and no shader".to_string(),
-        ));
+        return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
     if let FileKind::Holds(language) = decide(&name, &text, Claim::None).kind {
         return Err(wrong(format!(
-            "this is {language}, which may hold shaders and is none; give a shader as a file of its own"
+            "expected a shader, found {language}; move the shader to a file of its own"
         )));
     }
     let title = if name == "-" {
@@ -301,7 +298,7 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         });
     };
     let repairs = repair_webgl1(&mut modern, &name, &text)
-        .ok_or_else(|| wrong("this is too large".to_string()))?;
+        .ok_or_else(|| wrong("the shader is too large".to_string()))?;
     let given = project.resolve(&name).map_err(|e| wrong(e.to_string()))?;
     let code = modern.passes.first().map_or("", |p| &*p.code);
     let project = draft(code)?;
@@ -313,13 +310,13 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     })
 }
 
-/// Several files and folders, and those that `--pass` names, as passes.
+/// Assigns several files and folders, and the files of `--pass`, to passes.
 fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
     for text in named {
         let (role, path) = text
             .split_once('=')
-            .ok_or_else(|| format!("--pass: `{text}` is no pass; write it like `image=FILE`"))?;
+            .ok_or_else(|| format!("--pass: expected `PASS=FILE`, found `{text}`"))?;
         let role =
             PassRole::of_name(role).ok_or_else(|| format!("--pass: {}", unknown_pass(role)))?;
         files.push((role, PathBuf::from(path)));
@@ -330,8 +327,8 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
         } else {
             let role = PassRole::of_name(&stem(path)).ok_or_else(|| {
                 format!(
-                    "{}: its name tells no pass; call it like `image.glsl` or `buffer_a.glsl`, or \
-                     say `--pass image=FILE`",
+                    "{}: the file name does not match a pass; rename it, for example to \
+                     `image.glsl` or `buffer_a.glsl`, or use `--pass image=FILE`",
                     shown(path)
                 )
             })?;
@@ -360,8 +357,8 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     Project::from_parts(&title, parts).map_err(|e| e.to_string())
 }
 
-/// The passes that lie in a folder. Links that lead out of it are refused, since whoever ports a
-/// stranger's folder did not make them.
+/// The passes in a folder. Symbolic links that leave the folder are rejected, since the user may
+/// not have created a downloaded folder.
 pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
     let wrong = |e: std::io::Error| format!("{}: {}", shown(folder), plain_error(&e));
     let root = folder.canonicalize().map_err(wrong)?;
@@ -373,7 +370,7 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
             Some(role) if is_shader(&path) => {
                 if !path.canonicalize().map_err(wrong)?.starts_with(&root) {
                     return Err(format!(
-                        "{} leads out of {}; give it with `--pass {}=FILE`",
+                        "{} is outside of {}; pass it with `--pass {}=FILE`",
                         shown(&path),
                         shown(folder),
                         role.name()
@@ -393,10 +390,10 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
         (false, _) => Ok(found),
         (true, other) => {
             let help = other.map_or(String::new(), |path| {
-                format!("; or give a file itself, like {}", shown(path))
+                format!(", or pass a single file, such as {}", shown(path))
             });
             Err(format!(
-                "{}: no file in it is called like a pass: `image.glsl`, `buffer_a.glsl`, \
+                "{}: no pass found; name the files `image.glsl`, `buffer_a.glsl`, \
                  `common.glsl`{help}",
                 shown(folder)
             ))
@@ -404,7 +401,7 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
     }
 }
 
-/// Whether a file of a folder may be a pass.
+/// Whether a file in a folder can be a pass.
 fn is_shader(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     shadertoy().is_some_and(|host| host.has_ending(ending)) && path.is_file()

@@ -1,4 +1,4 @@
-//! From the arguments to files, and what there is to tell of them.
+//! Ports the input and reports notes, repairs and errors.
 
 use super::args::PortArgs;
 use super::load::{self, LoadedProject};
@@ -15,18 +15,18 @@ use crate::report::{Format, Reporter};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// What comes of the arguments.
+/// The result of a run.
 pub(super) struct MadeFiles {
-    /// What is to be written; empty where the errors forbid it, and where a diff was printed.
+    /// The files to write; empty if errors prevent it or a diff was printed.
     pub(super) files: Vec<File>,
-    /// The files that it is made of.
+    /// The files that were read.
     pub(super) read: Vec<PathBuf>,
     /// The exit code.
     pub(super) code: u8,
 }
 
-/// Ports what the arguments name, and tells what there is to tell. A page that is served knows its
-/// version by which it hears of the next.
+/// Ports the input and reports about it. `version` is set for a served page, which reloads itself
+/// when the server announces another version.
 pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<MadeFiles, String> {
     #[cfg(feature = "naga")]
     if let Some(shaders) = whole::load(args)? {
@@ -51,7 +51,7 @@ pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<MadeFiles, 
             let count = repairs.done.len();
             let _ = writeln!(
                 io::stderr(),
-                "note: {count} things were mended that WebGL2 does not take; `--diff` shows them"
+                "note: applied {count} repairs for WebGL2; `--diff` shows them"
             );
         }
     }
@@ -73,7 +73,7 @@ pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<MadeFiles, 
     if summary.errors > 0 && !args.repair {
         offer_repair(&composed);
     }
-    // Other languages are made of what compiles, and of nothing else.
+    // Other languages require code that compiles.
     if target != Target::Glsl && target.is_shaders() && summary.errors > 0 {
         return Ok(nothing(FINDINGS));
     }
@@ -99,10 +99,10 @@ pub(super) fn make(args: &PortArgs, version: Option<&str>) -> Result<MadeFiles, 
 
 pub(super) fn print(text: &[u8]) -> Result<(), String> {
     let printed = io::stdout().lock().write_all(text);
-    printed.map_err(|e| format!("the output cannot be written: {e}"))
+    printed.map_err(|e| format!("cannot write the output: {e}"))
 }
 
-/// Tells by pass whether what is to be written draws what the original draws.
+/// Reports for each pass whether the output draws the same as the original.
 fn is_verified(passes: Vec<Verified>) -> bool {
     let mut is_so = true;
     for verified in passes {
@@ -112,25 +112,27 @@ fn is_verified(passes: Vec<Verified>) -> bool {
             outcome,
         } = verified;
         let said = match &outcome {
-            Ok(Equality::Proved) => "the same code".to_string(),
-            Ok(Equality::Seen { pixels }) => format!("the same bits on {pixels} pixels"),
+            Ok(Equality::Proved) => "identical code".to_string(),
+            Ok(Equality::Seen { pixels }) => format!("identical on {pixels} pixels"),
             Ok(Equality::Differs { pixel: [x, y], .. }) => {
-                format!("another picture than the original, first seen at pixel {x}, {y}")
+                format!("differs from the original, first at pixel ({x}, {y})")
             }
-            Ok(Equality::TooLong) => "not compared: it runs too long".to_string(),
+            Ok(Equality::TooLong) => "not compared: the sample run takes too long".to_string(),
             Err(why) => format!("not compared: {why}"),
         };
         is_so &= matches!(outcome, Ok(Equality::Proved | Equality::Seen { .. }));
         let since = match original {
             Original::Given => "",
-            Original::Repaired => " as the repaired text; what was given does not compile",
+            Original::Repaired => {
+                ", compared with the repaired code: the original does not compile"
+            }
         };
         let _ = writeln!(io::stderr(), "{pass}: {said}{since}");
     }
     is_so
 }
 
-/// All repairs, as a diff.
+/// All repairs as a diff.
 fn diff_of(repairs: &Repairs) -> String {
     let changed = repairs.changed().map(|(before, after)| {
         let name = match &before.part {
@@ -142,7 +144,7 @@ fn diff_of(repairs: &Repairs) -> String {
     changed.collect()
 }
 
-/// Prints what was repaired, at the places where it stood.
+/// Reports the repairs, at their positions in the original text.
 fn tell_repairs(repairs: &Repairs) -> io::Result<()> {
     if repairs.is_empty() {
         return Ok(());
@@ -152,12 +154,12 @@ fn tell_repairs(repairs: &Repairs) -> io::Result<()> {
     reporter.finish().map(|_| ())
 }
 
-/// Says that `--repair` would help, where it would.
+/// Suggests `--repair` if it would fix errors.
 fn offer_repair(composed: &Composed) {
     let help = match repairable(composed) {
         0 => return,
-        1 => "help: `--repair` mends one of these; `--diff` shows how".to_string(),
-        n => format!("help: `--repair` mends {n} of these; `--diff` shows how"),
+        1 => "help: `--repair` fixes 1 of these errors; `--diff` shows how".to_string(),
+        n => format!("help: `--repair` fixes {n} of these errors; `--diff` shows how"),
     };
     let _ = writeln!(io::stderr(), "{help}");
 }

@@ -1,4 +1,4 @@
-//! The files that go onto channels, and into the output.
+//! Media files for channels, embedded in the output.
 
 use super::read::{plain_error, read_media, shown, size_words};
 use crate::port::{
@@ -8,20 +8,20 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use std::path::{Path, PathBuf};
 
-/// What is put into the output.
+/// The embedded media files.
 pub(super) struct Carried {
     /// Largest file, in bytes.
     limit: u64,
-    /// How it can be larger, behind what is said of one that is.
+    /// Appended to the error for a file that is too large: how to raise the limit.
     advice: &'static str,
-    /// The files, with how many bytes each adds.
+    /// The files, with the number of bytes that each adds to the output.
     files: Vec<(PathBuf, u64)>,
-    /// What there is to say of them.
+    /// Notes about the files.
     notes: Vec<String>,
 }
 
 impl Carried {
-    /// Nothing yet.
+    /// An empty set of files.
     pub(super) fn new(limit: u64, advice: &'static str) -> Carried {
         Carried {
             limit,
@@ -36,25 +36,31 @@ impl Carried {
         self.files.iter().map(|(path, _)| path)
     }
 
-    /// What there is to say of the files.
+    /// Notes about the files.
     pub(super) fn remarks(&self) -> &[String] {
         &self.notes
     }
 
-    /// What there is to say of the files, and how much they add.
+    /// Notes about the files, and their total size.
     pub(super) fn notes(&self) -> Vec<String> {
         let mut notes = self.notes.clone();
         let total: u64 = self.files.iter().map(|(_, size)| size).sum();
         match &self.files[..] {
             [] => {}
-            [(path, size)] => notes.push(format!("{} adds {}", shown(path), size_words(*size))),
-            all => notes.push(format!("{} files add {}", all.len(), size_words(total))),
+            [(path, size)] => {
+                notes.push(format!("embedded {} ({})", shown(path), size_words(*size)))
+            }
+            all => notes.push(format!(
+                "embedded {} files ({})",
+                all.len(),
+                size_words(total)
+            )),
         }
         notes
     }
 
-    /// Reads a file that goes onto a channel. The faces of a cube map lie in `NAME`, `NAME_1` to
-    /// `NAME_5`; where only the first is there, it is all of them.
+    /// Reads a file for a channel. The faces of a cube map are `NAME`, `NAME_1` to `NAME_5`; a
+    /// missing face is replaced by the first.
     pub(super) fn read(&mut self, path: &Path, is_cube: bool) -> Result<Media, String> {
         let (kind, first) = self.face(path)?;
         let mut urls = vec![first.clone()];
@@ -77,15 +83,14 @@ impl Carried {
         })
     }
 
-    /// What a file is, and what it holds as a `data:` address.
+    /// The kind of a file, and its content as a `data:` URL.
     fn face(&mut self, path: &Path) -> Result<(InputKind, String), String> {
         let name = shown(path);
         let bytes = read_media(path, self.limit, self.advice)?;
         let (kind, media_type) =
             kind_of_bytes(&bytes).ok_or_else(|| format!("{name}: {}", why_not(&bytes)))?;
         if kind_of_name(&name).is_some_and(|told| told != media_type) {
-            let note =
-                format!("{name} holds {media_type} whatever its name says, and is taken as that");
+            let note = format!("{name} contains {media_type}, despite its extension");
             self.notes.push(note);
         }
         let url = format!("data:{media_type};base64,{}", BASE64_STANDARD.encode(bytes));
@@ -93,8 +98,8 @@ impl Carried {
         Ok((kind, url))
     }
 
-    /// Takes what the export's channels read from a copy of the site's files. Nothing outside the
-    /// folder is read, whatever the export says.
+    /// Finds the media files of an export in a copy of ShaderToy's files. Files outside of the
+    /// folder are rejected.
     pub(super) fn find(&mut self, project: &mut Project, folder: &Path) -> Result<(), String> {
         let wrong = |e| format!("{}: {}", shown(folder), plain_error(&e));
         let root = folder.canonicalize().map_err(wrong)?;
@@ -110,7 +115,7 @@ impl Carried {
                 continue;
             };
             if !path.starts_with(&root) {
-                return Err(format!("`{}` leads out of {}", input.src, shown(folder)));
+                return Err(format!("`{}` is outside of {}", input.src, shown(folder)));
             }
             if !path.is_file() {
                 continue;
@@ -119,7 +124,7 @@ impl Carried {
             let found = match self.read(&path, is_cube) {
                 Ok(found) => found,
                 Err(message) => {
-                    self.notes.push(format!("{message}; it is left out"));
+                    self.notes.push(format!("{message}; skipped"));
                     continue;
                 }
             };
@@ -128,9 +133,8 @@ impl Carried {
             } else {
                 let (kind, wanted) = (found.kind.word(), input.kind.word());
                 let name = shown(&path);
-                self.notes.push(format!(
-                    "{name}: this is a {kind} and no {wanted}; it is left out"
-                ));
+                self.notes
+                    .push(format!("{name}: expected {wanted}, found {kind}; skipped"));
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! `shaderport`.
+//! The command line interface of `shaderport`.
 
 mod args;
 mod beside;
@@ -23,7 +23,7 @@ use super::command::FAILED;
 use make::{make, print};
 use report::tell;
 
-/// Runs the converter and gives the exit code.
+/// Runs `shaderport` and returns the exit code.
 pub fn run(args: &PortArgs) -> u8 {
     match port(args) {
         Ok(code) => code,

@@ -1,4 +1,4 @@
-//! Reading what the arguments name: to a limit, and never waiting in silence.
+//! Reads input files, with a size limit and a notice while waiting for a pipe.
 
 use crate::text::{Content, Encoding};
 use std::fs::{self, File};
@@ -8,7 +8,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::Duration;
 
-/// Largest shader or export that is read, in bytes. An export may carry its media.
+/// Largest shader or export, in bytes. An export may contain its media.
 const MAX_CODE: u64 = 128 * MIB;
 
 /// Largest shader file, in bytes.
@@ -16,7 +16,7 @@ const MAX_SHADER: usize = 40 * MIB as usize;
 
 const MIB: u64 = 1024 * 1024;
 
-/// How long a pipe or a terminal may give nothing until it is said what is waited for.
+/// How long a pipe or a terminal may be silent before a notice is printed.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A path with forward slashes.
@@ -33,7 +33,7 @@ pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
         false => {
             let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
             if data.is_dir() {
-                return Err(wrong("this is a folder".to_string()));
+                return Err(wrong("expected a file, found a folder".to_string()));
             }
             let from = path.to_path_buf();
             match data.is_file() {
@@ -47,30 +47,31 @@ pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
     let is_export = text.trim_start().starts_with(['{', '[']);
     match text.len() {
         size if size as u64 > MAX_CODE || size > MAX_SHADER && !is_export => Err(wrong(format!(
-            "this has more than {}; that is no shader",
+            "the file is larger than {}, the limit for shaders",
             size_words(MAX_SHADER as u64)
         ))),
         _ => Ok(text),
     }
 }
 
-/// The bytes of a regular file of at most `limit` bytes. `advice` is how more can be had.
+/// The bytes of a regular file of at most `limit` bytes. `advice` is appended to the error for a
+/// larger file.
 pub(super) fn read_media(path: &Path, limit: u64, advice: &str) -> Result<Vec<u8>, String> {
     let wrong = |e: String| format!("{}: {e}", shown(path));
     let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
     if !data.is_file() {
-        return Err(wrong("this is no regular file".to_string()));
+        return Err(wrong("not a regular file".to_string()));
     }
     if data.len() > limit {
         let (size, most) = (size_words(data.len()), size_words(limit));
         return Err(wrong(format!(
-            "the file has {size}; at most {most} are put onto a channel{advice}"
+            "the file has {size}, but the limit for media is {most}{advice}"
         )));
     }
     fs::read(path).map_err(|e| wrong(plain_error(&e)))
 }
 
-/// What the system says, without the number that it has for it.
+/// The message of a system error, without its number.
 pub(super) fn plain_error(error: &io::Error) -> String {
     let text = error.to_string();
     match text.split_once(" (os error") {
@@ -79,7 +80,8 @@ pub(super) fn plain_error(error: &io::Error) -> String {
     }
 }
 
-/// Reads what may never come, in a thread of its own; says so where nothing comes for a while.
+/// Reads a source that may never end, in its own thread. Prints a notice if nothing arrives for a
+/// while.
 fn wait_for<R: Read>(
     name: &str,
     open: impl FnOnce() -> io::Result<R> + Send + 'static,
@@ -87,7 +89,7 @@ fn wait_for<R: Read>(
     let (to, from) = channel();
     thread::spawn(move || {
         let read = open().and_then(|mut input| pass_on(&mut input, &to));
-        // Nobody listens any more where the program has ended.
+        // Sending fails if the receiver has stopped reading.
         let _ = to.send(read.map(|()| Vec::new()));
     });
     let mut bytes = Vec::new();
@@ -102,7 +104,7 @@ fn wait_for<R: Read>(
                 is_told = true;
                 let _ = writeln!(
                     io::stderr(),
-                    "waiting for the end of {name}; Ctrl+D ends what is typed, Ctrl+C this"
+                    "waiting for {name}; press Ctrl+D to end the input, Ctrl+C to cancel"
                 );
             }
             Err(RecvTimeoutError::Timeout) => {}
@@ -113,7 +115,7 @@ fn wait_for<R: Read>(
     }
 }
 
-/// Sends what can be read, part by part.
+/// Sends the input in chunks.
 fn pass_on(input: &mut impl Read, to: &Sender<io::Result<Vec<u8>>>) -> io::Result<()> {
     let mut part = vec![0; MIB as usize];
     loop {
@@ -127,21 +129,21 @@ fn pass_on(input: &mut impl Read, to: &Sender<io::Result<Vec<u8>>>) -> io::Resul
     }
 }
 
-/// Reads one byte more than is allowed at most, so that too much can be seen.
+/// Reads one byte more than the limit, so that the caller can detect larger files.
 fn read_to(file: &mut File) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(MAX_CODE + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// The text that bytes are, without a byte order mark.
+/// Decodes a text and removes a byte order mark.
 fn decode(bytes: Vec<u8>) -> Result<String, String> {
     if let Some(text) = utf16(&bytes) {
         return Ok(text);
     }
     let Content { mut text, encoding } = Content::of(bytes);
     match encoding {
-        Encoding::Binary | Encoding::Utf16 => Err("the file is no text".to_string()),
+        Encoding::Binary | Encoding::Utf16 => Err("the file is not text".to_string()),
         Encoding::Utf8 | Encoding::Damaged(_) => {
             if text.starts_with('\u{feff}') {
                 text.drain(..'\u{feff}'.len_utf8());
@@ -151,7 +153,7 @@ fn decode(bytes: Vec<u8>) -> Result<String, String> {
     }
 }
 
-/// UTF-16, as some shells write it, where a byte order mark tells it.
+/// Decodes UTF-16 with a byte order mark, as some shells write it.
 fn utf16(bytes: &[u8]) -> Option<String> {
     let (rest, is_little) = match bytes {
         [0xff, 0xfe, rest @ ..] => (rest, true),
@@ -167,7 +169,7 @@ fn utf16(bytes: &[u8]) -> Option<String> {
     Some(String::from_utf16_lossy(&units))
 }
 
-/// A number of bytes, as people say it.
+/// A size in bytes, formatted for messages.
 pub(super) fn size_words(bytes: u64) -> String {
     match bytes {
         0..1024 => format!("{bytes} bytes"),
@@ -176,7 +178,7 @@ pub(super) fn size_words(bytes: u64) -> String {
     }
 }
 
-/// Reads a size like `64M`, `1.5 GB` or `4000`.
+/// Parses a size such as `64M`, `1.5 GB` or `4000`.
 pub(super) fn size_of(text: &str) -> Result<u64, String> {
     let text = text.trim().to_ascii_lowercase();
     let text = text.trim_end_matches('b').trim_end_matches('i');
@@ -191,7 +193,7 @@ pub(super) fn size_of(text: &str) -> Result<u64, String> {
         .parse()
         .ok()
         .filter(|n: &f64| n.is_finite() && *n >= 0.0)
-        .ok_or("a size is a number of bytes, or one like `64M` or `1G`")?;
+        .ok_or("expected a number of bytes, or a size such as `64M` or `1G`")?;
     Ok((number * unit as f64) as u64)
 }
 

@@ -1,4 +1,4 @@
-//! What is said to whoever started `shaderport`, beside what is made.
+//! Messages on standard error.
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::port::Remark;
@@ -7,7 +7,7 @@ use crate::text::Sources;
 use std::collections::HashSet;
 use std::io::{self, IsTerminal, Write};
 
-/// Says something to whoever started the program.
+/// Prints a message to standard error.
 pub(super) fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "shaderport: {message}");
 }
@@ -16,13 +16,14 @@ pub(super) fn is_colored() -> bool {
     io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
-/// Prints what the browser will say of the passes, and why some could not be made as asked for.
+/// Reports the errors of the passes, and the passes that could not be written as requested.
 pub(super) fn report<'a>(
     sources: &Sources,
     problems: impl Iterator<Item = &'a Diagnostic>,
     remarks: &[Remark],
 ) -> io::Result<Summary> {
-    // Several passes may be made of one text, and several include what passes share.
+    // Several passes may share a text or its includes, so the same finding can occur more than
+    // once.
     let mut said = HashSet::new();
     let place = |d: &Diagnostic| {
         let file = sources.file_at(d.span.start);

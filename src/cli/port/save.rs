@@ -1,4 +1,4 @@
-//! Where the output goes, and what it must not write over.
+//! Output paths, and the files that must not be overwritten.
 
 use super::read::plain_error;
 use crate::cli::output::{Overwrite, write};
@@ -6,19 +6,19 @@ use crate::port::{Destination, File, Target};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A path of the command line, as a file or a folder.
+/// The output path of the command line, as a file or a folder.
 pub(super) enum OutputPlace {
     /// Standard output.
     Standard,
-    /// One file; others go beside it.
+    /// One file; further files are written next to it.
     File(PathBuf),
-    /// A folder for shaders under names of their own.
+    /// A folder, for shaders with generated names.
     Folder(PathBuf),
 }
 
 impl OutputPlace {
-    /// Where a project of this title goes. A folder is one that is there, or whose name ends in a
-    /// slash; for shaders also one without an ending that nothing else has.
+    /// The output place of a project with this title. A folder is an existing folder or a path that
+    /// ends in a slash; for shaders also a new path without an extension.
     pub(super) fn of(path: Option<&Path>, target: Target, title: &str) -> OutputPlace {
         let Some(path) = path.filter(|p| p.as_os_str() != "-") else {
             return OutputPlace::Standard;
@@ -35,7 +35,7 @@ impl OutputPlace {
         }
     }
 
-    /// The same for those who make the files.
+    /// The destination for the build.
     pub(super) fn output(&self) -> Destination<'_> {
         match self {
             OutputPlace::Standard => Destination::Standard,
@@ -45,7 +45,7 @@ impl OutputPlace {
     }
 }
 
-/// A title as the name of a file.
+/// A title as a file name.
 fn file_name(title: &str) -> String {
     let kept = |c: char| c.is_alphanumeric() || c == '-';
     let words = title.split(|c| !kept(c)).filter(|w| !w.is_empty());
@@ -56,7 +56,8 @@ fn file_name(title: &str) -> String {
     }
 }
 
-/// Writes all files, or none where one is in the way. None takes the place of a file that was `read`.
+/// Writes all files, or none if one of them cannot be written. Files that were `read` are never
+/// overwritten.
 pub(in crate::cli) fn save(
     files: &[File],
     overwrite: Overwrite,
@@ -66,20 +67,20 @@ pub(in crate::cli) fn save(
         let shown = path.display();
         if files.iter().take(i).any(|f| f.path == *path) {
             return Err(format!(
-                "two files would be written to {shown}; name it like `a.frag`, and the other lies \
-                 beside it"
+                "two files would be written to {shown}; use a name such as `a.frag`, and the other \
+                 is written next to it"
             ));
         }
         let Ok(there) = path.symlink_metadata() else {
             match path.ancestors().skip(1).find(|p| p.exists()) {
                 Some(above) if !above.is_dir() => {
-                    return Err(format!("{} is no folder", above.display()));
+                    return Err(format!("{} is not a folder", above.display()));
                 }
                 _ => continue,
             }
         };
         if read.iter().any(|r| is_same(r, path)) {
-            return Err(format!("{shown} is what is read; write to another file"));
+            return Err(format!("{shown} is an input file; choose another output"));
         }
         if !there.is_file() {
             let kind = match there.file_type() {
@@ -88,12 +89,14 @@ pub(in crate::cli) fn save(
                 _ => "a device",
             };
             return Err(format!(
-                "{shown} is {kind}, and only regular files are written over; without `-o` it goes to \
+                "cannot overwrite {shown}: it is {kind}, not a regular file; omit `-o` to write to \
                  standard output"
             ));
         }
         if overwrite == Overwrite::Never {
-            return Err(format!("{shown} is there already; --force writes over it"));
+            return Err(format!(
+                "{shown} already exists; use --force to overwrite it"
+            ));
         }
     }
     for File { path, content } in files {
@@ -103,7 +106,7 @@ pub(in crate::cli) fn save(
     Ok(())
 }
 
-/// Whether two paths lead to the same file, hard links included.
+/// Whether two paths refer to the same file, including hard links.
 #[cfg(unix)]
 fn is_same(a: &Path, b: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -1,5 +1,5 @@
-//! A server for one page, which only this machine reaches: `/` is the page, `/events` tells the page
-//! when there is a newer one.
+//! A server for one page, accessible from this machine only. `/` is the page, `/events` announces
+//! new versions.
 
 use super::report::tell;
 use crate::cli::command::{CLEAN, FAILED};
@@ -12,13 +12,13 @@ use std::time::Duration;
 /// Longest request, in bytes.
 const MAX_REQUEST: u64 = 16 * 1024;
 
-/// Most headers of a request.
+/// Largest number of headers in a request.
 const MAX_HEADERS: usize = 64;
 
-/// How long a browser may be silent before its request is complete.
+/// How long a browser may take to complete its request.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// How often a browser that waits for news is asked whether it is still there.
+/// How often an idle event stream is checked for a closed connection.
 const PULSE: Duration = Duration::from_secs(10);
 
 /// A running server.
@@ -28,38 +28,38 @@ pub(super) struct PageServer {
     thread: thread::JoinHandle<()>,
 }
 
-/// The page that is shown, and those who wait for the next.
+/// The current page, and the connections that wait for the next one.
 #[derive(Default)]
 struct ShownPage {
     page: Mutex<ServedPage>,
     changed: Condvar,
 }
 
-/// A page and what tells it from others.
+/// A version of the page.
 #[derive(Clone, Default)]
 struct ServedPage {
     version: String,
     content: Arc<Vec<u8>>,
-    /// Why there is no newer one, though there should be.
+    /// The error that prevents a newer version; empty if there is none.
     trouble: String,
 }
 
 impl PageServer {
-    /// Listens at a port of the loopback device, or at any that is free where somebody else has it.
+    /// Listens on a port of the loopback interface, or on any free port if it is in use.
     pub(super) fn open(port: u16) -> Result<PageServer, String> {
         let bind = |port| TcpListener::bind((Ipv4Addr::LOCALHOST, port));
         let opened = bind(port).or_else(|why| {
-            tell(&format!("port {port} is taken ({why}); another will do"));
+            tell(&format!("cannot use port {port} ({why}); choosing another"));
             bind(0)
         });
-        let listener = opened.map_err(|e| format!("no page can be served: {e}"))?;
+        let listener = opened.map_err(|e| format!("cannot serve the page: {e}"))?;
         let address = listener.local_addr().map_err(|e| e.to_string())?;
         let shown = Arc::new(ShownPage::default());
         let for_all = Arc::clone(&shown);
         let thread = thread::spawn(move || {
             for stream in listener.incoming().flatten() {
                 let shown = Arc::clone(&for_all);
-                // A browser that goes away in the middle is no matter.
+                // A connection that is closed early needs no handling.
                 thread::spawn(move || answer(&stream, address, &shown));
             }
         });
@@ -70,12 +70,12 @@ impl PageServer {
         })
     }
 
-    /// What to type into a browser.
+    /// The URL of the page.
     pub(super) fn address(&self) -> String {
         format!("http://{}/", self.address)
     }
 
-    /// Shows a page from now on, and has those who look at an older one load it.
+    /// Replaces the page and makes open pages reload.
     pub(super) fn show(&self, version: &str, content: Vec<u8>) {
         *self.shown.page() = ServedPage {
             version: version.to_string(),
@@ -85,18 +85,18 @@ impl PageServer {
         self.shown.changed.notify_all();
     }
 
-    /// Tells those who look at the page why it is not the newest.
+    /// Shows an error on open pages.
     pub(super) fn tell(&self, trouble: &str) {
         self.shown.page().trouble = trouble.replace(['\r', '\n'], " ");
         self.shown.changed.notify_all();
     }
 
-    /// Whether there is a page.
+    /// Whether there is no page yet.
     pub(super) fn is_empty(&self) -> bool {
         self.shown.page().is_empty()
     }
 
-    /// Serves until the process is ended.
+    /// Serves until the process is terminated.
     pub(super) fn stay(self) -> u8 {
         match self.thread.join() {
             Ok(()) => CLEAN,
@@ -106,30 +106,30 @@ impl PageServer {
 }
 
 impl ServedPage {
-    /// Whether it is none yet.
+    /// Whether there is no page yet.
     fn is_empty(&self) -> bool {
         self.version.is_empty()
     }
 
-    /// Whether there is nothing to tell to somebody who knows the other.
+    /// Whether both have the same version and the same error.
     fn says(&self, other: &ServedPage) -> bool {
         self.version == other.version && self.trouble == other.trouble
     }
 }
 
 impl ShownPage {
-    /// The page as it is now, which nobody changes meanwhile.
+    /// Locks the current page.
     fn page(&self) -> MutexGuard<'_, ServedPage> {
         self.page.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The page, once there is one: a browser may be quicker than the first conversion.
+    /// Waits for the first page: a browser may connect before the first conversion is done.
     fn first(&self) -> ServedPage {
         let shown = self.changed.wait_while(self.page(), |p| p.is_empty());
         shown.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The page, once there is something to tell of it that is not known; after a while in any case.
+    /// Waits until the page differs from a known one, or until the pulse interval has passed.
     fn next(&self, known: &ServedPage) -> ServedPage {
         let is_known = |page: &mut ServedPage| page.says(known);
         let waited = self
@@ -139,7 +139,7 @@ impl ShownPage {
     }
 }
 
-/// What a browser asks for.
+/// A request of a browser.
 struct Request {
     path: String,
     host: String,
@@ -149,14 +149,9 @@ fn answer(stream: &TcpStream, address: SocketAddr, shown: &ShownPage) -> io::Res
     stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
     let Some(request) = read(stream)? else {
-        return reply(
-            stream,
-            "400 Bad Request",
-            "text/plain",
-            b"no request for a page\n",
-        );
+        return reply(stream, "400 Bad Request", "text/plain", b"bad request\n");
     };
-    // Names of other hosts that lead here are a way for their pages to read this one.
+    // Rejects DNS rebinding: another host name that resolves to this server.
     let port = address.port();
     let own = [format!("{address}"), format!("localhost:{port}")];
     if !own.contains(&request.host) {
@@ -164,7 +159,7 @@ fn answer(stream: &TcpStream, address: SocketAddr, shown: &ShownPage) -> io::Res
             stream,
             "403 Forbidden",
             "text/plain",
-            b"only for this machine\n",
+            b"accessible from this machine only\n",
         );
     }
     match request.path.as_str() {
@@ -173,16 +168,11 @@ fn answer(stream: &TcpStream, address: SocketAddr, shown: &ShownPage) -> io::Res
             reply(stream, "200 OK", "text/html; charset=utf-8", &page.content)
         }
         "/events" => tell_changes(stream, shown),
-        _ => reply(
-            stream,
-            "404 Not Found",
-            "text/plain",
-            b"there is only the page\n",
-        ),
+        _ => reply(stream, "404 Not Found", "text/plain", b"not found\n"),
     }
 }
 
-/// Reads the head of a request; `None` where it is none that a browser makes for a page.
+/// Reads the head of a request; `None` if it is not a valid GET request.
 fn read(stream: &TcpStream) -> io::Result<Option<Request>> {
     let mut head = Vec::new();
     let mut lines = BufReader::new(stream.take(MAX_REQUEST));
@@ -218,7 +208,7 @@ fn reply(mut stream: &TcpStream, status: &str, kind: &str, content: &[u8]) -> io
     stream.write_all(content)
 }
 
-/// Tells a page the version of the newest, whenever there is one, as server-sent events.
+/// Announces each new version to a page, as server-sent events.
 fn tell_changes(mut stream: &TcpStream, shown: &ShownPage) -> io::Result<()> {
     stream.write_all(
         b"HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\n\
@@ -228,7 +218,7 @@ fn tell_changes(mut stream: &TcpStream, shown: &ShownPage) -> io::Result<()> {
     loop {
         let page = shown.next(&known);
         let (version, trouble) = (&page.version, &page.trouble);
-        // Of a page that has gone away only the failing write tells.
+        // A closed connection is detected only by a failing write.
         let news = match (*version == known.version, *trouble == known.trouble) {
             (true, true) => ": still there\n\n".to_string(),
             (false, _) => format!("data: {version}\n\nevent: trouble\ndata: {trouble}\n\n"),
@@ -243,7 +233,7 @@ fn tell_changes(mut stream: &TcpStream, shown: &ShownPage) -> io::Result<()> {
 mod tests {
     use super::*;
 
-    /// Everything that the server says to a request.
+    /// The server's complete response to a request.
     fn ask(server: &PageServer, head: &str) -> String {
         let mut stream = TcpStream::connect(server.address).unwrap();
         let head = head.replace("HOST", &server.address.to_string());

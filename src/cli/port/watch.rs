@@ -1,4 +1,4 @@
-//! `--watch` and `--serve`: what was made is made again at each change, and shown on a page.
+//! `--watch` and `--serve`: rebuilds the output on each change, and serves it as a page.
 
 use super::args::PortArgs;
 use super::load::files_of;
@@ -12,24 +12,22 @@ use crate::port::{ChannelSource, Target, waiting_page};
 use std::path::PathBuf;
 use std::time::SystemTime;
 
-/// Runs until the process is ended.
+/// Runs until the process is terminated.
 pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
     if args.input.iter().any(|p| p.as_os_str() == "-") {
-        return Err("standard input cannot be watched or served; name a file".to_string());
+        return Err("cannot watch or serve standard input; pass a file".to_string());
     }
     match args.serve {
         Some(_) if args.target()? != Target::Html => {
-            Err("only a page can be served; leave `--target` away".to_string())
+            Err("`--serve` requires `--target html`, the default".to_string())
         }
         Some(port) => serve(args, PageServer::open(port)?),
-        None if !args.is_saved() => {
-            Err("say where to write, with `-o FILE`, or `--serve` the page".to_string())
-        }
+        None if !args.is_saved() => Err("`--watch` requires `-o FILE` or `--serve`".to_string()),
         None => write(args),
     }
 }
 
-/// Writes the output at each change.
+/// Writes the output on each change.
 fn write(args: &PortArgs) -> Result<u8, String> {
     let mut before = look(args, &[]);
     let made = make(args, None)?;
@@ -37,7 +35,8 @@ fn write(args: &PortArgs) -> Result<u8, String> {
     let mut read = made.read;
     loop {
         before = next_change(args, before, &read);
-        // From here on the output is this run's own, and what cannot be read may be half saved.
+        // From here on the output belongs to this run, and a file that cannot be read may be half
+        // saved.
         let saved = make(args, None).and_then(|m| {
             read = m.read;
             save(&m.files, Overwrite::Allowed, &read)
@@ -48,10 +47,10 @@ fn write(args: &PortArgs) -> Result<u8, String> {
     }
 }
 
-/// Shows the page; with `--watch` anew at each change.
+/// Serves the page; with `--watch` rebuilds it on each change.
 fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
     tell(&format!(
-        "the page is at {}; Ctrl+C ends it",
+        "serving the page at {}; press Ctrl+C to stop",
         server.address()
     ));
     let mut read = Vec::new();
@@ -81,23 +80,23 @@ fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
     }
 }
 
-/// Waits until the files differ from what they were before the output was made; gives what they are.
+/// Waits until the files differ from their state before the build. Returns their new state.
 fn next_change(args: &PortArgs, before: Stamp, read: &[PathBuf]) -> Stamp {
     tell("waiting for changes");
-    // What was only found while reading is taken as it is now.
+    // Files that were discovered during the build are taken in their current state.
     let before = before.with(read.iter().cloned());
     wait(before, || look(args, read));
     look(args, read)
 }
 
-/// What tells a page from those made before it, in this run or another.
+/// A version string that differs from that of every earlier page.
 fn version() -> String {
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     now.map_or(0, |t| t.as_nanos()).to_string()
 }
 
-/// What is to be seen of the files that the output is made of: those that were `read` last, and those
-/// that the arguments name and that may come.
+/// The state of all input files: those that were `read` last, and those that the arguments name,
+/// which may not exist yet.
 fn look(args: &PortArgs, read: &[PathBuf]) -> Stamp {
     let named = files_of(args).unwrap_or_default();
     let orders = args.orders().unwrap_or_default().into_iter();

@@ -1,4 +1,4 @@
-//! Whole shaders, which go into the languages of naga as they are, whatever feeds them.
+//! Complete shaders, which are translated by naga as they are, whatever their uniforms mean.
 
 use super::args::PortArgs;
 use super::read::{read_text, shown};
@@ -9,12 +9,12 @@ use crate::port::{File, WholeShaders, translate_shaders, whole_shaders};
 use crate::semantic::Stage;
 use std::path::PathBuf;
 
-/// The whole shaders that the arguments name, where they name nothing else and a language is asked
-/// for that takes them as they are.
+/// The complete shaders that the arguments name; `None` if a target other than naga's is requested,
+/// or options require a project.
 pub(super) fn load(args: &PortArgs) -> Result<Option<WholeShaders>, String> {
     let is_asked = args.repair || args.diff || args.host.is_some();
     let is_plain = args.pass.is_empty() && args.channel.is_empty() && !is_asked;
-    // What is no regular file is read once, by whoever asks first.
+    // Only regular files can be read twice.
     let are_files = args.input.iter().all(|path: &PathBuf| path.is_file());
     if args.target()?.language().is_none() || !is_plain || !are_files {
         return Ok(None);
@@ -31,7 +31,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Option<WholeShaders>, String> {
     Ok(whole_shaders(files).filter(|all| !all.shaders.is_empty()))
 }
 
-/// Makes them: files, and the exit code.
+/// Translates the shaders. Returns the files and the exit code.
 pub(super) fn make(args: &PortArgs, all: &WholeShaders) -> Result<(Vec<File>, u8), String> {
     let target = args.target()?;
     let name = all.shaders.first().map_or("", |s| &s.path);

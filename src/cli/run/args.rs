@@ -6,131 +6,153 @@ use crate::exec::Watch;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 
-/// Draws a shader without a GPU, as WebGL2 would, and says what was seen.
+/// Run a shader on the CPU and show its image and statistics.
+///
+/// Draws one frame as WebGL2 would, without a GPU.
 #[derive(clap::Args, Debug)]
+#[command(after_help = EXIT_CODES)]
 pub struct RunArgs {
-    /// A fragment shader, a pass of ShaderToy or an export (.json); `-` is standard input
+    /// Fragment shader, ShaderToy pass or ShaderToy export (.json); `-` reads standard input
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Size of the picture in pixels
-    #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = size_of)]
-    #[arg(help_heading = "Moment")]
-    pub size: [u32; 2],
-    /// Seconds since the start; the frame is the one of that time, at 60 a second
-    #[arg(long, value_name = "T", value_parser = time_of, help_heading = "Moment")]
-    pub time: Option<f64>,
-    /// Number of the frame, from 0
-    #[arg(long, value_name = "N", help_heading = "Moment")]
-    pub frame: Option<u32>,
-    /// Where the mouse was last with its button down, in pixels from the left and from below; `,down`
-    /// holds it
-    #[arg(long, value_name = "X,Y[,down]", value_parser = mouse_of, help_heading = "Moment")]
-    pub mouse: Option<Mouse>,
-    /// JSON object of uniforms: numbers, booleans, arrays of them (matrices by columns), objects for
-    /// structs
-    #[arg(long, value_name = "FILE", help_heading = "Moment")]
-    pub uniforms: Option<PathBuf>,
-    /// Who runs the code, like `shadertoy`, `glsl-sandbox` or `isf`, or a file that describes one; without
-    /// it the configuration or the code tells
-    #[arg(
-        long,
-        value_name = "NAME",
-        visible_alias = "from",
-        help_heading = "Moment"
-    )]
-    pub host: Option<String>,
-    /// What a channel reads, like `0=photo.jpg`, `image.1=keyboard`, `buffer_a.0=buffer_a` or, by the
-    /// name of a sampler, `u_tex0=photo.png`; behind it may stand how, like `,nearest,clamp,noflip`
-    #[arg(long, value_name = "[PASS.]N=SOURCE", help_heading = "Moment")]
-    pub channel: Vec<String>,
-    /// The pass to show, like `image` or `buffer_a`
-    #[arg(long, value_name = "PASS", help_heading = "Moment")]
-    pub pass: Option<String>,
 
-    /// The PNG to write; without it the picture is drawn in the terminal
-    #[arg(short, long, value_name = "OUT.png", help_heading = "Output")]
-    pub output: Option<PathBuf>,
-    /// Write over a file that is there already
-    #[arg(long, help_heading = "Output")]
-    pub force: bool,
-    /// Draw how much work each pixel is (steps, cost), which share of the work of its 8x4 pixels it
-    /// only waits for (overdraw), or where numbers are not finite (nan)
-    #[arg(long, value_enum, value_name = "WHAT", help_heading = "Output")]
+    /// Site or library that the shader is written for: `shadertoy`, `glsl-sandbox`, `isf`
+    ///
+    /// Also accepts a file that describes a host. Default: the host in the configuration, or detected
+    /// from the code. An unknown name lists all hosts.
+    #[arg(long, value_name = "NAME", visible_alias = "from", help_heading = INPUT)]
+    pub host: Option<String>,
+    /// Input of a channel: `0=photo.jpg`, `image.1=keyboard`, `buffer_a.0=buffer_a`
+    ///
+    /// The channel may be the name of a sampler: `u_tex0=photo.png`. Append the sampler settings:
+    /// `0=photo.jpg,nearest,clamp,noflip`.
+    #[arg(long, value_name = "[PASS.]N=SOURCE", help_heading = INPUT)]
+    pub channel: Vec<String>,
+    /// Pass to show: `image`, `buffer_a`
+    #[arg(long, value_name = "PASS", help_heading = INPUT)]
+    pub pass: Option<String>,
+    /// JSON file with an object of uniform values
+    ///
+    /// Values are numbers, booleans, arrays of these (matrices in column order) and objects for
+    /// structs.
+    #[arg(long, value_name = "FILE", help_heading = INPUT)]
+    pub uniforms: Option<PathBuf>,
+
+    /// Size of the image in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = size_of)]
+    #[arg(help_heading = FRAME)]
+    pub size: [u32; 2],
+    /// Time in seconds since the start; also sets the frame number, at 60 frames per second
+    #[arg(long, value_name = "T", value_parser = time_of, help_heading = FRAME)]
+    pub time: Option<f64>,
+    /// Frame number, starting at 0
+    #[arg(long, value_name = "N", help_heading = FRAME)]
+    pub frame: Option<u32>,
+    /// Last mouse position with the button down, in pixels from the lower left corner
+    ///
+    /// Append `,down` to hold the button.
+    #[arg(long, value_name = "X,Y[,down]", value_parser = mouse_of, help_heading = FRAME)]
+    pub mouse: Option<Mouse>,
+
+    /// Draw a heat map of each pixel: steps, cost, overdraw, nan
+    ///
+    /// steps: loop iterations. cost: operations. overdraw: percentage of the work of the 8x4 pixel
+    /// group that a pixel only waits for. nan: pixels with values that are not finite.
+    #[arg(long, value_enum, value_name = "WHAT", help_heading = ANALYSIS)]
     #[arg(hide_possible_values = true)]
     pub heatmap: Option<Heat>,
-    /// Draw a variable as it is on a line, like `d@42`; the last time that the line is run counts
-    #[arg(long, value_name = "NAME@LINE", value_parser = show_of, help_heading = "Output")]
+    /// Draw the value of a variable on a line: `d@42`
+    ///
+    /// If the line runs several times, the last value is drawn.
+    #[arg(long, value_name = "NAME@LINE", value_parser = show_of, help_heading = ANALYSIS)]
     #[arg(conflicts_with_all = ["heatmap", "compare"])]
     pub show: Option<Show>,
-    /// Draw so many pictures on one sheet, from --time on
-    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "9")]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..=100), help_heading = "Output")]
-    #[arg(conflicts_with_all = ["heatmap", "compare", "frame"])]
-    pub sheet: Option<u32>,
-    /// Seconds between two pictures of a sheet
-    #[arg(long, value_name = "T", default_value = "1", value_parser = time_of)]
-    #[arg(help_heading = "Output")]
-    pub every: f64,
-    /// Say of each loop how often it may turn and how often it did, what each function cost, and where
-    /// numbers went wrong
-    #[arg(long, help_heading = "Output")]
+    /// Report loop iterations, the cost of each function and invalid numbers
+    #[arg(long, help_heading = ANALYSIS)]
     pub report: bool,
-    /// Compare the pictures with those of another shader, bit for bit; exits with 1 where they differ
-    #[arg(long, value_name = "OTHER", help_heading = "Output")]
+    /// Compare with another shader bit for bit; exit with code 1 if they differ
+    #[arg(long, value_name = "OTHER", help_heading = ANALYSIS)]
     #[arg(conflicts_with = "heatmap")]
     pub compare: Option<PathBuf>,
-    /// human, json
+
+    /// PNG file to write; default: show the image in the terminal
+    #[arg(short, long, value_name = "OUT.png", help_heading = OUTPUT)]
+    pub output: Option<PathBuf>,
+    /// Overwrite existing files
+    #[arg(long, help_heading = OUTPUT)]
+    pub force: bool,
+    /// Draw a contact sheet of N frames, 9 by default, starting at --time
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "9")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=100), help_heading = OUTPUT)]
+    #[arg(conflicts_with_all = ["heatmap", "compare", "frame"])]
+    pub sheet: Option<u32>,
+    /// Seconds between the frames of a contact sheet
+    #[arg(long, value_name = "T", default_value = "1", value_parser = time_of)]
+    #[arg(help_heading = OUTPUT)]
+    pub every: f64,
+    /// Output format: human, json
     #[arg(
         long,
         value_enum,
         default_value_t,
         value_name = "FORMAT",
-        help_heading = "Output"
+        help_heading = OUTPUT
     )]
     #[arg(hide_possible_values = true)]
     pub format: RunFormat,
-    /// When to print in colour: auto, always, never
+    /// When to use colours: auto, always, never
     #[arg(
         long,
         value_enum,
         default_value_t,
         value_name = "WHEN",
-        help_heading = "Output"
+        help_heading = OUTPUT
     )]
     #[arg(hide_possible_values = true)]
     pub color: ColorChoice,
-    /// How many threads draw; as many as there are cores without it
-    #[arg(long, value_name = "N", help_heading = "Output")]
+    /// Number of threads; default: one per core
+    #[arg(long, value_name = "N", help_heading = OUTPUT)]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
 }
 
-/// A variable, and a line.
+const INPUT: &str = "Input";
+const FRAME: &str = "Frame";
+const ANALYSIS: &str = "Analysis";
+const OUTPUT: &str = "Output";
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  The shader was drawn
+  1  The shader has errors, or --compare found a difference
+  2  Wrong usage, or a file cannot be read or written";
+
+/// A variable on a source line.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Show {
-    /// Its name.
+    /// Name of the variable.
     pub name: String,
-    /// The line, from 1.
+    /// Line number, from 1.
     pub line: u32,
 }
 
 /// What a heat map shows of each pixel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum Heat {
-    /// Turns of loops
+    /// Loop iterations
     Steps,
     /// Operations
     Cost,
-    /// The share of the work of its group of pixels that it has no part in
+    /// Percentage of the work of its 8x4 pixel group that the pixel only waits for
     Overdraw,
-    /// Numbers that are not finite
+    /// Values that are not finite
     Nan,
 }
 
 /// The values of `--format`.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
 pub enum RunFormat {
-    /// For people
+    /// Text
     #[default]
     Human,
     /// One JSON object
@@ -138,7 +160,7 @@ pub enum RunFormat {
 }
 
 impl RunArgs {
-    /// The moment that is asked for.
+    /// The time, frame and mouse to draw.
     pub fn moment(&self) -> Moment {
         let moment = match (self.time, self.frame) {
             (Some(time), None) => Moment::at(time),
@@ -154,7 +176,7 @@ impl RunArgs {
         }
     }
 
-    /// What is drawn, and how.
+    /// The settings of the draw.
     pub fn setting(&self) -> ShotSetting<'_> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         ShotSetting {
@@ -163,7 +185,7 @@ impl RunArgs {
             pass: self.pass.as_deref(),
             show: self.show.as_ref(),
             uniforms: self.uniforms.as_deref(),
-            // Nobody asks for the cost of pictures that are only compared, or put on a sheet.
+            // Comparisons and contact sheets do not print the cost.
             watch: match self.compare.is_some() || self.sheet.is_some() {
                 true => Watch::Nothing,
                 false if self.report => Watch::Numbers,
@@ -173,28 +195,28 @@ impl RunArgs {
     }
 }
 
-/// What is drawn of a shader, and how.
+/// The settings of a draw.
 pub struct ShotSetting<'a> {
-    /// Size of the picture in pixels.
+    /// Size of the image in pixels.
     pub size: [u32; 2],
-    /// How many threads draw.
+    /// Number of threads.
     pub threads: usize,
-    /// The pass to show; without it the picture.
+    /// The pass to show; the image pass by default.
     pub pass: Option<&'a str>,
-    /// A variable of a line.
+    /// The variable to show instead of the output.
     pub show: Option<&'a Show>,
-    /// A file with what uniforms are set to.
+    /// JSON file with uniform values.
     pub uniforms: Option<&'a Path>,
-    /// What is watched.
+    /// What the VM records.
     pub watch: Watch,
 }
 
-/// Longest side of a picture.
+/// Longest side of an image in pixels.
 const MAX_SIDE: u32 = 16_384;
-/// Most pixels of a picture.
+/// Maximum number of pixels of an image.
 pub const MAX_PIXELS: u64 = 1 << 26;
 
-/// A size like `640x360`.
+/// Parses a size such as `640x360`.
 pub fn size_of(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.trim().parse::<u32>().ok().filter(|n| *n > 0);
     let (width, height) = text.split_once(['x', 'X']).ok_or(SIZE)?;
@@ -202,24 +224,24 @@ pub fn size_of(text: &str) -> Result<[u32; 2], String> {
     let pixels = u64::from(width) * u64::from(height);
     if width.max(height) > MAX_SIDE || pixels > MAX_PIXELS {
         return Err(format!(
-            "at most {MAX_SIDE} pixels a side and {MAX_PIXELS} in all"
+            "at most {MAX_SIDE} pixels per side and {MAX_PIXELS} in total"
         ));
     }
     Ok([width, height])
 }
 
-const SIZE: &str = "write a size like 640x360";
+const SIZE: &str = "expected a size such as 640x360";
 
-/// Seconds.
+/// Parses a time in seconds.
 pub fn time_of(text: &str) -> Result<f64, String> {
     let time = text.parse::<f64>().ok();
     let time = time.filter(|t| t.is_finite() && (0.0..1e9).contains(t));
-    time.ok_or_else(|| "write seconds like 2.5".to_string())
+    time.ok_or_else(|| "expected a time in seconds such as 2.5".to_string())
 }
 
-/// A place like `320,180` or `320,180,down`.
+/// Parses a mouse position such as `320,180` or `320,180,down`.
 fn mouse_of(text: &str) -> Result<Mouse, String> {
-    let wrong = || "write a place like 320,180 or 320,180,down".to_string();
+    let wrong = || "expected a position such as 320,180 or 320,180,down".to_string();
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let (x, y, button) = match parts[..] {
         [x, y] => (x, y, Button::Up),
@@ -231,7 +253,7 @@ fn mouse_of(text: &str) -> Result<Mouse, String> {
     Ok(Mouse { at, button })
 }
 
-/// A variable like `d@42`.
+/// Parses a variable such as `d@42`.
 fn show_of(text: &str) -> Result<Show, String> {
     let parts = text.rsplit_once('@');
     let show = parts.and_then(|(name, line)| {
@@ -239,7 +261,7 @@ fn show_of(text: &str) -> Result<Show, String> {
         let name = name.trim().to_string();
         (!name.is_empty()).then_some(Show { name, line })
     });
-    show.ok_or_else(|| "write a name and a line like d@42".to_string())
+    show.ok_or_else(|| "expected a name and a line such as d@42".to_string())
 }
 
 #[cfg(test)]

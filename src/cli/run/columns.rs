@@ -1,7 +1,6 @@
 //! Tables and numbers for people.
 
-/// Rows as lines; in the first columns, so many of them, words begin below one another, in the others
-/// numbers end there.
+/// Formats rows as lines. The first `words` columns are left-aligned, the others right-aligned.
 pub fn columns<const N: usize>(rows: &[[String; N]], words: usize) -> String {
     let mut widths = [0; N];
     for row in rows {
@@ -25,13 +24,13 @@ pub fn columns<const N: usize>(rows: &[[String; N]], words: usize) -> String {
     text
 }
 
-/// A time to a thousandth of a second.
+/// Formats a time with up to three decimals.
 pub fn seconds(time: f64) -> String {
     let text = format!("{time:.3}");
     format!("{} s", text.trim_end_matches('0').trim_end_matches('.'))
 }
 
-/// A share in percent; what is there is never told as none.
+/// Formats a share as a percentage. Shares above 0 are never shown as 0 %.
 pub fn percent(share: f64) -> String {
     match share * 100.0 {
         0.0 => "0 %".to_string(),

@@ -1,4 +1,4 @@
-//! Two shaders at the same moments, bit for bit.
+//! Compares two shaders bit for bit in the same frames.
 
 use super::args::{RunArgs, RunFormat};
 use super::columns::{percent, seconds};
@@ -10,20 +10,20 @@ use crate::engine::play::{Button, Moment, Mouse, Picture};
 use crate::exec::{Code, Drawn};
 use serde::Serialize;
 
-/// Times that are compared where none is asked for.
+/// Times in seconds that are compared by default.
 const TIMES: [f64; 4] = [0.0, 1.0, 5.0, 20.0];
 
-/// What came of a comparison.
+/// The result of a comparison.
 #[derive(Serialize)]
 pub struct Compared {
     schema: u32,
     file: String,
     other: String,
     size: [u32; 2],
-    /// Whether all bits are the same.
+    /// Whether all outputs are identical.
     pub same: bool,
     moments: Vec<MomentCompared>,
-    /// What was written.
+    /// Path of the image that was written.
     pub output: Option<String>,
 }
 
@@ -32,25 +32,25 @@ struct MomentCompared {
     time: f64,
     frame: u32,
     mouse: Option<super::facts::MouseFacts>,
-    /// How many pixels differ in any bit of any output.
+    /// Number of pixels that differ in any bit of any output.
     pixels: u64,
-    /// How many of them differ on the screen.
+    /// Number of pixels that differ after rounding to 8 bits.
     shown: u64,
-    /// The largest difference of a channel that is shown.
+    /// Largest difference of a colour channel.
     most: f64,
-    /// The first pixel that differs, from the left and from below.
+    /// First pixel that differs, from the lower left corner.
     first: Option<[u32; 2]>,
 }
 
-/// Two pictures of a moment, pixel by pixel.
+/// The comparison of one frame, pixel by pixel.
 struct ComparedPictures {
     told: MomentCompared,
-    /// By pixel: the largest difference of a channel; the least that there is where bits alone differ.
+    /// By pixel: the largest difference of a channel; a tiny value if only bits differ that are not
+    /// shown.
     by_pixel: Vec<f64>,
 }
 
-/// Compares two shaders. Gives what came of it, and the picture of the moment at which they differ
-/// the most.
+/// Compares two shaders. Returns the result and an image of the frame that differs the most.
 pub fn compare(
     mut shots: [&mut Shot; 2],
     names: [&str; 2],
@@ -89,8 +89,7 @@ pub fn compare(
     Ok((compared, picture))
 }
 
-/// The moments at which two shaders are compared: the one asked for, else several, with the mouse and
-/// without.
+/// The frames to compare: the given one, or several with and without the mouse.
 fn moments(args: &RunArgs) -> Vec<Moment> {
     if args.time.is_some() || args.frame.is_some() {
         return vec![args.moment()];
@@ -158,7 +157,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> Compare
 }
 
 impl Compared {
-    /// As it is asked for.
+    /// The result in the given format.
     pub fn print(&self, format: RunFormat) -> String {
         match format {
             RunFormat::Human => self.text(),
@@ -176,11 +175,11 @@ impl Compared {
         let pixels = u64::from(width) * u64::from(height);
         let moments = self.moments.len();
         let (file, other) = (&self.file, &self.other);
-        let seen = format!("{} pixels at {moments} moments", pixels * moments as u64);
+        let seen = format!("{} pixels in {moments} frames", pixels * moments as u64);
         if self.same {
-            return format!("{file} and {other}: the same bits on {seen}\n");
+            return format!("{file} and {other} are identical: compared {seen}\n");
         }
-        let mut text = format!("{file} and {other} differ; seen on {seen}\n");
+        let mut text = format!("{file} and {other} differ: compared {seen}\n");
         for moment in self.moments.iter().filter(|m| m.pixels > 0) {
             let share = percent(moment.pixels as f64 / pixels.max(1) as f64);
             let [x, y] = moment.first.unwrap_or_default();
@@ -189,8 +188,8 @@ impl Compared {
                 None => "",
             };
             text.push_str(&format!(
-                "  at {}{mouse}: {} pixels ({share}), {} of them on the screen, by {} at most, \
-                 first at ({x}, {y})\n",
+                "  at {}{mouse}: {} pixels ({share}), {} of them after rounding to 8 bits; largest \
+                 difference {}, first at ({x}, {y})\n",
                 seconds(moment.time),
                 moment.pixels,
                 moment.shown,

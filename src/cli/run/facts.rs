@@ -1,4 +1,4 @@
-//! What is said of a picture, for people and for programs.
+//! Statistics of a frame, for people and for programs.
 
 use super::columns::{percent, seconds};
 use super::functions::{self, FunctionRow};
@@ -8,41 +8,41 @@ use crate::engine::play::{Button, Moment, PictureFacts};
 use crate::exec::Drawn;
 use serde::Serialize;
 
-/// All that is said of a run. Fields are only ever added.
+/// The result of a run. The JSON format may gain fields, but never loses any.
 #[derive(Serialize)]
 pub struct RunFacts {
-    /// Of this form.
+    /// Version of the JSON format.
     pub schema: u32,
-    /// The shader.
+    /// Name of the shader file.
     pub file: String,
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Seconds since the start.
+    /// Time in seconds since the start.
     pub time: f64,
-    /// Number of the frame.
+    /// Frame number, from 0.
     pub frame: u32,
-    /// The mouse, where it has come.
+    /// The mouse, if it was pressed.
     pub mouse: Option<MouseFacts>,
-    /// What was written.
+    /// Path of the image that was written.
     pub output: Option<String>,
-    /// What the shader gives, the first as it is shown.
+    /// Statistics of the outputs; the first is the image.
     pub outputs: Vec<OutputFacts>,
-    /// What it took.
+    /// Number of operations.
     pub cost: CostFacts,
-    /// The loops, where they were asked for.
+    /// Iterations of the loops, with --report.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loops: Option<Vec<LoopRow>>,
-    /// What each function cost, where that was asked for.
+    /// Cost of the functions, with --report.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub functions: Option<Vec<FunctionRow>>,
-    /// The numbers that went wrong, where the loops were asked for.
+    /// Invalid numbers, with --report.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers: Option<Vec<NumberRow>>,
-    /// What was made up or left out.
+    /// Notes about inputs that were missing or replaced.
     pub notes: Vec<String>,
 }
 
-/// Where the mouse is.
+/// Position and button of the mouse.
 #[derive(Serialize)]
 pub struct MouseFacts {
     x: f64,
@@ -50,45 +50,45 @@ pub struct MouseFacts {
     down: bool,
 }
 
-/// What one output holds.
+/// Statistics of one output.
 #[derive(Serialize)]
 pub struct OutputFacts {
-    /// Its name.
+    /// Name of the output variable.
     pub name: String,
-    /// Its type.
+    /// Type of the output variable.
     #[serde(rename = "type")]
     pub ty: String,
-    /// By channel, alpha left out, of the numbers that are finite.
+    /// Average of each channel without alpha, over finite values.
     pub mean: Vec<f64>,
-    /// The smallest.
+    /// Minimum of each channel.
     pub min: Vec<f64>,
-    /// The largest.
+    /// Maximum of each channel.
     pub max: Vec<f64>,
-    /// Share of the pixels that are black on the screen.
+    /// Share of pixels that are black after rounding to 8 bits.
     pub black: f64,
-    /// Share of those with a NaN.
+    /// Share of pixels with a NaN.
     pub nan: f64,
-    /// Share of those with an infinite number.
+    /// Share of pixels with an infinity.
     pub infinite: f64,
-    /// Share of those that were discarded.
+    /// Share of discarded pixels.
     pub discarded: f64,
-    /// How many colours are on the screen, counted up to 65,536.
+    /// Number of distinct colours after rounding to 8 bits, counted up to 65,536.
     pub colors: u32,
 }
 
-/// What a picture took.
+/// The cost of a frame.
 #[derive(Serialize)]
 pub struct CostFacts {
-    /// Operations of all pixels.
+    /// Number of operations of all pixels.
     pub operations: u64,
-    /// Of one pixel, in the mean.
+    /// Average number of operations per pixel.
     pub mean: f64,
-    /// Of the most expensive pixel.
+    /// Number of operations of the most expensive pixel.
     pub most: u32,
 }
 
 impl OutputFacts {
-    /// What is said of an output of so many lanes.
+    /// Statistics of an output with `lanes` components.
     pub fn of(
         name: &str,
         (ty, lanes): (String, u32),
@@ -113,7 +113,7 @@ impl OutputFacts {
 }
 
 impl CostFacts {
-    /// What is said of the cost.
+    /// The cost of a draw.
     pub fn of(drawn: &Drawn) -> CostFacts {
         CostFacts {
             operations: drawn.seen.operations,
@@ -133,14 +133,14 @@ pub fn mouse(moment: &Moment) -> Option<MouseFacts> {
 }
 
 impl RunFacts {
-    /// For people.
+    /// The text for people.
     pub fn text(&self) -> String {
         let [width, height] = self.size;
         let (file, time, frame) = (&self.file, seconds(self.time), self.frame);
         let mut text = format!("{file}: {width}x{height}, {time}, frame {frame}\n");
         for (output, i) in self.outputs.iter().zip(0..) {
             let name = match i {
-                0 => "picture".to_string(),
+                0 => "image".to_string(),
                 _ => output.name.clone(),
             };
             let lanes = |all: &[f64]| {
@@ -148,7 +148,7 @@ impl RunFacts {
                 all.collect::<Vec<_>>().join(" ")
             };
             text.push_str(&format!(
-                "  {name:9} mean {}, from {} to {}\n",
+                "  {name:9} mean {}, min {}, max {}\n",
                 lanes(&output.mean),
                 lanes(&output.min),
                 lanes(&output.max)
@@ -166,15 +166,15 @@ impl RunFacts {
                 shares.push(format!("{} {what}", percent(share)));
             }
             let colors = match output.colors {
-                1 => "one colour".to_string(),
-                n if n >= 65_536 => "65536 colours or more".to_string(),
+                1 => "1 colour".to_string(),
+                n if n >= 65_536 => "65536 or more colours".to_string(),
                 n => format!("{n} colours"),
             };
             text.push_str(&format!("  {:9} {}, {colors}\n", "", shares.join(", ")));
         }
         let CostFacts { mean, most, .. } = self.cost;
         text.push_str(&format!(
-            "  {:9} {mean:.0} operations a pixel, {most} at most\n",
+            "  {:9} {mean:.0} operations per pixel, at most {most}\n",
             "cost"
         ));
         if let Some(loops) = &self.loops {
@@ -192,14 +192,14 @@ impl RunFacts {
         text
     }
 
-    /// For programs.
+    /// The JSON object for programs.
     pub fn json(&self) -> String {
         let text = serde_json::to_string_pretty(self).unwrap_or_default();
         format!("{text}\n")
     }
 }
 
-/// A number to three digits behind the point.
+/// Formats a number with three decimals.
 fn number(number: f64) -> String {
     let text = format!("{number:.3}");
     match text.as_str() {

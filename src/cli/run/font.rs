@@ -1,13 +1,13 @@
-//! Small writing in pictures: capital letters and numbers of three by five pixels.
+//! A bitmap font of capital letters, digits and signs, three by five pixels.
 
 use super::png::Bitmap;
 
-/// How many pixels from one character to the next, at the smallest size.
+/// Distance between two characters at scale 1, in pixels.
 const ADVANCE: u32 = 4;
-/// How many pixels a character is high, at the smallest size.
+/// Height of a character at scale 1, in pixels.
 pub const HEIGHT: u32 = 5;
 
-/// The rows of a character from above, three bits each, the left pixel in the highest.
+/// The rows of a character from the top, three bits each, left pixel in the highest bit.
 const fn rows(character: char) -> [u8; 5] {
     match character {
         '0' => [7, 5, 5, 5, 7],
@@ -56,12 +56,12 @@ const fn rows(character: char) -> [u8; 5] {
     }
 }
 
-/// How wide a text is, each pixel of a character `scale` pixels.
+/// Width of a text in pixels.
 pub fn width(text: &str, scale: u32) -> u32 {
     (text.chars().count() as u32 * ADVANCE).saturating_sub(1) * scale
 }
 
-/// Writes into a picture, the upper left corner of the text at a place.
+/// Draws a text with its upper left corner at a position.
 pub fn write(picture: &mut Bitmap, text: &str, at: [u32; 2], scale: u32, color: [u8; 3]) {
     for (character, i) in text.chars().zip(0..) {
         for (row, y) in rows(character.to_ascii_uppercase()).into_iter().zip(0..) {

@@ -1,4 +1,4 @@
-//! What each function cost.
+//! The cost of each function.
 
 use super::columns::{columns, percent};
 use super::place::position;
@@ -6,22 +6,22 @@ use crate::exec::{FunctionSeen, Seen};
 use crate::semantic::Program;
 use serde::Serialize;
 
-/// A function, and its share of the cost.
+/// A function and its share of the cost.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct FunctionRow {
-    /// Its name; empty for the initial values of globals.
+    /// Name of the function; empty for the initialisers of globals.
     pub name: String,
-    /// Where it is defined: `file:line:column`.
+    /// Position of the definition: `file:line:column`.
     pub at: Option<String>,
-    /// What it did itself, in operations of all pixels.
+    /// Operations of all pixels in the function itself.
     pub own_operations: u64,
-    /// The share of all that was done.
+    /// Share of all operations in the function itself.
     pub own: f64,
-    /// The share that it did together with the functions that it called.
+    /// Share of all operations in the function and its callees.
     pub with_callees: f64,
 }
 
-/// All functions that did something, those that did the most themselves first.
+/// All functions that ran, most expensive first.
 pub fn rows(program: &Program, seen: &Seen) -> Vec<FunctionRow> {
     let mut seen_functions: Vec<&FunctionSeen> = seen.functions.iter().collect();
     seen_functions.retain(|f| f.whole > 0);
@@ -50,11 +50,11 @@ pub fn rows(program: &Program, seen: &Seen) -> Vec<FunctionRow> {
 
 /// The table for people.
 pub fn table(rows: &[FunctionRow]) -> String {
-    let head = ["function", "at", "own", "with callees"];
+    let head = ["function", "at", "self", "total"];
     let mut cells = vec![head.map(str::to_string)];
     cells.extend(rows.iter().map(|row| {
         let name = match row.name.as_str() {
-            "" => "(initial values)",
+            "" => "(global initialisers)",
             name => name,
         };
         [

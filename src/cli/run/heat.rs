@@ -1,9 +1,9 @@
-//! Heat maps: how much of something each pixel has, as a colour, with a legend below.
+//! Heat maps: a value of each pixel as a colour, with a legend below.
 
 use super::font;
 use super::png::Bitmap;
 
-/// The colours from nothing to the most, from dark to bright.
+/// Colours from the smallest to the largest value, dark to bright.
 const RAMP: [[u8; 3]; 6] = [
     [6, 6, 20],
     [66, 16, 96],
@@ -13,12 +13,12 @@ const RAMP: [[u8; 3]; 6] = [
     [252, 250, 190],
 ];
 
-/// Narrowest picture that has room for a legend.
+/// Minimum width of an image with a legend.
 const NARROWEST: u32 = 96;
 const TEXT: [u8; 3] = [220; 3];
 const GROUND: [u8; 3] = [16; 3];
 
-/// The colour of a share of the most.
+/// The colour of a share of the maximum.
 pub fn color(share: f64) -> [u8; 3] {
     let at = share.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
     let before = (at.floor() as usize).min(RAMP.len() - 2);
@@ -34,11 +34,11 @@ pub fn color(share: f64) -> [u8; 3] {
     mixed
 }
 
-/// What is no number, in a map.
+/// Colour of values that are not finite.
 const NO_NUMBER: [u8; 3] = [255, 0, 255];
 
-/// The map of some values, the lowest row first, with a legend below where there is room for one. It
-/// begins at 0, or at what lies below.
+/// The heat map of values, bottom row first, with a legend if there is room. The scale starts at 0,
+/// or at the smallest value if that is negative.
 pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
     let finite = || values.iter().copied().filter(|n| n.is_finite());
     let (least, most) = (finite().fold(0.0, f64::min), finite().fold(0.0, f64::max));
@@ -60,7 +60,7 @@ pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
     with_legend(picture, title, [least, most])
 }
 
-/// A picture with a legend below: what it shows, and from which number to which it goes.
+/// Adds a legend with the title and the ends of the scale.
 fn with_legend(picture: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
     let [width, height] = picture.size;
     if width < NARROWEST {
@@ -89,7 +89,7 @@ fn with_legend(picture: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
     whole
 }
 
-/// A number in at most four digits or so.
+/// Formats a number in about four digits.
 pub fn short(number: f64) -> String {
     match number.abs() {
         n if n >= 1e7 => format!("{:.0}M", number / 1e6),

@@ -1,4 +1,4 @@
-//! From the arguments to what is drawn: the text, its errors, and what its uniforms are set to.
+//! Prepares a shader for drawing: loads it, reports its errors, and sets its uniforms.
 
 use super::args::{RunArgs, ShotSetting};
 use super::place::{position, span};
@@ -20,12 +20,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-/// Why there is nothing to draw.
+/// Why nothing was drawn.
 #[derive(Debug)]
 pub enum Trouble {
-    /// The shader has errors, which were told.
+    /// The shader has errors, which were printed.
     Errors,
-    /// Something else, in words.
+    /// Another reason, as a message.
     Words(String),
 }
 
@@ -41,37 +41,37 @@ impl From<io::Error> for Trouble {
     }
 }
 
-/// Why a file is no shader that can be drawn.
+/// Why a file cannot be drawn.
 pub enum Undrawable {
-    /// Its passes have errors.
+    /// The passes have errors.
     Errors(Box<Composed>),
-    /// Something else, in words.
+    /// Another reason, as a message.
     Words(String),
 }
 
-/// A shader that was read and has no errors.
+/// A shader without errors.
 pub struct Loaded {
-    /// How it is called.
+    /// Name in messages.
     pub name: String,
-    /// Its passes.
+    /// The passes of the shader.
     pub project: Project,
-    /// They, put together.
+    /// The composed sources of the passes and their analyses.
     pub composed: Composed,
-    /// The files that it is made of, which nothing is written over.
+    /// The files that were read, which must not be overwritten.
     pub read: Vec<PathBuf>,
 }
 
-/// A pass that is ready to be drawn.
+/// A pass that is ready to draw.
 pub struct Shot {
-    /// What draws it.
+    /// The player of the pass.
     play: Play,
-    /// Its middle form.
+    /// The IR of the pass.
     pub module: Arc<Module>,
-    /// What was found out of it.
+    /// Cached analyses of the pass.
     pub known: Arc<Known>,
-    /// The index of its unit.
+    /// Index of the compile unit.
     unit: usize,
-    /// Its number in the project.
+    /// Index of the pass in the project.
     pass: usize,
     size: [u32; 2],
     threads: usize,
@@ -79,14 +79,14 @@ pub struct Shot {
 
 /// What draws a pass.
 enum Play {
-    /// It reads nothing that is drawn.
+    /// The pass reads no other pass and no texture.
     Alone(Box<Scene>),
-    /// The other passes of its project, and what its channels hold, are drawn with it.
+    /// The pass is drawn with the other passes of its project and its textures.
     Project(Box<Player>),
 }
 
 impl Shot {
-    /// What the pass runs as.
+    /// The bytecode of the pass.
     pub fn code(&self) -> &Code {
         static NOTHING: OnceLock<Code> = OnceLock::new();
         match &self.play {
@@ -97,7 +97,7 @@ impl Shot {
         }
     }
 
-    /// The picture of a moment.
+    /// Draws a frame.
     pub fn drawn(&mut self, moment: &Moment, progress: &Progress) -> Result<Drawn, String> {
         match &mut self.play {
             Play::Alone(scene) => {
@@ -111,12 +111,12 @@ impl Shot {
                 let mut passes = played.passes.into_iter();
                 let own = passes.find(|(number, _)| *number == self.pass);
                 own.map(|(_, drawn)| drawn)
-                    .ok_or_else(|| "the pass gives no picture".to_string())
+                    .ok_or_else(|| "the pass has no output".to_string())
             }
         }
     }
 
-    /// What is to be said of what the shader is given.
+    /// Notes about inputs that were missing or replaced.
     pub fn notes(&self, project: &Project) -> Vec<String> {
         let mut notes = project.notes.clone();
         let quoted = |names: &[&str]| format!("`{}`", names.join("`, `"));
@@ -125,7 +125,7 @@ impl Shot {
                 let zeros = scene.zeros();
                 if !zeros.is_empty() {
                     notes.push(format!(
-                        "nothing sets these uniforms, so they are zero: {}; --uniforms sets them",
+                        "these uniforms are not set and default to 0: {}; set them with --uniforms",
                         quoted(&zeros)
                     ));
                 }
@@ -138,7 +138,7 @@ impl Shot {
                     .collect();
                 if !guessed.is_empty() {
                     notes.push(format!(
-                        "nothing gives these varyings, so they hold the place in the picture: {}",
+                        "these varyings have no vertex shader and default to the position in the image: {}",
                         quoted(&guessed)
                     ));
                 }
@@ -152,7 +152,7 @@ impl Shot {
         notes
     }
 
-    /// Sets a uniform for all moments.
+    /// Sets a uniform for all frames.
     fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
         match &mut self.play {
             Play::Alone(scene) => scene.set(name, scalars),
@@ -161,24 +161,24 @@ impl Shot {
     }
 }
 
-/// What is said of a run that did not come to its end.
+/// The message about a run that was stopped.
 fn stopped(stop: &Stop) -> String {
     match stop {
         Stop::OutOfFuel { pixel: [x, y] } => {
-            format!("the run was ended: the pixels around ({x}, {y}) took too many operations")
+            format!("stopped: the pixels around ({x}, {y}) exceeded the operation limit")
         }
     }
 }
 
 impl Loaded {
-    /// What the pass of a shot means.
+    /// The checked program of the pass.
     pub fn program(&self, shot: &Shot) -> Option<&Program> {
         let unit = self.composed.units.get(shot.unit)?;
         Some(&self.composed.analysis(unit).program)
     }
 }
 
-/// Reads a shader. Its errors are told as the linter tells them.
+/// Loads a shader. Its errors are printed as the linter prints them.
 pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<Loaded, Trouble> {
     let name = port::shown(path);
     match read(path, args.host.as_deref(), &args.channel) {
@@ -198,8 +198,7 @@ pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<Loaded, Troub
     }
 }
 
-/// Reads a shader, written in the dialect `from` where the user says so, with what is to be on its
-/// channels.
+/// Loads a shader, as the dialect `from` if that is given, with the channels of the command line.
 pub fn read(path: &Path, from: Option<&str>, channels: &[String]) -> Result<Loaded, Undrawable> {
     let name = port::shown(path);
     let wrong = |e| Undrawable::Words(format!("{name}: {e}"));
@@ -222,7 +221,7 @@ pub fn read(path: &Path, from: Option<&str>, channels: &[String]) -> Result<Load
     })
 }
 
-/// Prints what the linter calls errors; says whether there are any.
+/// Prints the errors that the linter finds; returns whether there are any.
 fn tell_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Result<bool, Trouble> {
     if path.as_os_str() == "-" {
         return Ok(false);
@@ -238,7 +237,7 @@ fn tell_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Resul
     Ok(!report.diagnostics.is_empty())
 }
 
-/// Prints the errors of what goes around a shader and of itself together.
+/// Prints the errors of the composed sources, including the code around the shader.
 fn tell_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result<(), Trouble> {
     let all = composed.units.iter().map(|unit| composed.analysis(unit));
     let found = all.flat_map(|checked| &checked.diagnostics);
@@ -253,14 +252,14 @@ fn tell_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result<
     Ok(())
 }
 
-/// Makes the pass ready that is to be shown.
+/// Prepares the pass that is shown.
 pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
     let Loaded { name, composed, .. } = loaded;
     let (at, unit) = chosen(loaded, setting.pass)?;
     let program = &composed.analysis(unit).program;
     let pass = loaded.project.passes.get(unit.pass);
     if unit.stage != Stage::Fragment || pass.is_some_and(|p| p.draw.has_vertices) {
-        let words = format!("{name}: it draws with a vertex shader; only fragment shaders are run");
+        let words = format!("{name}: shaders that draw with a vertex shader are not supported");
         return Err(Trouble::Words(words));
     }
     let known = Arc::<Known>::default();
@@ -303,7 +302,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
     Ok(shot)
 }
 
-/// The scene of a pass that is all there is, and looks nothing up.
+/// The scene of a shader that has one pass and no samplers; `None` for others.
 fn alone(
     loaded: &Loaded,
     unit: &PassUnit,
@@ -330,7 +329,7 @@ fn alone(
     Ok(scene.code.samplers.is_empty().then_some(scene))
 }
 
-/// The pass that is to be shown: the one asked for, else the picture.
+/// The pass to show: the given one, or the image pass.
 fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a PassUnit), Trouble> {
     let passes = &loaded.project.passes;
     let slug = |unit: &PassUnit| passes.get(unit.pass).map_or("", |p| p.slug());
@@ -344,14 +343,14 @@ fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a Pas
         let wanted = asked.unwrap_or("image");
         let name = &loaded.name;
         let words = format!(
-            "{name}: there is no pass `{wanted}`; there is {}",
+            "{name}: the project has no pass `{wanted}`; it has {}",
             all.join(", ")
         );
         Trouble::Words(words)
     })
 }
 
-/// Sets what the user's JSON says.
+/// Sets the uniforms of a JSON file.
 fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), Trouble> {
     let text = port::read_text(path)?;
     let shown = port::shown(path);
@@ -368,15 +367,15 @@ fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), T
         let said = match unfit {
             Unfit::Unknown => {
                 let near = near(name, program);
-                format!("the shader has no uniform `{name}`{near}")
+                format!("unknown uniform `{name}`{near}")
             }
-            Unfit::Sampler => format!("`{name}` is a sampler, which a number is not put onto"),
+            Unfit::Sampler => format!("`{name}` is a sampler and cannot be set to a number"),
             Unfit::Count { takes, .. } => {
                 let (count, noun) = (
                     given.scalars.len(),
                     if takes == 1 { "number" } else { "numbers" },
                 );
-                format!("`{name}` takes {takes} {noun}, and this is {count}")
+                format!("`{name}` expects {takes} {noun}, found {count}")
             }
         };
         return Err(wrong(given.at, said));
@@ -384,7 +383,7 @@ fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), T
     Ok(())
 }
 
-/// What may be meant by a name that no uniform has.
+/// A suggestion for an unknown uniform.
 fn near(name: &str, program: &Program) -> String {
     let uniforms = program.variables.iter();
     let uniforms = uniforms.filter(|v| v.storage == Storage::Uniform);
@@ -394,9 +393,9 @@ fn near(name: &str, program: &Program) -> String {
     near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"))
 }
 
-/// What is said of a shader that cannot be run.
+/// The message about a construct that cannot be run.
 fn refused(sources: &Sources, program: &Program, name: &str, refusal: &Refusal) -> Trouble {
     let at = span(program, refusal.at).and_then(|span| position(sources, span));
     let at = at.unwrap_or_else(|| name.to_string());
-    Trouble::Words(format!("{at}: {} cannot be run", refusal.what))
+    Trouble::Words(format!("{at}: unsupported: {}", refusal.what))
 }

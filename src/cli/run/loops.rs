@@ -1,4 +1,4 @@
-//! What was seen of loops beside what is known of them.
+//! Loop iterations that were counted, next to the bounds that were proved.
 
 use super::columns::{columns, percent};
 use super::load::Shot;
@@ -10,31 +10,32 @@ use crate::lint::Facts;
 use crate::semantic::Program;
 use serde::Serialize;
 
-/// A loop, and how often it turned.
+/// A loop and its number of iterations.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct LoopRow {
-    /// Where it stands: `file:line:column`.
+    /// Position of the loop: `file:line:column`.
     pub at: String,
-    /// The function around it.
+    /// Name of the enclosing function.
     pub function: String,
-    /// `exactly`, `at most`, `ends`, `open`.
+    /// Kind of the static bound: `exactly`, `at most`, `ends` (finite, but unknown), `open`
+    /// (unknown).
     pub bound: &'static str,
-    /// The number of turns that the text allows, where it is known.
+    /// Static bound of the number of iterations, if known.
     pub turns: Option<u64>,
-    /// Pixels that came to it.
+    /// Number of pixels that reached the loop.
     pub pixels: u64,
-    /// The most turns that were seen.
+    /// Largest number of iterations.
     pub most: u32,
-    /// Turns in the mean, each time that a pixel came to it.
+    /// Average number of iterations per execution of the loop.
     pub mean: f64,
-    /// 99 of 100 pixels needed no more at a time.
+    /// Number of iterations that 99 % of the executions do not exceed.
     pub p99: u32,
-    /// The share of the pixels that ran all turns and were not done before; of loops that nothing but
-    /// their condition ends, that says nothing.
+    /// Share of the pixels that ran all iterations without leaving early; `None` for loops without
+    /// an early exit.
     pub exhausted: Option<f64>,
 }
 
-/// All loops that pixels came to, those with the most turns first.
+/// All loops that were reached, most iterations first.
 pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
     let facts = Facts::of(program, &shot.known);
     let known = facts.loops();
@@ -68,7 +69,7 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
     rows.collect()
 }
 
-/// The number that so large a share of what a histogram counts does not exceed.
+/// The smallest number that at least the given share of the counted values do not exceed.
 fn quantile(histogram: &[u32], share: f64) -> u32 {
     let all: u64 = histogram.iter().map(|n| u64::from(*n)).sum();
     let wanted = (all as f64 * share).ceil() as u64;
@@ -87,7 +88,15 @@ pub fn table(rows: &[LoopRow]) -> String {
     if rows.is_empty() {
         return "  no loop was reached\n".to_string();
     }
-    let head = ["loop", "in", "may turn", "most", "mean", "p99", "ran out"];
+    let head = [
+        "loop",
+        "function",
+        "bound",
+        "max",
+        "mean",
+        "p99",
+        "exhausted",
+    ];
     let mut cells = vec![head.map(str::to_string)];
     cells.extend(rows.iter().map(|row| {
         [
@@ -138,8 +147,8 @@ mod tests {
         let text = table(&[row]);
         assert_eq!(
             text,
-            "  loop        in   may turn    most  mean  p99  ran out\n  \
-             a.glsl:4:5  map  at most 96    71  16.1   64    3.1 %\n"
+            "  loop        function  bound       max  mean  p99  exhausted\n  \
+             a.glsl:4:5  map       at most 96   71  16.1   64      3.1 %\n"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! `shaderlint run`: a shader is drawn without a GPU, and what was seen is said.
+//! `shaderlint run`: draws a shader without a GPU and prints statistics.
 
 mod args;
 mod columns;
@@ -42,7 +42,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use terminal::Palette;
 
-/// Runs the command and gives the exit code.
+/// Runs the command and returns the exit code.
 pub fn run(args: &RunArgs) -> io::Result<u8> {
     match drawn(args) {
         Ok((text, code)) => {
@@ -57,7 +57,7 @@ pub fn run(args: &RunArgs) -> io::Result<u8> {
     }
 }
 
-/// Does what the arguments ask for. Gives what is printed, and the exit code.
+/// Draws the shader. Returns the text to print and the exit code.
 fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     let format = match args.format {
         RunFormat::Human => Format::Human,
@@ -103,7 +103,7 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     ))
 }
 
-/// What the screen shows of a draw.
+/// The image of the first output as 8-bit colours.
 fn bitmap(shot: &Shot, drawn: &Drawn) -> Bitmap {
     Bitmap {
         size: drawn.size,
@@ -122,7 +122,7 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
                 all => 100.0 * f64::from(all - own.min(&all)) / f64::from(all),
             };
             let pairs = drawn.cost.iter().zip(&drawn.ran);
-            (pairs.map(waited).collect(), "WORK OF OTHERS IN 8X4, %")
+            (pairs.map(waited).collect(), "OVERDRAW IN 8X4, %")
         }
         Heat::Nan => {
             let picture = Picture::of(shot.code(), drawn, 0);
@@ -165,7 +165,7 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
     }
 }
 
-/// Compares two shaders and says what came of it.
+/// Compares two shaders. Returns the text to print and the exit code.
 fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
     let [(one, shot), (other, other_shot)] = both;
     let names = [&one.name, &other.name].map(String::as_str);
@@ -178,7 +178,7 @@ fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, 
     Ok((told.print(args.format), code))
 }
 
-/// Writes a picture where it was asked for; gives how the file is called.
+/// Writes the image if `-o` is given, and returns its name.
 fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<String>, Trouble> {
     let Some(path) = &args.output else {
         return Ok(None);
@@ -202,7 +202,7 @@ fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<Str
     Ok(Some(super::port::shown(path)))
 }
 
-/// The picture as it is drawn in the terminal, where it is not written.
+/// The image as text for the terminal, if it was not written to a file.
 fn show(args: &RunArgs, bitmap: &Bitmap, written: Option<&str>) -> String {
     if written.is_some() || args.format == RunFormat::Json {
         return String::new();
@@ -218,8 +218,8 @@ fn show(args: &RunArgs, bitmap: &Bitmap, written: Option<&str>) -> String {
     let (columns, lines) =
         terminal_size::terminal_size().map_or((80, 24), |(columns, lines)| (columns.0, lines.0));
     let size = terminal::fit(bitmap.size, u32::from(columns), u32::from(lines.max(8)) - 5);
-    if let Some(told) = palette.told() {
-        let _ = writeln!(io::stderr(), "note: {told}");
+    if let Some(note) = palette.told() {
+        let _ = writeln!(io::stderr(), "note: {note}");
     }
     terminal::draw(&bitmap.shrunk(size), palette)
 }

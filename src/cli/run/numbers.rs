@@ -1,4 +1,4 @@
-//! The numbers that went wrong.
+//! Invalid numbers: NaN, infinities and undefined results.
 
 use super::columns::columns;
 use super::load::Shot;
@@ -7,27 +7,27 @@ use crate::exec::{Kind, NumberSeen, Seen};
 use crate::semantic::Program;
 use serde::Serialize;
 
-/// An operation whose numbers went wrong.
+/// An operation with invalid results.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct NumberRow {
-    /// Where it stands: `file:line:column`.
+    /// Position of the operation: `file:line:column`.
     pub at: String,
-    /// Its text.
+    /// Source text of the operation.
     pub text: String,
     /// `nan`, `infinite`, `division by zero`, `out of range`, `undefined`.
     pub kind: &'static str,
-    /// How often pixels met it.
+    /// Number of times that pixels produced it.
     pub times: u64,
-    /// The first pixel, from the left and from below.
+    /// First pixel that produced it, from the lower left corner.
     pub pixel: [u32; 2],
-    /// What the operation worked on there; what JSON has no number for is `null`.
+    /// Operands of the operation at this pixel; NaN and infinities are `null` in JSON.
     pub operands: Vec<f64>,
 }
 
-/// The longest text of an operation in a table.
+/// Maximum length of source text in a table, in characters.
 const LONGEST: usize = 40;
 
-/// All numbers that went wrong, in the order of the text.
+/// All invalid numbers in source order.
 pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<NumberRow> {
     let found = seen.numbers.iter().filter_map(|number| {
         let place = span(program, shot.module.provenance(number.op))?;
@@ -62,9 +62,16 @@ const fn kind(number: &NumberSeen) -> &'static str {
 /// The table for people.
 pub fn table(rows: &[NumberRow]) -> String {
     if rows.is_empty() {
-        return "  no number went wrong\n".to_string();
+        return "  no invalid numbers\n".to_string();
     }
-    let head = ["number", "of", "is", "first at", "with", "times"];
+    let head = [
+        "number",
+        "expression",
+        "result",
+        "first at",
+        "operands",
+        "times",
+    ];
     let mut cells = vec![head.map(str::to_string)];
     cells.extend(rows.iter().map(|row| {
         let [x, y] = row.pixel;
@@ -81,7 +88,7 @@ pub fn table(rows: &[NumberRow]) -> String {
     columns(&cells, 5)
 }
 
-/// The beginning of what is too long.
+/// Truncates long source text.
 fn short(text: &str) -> String {
     match text.chars().count() > LONGEST {
         true => text
@@ -109,10 +116,10 @@ mod tests {
         };
         assert_eq!(
             table(&[row]),
-            "  number      of           is         first at  with     times\n  \
-             a.glsl:4:5  pow(q, 2.0)  undefined  3,0       -1.75 2     12\n"
+            "  number      expression   result     first at  operands  times\n  \
+             a.glsl:4:5  pow(q, 2.0)  undefined  3,0       -1.75 2      12\n"
         );
-        assert_eq!(table(&[]), "  no number went wrong\n");
+        assert_eq!(table(&[]), "  no invalid numbers\n");
     }
 
     #[test]

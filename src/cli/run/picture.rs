@@ -1,4 +1,4 @@
-//! Pictures that come from files: what goes onto channels, and goldens.
+//! Decodes image files: textures of channels and golden images.
 
 use crate::engine::play::Decoded;
 use crate::port::kind_of_bytes;
@@ -9,26 +9,26 @@ use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::errors::DecodeErrors;
 
-/// Most pixels of a picture that goes onto a channel: whoever draws a stranger's export did not make it.
+/// Maximum number of pixels of a texture, because exports may come from strangers.
 const MOST_PIXELS: u64 = 1 << 24;
 
-/// Reads a picture.
+/// Decodes an image.
 ///
 /// # Errors
-/// What is wrong with it.
+/// A message if the format is not supported or the data is invalid.
 pub fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     match kind_of_bytes(bytes) {
         Some((_, "image/png")) => of_png(bytes, MOST_PIXELS),
         Some((_, "image/jpeg")) => of_jpeg(bytes),
-        Some((_, other)) => Err(format!("{other} is not read here, PNG and JPEG are")),
-        None => Err("it is no picture".to_string()),
+        Some((_, other)) => Err(format!("{other} is not supported; use PNG or JPEG")),
+        None => Err("not an image".to_string()),
     }
 }
 
-/// What the bytes of a PNG file of at most so many pixels hold.
+/// Decodes a PNG file of at most `most` pixels.
 ///
 /// # Errors
-/// What is wrong with them.
+/// A message if the data is invalid or the image too large.
 pub fn of_png(bytes: &[u8], most: u64) -> Result<Decoded, String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::normalize_to_color8());
@@ -52,7 +52,7 @@ pub fn of_png(bytes: &[u8], most: u64) -> Result<Decoded, String> {
     })
 }
 
-/// What the bytes of a JPEG file hold.
+/// Decodes a JPEG file.
 fn of_jpeg(bytes: &[u8]) -> Result<Decoded, String> {
     let options = DecoderOptions::new_safe().jpeg_set_out_colorspace(ColorSpace::RGBA);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
@@ -61,9 +61,9 @@ fn of_jpeg(bytes: &[u8]) -> Result<Decoded, String> {
     let size = decoder.dimensions().unwrap_or_default();
     let size = [size.0, size.1].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
     check_size(size, MOST_PIXELS)?;
-    // Of four inks the library gives three bytes a pixel, whatever it is asked for.
+    // For four inks the decoder returns three bytes per pixel, whatever the output colour space.
     if let Some(inks @ (ColorSpace::CMYK | ColorSpace::YCCK)) = decoder.input_colorspace() {
-        return Err(format!("JPEG in {inks:?} is not read here"));
+        return Err(format!("JPEG in {inks:?} is not supported"));
     }
     let samples = decoder.decode().map_err(wrong)?;
     let (pixels, _) = samples.as_chunks::<4>();
@@ -73,13 +73,13 @@ fn of_jpeg(bytes: &[u8]) -> Result<Decoded, String> {
     })
 }
 
-/// A few bytes may say that they are a huge picture.
+/// Rejects files that declare a huge image.
 fn check_size([width, height]: [u32; 2], most: u64) -> Result<(), String> {
     let pixels = u64::from(width) * u64::from(height);
     match pixels <= most {
         true => Ok(()),
         false => Err(format!(
-            "it has {width} by {height} pixels; at most {most} pixels are read"
+            "the image has {width}x{height} pixels; the limit is {most} pixels"
         )),
     }
 }
@@ -93,7 +93,7 @@ mod tests {
     fn a_picture_is_as_large_as_it_may_be() {
         let file = Bitmap::filled([3, 2], [1, 2, 3]).png().unwrap();
         assert_eq!(of_png(&file, 6).unwrap().colors, [[1, 2, 3, 255]; 6]);
-        let said = "it has 3 by 2 pixels; at most 5 pixels are read";
+        let said = "the image has 3x2 pixels; the limit is 5 pixels";
         assert_eq!(of_png(&file, 5).unwrap_err(), said);
     }
 }

@@ -1,10 +1,10 @@
-//! Where something stands in the sources of a shader.
+//! Source positions.
 
 use crate::ir::Provenance;
 use crate::semantic::Program;
 use crate::text::{Sources, Span};
 
-/// Where something comes from.
+/// The span that something in the IR comes from.
 pub fn span(program: &Program, from: Provenance) -> Option<Span> {
     match from {
         Provenance::Expr(id) => Some(program.expr_span(id)),
@@ -14,7 +14,7 @@ pub fn span(program: &Program, from: Provenance) -> Option<Span> {
     }
 }
 
-/// A place as `file:line:column`.
+/// A position as `file:line:column`.
 pub fn position(sources: &Sources, span: Span) -> Option<String> {
     let file = sources.file_at(span.start)?;
     let at = file.position(span.start);

@@ -1,10 +1,10 @@
-//! Pictures as PNG files.
+//! 8-bit images and PNG files.
 
 use super::args::MAX_PIXELS;
 use super::picture::of_png;
 use crate::engine::play::Decoded;
 
-/// A picture of three bytes a pixel, the uppermost row first.
+/// An image of three bytes per pixel, top row first.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Bitmap {
     /// Width and height in pixels.
@@ -14,7 +14,7 @@ pub struct Bitmap {
 }
 
 impl Bitmap {
-    /// A picture of one colour.
+    /// An image of one colour.
     pub fn filled(size: [u32; 2], color: [u8; 3]) -> Bitmap {
         let pixels = size.iter().map(|n| *n as usize).product();
         Bitmap {
@@ -23,13 +23,13 @@ impl Bitmap {
         }
     }
 
-    /// A pixel, from the left and from above; black outside.
+    /// The pixel at a position from the upper left corner; black outside.
     pub fn pixel(&self, x: u32, y: u32) -> [u8; 3] {
         let at = self.offset(x, y).and_then(|at| self.bytes.get(at..at + 3));
         at.and_then(|bytes| bytes.try_into().ok()).unwrap_or([0; 3])
     }
 
-    /// Sets a pixel; nothing outside.
+    /// Sets a pixel; ignores positions outside.
     pub fn set(&mut self, x: u32, y: u32, color: [u8; 3]) {
         let at = self.offset(x, y);
         if let Some(pixel) = at.and_then(|at| self.bytes.get_mut(at..at + 3)) {
@@ -42,7 +42,8 @@ impl Bitmap {
         (x < width && y < height).then(|| 3 * (y as usize * width as usize + x as usize))
     }
 
-    /// The same, smaller: each pixel the mean of those that it covers. Colours are mixed as light is.
+    /// A smaller copy in which each pixel is the average of those it covers, approximately in
+    /// linear light.
     pub fn shrunk(&self, size: [u32; 2]) -> Bitmap {
         let mut small = Bitmap::filled(size, [0; 3]);
         let ends = |i: u32, from: u32, to: u32| {
@@ -66,7 +67,7 @@ impl Bitmap {
         small
     }
 
-    /// Puts a picture into this one.
+    /// Copies an image into this one.
     pub fn paste(&mut self, other: &Bitmap, left: u32, top: u32) {
         for y in 0..other.size[1] {
             for x in 0..other.size[0] {
@@ -75,10 +76,10 @@ impl Bitmap {
         }
     }
 
-    /// What the bytes of a PNG file show; what is transparent as it would be without that.
+    /// Decodes a PNG file and ignores its transparency.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// A message if the data is invalid.
     pub fn of_png(bytes: &[u8]) -> Result<Bitmap, String> {
         let Decoded { size, colors } = of_png(bytes, MAX_PIXELS)?;
         let opaque = colors.into_iter().flat_map(|[r, g, b, _]| [r, g, b]);
@@ -88,17 +89,17 @@ impl Bitmap {
         })
     }
 
-    /// As the bytes of a PNG file.
+    /// Encodes a PNG file.
     ///
     /// # Errors
-    /// What the picture cannot be.
+    /// A message if the image cannot be encoded.
     pub fn png(&self) -> Result<Vec<u8>, String> {
         let mut bytes = Vec::new();
         let [width, height] = self.size;
         let mut encoder = png::Encoder::new(&mut bytes, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
-        // Whoever waits for a picture wants it now; a tenth of the time went into a smaller file.
+        // Fast compression: a smaller file took a tenth of the total time.
         encoder.set_compression(png::Compression::Fast);
         let written = encoder.write_header().and_then(|mut writer| {
             writer.write_image_data(&self.bytes)?;

@@ -1,4 +1,4 @@
-//! A line on the terminal while something takes long.
+//! A progress line on the terminal.
 
 use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
@@ -6,14 +6,14 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// How long nothing is said.
+/// Delay before the line appears.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// How often the line is written anew.
+/// Interval between updates.
 const PAUSE: Duration = Duration::from_millis(100);
-/// How many characters the bar has.
+/// Width of the bar in characters.
 const WIDTH: u32 = 24;
 
-/// A line that goes away with this.
+/// A progress line, removed on drop.
 pub struct Progress {
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
@@ -21,13 +21,13 @@ pub struct Progress {
 
 struct Shared {
     done: AtomicU32,
-    /// The frame that is drawn, and the last one of the picture.
+    /// The current frame, and the last frame of the image.
     frames: [AtomicU32; 2],
     is_over: AtomicBool,
 }
 
 impl Progress {
-    /// Shows how many of some pictures are drawn, where standard error is a terminal.
+    /// Shows how many of `total` images are drawn, if standard error is a terminal.
     pub fn new(total: u32) -> Progress {
         Progress::of(total, io::stderr().is_terminal())
     }
@@ -50,14 +50,14 @@ impl Progress {
         Progress::of(0, false)
     }
 
-    /// Tells which frame is drawn of those that a picture depends on.
+    /// Sets the current frame of those that an image depends on.
     pub fn frame(&self, frame: u32, last: u32) {
         let [own_frame, own_last] = &self.shared.frames;
         own_frame.store(frame, Ordering::Relaxed);
         own_last.store(last, Ordering::Relaxed);
     }
 
-    /// Counts a picture.
+    /// Counts an image.
     pub fn step(&self) {
         self.shared.done.fetch_add(1, Ordering::Relaxed);
     }
@@ -68,7 +68,7 @@ impl Drop for Progress {
         self.shared.is_over.store(true, Ordering::Relaxed);
         if let Some(thread) = self.thread.take() {
             thread.thread().unpark();
-            // Whatever became of it, nothing depends on it.
+            // A panic of the thread has no consequences.
             let _ = thread.join();
         }
     }
@@ -92,7 +92,7 @@ fn show(shared: &Shared, total: u32) {
     }
 }
 
-/// What is said after a time.
+/// The text of the line.
 fn line([done, total]: [u32; 2], frames: [u32; 2], elapsed: Duration) -> String {
     let seconds = elapsed.as_secs();
     let (done, total, noun) = match (total, frames) {

@@ -1,4 +1,4 @@
-//! A contact sheet: pictures of several moments beside each other.
+//! Contact sheets: frames of several times next to each other.
 
 use super::args::RunArgs;
 use super::font;
@@ -7,13 +7,13 @@ use super::png::Bitmap;
 use super::progress::Progress;
 use crate::engine::play::{Moment, Picture};
 
-/// Pixels between two pictures.
+/// Distance between two frames in pixels.
 const GAP: u32 = 4;
 const GROUND: [u8; 3] = [16; 3];
 const TEXT: [u8; 3] = [220; 3];
 
-/// Draws a sheet of so many pictures. Each is drawn in its full size and shown smaller, so that what
-/// depends on the size of a pixel is as it is.
+/// Draws a contact sheet of `count` frames. Each is drawn in full size and scaled down, because the
+/// shader may depend on the size of a pixel.
 pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
     let columns = columns(count);
     let small = args.size.map(|side| (side / columns).max(1));
@@ -44,7 +44,7 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
     Ok(sheet)
 }
 
-/// How many pictures stand beside each other.
+/// Number of frames in a row.
 fn columns(count: u32) -> u32 {
     (1..=count).find(|n| n * n >= count).unwrap_or(1)
 }

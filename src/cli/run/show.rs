@@ -1,4 +1,4 @@
-//! A variable of a line, drawn as a picture.
+//! Draws the value of a variable on a line.
 
 use super::args::Show;
 use super::heat;
@@ -12,7 +12,7 @@ use crate::semantic::{Program, VariableId};
 use crate::text::{SourceFile, Span};
 use std::collections::BTreeSet;
 
-/// Where the variable is looked at that is to be shown.
+/// The probe that records the variable.
 pub fn probe(
     show: &Show,
     composed: &Composed,
@@ -40,21 +40,21 @@ pub fn probe(
     let others: BTreeSet<u32> = lines.iter().map(|(line, _)| *line).collect();
     let others: Vec<String> = others.iter().map(u32::to_string).collect();
     Err(match others.len() {
-        0 => format!("--show: the shader has no variable `{name}` that is read or written"),
+        0 => format!("--show: the shader reads or writes no variable `{name}`"),
         1 => format!(
-            "--show: `{name}` is not read or written on line {}; it is on line {}",
+            "--show: `{name}` is not used on line {}; it is used on line {}",
             show.line,
             others.concat()
         ),
         _ => format!(
-            "--show: `{name}` is not read or written on line {}; it is on the lines {}",
+            "--show: `{name}` is not used on line {}; it is used on lines {}",
             show.line,
             others.join(", ")
         ),
     })
 }
 
-/// Where the variables of a name are read and written.
+/// The places where variables of a name are read or written.
 fn uses(name: &str, program: &Program, module: &Module) -> Vec<(VariableId, Span)> {
     let Some(name) = program.names.get(name) else {
         return Vec::new();
@@ -72,14 +72,14 @@ fn uses(name: &str, program: &Program, module: &Module) -> Vec<(VariableId, Span
     uses.collect()
 }
 
-/// The line of a place, if it is in a file.
+/// The line of a span, if it is in this file.
 fn line_of(file: &SourceFile, span: Span) -> Option<u32> {
     file.span()
         .contains(Span::at(span.start))
         .then(|| file.position(span.start).line)
 }
 
-/// A line of a file, by its number from 1.
+/// The span of a line, by its number from 1.
 fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
     let lines = file.text.split_inclusive('\n');
     let before = lines.clone().take(number as usize - 1).map(str::len);
@@ -88,10 +88,10 @@ fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
     Some(Span::new(start, start + line.len() as u32))
 }
 
-/// The variable as a picture: a number as heat, several as colours, from the smallest to the largest
-/// where they do not lie between 0 and 1.
+/// Draws a scalar as a heat map and a vector as colours. Values outside 0 to 1 are scaled to the
+/// range from smallest to largest.
 pub fn picture(show: &Show, code: &Code, drawn: &Drawn) -> Bitmap {
-    // Behind it stands whether the line was run.
+    // The last output is the flag that says whether the line ran.
     let at = code.outputs.len().saturating_sub(2);
     let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());
     let picture = Picture::of(code, drawn, at);

@@ -1,23 +1,23 @@
-//! Pictures in a terminal: two pixels a character, in as many colours as it has.
+//! Draws images in a terminal: two pixels per character, in the colours of the terminal.
 
 use super::png::Bitmap;
 use std::fmt::Write;
 
-/// The colours that a terminal has.
+/// The colours that a terminal supports.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Palette {
-    /// All of them.
+    /// 24-bit colours.
     True,
-    /// A cube of 216, and grays.
+    /// 256 colours: a cube of 216, and greys.
     Indexed,
-    /// The eight and their bright twins.
+    /// 16 colours: eight normal and eight bright.
     Sixteen,
-    /// None: how bright a pixel is, is told by a character.
+    /// None: characters show the brightness.
     Mono,
 }
 
 impl Palette {
-    /// What the environment says that the terminal has.
+    /// The palette that the environment variables declare.
     pub fn of(variable: impl Fn(&str) -> Option<String>) -> Palette {
         let term = variable("TERM").unwrap_or_default();
         let color = variable("COLORTERM").unwrap_or_default();
@@ -30,23 +30,22 @@ impl Palette {
         }
     }
 
-    /// What is said of a picture that is not drawn in all colours.
+    /// The note about an image that is drawn in fewer colours.
     pub const fn told(self) -> Option<&'static str> {
         match self {
             Palette::True => None,
-            Palette::Indexed => Some(
-                "drawn in 256 colours: the terminal promises no more; COLORTERM=truecolor insists",
-            ),
-            Palette::Sixteen => Some(
-                "drawn in 16 colours: the terminal promises no more; COLORTERM=truecolor insists",
-            ),
-            Palette::Mono => Some("drawn without colours; -o OUT.png writes the picture"),
+            Palette::Indexed => {
+                Some("using 256 colours, as TERM declares; set COLORTERM=truecolor for all colours")
+            }
+            Palette::Sixteen => {
+                Some("using 16 colours, as TERM declares; set COLORTERM=truecolor for all colours")
+            }
+            Palette::Mono => Some("drawing without colours; use -o OUT.png to write the image"),
         }
     }
 }
 
-/// The size of a picture that fits a terminal of so many characters a line and lines; each is as high
-/// as two pixels.
+/// The size of an image that fits into a terminal. A character is two pixels high.
 pub fn fit(size: [u32; 2], columns: u32, lines: u32) -> [u32; 2] {
     let [width, height] = size.map(|n| f64::from(n.max(1)));
     let most = [f64::from(columns.max(1)), f64::from(2 * lines.max(1))];
@@ -54,7 +53,7 @@ pub fn fit(size: [u32; 2], columns: u32, lines: u32) -> [u32; 2] {
     [width, height].map(|side| ((side * scale).round() as u32).max(1))
 }
 
-/// A picture as text.
+/// The image as text with escape sequences.
 pub fn draw(picture: &Bitmap, palette: Palette) -> String {
     let mut text = String::new();
     let [width, height] = picture.size;
@@ -92,14 +91,14 @@ pub fn draw(picture: &Bitmap, palette: Palette) -> String {
     text
 }
 
-/// What a colour is for.
+/// Foreground or background colour.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Ground {
     Front,
     Back,
 }
 
-/// Writes what selects a colour.
+/// Writes the escape sequence of a colour.
 fn paint(text: &mut String, color: [u8; 3], palette: Palette, ground: Ground) {
     let [r, g, b] = color;
     let is_back = ground == Ground::Back;
@@ -116,7 +115,7 @@ fn paint(text: &mut String, color: [u8; 3], palette: Palette, ground: Ground) {
     };
 }
 
-/// The nearest of the 256 colours: the cube from 16 on, the grays from 232 on.
+/// The nearest of the 256 colours: the cube starts at 16, the greys at 232.
 fn indexed(color: [u8; 3]) -> u32 {
     const STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
     let step = |lane: u8| {
@@ -135,7 +134,7 @@ fn indexed(color: [u8; 3]) -> u32 {
     }
 }
 
-/// The nearest of the sixteen colours, as most terminals show them.
+/// The nearest of the 16 colours, as most terminals show them.
 fn sixteen(color: [u8; 3]) -> u32 {
     let shown = |n: u32| match n {
         7 => [192; 3],
@@ -155,7 +154,7 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
     lanes.map(|(a, b)| u32::from(a.abs_diff(*b)).pow(2)).sum()
 }
 
-/// A character as bright as two pixels.
+/// A character with the brightness of two pixels.
 fn shade(upper: [u8; 3], lower: [u8; 3]) -> char {
     const SHADES: [char; 10] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
     let light = |[r, g, b]: [u8; 3]| 2 * u32::from(r) + 7 * u32::from(g) + u32::from(b);

@@ -1,32 +1,32 @@
-//! The JSON that says what uniforms are.
+//! Parses the JSON file of uniform values.
 
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 
-/// Deepest nesting that is read.
+/// Maximum nesting depth.
 const MAX_DEPTH: usize = 16;
 
-/// A uniform, and what it is to be.
+/// A uniform and its value.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Assignment {
-    /// As `getUniformLocation` takes it.
+    /// Name, as `getUniformLocation` accepts it.
     pub name: String,
-    /// Its scalars in order.
+    /// Scalars of the value, in order.
     pub scalars: Vec<f64>,
-    /// Where the value stands: line and column, from 1.
+    /// Position of the value: line and column, from 1.
     pub at: (usize, usize),
 }
 
-/// Something wrong with the JSON.
+/// An error in the JSON.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BadUniforms {
-    /// Where: line and column, from 1.
+    /// Position of the error: line and column, from 1.
     pub at: (usize, usize),
-    /// What.
+    /// Description of the error.
     pub message: String,
 }
 
-/// A value; those inside it are read when they are asked for.
+/// A value; nested values are parsed on demand.
 enum GivenValue<'t> {
     Number(f64),
     Truth(bool),
@@ -34,17 +34,17 @@ enum GivenValue<'t> {
     Members(BTreeMap<String, &'t RawValue>),
 }
 
-/// Reads what the uniforms are to be.
+/// Parses the uniform values.
 ///
 /// # Errors
-/// The first thing that is none.
+/// The first value that is not valid.
 pub fn read(text: &str) -> Result<Vec<Assignment>, BadUniforms> {
     let members: BTreeMap<String, &RawValue> =
         serde_json::from_str(text).map_err(|error| BadUniforms {
             at: (error.line().max(1), error.column().max(1)),
             message: match error.classify() {
                 serde_json::error::Category::Data => {
-                    "this is no object of uniforms, like {\"speed\": 2}".to_string()
+                    "expected an object of uniforms, such as {\"speed\": 2}".to_string()
                 }
                 _ => plain(&error),
             },
@@ -56,7 +56,7 @@ pub fn read(text: &str) -> Result<Vec<Assignment>, BadUniforms> {
     Ok(found)
 }
 
-/// What is wrong, without the place, which is told beside it.
+/// The message of a JSON error without its position, which is printed separately.
 fn plain(error: &serde_json::Error) -> String {
     let words = error.to_string();
     match words.rsplit_once(" at line ") {
@@ -65,7 +65,7 @@ fn plain(error: &serde_json::Error) -> String {
     }
 }
 
-/// Adds a value, or those of its members.
+/// Adds a value, or the values of its members.
 fn add(
     text: &str,
     name: String,
@@ -104,7 +104,7 @@ fn add(
     Ok(())
 }
 
-const NO_VALUE: &str = "a uniform is a number, a boolean or an array of these";
+const NO_VALUE: &str = "expected a number, a boolean or an array of these";
 
 fn given(raw: &RawValue) -> Option<GivenValue<'_>> {
     let text = raw.get();
@@ -120,7 +120,7 @@ fn holds_members(raw: &RawValue) -> bool {
     raw.get().starts_with('{')
 }
 
-/// The scalars of an array of arrays, one after another.
+/// The scalars of nested arrays, flattened.
 fn flatten(raw: &RawValue, depth: usize, scalars: &mut Vec<f64>) -> Option<()> {
     if depth >= MAX_DEPTH {
         return None;
@@ -138,7 +138,7 @@ fn flatten(raw: &RawValue, depth: usize, scalars: &mut Vec<f64>) -> Option<()> {
     Some(())
 }
 
-/// Line and column of a value, which is a part of the text.
+/// Line and column of a value, which is a slice of the text.
 fn place(text: &str, raw: &RawValue) -> (usize, usize) {
     let offset = (raw.get().as_ptr() as usize).wrapping_sub(text.as_ptr() as usize);
     let before = text.get(..offset).unwrap_or("");
@@ -198,9 +198,9 @@ mod tests {
 
     #[test]
     fn what_is_none_is_told_with_its_place() {
-        refuse("[1]", (1, 1), "no object of uniforms");
-        refuse("{\n  \"a\": \"x\"\n}", (2, 8), "`a`: a uniform is");
-        refuse("{\n  \"a\": [1, null]\n}", (2, 8), "`a`: a uniform is");
+        refuse("[1]", (1, 1), "expected an object of uniforms");
+        refuse("{\n  \"a\": \"x\"\n}", (2, 8), "`a`: expected a number");
+        refuse("{\n  \"a\": [1, null]\n}", (2, 8), "`a`: expected a number");
         refuse("{\"a\": 1,\n}", (2, 1), "trailing comma");
         let deep = format!("{{\"a\": {}{}}}", "[".repeat(40), "]".repeat(40));
         assert!(read(&deep).is_err());

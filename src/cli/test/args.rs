@@ -4,61 +4,69 @@ use super::super::run::{size_of, time_of};
 use clap::ValueEnum;
 use std::path::PathBuf;
 
-/// Runs the functions `bool test_*()` of shaders and of the files NAME.test.glsl beside them, and
-/// compares whole shaders with the pictures that were blessed: FILE.golden.png beside FILE.
+/// Run tests written in GLSL and compare shaders with their golden images.
+///
+/// A test is a function `bool test_*()` in a shader or in NAME.test.glsl next to it. A complete
+/// shader FILE is compared with the golden image FILE.golden.png.
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXIT_CODES)]
 pub struct TestArgs {
-    /// Files and folders; no path is the current folder
+    /// Files or folders to test [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Run only the tests with this in their names; `picture` is in those of pictures
+    /// Run only tests whose name contains TEXT; image comparisons contain `golden`
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
-    /// human, json
+    /// Output format: human, json
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     #[arg(hide_possible_values = true)]
     pub format: TestFormat,
 
-    /// Write the pictures that are missing or differ
-    #[arg(long, help_heading = "Pictures")]
+    /// Write golden images that are missing or differ
+    #[arg(long, help_heading = GOLDEN)]
     pub bless: bool,
-    /// Size of pictures whose shaders do not say it (`// golden: 320x180 at 0, 2.5`); without it that
-    /// of the picture that is there, else 320x180
-    #[arg(long, value_name = "WxH", value_parser = size_of, help_heading = "Pictures")]
+    /// Size of golden images, unless a comment in the shader sets it: `// golden: 320x180 at 0, 2.5`
+    ///
+    /// Default: the size of the existing golden image, or 320x180.
+    #[arg(long, value_name = "WxH", value_parser = size_of, help_heading = GOLDEN)]
     pub size: Option<[u32; 2]>,
-    /// Seconds since the start of pictures whose shaders do not say it
+    /// Times of golden images in seconds, unless a comment in the shader sets them
     #[arg(long, value_name = "T,T", default_value = "0", value_delimiter = ',')]
-    #[arg(value_parser = time_of, help_heading = "Pictures")]
+    #[arg(value_parser = time_of, help_heading = GOLDEN)]
     pub times: Vec<f64>,
-    /// How many percent of the pixels may visibly differ
+    /// Percentage of pixels that may differ visibly
     #[arg(long, value_name = "PERCENT", default_value = "0.1", value_parser = percent_of)]
-    #[arg(help_heading = "Pictures")]
+    #[arg(help_heading = GOLDEN)]
     pub tolerance: f64,
-    /// Draw where pictures differ: FILE.golden.diff.png
-    #[arg(long, help_heading = "Pictures")]
+    /// Write an image of the differences to FILE.golden.diff.png
+    #[arg(long, help_heading = GOLDEN)]
     pub diff: bool,
-    /// Write over such drawings that are there already
-    #[arg(long, requires = "diff", help_heading = "Pictures")]
+    /// Overwrite existing difference images
+    #[arg(long, requires = "diff", help_heading = GOLDEN)]
     pub force: bool,
 }
 
+const GOLDEN: &str = "Golden images";
+
 const EXIT_CODES: &str = "\
-Exit codes: 0 all pass, 1 some fail, 2 wrong use, unreadable input or nothing to test";
+Exit codes:
+  0  All tests pass
+  1  Some tests fail
+  2  Wrong usage, unreadable input or no tests found";
 
 /// The values of `--format`.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
 pub enum TestFormat {
-    /// A line a test, then what failed
+    /// One line per test, then the failures
     #[default]
     Human,
     /// One JSON object
     Json,
 }
 
-/// A share in percent.
+/// Parses a percentage, with or without `%`.
 fn percent_of(text: &str) -> Result<f64, String> {
     let share = text.trim_end_matches('%').trim().parse::<f64>().ok();
     let share = share.filter(|p| (0.0..=100.0).contains(p));
-    share.ok_or_else(|| "write percent like 0.1".to_string())
+    share.ok_or_else(|| "expected a percentage such as 0.1".to_string())
 }

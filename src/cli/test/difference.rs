@@ -1,29 +1,29 @@
-//! How much two pictures differ for the eye.
+//! Visible differences between two images.
 //!
-//! Colours are taken into the space Oklab (Björn Ottosson, 2020), in which equal distances look about
-//! equally large. Two pixels differ visibly where theirs is more than [`VISIBLE`], the distance from
-//! which on a difference is just seen side by side.
+//! Colours are converted to Oklab (Björn Ottosson, 2020), in which equal distances look about
+//! equally large. Two pixels differ visibly if their distance is more than [`VISIBLE`], which is
+//! just noticeable side by side.
 
 use super::super::run::Bitmap;
 use serde::Serialize;
 
-/// The least distance that is seen.
+/// Smallest visible distance in Oklab.
 const VISIBLE: f64 = 0.02;
 
-/// How much two pictures of a size differ.
+/// The difference between two images of the same size.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct PictureDifference {
-    /// The share of the pixels that differ visibly.
+    /// Share of the pixels that differ visibly, 0 to 1.
     pub visible: f64,
-    /// The distance of the pixels in the mean, in Oklab.
+    /// Average distance of the pixels in Oklab.
     pub mean: f64,
-    /// The largest distance; that of black and white is 1.
+    /// Largest distance; the distance between black and white is 1.
     pub most: f64,
-    /// The pixel with the largest distance, from the left and from below.
+    /// Position of the pixel with the largest distance, from the lower left corner.
     pub worst: [u32; 2],
 }
 
-/// Compares two pictures of one size. Gives also the distance of each pixel, the lowest row first.
+/// Compares two images of the same size. Also returns the distance of each pixel, bottom row first.
 pub fn difference(a: &Bitmap, b: &Bitmap) -> (PictureDifference, Vec<f64>) {
     let [width, height] = a.size;
     let mut distances = Vec::with_capacity(width as usize * height as usize);
@@ -49,7 +49,7 @@ pub fn difference(a: &Bitmap, b: &Bitmap) -> (PictureDifference, Vec<f64>) {
     (told, distances)
 }
 
-/// How far two colours of the screen are from each other.
+/// Distance of two sRGB colours in Oklab.
 fn distance(a: [u8; 3], b: [u8; 3]) -> f64 {
     if a == b {
         return 0.0;
@@ -58,7 +58,7 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> f64 {
     lanes.map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
-/// A colour of the screen in Oklab: how light it is, how red or green, how yellow or blue.
+/// Converts an sRGB colour to Oklab: lightness, green to red, blue to yellow.
 fn oklab(color: [u8; 3]) -> [f64; 3] {
     let linear = |byte: u8| match f64::from(byte) / 255.0 {
         c if c <= 0.040_45 => c / 12.92,

@@ -1,4 +1,4 @@
-//! The tests of a file that are functions.
+//! Test functions of a file.
 
 use super::super::run::{percent, position, seconds};
 use super::outcome::{ConditionRow, TestRow, ValueRow};
@@ -6,7 +6,7 @@ use crate::engine::play::{SeenCondition, TestFailure, TestVerdict, run_test, tes
 use crate::engine::{Analysis, Report};
 use crate::text::{FileId, Sources};
 
-/// Runs the tests that a file defines, those whose names are wanted.
+/// Runs the tests of a file that the filter accepts.
 pub fn run(
     report: &Report,
     file: FileId,
@@ -30,7 +30,7 @@ pub fn run(
     rows
 }
 
-/// Functions of a file that are called like tests and are none, with what is to be said.
+/// Notes about functions that are named like tests but are not.
 pub fn misfits(analysis: &Analysis, file: FileId) -> Vec<String> {
     let program = &analysis.program;
     let own = program.sources.file(file).map(|f| f.span());
@@ -45,7 +45,7 @@ pub fn misfits(analysis: &Analysis, file: FileId) -> Vec<String> {
             position(&program.sources, span).filter(|_| own.is_some_and(|o| o.contains(span)))?;
         let name = program.names.text(function.name);
         Some(format!(
-            "{at}: `{name}` is not run: a test is `bool {name}()`"
+            "{at}: `{name}` is not a test; expected `bool {name}()`"
         ))
     });
     told.collect()
@@ -61,12 +61,12 @@ fn row(sources: &Sources, file: &str, name: &str, verdict: &TestVerdict) -> Test
                 ..TestRow::failed(file, name, told(failure))
             }
         }
-        TestVerdict::TooLong => TestRow::failed(file, name, "it takes too many operations"),
+        TestVerdict::TooLong => TestRow::failed(file, name, "exceeded the operation limit"),
         TestVerdict::Refused { what, at } => {
             let at = at.and_then(|at| Some((sources.text(at), position(sources, at)?)));
             let message = match at {
-                Some((text, at)) => format!("it cannot be run: `{}` at {at} is {what}", line(text)),
-                None => format!("it cannot be run: {what}"),
+                Some((text, at)) => format!("cannot run: `{}` at {at} is {what}", line(text)),
+                None => format!("cannot run: {what}"),
             };
             TestRow::failed(file, name, message)
         }
@@ -78,12 +78,12 @@ fn told(failure: &TestFailure) -> String {
         .time
         .map_or(String::new(), |time| format!(" at {}", seconds(time)));
     let Some([x, y]) = failure.pixel else {
-        return format!("it returned false{at}");
+        return format!("returned false{at}");
     };
     let [width, height] = failure.size;
     let share = percent(failure.failed as f64 / failure.pixels.max(1) as f64);
     format!(
-        "it returned false{at} for {share} of {} pixels, first for ({x}, {y}) of {width}x{height}",
+        "returned false{at} for {share} of {} pixels, first at ({x}, {y}) of {width}x{height}",
         failure.pixels
     )
 }
@@ -102,7 +102,7 @@ fn condition(sources: &Sources, condition: &SeenCondition) -> ConditionRow {
     }
 }
 
-/// A text on one line.
+/// Joins the lines of a text.
 fn line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,5 +1,5 @@
-//! Pictures that were blessed: `FILE.golden.png` beside FILE, or `FILE.golden.2.5s.png` where several
-//! moments are drawn.
+//! Golden images: `FILE.golden.png` next to FILE, or `FILE.golden.2.5s.png` if there are several
+//! times.
 
 use super::super::output::{Overwrite, write};
 use super::super::port;
@@ -16,59 +16,60 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The size of pictures of which nothing else is said.
+/// Default size of golden images in pixels.
 const SIZE: [u32; 2] = [320, 180];
-/// What stands before the wishes of a shader.
+/// Marks the comment that sets size and times.
 const MARK: &str = "// golden:";
 
-/// A shader file, and what is drawn of it.
+/// A shader file whose golden images are compared.
 pub struct GoldenSubject<'a> {
-    /// How the file is called.
+    /// Name of the file in messages.
     pub name: &'a str,
-    /// Where it lies.
+    /// Path of the file.
     pub path: &'a Path,
-    /// What is drawn: the file, or the folder of its project. `None` where it is not a whole fragment
-    /// shader without errors.
+    /// What is drawn: the file, or the folder of its project. `None` unless it is a complete
+    /// fragment shader without errors.
     pub project: Option<PathBuf>,
-    /// What the shader wishes.
+    /// Size and times from the comment in the shader.
     pub wish: Option<Wish>,
-    /// How many threads draw.
+    /// Number of threads that draw.
     pub threads: usize,
 }
 
-/// What a shader says of its pictures.
+/// Size and times that a shader sets for its golden images.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Wish {
     size: Option<[u32; 2]>,
     times: Option<Vec<f64>>,
 }
 
-/// A picture that is blessed, or is to be.
+/// A golden image, which may not exist yet.
 struct Golden {
     time: f64,
     path: PathBuf,
-    /// What there is.
+    /// The existing image; `None` if there is none.
     known: Option<Result<Bitmap, String>>,
 }
 
-/// What came of the pictures of a file.
+/// The results of the golden images of a file.
 pub enum Pictures {
-    /// There is nothing to draw.
+    /// The file has nothing to draw.
     None,
-    /// There is, and nobody has blessed it or asked for it.
+    /// There is something to draw, but no golden image, and --bless is not given.
     Unblessed,
-    /// They were compared or written.
+    /// The images were compared or written.
     Compared(Vec<TestRow>),
 }
 
-/// What a text wishes in a line of its own like `// golden: 320x180 at 0, 2.5`.
+/// Parses a comment on its own line such as `// golden: 320x180 at 0, 2.5`.
 pub fn wish(text: &str) -> Result<Option<Wish>, String> {
     let mut lines = text.lines().zip(1..);
     let found = lines.find_map(|(line, number)| Some((line.trim().strip_prefix(MARK)?, number)));
     let Some((said, number)) = found else {
         return Ok(None);
     };
-    let wrong = || format!("line {number}: write `{MARK} 320x180 at 0, 2.5`, or one of both");
+    let wrong =
+        || format!("line {number}: expected a size, times or both: `{MARK} 320x180 at 0, 2.5`");
     let (size, times) = match said.trim().split_once("at ") {
         Some((size, times)) => (size.trim(), Some(times)),
         None => (said.trim(), None),
@@ -87,7 +88,7 @@ pub fn wish(text: &str) -> Result<Option<Wish>, String> {
     }
 }
 
-/// Compares what a shader draws with what was blessed, or writes it.
+/// Compares the images of a shader with its golden images, or writes them.
 pub fn run(subject: &GoldenSubject, args: &TestArgs, is_wanted: &dyn Fn(&str) -> bool) -> Pictures {
     let wished = subject.wish.as_ref();
     let times = wished.and_then(|wish| wish.times.as_ref());
@@ -95,9 +96,9 @@ pub fn run(subject: &GoldenSubject, args: &TestArgs, is_wanted: &dyn Fn(&str) ->
     let is_known = goldens.iter().any(|g| g.known.is_some());
     let is_asked = wished.is_some() || is_known;
     let Some(project) = &subject.project else {
-        let why = "only whole fragment shaders without errors are drawn";
+        let why = "only complete fragment shaders without errors can be drawn";
         return match is_asked {
-            true => Pictures::Compared(vec![TestRow::failed(subject.name, "picture", why)]),
+            true => Pictures::Compared(vec![TestRow::failed(subject.name, "golden image", why)]),
             false => Pictures::None,
         };
     };
@@ -127,7 +128,7 @@ pub fn run(subject: &GoldenSubject, args: &TestArgs, is_wanted: &dyn Fn(&str) ->
     Pictures::Compared(rows.collect())
 }
 
-/// The pictures of some moments.
+/// The golden images at some times.
 fn goldens(path: &Path, times: &[f64]) -> Vec<Golden> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let golden = |&time: &f64| {
@@ -146,10 +147,10 @@ fn goldens(path: &Path, times: &[f64]) -> Vec<Golden> {
     times.iter().map(golden).collect()
 }
 
-/// A shader, ready to be drawn.
+/// A shader that is compiled and ready to draw.
 fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String> {
     let loaded = read(project, None, &[]).map_err(|why| match why {
-        Undrawable::Errors(_) => "the shader has errors; `shaderlint run` tells them".to_string(),
+        Undrawable::Errors(_) => "the shader has errors; `shaderlint run` lists them".to_string(),
         Undrawable::Words(words) => words,
     })?;
     let setting = ShotSetting {
@@ -166,21 +167,21 @@ fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String>
     })
 }
 
-/// How a file is called in messages.
+/// The path in messages.
 fn shown(path: &Path) -> String {
     port::shown(path.strip_prefix(".").unwrap_or(path))
 }
 
 impl Golden {
     fn title(&self) -> String {
-        format!("picture at {}", seconds(self.time))
+        format!("golden image at {}", seconds(self.time))
     }
 
     fn shown(&self) -> String {
         shown(&self.path)
     }
 
-    /// Draws the picture and compares it with what there is.
+    /// Draws the image and compares it with the golden image.
     fn judge(&self, ready: &mut Shot, subject: &GoldenSubject, args: &TestArgs) -> TestRow {
         let title = self.title();
         let failed = |message: String| TestRow::failed(subject.name, &title, message);
@@ -193,8 +194,11 @@ impl Golden {
             bytes: Picture::of(ready.code(), &drawn, 0).bytes(),
         };
         let row = match &self.known {
-            None => failed(format!("there is no {}; --bless draws it", self.shown())),
-            Some(Err(why)) => failed(format!("{} cannot be read: {why}", self.shown())),
+            None => failed(format!(
+                "{} does not exist; use --bless to create it",
+                self.shown()
+            )),
+            Some(Err(why)) => failed(format!("cannot read {}: {why}", self.shown())),
             Some(Ok(known)) => self.compared(known, &drawn, subject, args),
         };
         match args.bless && row.status == Status::Failed {
@@ -214,7 +218,7 @@ impl Golden {
         if known.size != drawn.size {
             let [[w, h], [own_w, own_h]] = [known.size, drawn.size];
             let shown = self.shown();
-            let message = format!("{shown} has {w}x{h} pixels, and {own_w}x{own_h} are drawn");
+            let message = format!("expected {w}x{h} pixels as in {shown}, found {own_w}x{own_h}");
             return TestRow::failed(subject.name, &title, message);
         }
         let (told, distances) = difference(known, drawn);
@@ -226,11 +230,11 @@ impl Golden {
         }
         let [x, y] = told.worst;
         let mut message = format!(
-            "{} of the pixels differ visibly from {}, by {} at most, at ({x}, {y}); {} may",
+            "{} of the pixels differ visibly from {} (tolerance: {}); the largest difference is {} at ({x}, {y})",
             percent(told.visible),
             self.shown(),
-            short(told.most),
             percent(args.tolerance / 100.0),
+            short(told.most),
         );
         let mut written = None;
         if args.diff && !args.bless {
@@ -240,7 +244,7 @@ impl Golden {
             }
         }
         if let Some(written) = &written {
-            message.push_str(&format!("; {written} shows where"));
+            message.push_str(&format!("; see {written}"));
         }
         TestRow {
             difference: Some(told),
@@ -249,7 +253,7 @@ impl Golden {
         }
     }
 
-    /// Writes where pictures differ.
+    /// Writes an image of the differences.
     fn draw_difference(
         &self,
         size: [u32; 2],
@@ -265,14 +269,14 @@ impl Golden {
         let content = map(size, distances, "DIFFERENCE").png()?;
         write(&path, &content, overwrite).map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => {
-                format!("{shown} is there already; --force writes over it")
+                format!("{shown} already exists; use --force to overwrite it")
             }
             _ => format!("{shown}: {error}"),
         })?;
         Ok(shown)
     }
 
-    /// Writes the picture, in place of one that is there.
+    /// Writes the golden image, replacing an existing one.
     fn bless(&self, drawn: &Bitmap, subject: &GoldenSubject, row: TestRow) -> TestRow {
         let shown = self.shown();
         let written = drawn.png().and_then(|content| {

@@ -1,5 +1,4 @@
-//! `shaderlint test`: tests that are written in GLSL are run, and pictures are compared with those that
-//! were blessed.
+//! `shaderlint test`: runs tests written in GLSL, and compares shaders with their golden images.
 
 mod args;
 mod difference;
@@ -30,7 +29,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What stands in the names of files with tests of others, behind the name of the other.
+/// Suffix of the name of a file that tests another: `NAME.test.glsl`.
 const TESTS: &str = ".test";
 
 /// Runs the command and gives the exit code.
@@ -83,7 +82,7 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
         .lock()
         .write_all(tally.text(args.format).as_bytes())?;
     if tally.tests.is_empty() && problems.is_empty() {
-        complain("there is nothing to test: no `bool test_*()`, and no picture that was blessed");
+        complain("no tests found: expected `bool test_*()` or a golden image");
     }
     Ok(match () {
         () if !problems.is_empty() || tally.tests.is_empty() => FAILED,
@@ -100,7 +99,7 @@ fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
 }
 
-/// The files, and those with tests of files that are named.
+/// The inputs, and the test files that belong to files named on the command line.
 fn with_neighbours(inputs: Vec<InputFile>) -> Vec<InputFile> {
     let mut known: BTreeSet<String> = inputs.iter().map(|i| i.name.clone()).collect();
     let mut all = Vec::new();
@@ -117,7 +116,7 @@ fn with_neighbours(inputs: Vec<InputFile>) -> Vec<InputFile> {
     all
 }
 
-/// The files with the tests of a file.
+/// The test files of a file.
 fn tests_beside(path: &Path, name: &str) -> Vec<InputFile> {
     let (Some(stem), Some(ending)) = (path.file_stem(), path.extension()) else {
         return Vec::new();
@@ -141,35 +140,35 @@ fn tests_beside(path: &Path, name: &str) -> Vec<InputFile> {
     found.collect()
 }
 
-/// What all files of a run have in common.
+/// What all files of a run share.
 struct TestRun<'a> {
     args: &'a TestArgs,
     configs: &'a Configs,
-    /// The names of all files.
+    /// The names of all inputs.
     checked: Arc<BTreeSet<String>>,
     disk: Disk,
-    /// How many threads draw a picture.
+    /// Number of threads that draw one image.
     threads: usize,
 }
 
-/// What came of a file.
+/// The results of one file.
 #[derive(Default)]
 struct Done {
     rows: Vec<TestRow>,
-    /// The file, where nobody blessed its picture.
+    /// The file, if it is drawable but has no golden image.
     unblessed: Option<String>,
     notes: Vec<String>,
-    /// Why it was not read.
+    /// Why the file could not be tested.
     problem: Option<String>,
 }
 
 fn test_file(input: &InputFile, run: &TestRun) -> Done {
-    // A fault of this program costs one file its answer, never the others theirs.
+    // A panic loses the result of one file only.
     let done = catch_unwind(AssertUnwindSafe(|| judge(input, run)));
     let why = match done {
         Ok(Ok(done)) => return done,
         Ok(Err(why)) => why,
-        Err(_) => "shaderlint itself failed on this file; please report it".to_string(),
+        Err(_) => "internal error: shaderlint crashed on this file; please report it".to_string(),
     };
     Done {
         problem: Some(format!("{}: {why}", input.name)),
@@ -204,7 +203,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
     if let Some(file) = report.file {
         match &error {
             Some(error) if text.contains("bool test_") => {
-                let message = format!("it has errors: {error}");
+                let message = format!("the file has errors: {error}");
                 done.rows.push(TestRow::failed(name, "", message));
             }
             Some(_) => {}
@@ -219,7 +218,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
     Ok(done)
 }
 
-/// Compares the pictures of a file.
+/// Compares the images of a file with its golden images.
 fn pictures(
     input: &InputFile,
     text: &str,
@@ -239,7 +238,7 @@ fn pictures(
     let wish = match report.file.map_or(Ok(None), |_| golden::wish(text)) {
         Ok(wish) => wish,
         Err(why) => {
-            done.rows.push(TestRow::failed(name, "picture", why));
+            done.rows.push(TestRow::failed(name, "golden image", why));
             return;
         }
     };
@@ -258,7 +257,7 @@ fn pictures(
     }
 }
 
-/// The first error of a file: its place and what it says.
+/// The position and message of the first error.
 fn first_error(report: &Report) -> Option<String> {
     let mut found = report.diagnostics.iter();
     let error = found.find(|d| d.severity == Severity::Error)?;
@@ -269,7 +268,7 @@ fn first_error(report: &Report) -> Option<String> {
     })
 }
 
-/// Whether a picture is drawn by a shader alone.
+/// Whether a shader draws an image without other passes.
 fn is_drawable(analysis: &Analysis) -> bool {
     let program = &analysis.program;
     let is_whole = analysis.wholeness == Wholeness::Whole && !analysis.has_errors;
@@ -281,8 +280,8 @@ fn is_drawable(analysis: &Analysis) -> bool {
         }
 }
 
-/// What is drawn of a file: the folder that it is the picture of, or the file; nothing where it is
-/// another pass of a project.
+/// What is drawn for a file: the folder if the file is the image pass of a project, the file itself
+/// if it is a shader of its own, `None` for other passes.
 fn project_of(path: &Path) -> Option<PathBuf> {
     let alone = Some(path.to_path_buf());
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -1,83 +1,83 @@
-//! What came of tests, for people and for programs.
+//! Results of tests, for people and for programs.
 
 use super::args::TestFormat;
 use super::difference::PictureDifference;
 use serde::Serialize;
 
-/// What came of a test. Fields are only ever added.
+/// The result of one test. The JSON format may gain fields, but never loses any.
 #[derive(Clone, Debug, Serialize)]
 pub struct TestRow {
-    /// The file.
+    /// Name of the file.
     pub file: String,
-    /// The function, or the picture; empty where the file itself is wrong.
+    /// Name of the function or of the golden image; empty if the file itself is invalid.
     pub name: String,
-    /// Whether it passed.
+    /// Whether the test passed.
     pub status: Status,
-    /// Where it stands: `file:line:column`.
+    /// Position of the test: `file:line:column`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<String>,
-    /// What is to be said of it.
+    /// Why the test failed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
-    /// What a function that failed compared, at the first pixel that is wrong.
+    /// The comparisons of a function that failed, at the first pixel with a wrong result.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<ConditionRow>,
-    /// How far a picture is from the one that was blessed.
+    /// Difference to the golden image.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference: Option<PictureDifference>,
-    /// The picture that was written.
+    /// Path of the image that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub written: Option<String>,
 }
 
-/// Whether a test passed.
+/// The status of a test.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// It did.
+    /// The test passed.
     Passed,
-    /// It is a picture that was written.
+    /// The golden image was written.
     Blessed,
-    /// It did not.
+    /// The test failed.
     Failed,
 }
 
-/// A comparison of a test.
+/// A comparison in a test.
 #[derive(Clone, Debug, Serialize)]
 pub struct ConditionRow {
-    /// Where it stands: `file:line:column`.
+    /// Position of the comparison: `file:line:column`.
     pub at: Option<String>,
-    /// As it is written.
+    /// Source text of the comparison.
     pub text: String,
-    /// What came of it.
+    /// Result of the comparison.
     pub answer: String,
-    /// What it compared.
+    /// The values of its operands.
     pub values: Vec<ValueRow>,
 }
 
-/// A side of a comparison.
+/// An operand of a comparison.
 #[derive(Clone, Debug, Serialize)]
 pub struct ValueRow {
-    /// As it is written.
+    /// Source text of the operand.
     pub text: String,
-    /// What it was.
+    /// Value of the operand.
     pub value: String,
 }
 
-/// All that came of a run.
+/// The results of a run.
 #[derive(Default, Serialize)]
 pub struct Tally {
-    /// Of this form.
+    /// Version of the JSON format.
     pub schema: u32,
-    /// How many tests passed, pictures that were blessed among them.
+    /// Number of tests that passed, including golden images that were written.
     pub passed: usize,
-    /// How many did not.
+    /// Number of tests that failed.
     pub failed: usize,
-    /// The whole shaders of which no picture was blessed.
+    /// Complete shaders without a golden image.
     pub without_picture: Vec<String>,
-    /// The tests.
+    /// The results of the tests.
     pub tests: Vec<TestRow>,
-    /// What else is to be said.
+    /// Notes about functions that look like tests.
     pub notes: Vec<String>,
 }
 
@@ -96,7 +96,7 @@ impl TestRow {
         }
     }
 
-    /// A test that did not, and why.
+    /// A test that failed with this message.
     pub fn failed(file: &str, name: &str, message: impl Into<String>) -> TestRow {
         TestRow {
             status: Status::Failed,
@@ -105,7 +105,6 @@ impl TestRow {
         }
     }
 
-    /// How it is called.
     fn title(&self) -> String {
         match self.name.as_str() {
             "" => self.file.clone(),
@@ -113,7 +112,7 @@ impl TestRow {
         }
     }
 
-    /// The line of a test.
+    /// The line printed when the test ends.
     pub fn line(&self) -> String {
         let what = match self.status {
             Status::Passed => "ok",
@@ -123,14 +122,14 @@ impl TestRow {
         format!("{} ... {what}\n", self.title())
     }
 
-    /// What is said of a test that failed.
+    /// The details of a failed test.
     fn text(&self) -> String {
         let at = self.at.as_ref().unwrap_or(&self.file);
         let name = match self.name.as_str() {
             "" => String::new(),
             name => format!("{name}: "),
         };
-        let message = self.message.as_deref().unwrap_or("it failed");
+        let message = self.message.as_deref().unwrap_or("failed");
         let mut text = format!("{at}: {name}{message}\n");
         for condition in &self.conditions {
             let line = condition.at.as_deref().and_then(|at| at.rsplit(':').nth(1));
@@ -148,7 +147,7 @@ impl TestRow {
 }
 
 impl Tally {
-    /// Takes over what came of tests.
+    /// Adds the results of tests.
     pub fn add(&mut self, rows: Vec<TestRow>) {
         for row in rows {
             match row.status {
@@ -159,7 +158,7 @@ impl Tally {
         }
     }
 
-    /// What is said at the end.
+    /// The output after the last test: failures and totals, or the JSON object.
     pub fn text(&self, format: TestFormat) -> String {
         if format == TestFormat::Json {
             let text = serde_json::to_string_pretty(self).unwrap_or_default();
@@ -173,9 +172,9 @@ impl Tally {
         text.push_str(&format!("{} passed, {} failed", self.passed, self.failed));
         match self.without_picture.len() {
             0 => {}
-            1 => text.push_str("; 1 whole shader has no picture to compare with, --bless draws it"),
+            1 => text.push_str("; 1 complete shader has no golden image, use --bless to create it"),
             n => text.push_str(&format!(
-                "; {n} whole shaders have no picture to compare with, --bless draws them"
+                "; {n} complete shaders have no golden image, use --bless to create them"
             )),
         }
         text.push('\n');

@@ -1,4 +1,4 @@
-//! What a configuration says, of all files or of some.
+//! The settings of a configuration, for all files or for some.
 
 use crate::options::{Desktop, DialectChoice, HostNames};
 use globset::GlobSet;
@@ -9,40 +9,41 @@ use shaderlint_lint::{Failing, OptionValue, Renderer, Rule, Settings};
 use shaderlint_rules::RULES;
 use std::path::{Path, PathBuf};
 
-/// What a configuration says of all files, or of those under some patterns.
+/// Settings for all files, or for files that match patterns.
 #[derive(Default)]
 pub struct Layer {
-    /// What draws the shaders.
+    /// Renderer that the shaders run on in production.
     pub target: Option<Renderer>,
-    /// How many pixels of each shader are run.
+    /// Number of pixels to sample per shader.
     pub run_samples: Option<u32>,
-    /// What the shaders are written for.
+    /// Dialect of the shaders.
     pub dialect: Option<DialectChoice>,
-    /// What the host declares.
+    /// Host that completes the shaders.
     pub host: Option<HostNames>,
-    /// What is said of shaders that WebGL does not compile.
+    /// How desktop GLSL and other languages are treated.
     pub desktop: Option<Desktop>,
-    /// Folders that `#include` searches behind that of the file, from the configuration's own.
+    /// Folders that `#include` searches after the folder of the file, relative to the
+    /// configuration.
     pub include_roots: Option<Vec<String>>,
-    /// How code is set.
+    /// Formatting style.
     pub format: StyleChoice,
-    /// What it says of rules; the later holds.
+    /// Adjustments of rules; later ones take precedence.
     pub rules: Vec<(&'static Rule, Adjustment)>,
 }
 
-/// What is said of a rule.
+/// An adjustment of a rule.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Adjustment {
-    /// How bad its findings are; `None` is off.
+    /// Severity of its findings; `None` is off.
     Level(Option<Severity>),
     /// Whether its findings fail the run.
     Failing(Failing),
-    /// What it goes by.
+    /// Value of an option.
     Option(&'static str, OptionValue),
 }
 
 impl Layer {
-    /// Does what it says of rules.
+    /// Applies the adjustments of rules.
     pub(super) fn apply(&self, settings: &mut Settings) {
         if let Some(target) = self.target {
             settings.set_target(RULES, target);
@@ -60,42 +61,42 @@ impl Layer {
     }
 }
 
-/// A configuration. The paths that it is asked about start at the root of the file system.
+/// A configuration. Paths in its methods are absolute.
 #[derive(Default)]
 pub struct Config {
-    /// The folder that it stands in, which patterns count from.
+    /// Folder of the configuration file, which patterns are relative to.
     pub root: PathBuf,
-    /// What holds for all files.
+    /// Settings for all files.
     pub base: Layer,
-    /// What holds for some, the later over the earlier.
+    /// Settings for some files; later ones take precedence.
     pub overrides: Vec<(GlobSet, Layer)>,
-    /// The files that folders are searched for, where it says so.
+    /// Files to check when folders are searched, if set.
     pub include: Option<GlobSet>,
-    /// What folders are not searched for.
+    /// Files to skip when folders are searched.
     pub exclude: Option<GlobSet>,
 }
 
 impl Config {
-    /// A path as patterns see it.
+    /// A path relative to the configuration.
     fn inside<'p>(&self, path: &'p Path) -> &'p Path {
         path.strip_prefix(&self.root).unwrap_or(path)
     }
 
-    /// Whether a file found in a folder is to be checked; `is_known` tells whether its ending is
-    /// one of a shader.
+    /// Whether a file found in a folder is checked; `is_known` says whether its extension is one of
+    /// a shader.
     pub fn takes(&self, path: &Path, is_known: bool) -> bool {
         let path = self.inside(path);
         let included = self.include.as_ref();
         included.map_or(is_known, |i| i.is_match(path)) && !self.is_excluded(path)
     }
 
-    /// Whether a pattern of `include` fits a file.
+    /// Whether a file matches a pattern of `include`.
     pub fn names(&self, path: &Path) -> bool {
         let included = self.include.as_ref();
         included.is_some_and(|i| i.is_match(self.inside(path)))
     }
 
-    /// Whether a file is left out even where it is named itself.
+    /// Whether a file is excluded even if it is named on the command line.
     pub fn leaves_out(&self, path: &Path) -> bool {
         self.is_excluded(self.inside(path))
     }
@@ -104,7 +105,7 @@ impl Config {
         self.exclude.as_ref().is_some_and(|e| e.is_match(path))
     }
 
-    /// Numbers of the overrides that hold for a file.
+    /// Indices of the overrides that match a file.
     pub fn layers(&self, path: &Path) -> Vec<usize> {
         let path = self.inside(path);
         let overrides = self.overrides.iter().enumerate();

@@ -1,4 +1,4 @@
-//! `shaderlint.toml` as data: what it says of files, and how it is read.
+//! `shaderlint.toml` as data, and how it is read.
 
 mod layer;
 #[cfg(feature = "cli")]
@@ -17,8 +17,8 @@ use shaderlint_lint::{Settings, UnknownRule};
 use shaderlint_rules::RULES;
 use std::sync::Arc;
 
-/// How the code of files is set for which a configuration and some of its overrides, by their
-/// numbers, hold; of what they do not say `others` holds.
+/// The formatting style for a configuration and some of its overrides, given by index, with
+/// `others` for what they do not set.
 pub fn style(config: &Config, layers: &[usize], others: StyleChoice) -> StyleChoice {
     let matching = layers.iter().rev().filter_map(|i| config.overrides.get(*i));
     let layers = matching.map(|(_, layer)| layer).chain([&config.base]);
@@ -26,28 +26,28 @@ pub fn style(config: &Config, layers: &[usize], others: StyleChoice) -> StyleCho
     said.or(others)
 }
 
-/// What a user says for one run, which goes before every configuration.
+/// Options of one run, which override every configuration.
 #[derive(Clone, Default, Debug)]
 pub struct Selection {
-    /// What the shaders are written for, where it is not `auto`.
+    /// Dialect of the shaders, unless `auto`.
     pub dialect: DialectChoice,
-    /// Who runs or completes them.
+    /// Host that runs or completes the shaders.
     pub host: Option<&'static Preset>,
-    /// Rules and groups that run too.
+    /// Rules and groups to enable.
     pub select: Vec<String>,
-    /// Rules and groups that do not run.
+    /// Rules and groups to disable.
     pub ignore: Vec<String>,
-    /// The only rules and groups that run, and compile errors that are reported, where there are any.
+    /// The only rules, groups and compile errors to report, if there are any.
     pub only: Vec<String>,
-    /// How many pixels of each shader are run, where that is said.
+    /// Number of pixels to sample per shader, if set.
     pub run_samples: Option<u32>,
 }
 
 impl Selection {
-    /// Does what its words say of rules.
+    /// Applies the selection of rules.
     ///
     /// # Errors
-    /// Where a word names no rule and no group.
+    /// If a name is not a rule or group.
     pub fn adjust(&self, settings: &mut Settings) -> Result<(), UnknownRule> {
         settings.adjust(RULES, &self.select, &self.ignore)?;
         if self.only.is_empty() {
@@ -57,10 +57,10 @@ impl Selection {
     }
 }
 
-/// How files are judged for which a configuration and some of its overrides, by their numbers, hold.
+/// The options for a configuration and some of its overrides, given by index.
 ///
 /// # Errors
-/// Where a word of `given` names no rule and no group.
+/// If a name in `given` is not a rule or group.
 pub fn options(
     config: Option<&Config>,
     layers: &[usize],

@@ -1,4 +1,4 @@
-//! ShaderToy's passes in files of their own: the Common file of a folder stands before the others.
+//! ShaderToy passes in separate files: the Common file of a folder is included before the others.
 
 use super::super::options::{DialectChoice, Options};
 use super::super::world::World;
@@ -8,9 +8,9 @@ use shaderlint_semantic::{GuessedKind, Pass, guess};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Largest pass that is looked into for what it is, in bytes.
+/// Size limit in bytes of passes that are read to detect what they are.
 const MAX_PASS: usize = 1024 * 1024;
-/// The Common file that stands before a pass, if it is one.
+/// The Common file that is included before a pass, if there is one.
 pub fn common_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
     let (role, prefix) = role(file_name(name))?;
     if role == PassRole::Common || !may_be_pass(world.options) || !is_pass(text) {
@@ -24,7 +24,7 @@ pub fn common_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
     Some(path.to_path_buf())
 }
 
-/// Whether a file is the Common file of the passes beside it.
+/// Whether a file is the Common file of the passes in its folder.
 pub fn is_common(name: &str, text: &str, world: World) -> bool {
     let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
         return false;
@@ -43,7 +43,7 @@ pub fn is_common(name: &str, text: &str, world: World) -> bool {
     })
 }
 
-/// The passes of ShaderToy that lie beside a file.
+/// The ShaderToy passes in the folder of a file.
 fn passes_beside(name: &str, world: World) -> Option<Arc<Passes>> {
     let folder = Path::new(name).parent()?;
     Some(world.options.memo.passes(world.files, folder))

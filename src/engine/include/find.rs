@@ -1,4 +1,4 @@
-//! Where the files lie that a shader names, and what they hold.
+//! Resolves the files that a shader includes.
 
 use super::super::files::{FileType, Files};
 use super::super::options::Includes;
@@ -9,56 +9,56 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Largest `package.json` that is read, in bytes.
+/// Size limit of `package.json` in bytes.
 const MAX_PACKAGE: usize = 1024 * 1024;
-/// What bundlers put behind a name without an ending.
+/// Extensions that bundlers append to names without an extension.
 pub const ENDINGS: [&str; 5] = ["glsl", "vert", "frag", "vs", "fs"];
-/// The folder that packages lie in.
+/// Name of the folder of packages.
 const PACKAGES: &str = "node_modules";
 
-/// A file that was found.
+/// A resolved file.
 #[derive(Clone)]
 pub struct Found {
-    /// Its path as it is shown.
+    /// Path in messages.
     pub name: String,
-    /// Its path without links.
+    /// Path without symbolic links.
     pub real: PathBuf,
-    /// What it holds.
+    /// Contents of the file.
     pub file: Arc<IncludedFile>,
 }
 
-/// Why a file is not put in.
+/// Why a file was not included.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Absence {
-    /// There is none, or it cannot be read.
+    /// The file does not exist or cannot be read.
     NotFound,
-    /// It lies outside the project.
+    /// The file is outside the project.
     Outside,
-    /// Too many files are put in already.
+    /// The limit of included files was reached.
     TooMany,
 }
 
 impl fmt::Display for Absence {
-    /// In words that go on behind the path.
+    /// A phrase that follows the path.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Absence::NotFound => "not found",
             Absence::Outside => "outside the project",
-            Absence::TooMany => "one file too many",
+            Absence::TooMany => "too many included files",
         })
     }
 }
 
-/// A file that is not found.
+/// A file that was not included.
 pub struct Absent {
-    /// The folders that it was looked for in, as they are shown.
+    /// Folders that were searched.
     pub looked_in: Vec<String>,
-    /// Why it is not put in.
+    /// Reason.
     pub why: Absence,
 }
 
 impl Absent {
-    /// A file that is not looked for.
+    /// The result if the limit of included files was reached.
     pub fn too_many() -> Absent {
         Absent {
             looked_in: Vec::new(),
@@ -68,14 +68,14 @@ impl Absent {
 }
 
 impl World<'_> {
-    /// Finds a file that is named in another one.
+    /// Resolves a path in an include directive of the file `from`.
     pub fn find(&self, from: &str, wanted: &Wanted) -> Result<Found, Absent> {
         let mut absent = Absent {
             looked_in: Vec::new(),
             why: Absence::NotFound,
         };
         let named = wanted.path.replace('\\', "/");
-        // Bundlers take a question behind the path for themselves.
+        // Bundlers accept a query after the path.
         let named = named.split('?').next().unwrap_or("");
         for (folder, rest) in self.places(from, named) {
             let folder_shown = shown(&folder);
@@ -94,7 +94,7 @@ impl World<'_> {
         Err(absent)
     }
 
-    /// The folders that a path may count from, in order, with the rest of the path.
+    /// The folders that a path may be relative to, in order of search, with the rest of the path.
     fn places<'p>(&self, from: &str, named: &'p str) -> Vec<(PathBuf, &'p str)> {
         let Includes { root, tops, roots } = &self.options.includes;
         let beside = Path::new(from).parent().unwrap_or(Path::new(""));
@@ -127,7 +127,7 @@ impl World<'_> {
         places
     }
 
-    /// Reads a file, unless it lies outside the project.
+    /// Reads a file, unless it is outside the project.
     pub fn load(&self, path: &Path) -> Result<Found, Absence> {
         let real = self.files.real(path).ok_or(Absence::NotFound)?;
         if !real.starts_with(&self.options.includes.root) {
@@ -142,19 +142,20 @@ impl World<'_> {
     }
 }
 
-/// Whether a file is that of a package.
+/// Whether a file belongs to a package.
 pub fn is_of_package(path: &Path) -> bool {
     let mut parts = path.components();
     parts.any(|c| c.as_os_str() == PACKAGES)
 }
 
-/// A folder as it is shown.
+/// A folder in messages.
 fn shown(folder: &Path) -> String {
     let text = folder.to_string_lossy().replace('\\', "/");
     if text.is_empty() { ".".into() } else { text }
 }
 
-/// The file that a path means: itself, with an ending, or what its folder has for others.
+/// The file that a path refers to: the file itself, with an extension appended, or the main file of
+/// a folder.
 fn file_at(files: &dyn Files, base: &Path, manner: Manner) -> Option<PathBuf> {
     let entry = files.entry(base);
     if entry == Some(FileType::File) {
@@ -163,7 +164,7 @@ fn file_at(files: &dyn Files, base: &Path, manner: Manner) -> Option<PathBuf> {
     if let Some(file) = with_ending(files, base) {
         return Some(file);
     }
-    // `<name>` is mostly a chunk of the host; a folder of that name means nothing.
+    // `<name>` usually is a chunk of the host, not a folder.
     if manner == Manner::Chunk || entry != Some(FileType::Folder) {
         return None;
     }
@@ -183,7 +184,7 @@ fn with_ending(files: &dyn Files, base: &Path) -> Option<PathBuf> {
     all.find(|f| is_file(files, f))
 }
 
-/// The shader that a package names as what it is.
+/// The shader that a package exports.
 fn main_of(files: &dyn Files, folder: &Path) -> Option<PathBuf> {
     let text = files.load(&folder.join("package.json")).ok()?;
     if text.len() > MAX_PACKAGE {

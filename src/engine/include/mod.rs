@@ -1,5 +1,5 @@
-//! `#include` and its kin, as bundlers resolve them: the files that a shader names stand in the place
-//! of the directives that name them.
+//! Resolves `#include` and similar directives as bundlers do: included files replace the
+//! directives.
 
 mod common;
 mod find;
@@ -22,60 +22,60 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Most files that one shader may include, each time counted.
+/// Maximum number of files that a shader may include, counted each time.
 const MAX_INCLUDES: usize = 256;
-/// Most times that a file is looked for in one shader.
+/// Maximum number of file lookups for one shader.
 const MAX_LOOKUPS: usize = 4_096;
-/// Most macros that are taken for arguments of files.
+/// Maximum number of macros that are treated as parameters of files.
 const MAX_ARGUMENTS: usize = 64;
 
-/// A shader with what it includes.
+/// A shader with its includes.
 pub struct Spread {
-    /// What is compiled, in order.
+    /// The files to compile, in order.
     pub files: Vec<FileId>,
-    /// Whether something that is put in is not at hand.
+    /// Whether included code is missing.
     pub is_open: bool,
-    /// What is not found.
+    /// Includes that were not found.
     pub missing: Vec<MissingInclude>,
-    /// What is wrong with the directives.
+    /// Findings about the directives.
     pub problems: Vec<Diagnostic>,
-    /// Files whose findings are not told here.
+    /// Files whose findings are not reported here.
     pub hushed: Hushed,
 }
 
-/// A file that is named and not put in.
+/// An include that was not found.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MissingInclude {
     /// The directive.
     pub span: Span,
-    /// The path, as it is written.
+    /// The path in the directive.
     pub path: String,
-    /// The folders that it was looked for in.
+    /// Folders that were searched.
     pub looked_in: Vec<String>,
-    /// Why it is not put in.
+    /// Why it was not included.
     pub why: Absence,
 }
 
-/// The files whose findings are told elsewhere, or are nobody's business here.
+/// Files whose findings are reported elsewhere or not at all.
 #[derive(Default)]
 pub struct Hushed(HashMap<FileId, Hush>);
 
-/// What of a file is not told.
+/// Which findings of a file are not reported.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Hush {
-    /// What rules find: it is the file of a package.
+    /// Findings of rules, because the file belongs to a package.
     Rules,
-    /// Anything.
+    /// All findings.
     All,
 }
 
 impl Hushed {
-    /// Adds those of another shader.
+    /// Adds the files of another shader.
     pub fn extend(&mut self, others: Hushed) {
         self.0.extend(others.0);
     }
 
-    /// Whether a finding is told.
+    /// Whether a finding is reported.
     pub fn admits(&self, sources: &Sources, diagnostic: &Diagnostic) -> bool {
         if self.0.is_empty() {
             return true;
@@ -89,8 +89,8 @@ impl Hushed {
     }
 }
 
-/// Puts files in the place of the directives that name them, the Common file of a ShaderToy project
-/// before its passes, and what tests in a file of their own are for before them.
+/// Includes the files that directives name, the Common file of a ShaderToy project before its
+/// passes, and the tested file before its tests.
 pub(super) fn spread(
     sources: &mut Arc<Sources>,
     name: &str,
@@ -146,65 +146,66 @@ pub(super) fn spread(
     Some(spreader.found)
 }
 
-/// Puts a shader together.
+/// Expands the includes of a shader.
 struct Spreader<'r, 'w> {
     sources: &'r mut Arc<Sources>,
     world: World<'w>,
     found: Spread,
-    /// The files that are being put in, each named by the one before.
+    /// The stack of files being included.
     open: Vec<OpenFile>,
-    /// The files that were put in.
+    /// The files that were included.
     seen: HashMap<PathBuf, SeenFile>,
-    /// The macros that some file takes away.
+    /// The macros that some file undefines.
     undefined: BTreeSet<String>,
-    /// What was found, by the file that names it and its path.
+    /// Resolved files, by including file and path.
     known: HashMap<(String, String), Found>,
     lookups: usize,
     modules: Modules,
-    /// Whether the shader itself is a file of a package.
+    /// Whether the shader itself belongs to a package.
     is_in_package: bool,
     budget: usize,
 }
 
-/// A file that is being put in.
+/// A file on the stack.
 struct OpenFile {
     name: String,
     real: PathBuf,
     file: FileId,
     text: Arc<IncludedFile>,
-    /// What of it has been put in.
+    /// Length of the text that was added already.
     done: usize,
-    /// The number of its next directive.
+    /// Index of the next directive.
     next: usize,
-    /// Whether it stands under a condition.
+    /// Whether it is included under a condition.
     is_conditional: bool,
-    /// How many braces are open around it.
+    /// Number of open braces at the include.
     depth: u32,
-    /// What stands behind it.
+    /// Text that is added after it.
     close: Option<FileId>,
 }
 
-/// Where a file was put in.
+/// The first include of a file.
 #[derive(Clone, Copy)]
 struct SeenFile {
     is_conditional: bool,
     is_inside: bool,
-    /// Number of its guard, where it got one.
+    /// Number of its guard.
     number: usize,
 }
 
-/// What is done with a file that is found.
+/// How an include is expanded.
 enum IncludeWay {
     Put,
-    /// Behind a guard of this number.
+    /// Inside an include guard with this number.
     Guard(usize),
-    /// It stands there already.
+    /// Omitted, because the file is included already.
     Leave,
     Circle,
 }
 
 impl Spreader<'_, '_> {
-    /// Puts a file before the shader. What is wrong with it is told of itself where it is checked too.
+    /// Includes a file before the shader. Its findings are not reported here if it is checked
+    /// itself.
     fn put_before(&mut self, found: Found) -> Option<()> {
         let text = found.file.text.clone();
         let seen = SeenFile {
@@ -242,7 +243,7 @@ impl Spreader<'_, '_> {
         });
     }
 
-    /// Puts in all that is open. `None` where it is too large.
+    /// Expands all files on the stack. `None` if the result is too large.
     fn run(&mut self) -> Option<()> {
         while let Some(last) = self.open.last_mut() {
             let directive = last.text.scan.directives.get(last.next).cloned();
@@ -358,8 +359,8 @@ impl Spreader<'_, '_> {
         Arc::make_mut(self.sources).add("", None, Role::Prelude, text)
     }
 
-    /// Bundlers differ in what they do with a file that is named twice; what is certain is that a
-    /// second copy which would only declare the same again is not meant.
+    /// Bundlers differ in how they treat a file that is included twice. A second copy that would
+    /// only repeat declarations is never intended.
     fn way(&mut self, found: &Found, is_conditional: bool, depth: u32) -> IncludeWay {
         let scan = &found.file.scan;
         let is_safe = scan.is_guarded || scan.is_once;
@@ -374,7 +375,7 @@ impl Spreader<'_, '_> {
             let is_own = scan.defined.contains(name);
             !is_own && found.file.text.contains(name.as_str())
         };
-        // Its text means something else each time.
+        // Macros that change between the copies are parameters of the file.
         let own = scan.undefined.iter().take(MAX_ARGUMENTS);
         let takes = own.chain(&self.undefined);
         let is_template = !is_safe && takes.into_iter().any(is_given);
@@ -394,14 +395,14 @@ impl Spreader<'_, '_> {
         if !is_first && !seen.is_conditional {
             return IncludeWay::Leave;
         }
-        // Whether the first copy counts is not known before the text is read.
+        // Conditions are not evaluated yet, so the first copy may be inactive.
         match scan.is_guarded || (is_first && !is_conditional) {
             true => IncludeWay::Put,
             false => IncludeWay::Guard(seen.number),
         }
     }
 
-    /// Puts in a module of glslify under a name.
+    /// Includes a glslify module under a name.
     fn require(
         &mut self,
         found: Found,
@@ -422,7 +423,7 @@ impl Spreader<'_, '_> {
             Some((text, _)) if !text.is_empty() => {
                 self.budget -= 1;
                 let id = self.add(&found.name, text)?;
-                // Its text is not what stands in the file.
+                // The text differs from the file.
                 self.found.hushed.0.insert(id, Hush::All);
                 self.found.files.push(id);
             }

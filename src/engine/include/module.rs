@@ -1,5 +1,5 @@
-//! Modules of glslify. Each has its names for itself: what it declares gets a number behind its
-//! name, as glslify does it, and what it exports the name under which it is asked for.
+//! glslify modules. Each has its own namespace: names that it declares get a numbered suffix, as in
+//! glslify, and its export gets the name under which it is required.
 
 use super::super::world::World;
 use super::find::{Absent, Found};
@@ -8,31 +8,31 @@ use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
-/// Most bytes that the modules of a shader may have.
+/// Size limit in bytes of the modules of a shader.
 const MAX_TEXT: usize = 16 * 1024 * 1024;
-/// Most modules of a shader, and most that are looked for.
+/// Maximum number of modules of a shader, and of lookups.
 const MAX_MODULES: usize = 1_024;
-/// How deep modules may ask for others.
+/// Maximum depth of nested modules.
 const MAX_DEPTH: usize = 64;
 
 /// The modules of a shader.
 #[derive(Default)]
 pub struct Modules {
-    /// The names that the shader itself gives to what modules export.
+    /// The names that the shader gives to exports of modules.
     asked: HashMap<PathBuf, String>,
     made: Vec<MadeModule>,
-    /// The modules that are being put in.
+    /// The stack of modules being included.
     open: Vec<PathBuf>,
     count: usize,
     size: usize,
     lookups: usize,
-    /// What is not found.
+    /// Modules that were not found.
     pub missing: Vec<(String, Absent)>,
-    /// Whether something of a module is not at hand.
+    /// Whether a part of a module is missing.
     pub is_open: bool,
 }
 
-/// A module that stands in the shader.
+/// A module that is included.
 struct MadeModule {
     real: PathBuf,
     arguments: Vec<(String, String)>,
@@ -40,7 +40,7 @@ struct MadeModule {
 }
 
 impl Modules {
-    /// Notes what the shader itself asks for, so that modules which ask for the same can share it.
+    /// Records what the shader requires, so that modules that require the same can share it.
     pub fn expect(&mut self, name: &str, world: World, directives: &[Directive]) {
         for directive in directives.iter().take(MAX_MODULES) {
             if let Form::Require(wanted, arguments) = &directive.form
@@ -54,8 +54,8 @@ impl Modules {
         }
     }
 
-    /// The text of a module as it stands in the shader, empty where it is there already, and the
-    /// name of what it exports: `wanted`, where that is given. `None` where it cannot be put in.
+    /// The text of a module as included in the shader, empty if it is included already, and the
+    /// name of its export: `wanted`, if given. `None` if it cannot be included.
     pub fn put(
         &mut self,
         found: &Found,
@@ -102,7 +102,7 @@ impl Modules {
         Some((text, exported))
     }
 
-    /// A module with other names, and with the modules that it asks for.
+    /// Renames the names of a module, and includes the modules that it requires.
     fn rewrite(
         &mut self,
         found: &Found,
@@ -146,7 +146,7 @@ impl Modules {
     }
 }
 
-/// Writes a part of a text with other names.
+/// Copies a range of a text with names replaced.
 fn rename(
     text: &str,
     part: std::ops::Range<usize>,
@@ -171,12 +171,12 @@ fn rename(
     }
 }
 
-/// Whether a word behind a dot may mean components of a vector.
+/// Whether a word after a dot may be a swizzle.
 fn is_swizzle(word: &str) -> bool {
     word.len() <= 4 && word.chars().all(|c| "xyzwrgbastpq".contains(c))
 }
 
-/// Words that start what belongs to the whole shader, or names nothing.
+/// Keywords of declarations that are shared by the whole shader or declare no name.
 const SHARED: [&str; 7] = [
     "uniform",
     "attribute",
@@ -187,7 +187,7 @@ const SHARED: [&str; 7] = [
     "layout",
 ];
 
-/// The functions, structs, variables and constants that a text declares at its top.
+/// The functions, structs, variables and constants that a text declares at global scope.
 fn top_names(text: &str) -> HashSet<String> {
     let mut reader = ModuleReader::default();
     let mut lexer = Lexer::new(text, 0);
@@ -220,12 +220,12 @@ fn top_names(text: &str) -> HashSet<String> {
 #[derive(Default)]
 struct ModuleReader {
     found: HashSet<String>,
-    /// How many braces and brackets are open.
+    /// Number of open braces and brackets.
     depth: usize,
-    /// The words since the last `;`, as far as they tell whose the declaration is.
+    /// Whether the words since the last `;` start a shared declaration.
     is_shared: bool,
     is_initializer: bool,
-    /// The word that may be a name, and whether what stands before it lets it be one.
+    /// The word that may be a declared name, and whether its predecessor allows that.
     word: Option<String>,
     may_follow: bool,
     is_struct: bool,

@@ -1,19 +1,19 @@
-//! The files of a folder that hold the passes of a ShaderToy project.
+//! The files of a folder that contain the passes of a ShaderToy project.
 
 use super::super::files::Files;
 use shaderlint_host::shadertoy;
 use shaderlint_port::PassRole;
 use std::path::{Path, PathBuf};
 
-/// Most files of a folder that are looked at.
+/// Maximum number of files in a folder that are examined.
 const MAX_FILES: usize = 10_000;
 
-/// The files of a folder that are called like passes.
+/// The files of a folder that are named like passes.
 #[derive(Default, Debug)]
 pub struct Passes(Vec<(PassRole, String, PathBuf)>);
 
 impl Passes {
-    /// Those of this folder.
+    /// Lists the passes in a folder.
     pub fn inside(files: &dyn Files, folder: &Path) -> Passes {
         let names = files.names(folder).into_iter().take(MAX_FILES);
         let mut found: Vec<_> = names
@@ -26,8 +26,8 @@ impl Passes {
         Passes(found)
     }
 
-    /// The passes that belong to the same project as a file: all of the folder, or, where it holds
-    /// several projects, those whose names start alike. None where one of them is there twice.
+    /// The passes of the same project: all passes of the folder or, if it contains several
+    /// projects, those with the same prefix. Empty if one of them exists twice.
     pub fn project(&self, prefix: &str) -> Vec<(PassRole, &Path)> {
         let is_one = |all: &[(PassRole, &Path)]| {
             let mut roles: Vec<PassRole> = all.iter().map(|(role, _)| *role).collect();
@@ -54,7 +54,7 @@ impl Passes {
     }
 }
 
-/// What a file is for by its name, and what stands before that in it.
+/// The pass that a file name denotes, and the prefix before it.
 pub fn role(name: &str) -> Option<(PassRole, String)> {
     let (stem, ending) = name.rsplit_once('.')?;
     let ending = ending.to_ascii_lowercase();

@@ -1,14 +1,13 @@
-//! The directives of a text that name other files, and what decides whether it may stand in a
-//! shader twice.
+//! Finds the include directives of a text, and whether it may be included twice.
 
 use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::sync::Arc;
 
-/// Most times that reading starts anew behind a path with the signs of a comment in it.
+/// Maximum number of restarts after a path that contains comment delimiters.
 const MAX_STARTS: usize = 64;
-/// Words that stand before a bracket and are no function's name.
+/// Keywords before a parenthesis that are not functions.
 const CONTROL: [&str; 4] = ["if", "for", "while", "switch"];
-/// Words that start what may be declared once.
+/// Keywords that start a declaration that must be unique.
 const ONCE: [&str; 7] = [
     "struct",
     "uniform",
@@ -22,68 +21,68 @@ const ONCE: [&str; 7] = [
 /// How a path is written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Manner {
-    /// In quotes, or bare.
+    /// In quotes or bare.
     Path,
-    /// As `<name>`, which a host may stand for.
+    /// As `<name>`, which may be a chunk of the host.
     Chunk,
 }
 
-/// A file that is named.
+/// A file that a directive names.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Wanted {
-    /// The path, as it is written.
+    /// The path as written.
     pub path: String,
-    /// How it is written.
+    /// How the path is written.
     pub manner: Manner,
 }
 
-/// What a directive does with the file that it names.
+/// What a directive does with the file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// Puts it in as it is.
+    /// Includes it unchanged.
     Put,
-    /// Puts in a module of glslify: what it exports has this name, and these of its names, to the
-    /// left, mean these.
+    /// Includes a glslify module: the name of its export, and pairs of names that replace names of
+    /// the module.
     Require(String, Vec<(String, String)>),
 }
 
-/// A directive that names a file.
+/// An include directive.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Directive {
-    /// Where it starts in the text.
+    /// Start offset in the text.
     pub start: usize,
-    /// Where it ends, the comment behind it left out.
+    /// End offset, without a trailing comment.
     pub end: usize,
     /// The file.
     pub wanted: Wanted,
-    /// What becomes of it.
+    /// What the directive does.
     pub form: Form,
-    /// Whether it stands under a condition other than an include guard.
+    /// Whether it is in an `#if` group other than an include guard.
     pub is_conditional: bool,
-    /// How many braces are open there.
+    /// Number of open braces at the directive.
     pub depth: u32,
 }
 
-/// What stands in a text.
+/// The result of scanning a text.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Scan {
-    /// The directives, in order.
+    /// The directives in order.
     pub directives: Vec<Directive>,
-    /// Whether it says `#pragma once`.
+    /// Whether it contains `#pragma once`.
     pub is_once: bool,
-    /// Whether all its code stands in include guards.
+    /// Whether all code is inside include guards.
     pub is_guarded: bool,
-    /// Whether it declares what a shader may hold once.
+    /// Whether it contains declarations that must be unique.
     pub declares: bool,
     /// The macros that it defines.
     pub defined: Vec<String>,
-    /// The macros that it takes away.
+    /// The macros that it undefines.
     pub undefined: Vec<String>,
-    /// What glslify's `export` names.
+    /// The name that glslify's `export` gives.
     pub export: Option<String>,
 }
 
-/// Reads a text.
+/// Scans a text.
 pub fn scan(text: &str) -> Scan {
     let mut scanner = Scanner {
         text,
@@ -105,11 +104,11 @@ pub fn scan(text: &str) -> Scan {
     scanner.found
 }
 
-/// `#if` to `#endif`.
+/// An `#if` group.
 struct IfGroup<'a> {
-    /// What `#ifndef` asks for.
+    /// The name in `#ifndef`.
     guard: Option<&'a str>,
-    /// Whether that was defined right away.
+    /// Whether the name was defined right after it.
     is_guard: bool,
 }
 
@@ -117,17 +116,17 @@ struct Scanner<'a> {
     text: &'a str,
     found: Scan,
     groups: Vec<IfGroup<'a>>,
-    /// How many of them are guards.
+    /// The number of groups that are guards.
     guards: usize,
     depth: u32,
-    /// How many round brackets are open.
+    /// Number of open parentheses.
     brackets: u32,
     /// The last word.
     last: &'a str,
-    /// The word before the outermost bracket.
+    /// The word before the outermost parenthesis.
     head: &'a str,
     is_behind_bracket: bool,
-    /// Where the line of the directive at hand ends.
+    /// End of the line of the current directive.
     line_end: usize,
     starts: usize,
 }
@@ -151,13 +150,13 @@ impl<'a> Scanner<'a> {
                 | RawKind::LineComment
                 | RawKind::BlockComment
                 | RawKind::OpenComment => {}
-                // `@import` is what one loader of webpack reads.
+                // One loader of webpack accepts `@import`.
                 RawKind::Hash | RawKind::Other if at_line_start && matches!(word, "#" | "@") => {
                     let stop = self.directive(start, end);
                     let reached = from + skip_line(&mut lexer, stop.saturating_sub(from));
                     at_line_start = true;
                     if stop > 0 && reached > stop && self.starts < MAX_STARTS {
-                        // What looked like a comment was part of the path.
+                        // The apparent comment is part of the path.
                         self.starts += 1;
                         from = stop;
                         lexer = Lexer::new(self.text.get(stop..).unwrap_or(""), 0);
@@ -204,7 +203,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Reads the directive behind a `#`. Gives where it ends if it names a file, otherwise 0.
+    /// Parses the directive after a `#`. Returns its end if it names a file, otherwise 0.
     fn directive(&mut self, start: usize, behind: usize) -> usize {
         let line = self.text.get(behind..).unwrap_or("");
         let line = line.split(['\n', '\r']).next().unwrap_or("");
@@ -251,7 +250,7 @@ impl<'a> Scanner<'a> {
         self.guards -= usize::from(was_guard);
     }
 
-    /// A guard defines a macro that stands for nothing.
+    /// The macro of an include guard has no replacement text.
     fn define(&mut self, rest: &'a str) {
         let (name, body) = first_word(rest);
         self.found.defined.push(name.to_string());
@@ -317,7 +316,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// A path in quotes, in `<` and `>` or bare, and what may stand behind it.
+    /// A path in quotes, in angle brackets or bare, and the rest of the line.
     fn names(&mut self, start: usize, rest: &'a str, form: Form) -> usize {
         let named = rest.trim_start();
         let (path, behind, manner) = match named.chars().next() {
@@ -345,8 +344,8 @@ impl<'a> Scanner<'a> {
         self.add(start, end, path.trim(), manner, form)
     }
 
-    /// Where a directive ends that has this behind it on its line. A comment may go on in the next
-    /// line, and stays.
+    /// The end of a directive with the rest of its line. A comment may continue on the next line,
+    /// and is kept.
     fn end(&self, behind: &str) -> usize {
         let comment = [behind.find("//"), behind.find("/*")];
         let comment = comment.into_iter().flatten().min();
@@ -373,7 +372,7 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// The first word of a line, and what stands behind it.
+/// The first word of a line, and the rest.
 fn first_word(line: &str) -> (&str, &str) {
     let line = line.trim_start();
     let end = line.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -384,8 +383,8 @@ fn unquoted(path: &str) -> &str {
     path.trim().trim_matches(['"', '\''])
 }
 
-/// Passes by the rest of a directive, its line break included. Gives where the last of its tokens
-/// that start before `stop` ends.
+/// Skips the rest of a directive with its line break. Returns the end of the last token that starts
+/// before `stop`.
 fn skip_line(lexer: &mut Lexer, stop: usize) -> usize {
     let mut reached = 0;
     loop {
@@ -398,17 +397,17 @@ fn skip_line(lexer: &mut Lexer, stop: usize) -> usize {
     }
 }
 
-/// A file that is put in, and what stands in it.
+/// An included file and its directives.
 #[derive(Debug)]
 pub struct IncludedFile {
-    /// Its text.
+    /// Contents of the file.
     pub text: Arc<str>,
-    /// Its directives.
+    /// Include directives in source order.
     pub scan: Scan,
 }
 
 impl IncludedFile {
-    /// Reads a text.
+    /// Scans a text.
     pub fn new(text: Arc<str>) -> IncludedFile {
         let scan = scan(&text);
         IncludedFile { text, scan }
@@ -419,7 +418,7 @@ impl IncludedFile {
 mod tests {
     use super::*;
 
-    /// Each directive as `path`, with what is left of the text.
+    /// Each directive as `path`, and the remaining text.
     fn read(text: &str) -> (Vec<String>, String) {
         let mut left = String::new();
         let mut done = 0;

@@ -1,11 +1,11 @@
-//! Tests in a file of their own: `noise.test.glsl` is read with `noise.glsl` before it.
+//! Tests in a separate file: `noise.test.glsl` is compiled with `noise.glsl` before it.
 
 use super::super::world::World;
 use super::find::ENDINGS;
 use crate::FileType;
 use std::path::{Path, PathBuf};
 
-/// The file that the tests of a file are for. A text with a `#version` stands alone.
+/// The file that a test file tests. A text with `#version` is complete on its own.
 pub fn subject_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
     let path = Path::new(name);
     let ending = path.extension()?.to_str()?;

@@ -1,4 +1,4 @@
-//! Shaders are run: what one is given at a moment, and what its picture shows.
+//! Runs shaders: sets their inputs for a frame, and summarises the image.
 
 mod moment;
 mod picture;

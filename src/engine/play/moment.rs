@@ -1,68 +1,68 @@
-//! When a picture is drawn, and where the mouse is then.
+//! Time, frame number and mouse of a frame.
 
 use shaderlint_host::Feed;
 use shaderlint_math::sine;
 
-/// Samples of sound a second, as ShaderToy's player has them.
+/// Audio samples per second, as in ShaderToy's player.
 const SAMPLE_RATE: f64 = 44_100.0;
-/// How many frequencies a texture of sound has.
+/// Number of frequencies in an audio texture.
 const SIGNAL_WIDTH: f64 = 512.0;
-/// How many frames the history of the spectrum has.
+/// Number of frames in the history of the spectrum.
 const HISTORY_ROWS: f64 = 240.0;
 
-/// A turn, to as many digits as the page has it.
+/// 2 pi, with the digits that the player uses.
 const TURN: f64 = 62_831.0 / 10_000.0;
 
-/// When a picture is drawn, and where the mouse is then.
+/// Time, frame number and mouse of a frame.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Moment {
-    /// Seconds since the start.
+    /// Time in seconds since the start.
     pub time: f64,
-    /// Number of the frame, from 0.
+    /// Frame number, from 0.
     pub frame: u32,
-    /// Frames a second.
+    /// Frames per second.
     pub rate: f64,
-    /// The mouse, where it has come.
+    /// The mouse, if it was pressed.
     pub mouse: Option<Mouse>,
     /// Year, month from 0, day, seconds since midnight.
     pub date: [f64; 4],
 }
 
-/// The mouse over the picture.
+/// State of the mouse.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Mouse {
-    /// Where it is, in pixels from the left and from below.
+    /// Last position with the button down, in pixels from the lower left corner.
     pub at: [f64; 2],
-    /// Its button.
+    /// State of the button.
     pub button: Button,
 }
 
-/// The mouse's button.
+/// State of the mouse button.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Button {
-    /// It was down, where the mouse is now, and is no more.
+    /// Released.
     Up,
-    /// It is held down.
+    /// Held down.
     Down,
 }
 
 impl Moment {
-    /// Frames a second of a page that is not told otherwise.
+    /// Default frame rate.
     pub const RATE: f64 = 60.0;
 
-    /// The moment of a time, no mouse near.
+    /// The frame at a time, without mouse.
     pub fn at(time: f64) -> Moment {
         Moment {
             time,
             frame: (time * Moment::RATE).round() as u32,
             rate: Moment::RATE,
             mouse: None,
-            // A run gives the same whenever it is made.
+            // A fixed date, so that runs are reproducible.
             date: [2000.0, 0.0, 1.0, time],
         }
     }
 
-    /// The moment at which a frame is drawn, no mouse near.
+    /// The frame with a number, without mouse.
     pub fn of_frame(frame: u32) -> Moment {
         Moment {
             frame,
@@ -70,8 +70,8 @@ impl Moment {
         }
     }
 
-    /// ShaderToy's `iMouse`: where the mouse was last with its button down, and where that was
-    /// pressed, by whose signs it is told whether it is down still.
+    /// ShaderToy's `iMouse`: the last position with the button down, and the position of the click;
+    /// its signs encode the state of the button.
     pub fn shadertoy_mouse(&self) -> [f64; 4] {
         match self.mouse {
             None => [0.0, 0.0, -0.0, -0.0],
@@ -85,8 +85,7 @@ impl Moment {
         }
     }
 
-    /// What a uniform is given, as many numbers as there are; of a size of the picture. What it is
-    /// given by other things than the moment is empty.
+    /// The components of a uniform, for an image size. Empty if other data determines its value.
     pub fn lanes(&self, feed: Feed, size: [u32; 2]) -> Vec<f64> {
         let [w, h] = size.map(f64::from);
         let share = self.mouse.map(|m| [m.at[0] / w, m.at[1] / h]);
@@ -133,7 +132,8 @@ impl Moment {
     }
 }
 
-/// How loud low, middle and high sounds are that nobody plays, as the page makes them up.
+/// The synthetic levels of low, middle and high frequencies, as the page computes them without
+/// audio.
 fn made_up_spectrum(time: f64) -> [f64; 3] {
     let sine = |factor: f64| sine(factor * time);
     let half = (0.5 + 0.5 * sine(TURN)) * (0.5 + 0.5 * sine(TURN));

@@ -1,47 +1,47 @@
-//! What a draw gives, as a picture and in numbers.
+//! The image of a draw, and its statistics.
 
 use shaderlint_exec::{Code, Drawn};
 
-/// A picture. Its rows begin at the bottom.
+/// An image, bottom row first.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Picture {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// By pixel: red, green, blue and alpha as the shader gave them.
+    /// By pixel: red, green, blue and alpha as written by the shader.
     pub pixels: Vec<[f32; 4]>,
 }
 
-/// What a picture is like.
+/// Statistics of an image.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct PictureFacts {
-    /// By channel, of the numbers that are finite.
+    /// Average of each channel over finite values.
     pub mean: [f64; 3],
-    /// The smallest numbers.
+    /// Minimum of each channel.
     pub least: [f64; 3],
-    /// The largest numbers.
+    /// Maximum of each channel.
     pub most: [f64; 3],
-    /// How many pixels are black on the screen.
+    /// Number of pixels that are black after rounding to 8 bits.
     pub black: u64,
-    /// How many pixels have a NaN in a channel that is shown.
+    /// Number of pixels with a NaN in red, green or blue.
     pub nan: u64,
-    /// How many have an infinite number there, and no NaN.
+    /// Number of pixels with an infinity and no NaN there.
     pub infinite: u64,
-    /// How many were discarded.
+    /// Number of discarded pixels.
     pub discarded: u64,
-    /// How many colours are on the screen, counted up to 65,536.
+    /// Number of distinct colours after rounding to 8 bits, counted up to 65,536.
     pub colors: u32,
 }
 
-/// Most colours that are counted.
+/// Maximum number of colours counted.
 const MAX_COLORS: usize = 1 << 16;
 
-/// How a number becomes a byte, as framebuffers round it; a NaN is black.
+/// Converts a value to a byte, rounded as in a framebuffer; NaN becomes 0.
 fn byte(number: f32) -> u8 {
     (number.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }
 
 impl Picture {
-    /// The picture of an output of a draw. What was discarded is black.
+    /// The image of an output of a draw. Discarded pixels are black.
     pub fn of(code: &Code, drawn: &Drawn, output: usize) -> Picture {
         let mut pixels = Vec::new();
         if let (Some(slot), Some(bits)) = (code.outputs.get(output), drawn.outputs.get(output)) {
@@ -60,12 +60,12 @@ impl Picture {
         }
     }
 
-    /// What the screen shows of a pixel. Alpha is not looked at.
+    /// The 8-bit colour of a pixel, without alpha.
     pub fn shown([r, g, b, _]: [f32; 4]) -> [u8; 3] {
         [r, g, b].map(byte)
     }
 
-    /// What the screen shows, the uppermost row first, three bytes a pixel.
+    /// The 8-bit image, top row first, three bytes per pixel.
     pub fn bytes(&self) -> Vec<u8> {
         let width = self.size[0].max(1) as usize;
         let rows = self.pixels.chunks_exact(width).rev();
@@ -74,7 +74,7 @@ impl Picture {
             .collect()
     }
 
-    /// What it is like; `covered` says which of its pixels were not discarded.
+    /// The statistics of the image; `covered` says which pixels were not discarded.
     pub fn facts(&self, covered: &[bool]) -> PictureFacts {
         let mut facts = PictureFacts::default();
         let mut counts = [0_u64; 3];

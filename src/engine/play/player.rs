@@ -1,10 +1,10 @@
-//! What the uniforms of ShaderToy's player are given.
+//! The uniforms of ShaderToy's player.
 
 use super::moment::Moment;
 use shaderlint_exec::{Code, Draw};
 use shaderlint_host::{Feed, shadertoy};
 
-/// What the player gives its uniforms whatever the project is like, by their names.
+/// The uniforms that the player sets in every project, by name.
 fn given() -> impl Iterator<Item = (&'static str, Feed)> {
     let rows = shadertoy().map_or(&[][..], |p| &p.meanings.feeds);
     let is_given = |feed| !matches!(feed, Feed::ChannelTime | Feed::ChannelResolution);
@@ -13,7 +13,7 @@ fn given() -> impl Iterator<Item = (&'static str, Feed)> {
         .filter(move |(_, feed)| is_given(*feed))
 }
 
-/// A draw of a pass that the player completes, all set but what its channels read.
+/// A draw of a pass that the player completes, with everything set except its channels.
 pub fn player_draw<'c>(code: &'c Code, size: [u32; 2], moment: &Moment) -> Draw<'c> {
     let mut draw = Draw::new(code, size);
     for (name, feed) in given() {
@@ -26,7 +26,7 @@ pub fn player_draw<'c>(code: &'c Code, size: [u32; 2], moment: &Moment) -> Draw<
     draw
 }
 
-/// Whether the player gives a uniform of this name the same whatever the project is like.
+/// Whether the player sets a uniform of this name in every project.
 pub fn player_gives(name: &str) -> bool {
     given().any(|(given, _)| given == name)
 }

@@ -1,5 +1,5 @@
-//! What one shader is run with: its uniforms by what their names mean, its varyings, and what the
-//! user sets by hand.
+//! The inputs of one shader: uniforms by the meaning of their names, varyings, and values set by
+//! the user.
 
 use super::moment::Moment;
 use super::varyings::Varyings;
@@ -9,47 +9,47 @@ use shaderlint_ir::Module;
 use shaderlint_port::{Bindings, UniformControl, bindings};
 use shaderlint_semantic::{Program, Storage, Type};
 
-/// A shader that is ready to be drawn, with all that it is given.
+/// A shader with its inputs, ready to draw.
 pub struct Scene {
-    /// The shader.
+    /// The bytecode of the shader.
     pub code: Code,
-    /// What it is given.
+    /// The inputs of the shader.
     pub given: Given,
-    /// The uniforms that the text declares, those that change nothing included.
+    /// The declared uniforms, including unused ones.
     declared: Vec<String>,
 }
 
-/// What a shader is given that brings its own uniforms.
+/// The inputs of a shader that declares its own uniforms.
 pub struct Given {
-    /// What its names mean.
+    /// The meaning of its names.
     pub bound: Bindings,
     varyings: Option<Varyings>,
-    /// What uniforms are set to whatever the moment.
+    /// Uniforms with values that do not depend on the frame.
     fixed: Vec<(String, Vec<f64>)>,
 }
 
-/// Why a uniform cannot be set as the user asks for.
+/// Why a uniform cannot be set.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Unfit {
-    /// There is none of this name.
+    /// There is no uniform of this name.
     Unknown,
-    /// It is a sampler.
+    /// The uniform is a sampler.
     Sampler,
-    /// It takes another count of numbers.
+    /// It has a different number of components.
     Count {
-        /// Its type.
+        /// Type of the uniform.
         ty: Type,
-        /// How many it takes.
+        /// Number of components that it has.
         takes: u32,
     },
 }
 
 impl Scene {
-    /// A shader that brings its own uniforms, or a pass that ShaderToy's player completes, by the
-    /// meaning of its names. `host` is who runs it, as the user says.
+    /// A shader that declares its own uniforms, or a pass that ShaderToy's player completes. Names
+    /// determine the inputs. `host` is the host that the user names.
     ///
     /// # Errors
-    /// What of it cannot be run.
+    /// What cannot be run.
     pub fn of(
         program: &Program,
         host: Option<&'static Preset>,
@@ -59,10 +59,10 @@ impl Scene {
         Scene::bound(program, module, bindings(program, host), options)
     }
 
-    /// A shader of which it is known what it is given.
+    /// A shader with known inputs.
     ///
     /// # Errors
-    /// What of it cannot be run.
+    /// What cannot be run.
     pub fn bound(
         program: &Program,
         module: &Module,
@@ -80,14 +80,13 @@ impl Scene {
         })
     }
 
-    /// Sets controls to the values that the text itself describes.
+    /// Sets controls to the defaults that the shader describes.
     pub fn set_controls(&mut self, controls: &[UniformControl]) {
         let set = controls.iter().map(|c| (c.name.clone(), c.value.clone()));
         self.given.fixed.extend(set);
     }
 
-    /// Sets a uniform for all moments, as [`Draw::set`] does; one that changes nothing is as well as
-    /// another.
+    /// Sets a uniform for all frames, as [`Draw::set`] does; unused uniforms are ignored.
     ///
     /// # Errors
     /// Why it cannot be set.
@@ -100,7 +99,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Why a uniform cannot be set; nothing where the shader declares it and does not need it.
+    /// Why a uniform cannot be set; `Ok` if the shader declares it but does not use it.
     fn unfit(&self, name: &str) -> Result<(), Unfit> {
         let element = name.strip_suffix(']').and_then(|n| n.rsplit_once('['));
         let by_name = |wanted: &str| self.code.uniforms.iter().find(|slot| slot.name == wanted);
@@ -120,12 +119,12 @@ impl Scene {
         }
     }
 
-    /// The uniforms of the text, for who looks for one of them.
+    /// The declared uniforms, for suggestions.
     pub fn declared(&self) -> &[String] {
         &self.declared
     }
 
-    /// The uniforms that nothing sets, so that they are zero; without those that change nothing.
+    /// The used uniforms that nothing sets, which are zero.
     pub fn zeros(&self) -> Vec<&str> {
         let is_fixed = |name: &str| {
             let whole = |fixed: &str| fixed.split(['.', '[']).next() == Some(name);
@@ -141,14 +140,14 @@ impl Scene {
         all.filter(is_needed).collect()
     }
 
-    /// A draw of a moment, all but its textures set.
+    /// A draw of a frame, with everything set except textures.
     pub fn draw(&self, size: [u32; 2], moment: &Moment) -> Draw<'_> {
         self.given.draw(&self.code, size, moment)
     }
 }
 
 impl Given {
-    /// What names mean, and nothing that the user sets.
+    /// Inputs by the meaning of names, without values set by the user.
     pub fn of(bound: Bindings) -> Given {
         Given {
             varyings: Varyings::of(&bound.varyings),
@@ -157,7 +156,7 @@ impl Given {
         }
     }
 
-    /// A draw of the shader's code at a moment, all but its textures set.
+    /// A draw of the bytecode for a frame, with everything set except textures.
     pub fn draw<'c>(&self, code: &'c Code, size: [u32; 2], moment: &Moment) -> Draw<'c> {
         let mut draw = Draw::new(code, size);
         for given in &self.bound.uniforms {
@@ -184,12 +183,12 @@ impl Given {
     }
 }
 
-/// How many numbers a uniform takes.
+/// Number of components of a uniform.
 fn scalars(ty: Type) -> u32 {
     ty.element().components() * ty.array.max(1)
 }
 
-/// The numbers of matrices that change nothing, by columns.
+/// The components of identity matrices in column order.
 fn identity(ty: Type) -> Vec<f64> {
     let Some((_, columns, rows)) = ty.element().numeric() else {
         return Vec::new();

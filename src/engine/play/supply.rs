@@ -1,4 +1,4 @@
-//! What a shader is given when it is tried without a page around it.
+//! The inputs of a shader in sample runs.
 
 use super::moment::{Button, Moment, Mouse};
 use super::player::{player_draw, player_gives};
@@ -10,10 +10,10 @@ use shaderlint_port::bindings;
 use shaderlint_semantic::Program;
 use std::cell::OnceCell;
 
-/// What a checked shader is given, found out when that is asked for.
+/// The inputs of a checked shader, determined on demand.
 pub(crate) struct Supply<'p> {
     program: &'p Program,
-    /// Who runs it, as the user says.
+    /// The host that the user names.
     host: Option<&'static Preset>,
     given: OnceCell<Given>,
 }
@@ -56,12 +56,12 @@ impl Supplier for Supply<'_> {
     }
 }
 
-/// Whether the language fills something in under this name.
+/// Whether a name is a built-in input.
 fn is_built_in(name: &str) -> bool {
     matches!(name, "gl_FragCoord" | "gl_FrontFacing")
 }
 
-/// Whether every page gives this the same, or nearly so.
+/// Whether every page sets this input to about the same value.
 fn is_certain(feed: Feed) -> bool {
     match feed {
         Feed::Time

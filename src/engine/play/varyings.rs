@@ -1,5 +1,5 @@
-//! What varyings hold at each pixel: what the vertex shader of a page sets them to at the corners of
-//! its triangle, and between these what lies between.
+//! Values of varyings at each pixel: computed by a vertex shader at the corners of a triangle, and
+//! interpolated.
 
 use shaderlint_exec::{Code, CompileOptions, Draw, compile, draw};
 use shaderlint_ir::lower;
@@ -7,24 +7,24 @@ use shaderlint_port::VaryingValue;
 use shaderlint_semantic::analyze_alone;
 use shaderlint_text::Role;
 
-/// The corners of the triangle that covers the picture, from -1 to 1 in it.
+/// Corners of the triangle that covers the image, in normalised device coordinates.
 const CORNERS: [[f64; 2]; 3] = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];
 
-/// What the varyings of a shader hold.
+/// The values of the varyings of a shader.
 pub(super) struct Varyings {
     places: Vec<Column>,
-    /// Gives at a corner the value of the varying of a number.
+    /// Computes the value of a varying at a corner.
     code: Code,
 }
 
-/// A varying without members, or one column of it.
+/// A varying without members, or one of its columns.
 struct Column {
     place: String,
     lanes: usize,
 }
 
 impl Varyings {
-    /// `None` where there are none, or where what they are set to cannot be computed.
+    /// `None` if there are none, or their values cannot be computed.
     pub fn of(values: &[VaryingValue]) -> Option<Varyings> {
         let mut places = Vec::new();
         let mut chosen = String::new();
@@ -64,7 +64,7 @@ impl Varyings {
         Some(Varyings { places, code })
     }
 
-    /// Sets them in a draw.
+    /// Sets the varyings in a draw.
     pub fn set(&self, of: &mut Draw<'_>) {
         let names = of.code.inputs.iter().map(|input| input.name.clone());
         for name in names.collect::<Vec<_>>() {
@@ -80,7 +80,7 @@ impl Varyings {
         }
     }
 
-    /// By lane: its value at the corner, and how it grows with each pixel to the right and up.
+    /// By component: the value at the lower left corner, and the slope to the right and up.
     fn planes(&self, at: u32, lanes: usize, size: [u32; 2]) -> Vec<[f32; 3]> {
         let [first, right, above] = CORNERS.map(|corner| self.value(at, corner, size));
         let [width, height] = size.map(|n| 2.0 * n as f32);

@@ -1,7 +1,7 @@
-//! Built-in functions.
+//! Lowering of built-in functions.
 //!
-//! What they are made of follows SwiftShader, which draws without a GPU in the browser: `normalize`
-//! multiplies by the reciprocal of the root, `mix(a, b, t)` is `(b - a) * t + a`.
+//! The expansions follow SwiftShader, the software renderer of Chromium: `normalize` multiplies by
+//! the reciprocal square root, `mix(a, b, t)` is `(b - a) * t + a`.
 
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
@@ -13,7 +13,7 @@ use shaderlint_semantic::builtins::{Axis, BuiltinId, BuiltinKind};
 use shaderlint_semantic::{Scalar, Type};
 
 impl Compiler<'_> {
-    /// A call of a built-in function; gives what it returns.
+    /// Compiles a call of a built-in function. Returns its value.
     pub fn builtin(
         &mut self,
         id: OpId,
@@ -39,7 +39,7 @@ impl Compiler<'_> {
         let scalar = operands.first().and_then(|op| self.module.scalar(*op));
         let scalar = scalar.unwrap_or(Scalar::Float);
         let third = operands.get(2).and_then(|op| self.module.scalar(*op));
-        // `mix` with truth values chooses.
+        // `mix` with a boolean third argument selects.
         let chooses = third == Some(Scalar::Bool);
         let recipe = recipe(function, scalar, arguments.len(), chooses);
         let Some(made) = self.follow(id, recipe, operands, &arguments) else {
@@ -60,7 +60,8 @@ impl Compiler<'_> {
         self.given(made)
     }
 
-    /// Has what `step` and `smoothstep` of a scalar compare looked at: whether it is past the edge.
+    /// Records the comparison that a scalar `step` or `smoothstep` performs: whether the value is
+    /// past the edge.
     fn watch_threshold(&mut self, id: OpId, function: BuiltinId, arguments: &[Regs]) {
         if let Some((value, edge)) = function.comparison(arguments)
             && (edge.len, value.len) == (1, 1)
@@ -71,7 +72,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Has what a function gives looked at.
+    /// Adds fault checks to the results of a function.
     fn watch_results(&mut self, id: OpId, made: &[Reg], arguments: &[Regs]) {
         let is_each = arguments
             .iter()
@@ -89,7 +90,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The registers of a result, held once; what was made on the way is given back.
+    /// Retains the registers of a result, and releases the intermediate ones.
     fn given(&mut self, made: Vec<Reg>) -> Made<Value> {
         made.iter().for_each(|reg| self.registers.retain(*reg));
         for reg in std::mem::take(&mut self.scratch) {
@@ -139,7 +140,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Makes a function by its recipe; `None` where the arguments do not fit it.
+    /// Emits a function by its recipe; `None` if the arguments do not fit.
     fn follow(
         &mut self,
         id: OpId,
@@ -214,7 +215,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// All components in one.
+    /// Reduces all components to one.
     fn all_of(&mut self, f: F2, a: Regs) -> Reg {
         let mut made = self.reg(a, 0);
         for n in 1..a.len {
@@ -261,7 +262,8 @@ impl Compiler<'_> {
         })
     }
 
-    /// What `modf` returns; the whole part is what the call leaves in its second parameter.
+    /// `modf`: returns the fractional part; the integer part is written back to the second
+    /// parameter.
     fn modf(&mut self, id: OpId, a: Regs) -> Vec<Reg> {
         let whole = self.each(a.len, |c, n| {
             let a = c.reg(a, n);
@@ -352,30 +354,30 @@ impl Arithmetic for Compiler<'_> {
     }
 }
 
-/// How a function is made of instructions.
+/// The expansion of a built-in function.
 #[derive(Clone, Copy)]
 enum Recipe {
-    /// Component by component, by an instruction with one operand.
+    /// A unary operation per component.
     One(F1),
-    /// By one with two operands.
+    /// A binary operation per component.
     Two(F2),
-    /// By one with two operands that are exchanged.
+    /// A binary operation per component, with swapped operands.
     Turned(F2),
-    /// By one with three operands: the arguments with these numbers.
+    /// A ternary operation per component, on the arguments with these indices.
     Three(F3, [usize; 3]),
-    /// By a constant factor.
+    /// Multiplication by a constant.
     Times(f32),
-    /// By the larger, then the smaller.
+    /// The second operation after the first (`max`, then `min`).
     Clamp(F2, F2),
-    /// By reading the same bits as another kind.
+    /// A reinterpretation of the bits.
     SameBits,
-    /// All components in one, by an instruction between each two.
+    /// A reduction of all components by a binary operation.
     AllOf(F2),
-    /// Two numbers in the bits of one.
+    /// Packs two components into one.
     Pack(F2),
-    /// Two numbers out of the bits of one.
+    /// Unpacks one component into two.
     Unpack(F1, F1),
-    /// By several instructions each.
+    /// Expansions of several instructions.
     Dot,
     Length,
     Distance,
@@ -389,12 +391,13 @@ enum Recipe {
     OuterProduct,
     Determinant,
     Inverse,
-    /// It asks a texture or the neighbours, which is done elsewhere.
+    /// Texture lookups and derivatives, which are handled separately.
     Apart,
 }
 
-/// How a function of so many arguments is made, the first of which is of this kind; `chooses` tells
-/// whether its third are truth values. A new function does not compile without a recipe.
+/// The recipe of a function, by the scalar type of its first argument and the number of arguments;
+/// `chooses` if the third argument is boolean. The match is exhaustive, so that a new function
+/// needs a recipe.
 #[rustfmt::skip]
 fn recipe(function: BuiltinId, scalar: Scalar, arguments: usize, chooses: bool) -> Recipe {
     use BuiltinId as B;

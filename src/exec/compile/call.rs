@@ -1,4 +1,4 @@
-//! Calls: the body of a function in the place of each.
+//! Lowering of calls: every call is inlined.
 
 use super::emit::{Compiler, Made, Value};
 use crate::code::{EMPTY, Instr};
@@ -7,12 +7,12 @@ use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::List;
 
 impl Compiler<'_> {
-    /// A call; gives what it returns.
+    /// Compiles a call. Returns its value.
     pub fn call(&mut self, id: OpId, callee: FunctionRef, arguments: List) -> Made<Value> {
         let module = self.module;
         let function = *module.function(callee)?;
         let Some(body) = function.body else {
-            return self.refuse("a function that is only declared");
+            return self.refuse("a function without a definition");
         };
         let parameters = module.parameters(&function);
         for (&parameter, &argument) in parameters.iter().zip(module.operands(arguments)) {
@@ -35,7 +35,7 @@ impl Compiler<'_> {
         Some(returned)
     }
 
-    /// Gives a parameter its argument: by name where nothing writes to it.
+    /// Passes an argument: as an alias if the parameter is never written to, as a copy otherwise.
     fn pass(&mut self, parameter: VariableId, argument: OpId) -> Made<()> {
         let known = *self.module.variable(parameter)?;
         let value = self.value(argument);
@@ -45,7 +45,7 @@ impl Compiler<'_> {
             return Some(());
         }
         let Some(count) = self.scalars(known.ty) else {
-            return self.refuse("a parameter of more than 32,768 scalars");
+            return self.refuse("a parameter with more than 32,768 scalars");
         };
         let from = self.in_registers(value);
         let first = self.registers.row(count, parameter, false);
@@ -58,7 +58,8 @@ impl Compiler<'_> {
         Some(())
     }
 
-    /// Makes room for the result where lanes leave early.
+    /// Sets up a call frame; a function with early returns gets registers for its result and mask
+    /// slots.
     pub fn begin_frame(&mut self) {
         let Some(function) = self.frames.last().map(|f| f.function) else {
             return;
@@ -74,7 +75,7 @@ impl Compiler<'_> {
         let result = ty.and_then(|ty| {
             let count = self.scalars(ty);
             if count.is_none() {
-                let _: Made<()> = self.refuse("a result of more than 32,768 scalars");
+                let _: Made<()> = self.refuse("a return value with more than 32,768 scalars");
             }
             let fresh: Vec<_> = (0..count?).map(|_| self.registers.fresh()).collect();
             Some(self.listed(fresh))
@@ -89,7 +90,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A `return`.
+    /// Compiles a `return`.
     pub fn returned(&mut self, value: Option<OpId>) {
         self.tick();
         let Some(frame) = self.frames.last() else {
@@ -116,8 +117,8 @@ impl Compiler<'_> {
         self.push(Instr::Wait(left));
     }
 
-    /// A value that stays as it is behind its function: what belongs to variables that live on is
-    /// copied.
+    /// A value that outlives its function: registers of variables that live on are copied, as these
+    /// may change.
     fn outlived(&mut self, value: Value, function: FunctionRef) -> Value {
         let Value::Regs(regs) = value else {
             return value;
@@ -140,7 +141,7 @@ impl Compiler<'_> {
         Value::Regs(self.listed(made))
     }
 
-    /// Ends a function; gives what it returned, held once.
+    /// Ends a function. Returns its result, retained once.
     pub fn end_frame(&mut self) -> Value {
         self.tick();
         self.tidy();
@@ -159,7 +160,7 @@ impl Compiler<'_> {
         frame.returned
     }
 
-    /// Where a variable is.
+    /// The location of a variable.
     pub fn variable_value(&self, variable: VariableId) -> Value {
         let value = self.variables.get(variable.0 as usize);
         value.copied().unwrap_or_default()

@@ -1,4 +1,4 @@
-//! Control flow: masks of the lanes that take part.
+//! Lowering of control flow to execution masks.
 
 use super::emit::Frame;
 use super::emit::{Compiler, Value};
@@ -18,8 +18,8 @@ impl<'m> Visit<'m> for Compiler<'m> {
         self.module
     }
 
-    /// Code for a region; of one whose lanes all come back, the rest is passed over when none are
-    /// left.
+    /// Compiles a region. After a step that lanes may not leave normally, the rest is skipped if no
+    /// lane is active.
     fn region(&mut self, region: Region) {
         let module = self.module;
         let steps = module.steps(region);
@@ -187,7 +187,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
 }
 
 impl Compiler<'_> {
-    /// Makes the code: initial values of globals, then the entry.
+    /// Compiles the whole shader: global initialisers, then the entry point.
     pub fn run(&mut self, entry: FunctionRef) {
         self.clear_outer();
         self.open_probe();
@@ -263,7 +263,7 @@ impl Compiler<'_> {
         self.tidy();
     }
 
-    /// By case: where the lanes are marked that begin there.
+    /// Computes the lanes that enter each case, and stores them in one mask slot per case.
     fn case_marks(&mut self, switch: &Switch, selector: Reg) -> Vec<Slot> {
         let module = self.module;
         let mut all: Option<Reg> = None;
@@ -293,7 +293,7 @@ impl Compiler<'_> {
             self.registers.release(own);
         }
         if let Some(slot) = default {
-            // Labels beside `default` lead to the same place.
+            // Labels next to `default` lead to the same case.
             let mut rest = all.unwrap_or_else(|| self.constant(0));
             let shared = module
                 .cases(switch)
@@ -328,7 +328,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// What stands for a function.
+    /// A new call frame for a function.
     pub fn frame(&mut self, function: FunctionRef) -> Frame {
         Frame {
             function,
@@ -343,7 +343,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The number of the calls that lead to a function, called from where code is being made.
+    /// The index of the call path from the current position to a function.
     fn call_path(&mut self, function: FunctionRef) -> u32 {
         if !self.watches(Watch::Flow) {
             return 0;
@@ -361,7 +361,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Whether some lanes may not come out of a step.
+/// Whether some lanes may not continue after a step.
 fn leaves(module: &Module, step: &Step) -> bool {
     let mut inside = module.inside(step).into_iter();
     step.is_jump() || inside.any(|r| module.steps(r).iter().any(|s| leaves(module, s)))

@@ -1,4 +1,4 @@
-//! Values, registers and instructions.
+//! The compiler state: values, registers and instructions.
 
 use super::options::{CompileOptions, Persona, Refusal, Watch};
 use super::plan::{Held, Plan};
@@ -8,70 +8,71 @@ use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, Module, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Program, Type, VariableId};
 
-/// Most instructions of a shader.
+/// Maximum number of instructions of a shader.
 const MAX_INSTRS: usize = 400_000;
 
-/// Most scalars of a constant that are kept in registers.
+/// Maximum number of scalars of a constant that are kept in registers; larger ones go to memory.
 pub(super) const MAX_KEPT: usize = 16;
 
-/// Made, or not for a reason that is kept.
+/// The result of a compilation step; `None` after a failure, which is recorded in
+/// [`Compiler::failure`].
 pub(super) type Made<T> = Option<T>;
 
-/// Some registers, in [`Compiler::lists`].
+/// A list of registers, as a range of [`Compiler::lists`].
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(super) struct Regs {
     pub start: u32,
     pub len: u32,
 }
 
-/// Where what is looked at goes.
+/// The registers of the probe.
 #[derive(Clone, Copy)]
 pub(super) struct Probed {
     pub ty: Type,
     pub scalars: Regs,
-    /// All bits set where there was something to look at.
+    /// All bits set where the probed operation was executed.
     pub reached: Reg,
 }
 
-/// Where a value is.
+/// The location of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(super) enum Value {
-    /// There is none.
+    /// No value.
     #[default]
     Nothing,
-    /// In registers, one for each scalar.
+    /// One register per scalar.
     Regs(Regs),
-    /// In the memory.
+    /// Words of memory.
     Memory {
         /// The first word.
         at: u32,
-        /// How many.
+        /// The number of words.
         len: u32,
     },
-    /// Samplers, from this one on.
+    /// Samplers, starting with this index.
     Samplers(u32),
 }
 
-/// A function whose code is being made.
+/// A function that is being inlined.
 pub(super) struct Frame {
     pub function: FunctionRef,
-    /// The number of the calls that lead here, where these are watched.
+    /// The index of the call path, if costs are recorded.
     pub path: u32,
     pub clock: u32,
-    /// How many of the plan's ends are behind.
+    /// The number of entries of `Plan::ends` already processed.
     pub ended: usize,
-    /// Where the result goes, if lanes leave early.
+    /// The result registers, if the function has early returns.
     pub result: Option<Regs>,
-    /// Who came, and who left, if lanes leave early.
+    /// The lanes that entered the function and those that returned early, if it has early returns.
     pub came: Slot,
     pub left: Slot,
-    /// The result, where it is given at the end alone.
+    /// The result, if it is only returned at the end.
     pub returned: Value,
-    /// By loop and `switch` around: who waits for the next turn.
+    /// By enclosing loop: the slot of the lanes that wait after `continue`.
     pub waiting: Vec<Slot>,
 }
 
-/// Code that is being made.
+/// The compiler state.
 pub(super) struct Compiler<'p> {
     pub program: &'p Program,
     pub layout: Layout,
@@ -86,29 +87,29 @@ pub(super) struct Compiler<'p> {
     /// By variable.
     pub variables: Vec<Value>,
     pub frames: Vec<Frame>,
-    /// What calls left in parameters, until it is taken.
+    /// Values that calls write back to `out` parameters, until they are stored.
     pub taken_back: FxHashMap<(OpId, u32), Value>,
-    /// What the prologue holds already.
+    /// The instructions already in the prologue (value numbering).
     known: FxHashMap<Instr, Reg>,
     constants: FxHashMap<u32, Reg>,
-    /// By uniform: the first of its samplers.
+    /// By uniform: the index of its first sampler.
     pub samplers_of: FxHashMap<VariableId, u32>,
-    /// By place in the pool: where large constants lie.
+    /// By index into the constant pool: the memory address of a large constant.
     pub tables: FxHashMap<usize, u32>,
-    /// By what is checked: its number.
+    /// Indices of the check sites.
     pub check_sites: FxHashMap<CheckSite, u32>,
-    /// By comparison: its number.
+    /// Indices of the comparisons.
     pub compared_sites: FxHashMap<OpId, u32>,
-    /// By function and caller: the number of the path.
+    /// Indices of the call paths.
     pub call_paths: FxHashMap<CallPath, u32>,
-    /// By construct: the number of its branch.
+    /// Indices of the branches.
     pub branch_sites: FxHashMap<Provenance, u32>,
-    /// Where goes what is looked at.
+    /// The registers of the probe, if there is one.
     pub probed: Option<Probed>,
     next_slot: Slot,
-    /// Intermediate results of a built-in function.
+    /// Intermediate results of the current built-in function.
     pub scratch: Vec<Reg>,
-    /// The operation that code is made for.
+    /// The operation being compiled.
     pub op: OpId,
     pub failure: Option<Refusal>,
 }
@@ -142,7 +143,7 @@ impl<'p> Compiler<'p> {
             call_paths: FxHashMap::default(),
             branch_sites: FxHashMap::default(),
             probed: None,
-            // The first is always empty.
+            // Slot 0 is `EMPTY`.
             next_slot: 1,
             scratch: Vec::new(),
             op: OpId(u32::MAX),
@@ -150,7 +151,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// The code, or why there is none.
+    /// The finished code, or the reason for the refusal.
     pub fn finish(mut self) -> Result<Code, Refusal> {
         if self.registers.is_full {
             let _: Made<()> = self.refuse("a shader that needs more than 65,536 registers");
@@ -164,7 +165,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// Notes what cannot be run; the first of it is said.
+    /// Records what cannot be run; only the first refusal is reported.
     pub fn refuse<T>(&mut self, what: impl Into<String>) -> Made<T> {
         let at = match self.op {
             OpId(u32::MAX) => Provenance::Language,
@@ -175,49 +176,49 @@ impl<'p> Compiler<'p> {
         None
     }
 
-    /// Whether it makes no sense to go on.
+    /// Whether compilation has failed or exceeded the instruction limit.
     pub fn has_failed(&mut self) -> bool {
         let most = self.options.most.map_or(MAX_INSTRS, |n| n.min(MAX_INSTRS));
         if self.code.body.len() + self.code.prologue.len() > most {
-            let _: Made<()> = self.refuse(format!("a shader of more than {most} instructions"));
+            let _: Made<()> = self.refuse(format!("a shader with more than {most} instructions"));
         }
         self.failure.is_some() || self.registers.is_full
     }
 
-    /// Whether something is watched.
+    /// Whether this level of statistics is recorded.
     pub fn watches(&self, what: Watch) -> bool {
         self.options.watch >= what
     }
 
-    /// A mask to keep aside, until [`Compiler::give_back_slots`].
+    /// Allocates a mask slot, valid until [`Compiler::give_back_slots`].
     pub fn slot(&mut self) -> Slot {
         let slot = self.next_slot;
         self.next_slot = self.next_slot.saturating_add(1);
         self.code.slots = self.code.slots.max(self.next_slot as u32);
         if self.next_slot == Slot::MAX {
-            let _: Made<()> = self.refuse("65,535 constructs in each other");
+            let _: Made<()> = self.refuse("more than 65,535 nested constructs");
         }
         slot
     }
 
-    /// How many masks are kept aside.
+    /// The number of mask slots in use.
     pub const fn slots(&self) -> Slot {
         self.next_slot
     }
 
-    /// Gives back masks, until there are as many as there were.
+    /// Frees all mask slots above a mark.
     pub const fn give_back_slots(&mut self, mark: Slot) {
         self.next_slot = mark;
     }
 
-    /// The next tick of the plan.
+    /// Advances the clock of the plan.
     pub fn tick(&mut self) {
         if let Some(frame) = self.frames.last_mut() {
             frame.clock += 1;
         }
     }
 
-    /// Gives back what is not needed behind this tick.
+    /// Releases everything that is dead after this tick.
     pub fn tidy(&mut self) {
         loop {
             let Some(frame) = self.frames.last_mut() else {
@@ -238,7 +239,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// A variable is not needed any more.
+    /// Releases a variable.
     fn forget(&mut self, variable: VariableId) {
         let slot = self.variables.get_mut(variable.0 as usize);
         let value = slot.map(std::mem::take).unwrap_or_default();
@@ -262,12 +263,12 @@ impl<'p> Compiler<'p> {
             .unwrap_or(&[])
     }
 
-    /// A register of a list.
+    /// One register of a list.
     pub fn reg(&self, regs: Regs, at: u32) -> Reg {
         self.list(regs).get(at as usize).copied().unwrap_or(0)
     }
 
-    /// A part of a list.
+    /// A sublist.
     pub const fn part(regs: Regs, at: u32, len: u32) -> Regs {
         Regs {
             start: regs.start + at,
@@ -275,7 +276,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// Keeps registers as a list.
+    /// Stores registers as a list.
     pub fn listed(&mut self, regs: impl IntoIterator<Item = Reg>) -> Regs {
         let start = self.lists.len() as u32;
         self.lists.extend(regs);
@@ -285,7 +286,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// One holder more.
+    /// Increments the reference count of all registers of a value.
     pub fn retain(&mut self, value: Value) -> Value {
         if let Value::Regs(regs) = value {
             for at in 0..regs.len {
@@ -296,7 +297,7 @@ impl<'p> Compiler<'p> {
         value
     }
 
-    /// One holder less.
+    /// Decrements the reference count of all registers of a value.
     pub fn release(&mut self, value: Value) {
         if let Value::Regs(regs) = value {
             for at in 0..regs.len {
@@ -306,18 +307,18 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// The registers of an operation's value.
+    /// The registers of an operand.
     pub fn operand(&mut self, op: OpId) -> Regs {
         let value = self.value(op);
         self.in_registers(value)
     }
 
-    /// Where an operation's value is.
+    /// The location of an operation's value.
     pub fn value(&self, op: OpId) -> Value {
         self.values.get(op.0 as usize).copied().unwrap_or_default()
     }
 
-    /// The registers of a value; what is in the memory is fetched for good.
+    /// The registers of a value; a value in memory is loaded permanently.
     pub fn in_registers(&mut self, value: Value) -> Regs {
         match value {
             Value::Regs(regs) => regs,
@@ -329,7 +330,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// A word of the memory.
+    /// Loads a word of memory.
     pub fn word(&mut self, at: u32) -> Reg {
         let table = at.checked_sub(self.code.uniform_words);
         let constant = table.and_then(|t| self.code.tables.get(t as usize));
@@ -355,7 +356,7 @@ impl<'p> Compiler<'p> {
         self.constant(value.to_bits())
     }
 
-    /// The same for all pixels: made once.
+    /// Emits a uniform instruction to the prologue, once (value numbering).
     fn once(&mut self, instr: Instr) -> Reg {
         if let Some(reg) = self.known.get(&instr) {
             return *reg;
@@ -366,7 +367,8 @@ impl<'p> Compiler<'p> {
         reg
     }
 
-    /// What an instruction without effect gives, in a register that is held once.
+    /// Emits an instruction without side effects: to the prologue if all operands are uniform, else
+    /// to the body. The result register is retained once.
     pub fn pure(&mut self, instr: Instr, operands: &[Reg]) -> Reg {
         if operands.iter().all(|r| self.registers.is_uniform(*r)) {
             return self.once(instr);
@@ -374,7 +376,7 @@ impl<'p> Compiler<'p> {
         self.fresh(instr)
     }
 
-    /// What an instruction gives each group of pixels, in a register that is held once.
+    /// Emits an instruction to the body. The result register is retained once.
     pub fn fresh(&mut self, instr: Instr) -> Reg {
         let reg = self.registers.fresh();
         self.code.body.push(instr.to(reg));
@@ -397,7 +399,7 @@ impl<'p> Compiler<'p> {
 
     pub fn two(&mut self, f: F2, a: Reg, b: Reg) -> Reg {
         if let (F2::Pow, Persona::Inexact(_)) = (f, self.options.persona) {
-            // As a GPU computes it, and as the errors add up.
+            // As GPUs compute `pow`, with the errors of both steps.
             let log = self.one(F1::Log2, a);
             let product = self.then_two(F2::Multiply, log, b);
             return self.then_one(F1::Exp2, product);
@@ -410,7 +412,7 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// A result as a GPU may give it that is no more exact than it has to be.
+    /// Applies the maximum error of the GPU profile to a result.
     fn off(&mut self, what: Inexact, made: Reg, operand: Reg) -> Reg {
         let Persona::Inexact(lean) = self.options.persona else {
             return made;
@@ -425,32 +427,32 @@ impl<'p> Compiler<'p> {
         self.pure(Instr::Three(f, 0, a, b, c), &[a, b, c])
     }
 
-    /// The same, of an intermediate result that nothing else needs.
+    /// Like [`Compiler::one`], and releases the operand.
     pub fn then_one(&mut self, f: F1, a: Reg) -> Reg {
         let made = self.one(f, a);
         self.registers.release(a);
         made
     }
 
-    /// The same, where the first operand is an intermediate result.
+    /// Like [`Compiler::two`], and releases the first operand.
     pub fn then_two(&mut self, f: F2, a: Reg, b: Reg) -> Reg {
         let made = self.two(f, a, b);
         self.registers.release(a);
         made
     }
 
-    /// Adds an instruction with an effect; gives its index.
+    /// Appends an instruction to the body. Returns its index.
     pub fn push(&mut self, instr: Instr) -> Target {
         self.code.body.push(instr);
         self.code.body.len() as Target - 1
     }
 
-    /// Where the next instruction will stand.
+    /// The index of the next instruction.
     pub fn here(&self) -> Target {
         self.code.body.len() as Target
     }
 
-    /// Makes a jump lead to the next instruction.
+    /// Patches a jump to lead to the next instruction.
     pub fn land(&mut self, jump: Target) {
         let here = self.here();
         if let Some(instr) = self.code.body.get_mut(jump as usize) {
@@ -460,7 +462,7 @@ impl<'p> Compiler<'p> {
 }
 
 impl Instr {
-    /// The same, with another register to write.
+    /// The same instruction with another destination register.
     pub(crate) fn to(self, reg: Reg) -> Instr {
         match self {
             Instr::Move(_, a) => Instr::Move(reg, a),
@@ -483,7 +485,7 @@ impl Instr {
         }
     }
 
-    /// The register that it writes and no more than writes, in all lanes.
+    /// The destination register of an instruction that writes all lanes and has no other effect.
     pub(crate) const fn target(self) -> Option<Reg> {
         match self {
             Instr::Move(to, _)
@@ -496,20 +498,20 @@ impl Instr {
         }
     }
 
-    /// Whether it reads a register, as far as those that [`Instr::target`] knows are concerned.
+    /// Whether an instruction, of those with a [`Instr::target`], reads a register.
     pub(crate) const fn reads(self, reg: Reg) -> bool {
         match self {
             Instr::Move(_, a) | Instr::MoveActive(_, a) | Instr::One(_, _, a) => a == reg,
             Instr::Two(_, _, a, b) => a == reg || b == reg,
             Instr::Three(_, _, a, b, c) => a == reg || b == reg || c == reg,
             Instr::Table { index, .. } => index == reg,
-            // An element may be any register of a variable.
+            // A dynamic index may read any register of the variable.
             Instr::Gather { .. } => true,
             _ => false,
         }
     }
 
-    /// Makes a jump lead somewhere.
+    /// Sets the target of a jump.
     const fn lead(&mut self, target: Target) {
         match self {
             Instr::If { to, .. }

@@ -1,15 +1,15 @@
-//! What a shader takes and gives: uniforms, samplers, inputs, outputs.
+//! The interface of a shader: uniforms, samplers, inputs and outputs.
 
 use super::emit::{Compiler, Made, Regs, Value};
 use crate::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Base, FunctionRef, Type, Variable, VariableId};
 
-/// Most samplers of a shader; browsers have 16 or 32 units.
+/// Maximum number of samplers; browsers support 16 or 32 texture units.
 const MAX_SAMPLERS: usize = 1024;
 
 impl Compiler<'_> {
-    /// Lays out the uniforms, and gives outputs and globals their registers.
+    /// Lays out the uniforms, and allocates registers for outputs and globals.
     pub fn interface(&mut self) {
         let program = self.program;
         let is_uniform = |(number, variable): &(VariableId, &Variable)| {
@@ -18,7 +18,7 @@ impl Compiler<'_> {
         };
         let all = (0..).map(VariableId).zip(&program.variables);
         let mut uniforms: Vec<_> = all.filter(is_uniform).collect();
-        // In whatever order they are declared, the code is the same.
+        // Sorted by name, so that the code does not depend on the order of declarations.
         uniforms.sort_by_key(|(_, variable)| program.names.text(variable.name));
         for (number, variable) in uniforms {
             let at = self.code.uniform_words;
@@ -37,7 +37,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A uniform and its members.
+    /// Lays out a uniform, including the members of a struct.
     fn uniform(&mut self, name: &str, ty: Type) -> Made<()> {
         let program = self.program;
         match ty.base {
@@ -77,7 +77,7 @@ impl Compiler<'_> {
         Some(())
     }
 
-    /// How many samplers a type holds.
+    /// The number of samplers in a type.
     pub fn samplers_in(&self, ty: Type) -> u32 {
         let one = match ty.base {
             Base::Sampler(_) => 1,
@@ -91,12 +91,12 @@ impl Compiler<'_> {
         one * ty.array.max(1)
     }
 
-    /// The registers of a variable that has none yet: an input, an output or a global.
+    /// Allocates the registers of an input, output or global.
     pub fn open(&mut self, variable: VariableId) -> Made<Value> {
         let known = *self.module.variable(variable)?;
         let count = self.scalars(known.ty);
         let Some(count) = count else {
-            return self.refuse("a variable of more than 32,768 scalars");
+            return self.refuse("a variable with more than 32,768 scalars");
         };
         let is_outer = known.function.is_none();
         let first = self.registers.row(count, variable, is_outer);
@@ -115,8 +115,8 @@ impl Compiler<'_> {
         Some(value)
     }
 
-    /// Gives all outputs and changed globals that the shader names registers, and zeroes them, as
-    /// the browser does.
+    /// Allocates and zeroes all outputs and modified globals that the shader uses, as the browser
+    /// does.
     pub fn clear_outer(&mut self) {
         for number in (0..self.module.variables.len() as u32).map(VariableId) {
             let Some(known) = self.module.variable(number).copied() else {
@@ -144,7 +144,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Writes zero to registers.
+    /// Sets registers to zero.
     pub fn zero(&mut self, regs: Regs) {
         let zero = self.constant(0);
         for at in 0..regs.len {
@@ -153,13 +153,13 @@ impl Compiler<'_> {
         }
     }
 
-    /// What the entry's parameters are: inputs and outputs of the shader.
+    /// Makes the parameters of the entry point inputs and outputs of the shader.
     pub fn entry_parameters(&mut self, entry: FunctionRef) -> Made<()> {
         let function = *self.module.function(entry)?;
         for &parameter in self.module.parameters(&function) {
             let known = *self.module.variable(parameter)?;
             let Some(count) = self.scalars(known.ty) else {
-                return self.refuse("a parameter of more than 32,768 scalars");
+                return self.refuse("a parameter with more than 32,768 scalars");
             };
             let first = self.registers.row(count, parameter, true);
             let regs = self.listed((0..count).map(|n| first.saturating_add(n as u16)));

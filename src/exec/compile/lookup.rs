@@ -1,4 +1,4 @@
-//! Lookups in textures.
+//! Lowering of texture lookups.
 
 use super::emit::{Compiler, Made, Value};
 use crate::code::{F2, Instr, LookupQuery, LookupSite, Reg};
@@ -6,7 +6,7 @@ use shaderlint_ir::OpId;
 use shaderlint_semantic::builtins::{Level, Lookup};
 use shaderlint_semantic::{Sampler, Type};
 
-/// How many coordinates a sampler takes, and whether it compares.
+/// The number of coordinates of a sampler type, and whether it compares depth.
 const fn taken(sampler: Sampler) -> (usize, bool) {
     use Sampler::*;
     match sampler {
@@ -19,18 +19,18 @@ const fn taken(sampler: Sampler) -> (usize, bool) {
 }
 
 impl Compiler<'_> {
-    /// The sampler that an operation's value is: its number, and what it looks up.
+    /// The index and type of the sampler that an operand holds.
     fn sampler(&mut self, op: OpId) -> Made<(u32, Sampler)> {
         let Value::Samplers(number) = self.value(op) else {
-            return self.refuse("a sampler that is not known");
+            return self.refuse("an unknown sampler");
         };
         match self.module.ty(op).as_sampler() {
             Some(sampler) => Some((number, sampler)),
-            None => self.refuse("a sampler that is not known"),
+            None => self.refuse("an unknown sampler"),
         }
     }
 
-    /// `textureSize`.
+    /// Compiles `textureSize`.
     pub fn size(&mut self, operands: &[OpId]) -> Made<Value> {
         let (number, sampler) = self.sampler(*operands.first()?)?;
         let level = self.operand(*operands.get(1)?);
@@ -53,7 +53,8 @@ impl Compiler<'_> {
         Some(self.asked(site, count))
     }
 
-    /// A lookup: sampler, coordinates, level or gradients, offset, bias.
+    /// Compiles a lookup. The operands are the sampler, coordinates, level or gradients, offset and
+    /// bias.
     pub fn lookup(&mut self, lookup: Lookup, operands: &[OpId], ty: Type) -> Made<Value> {
         let (number, sampler) = self.sampler(*operands.first()?)?;
         let (count, compares) = taken(sampler);
@@ -98,7 +99,7 @@ impl Compiler<'_> {
             let regs = self.operand(bias);
             level.extend_from_slice(self.list(regs));
         }
-        // Vertex shaders have no neighbours.
+        // Vertex shaders have no implicit derivatives.
         if query == LookupQuery::Implicit
             && self.module.stage == Some(shaderlint_semantic::Stage::Vertex)
         {

@@ -1,9 +1,9 @@
-//! From the middle form to register code.
+//! Compiles the IR to bytecode.
 //!
-//! Calls are inlined. A value is a list of registers, one for each scalar; what only gives parts
-//! another name (swizzles, constructors, reads of variables that nothing changes meanwhile) makes no
-//! code. What depends on constants and uniforms alone goes to the prologue, which runs once for all
-//! pixels.
+//! All calls are inlined. A value is a list of registers, one per scalar. Operations that only
+//! rename components (swizzles, constructors, loads of variables that are not written to meanwhile)
+//! emit no code. Uniform code, which depends only on constants and uniforms, is hoisted into a
+//! prologue that runs once per draw.
 
 mod builtin;
 mod call;
@@ -24,10 +24,10 @@ use options::{CompileOptions, Refusal};
 use shaderlint_ir::{Module, OpKind, Provenance};
 use shaderlint_semantic::{FunctionRef, Program};
 
-/// Compiles a shader from its entry on.
+/// Compiles a shader, starting from its entry point.
 ///
 /// # Errors
-/// What cannot be run, by name.
+/// A [`Refusal`] that says what cannot be run.
 pub fn compile(
     program: &Program,
     module: &Module,
@@ -47,7 +47,7 @@ pub fn compile(
     compiler.finish()
 }
 
-/// The `main` of the shader or of the host around it, else what the host calls.
+/// The entry point: `main` of the shader or its host, else the function that the host calls.
 fn entry(program: &Program, module: &Module) -> Option<FunctionRef> {
     let main = program.names.get("main")?;
     let is_main = |f: &shaderlint_semantic::Function| f.name == main && f.definition.is_some();
@@ -55,7 +55,7 @@ fn entry(program: &Program, module: &Module) -> Option<FunctionRef> {
     at.map(|n| FunctionRef(n as u32)).or(module.entry)
 }
 
-/// The functions that run, each behind all that it calls; `None` where one calls itself.
+/// The functions that run, in post-order (callees first); `None` if there is recursion.
 fn callees_first(module: &Module, entry: FunctionRef) -> Option<Vec<FunctionRef>> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {

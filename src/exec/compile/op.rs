@@ -1,4 +1,4 @@
-//! Operations, scalar by scalar.
+//! Lowering of operations, scalar by scalar.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
 use super::options::{Persona, Watch};
@@ -7,7 +7,7 @@ use shaderlint_ir::{Binary, OpId, OpKind, Precision, Unary};
 use shaderlint_semantic::{Base, Scalar, Type, Undefined, Value as Constant};
 
 impl Compiler<'_> {
-    /// Code for an operation; gives its value, held once.
+    /// Compiles an operation. Returns its value, retained once.
     pub fn operation(&mut self, id: OpId) -> Made<Value> {
         let op = *self.module.op(id);
         let ty = op.ty;
@@ -76,12 +76,12 @@ impl Compiler<'_> {
             OpKind::Call(function, operands) => self.call(id, function, operands),
             OpKind::Returned(call, number) => match self.taken_back.remove(&(call, number)) {
                 Some(value) => Some(value),
-                None => self.refuse("what a call leaves behind"),
+                None => self.refuse("an `out` parameter that its call does not write"),
             },
         }
     }
 
-    /// Another name for registers.
+    /// A value that aliases existing registers.
     fn named(&mut self, regs: impl IntoIterator<Item = Reg>) -> Value {
         let regs = self.listed(regs);
         self.retain(Value::Regs(regs))
@@ -100,7 +100,8 @@ impl Compiler<'_> {
         Value::Regs(self.listed(made))
     }
 
-    /// A value as a phone has it: of `mediump` and less, numbers of 16 bits.
+    /// Rounds a value to 16 bits if it has `mediump` or `lowp` precision and the profile is a
+    /// mobile GPU.
     pub fn narrowed(&mut self, id: OpId, value: Value) -> Value {
         let op = self.module.op(id);
         let is_narrow = matches!(op.precision, Precision::Low | Precision::Medium);
@@ -128,7 +129,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Constants: a few in registers, many in the memory.
+    /// The location of a constant: small ones are in registers, large ones in memory.
     pub fn constants_of(&mut self, values: &[Constant]) -> Value {
         if values.len() <= MAX_KEPT {
             let regs: Vec<Reg> = values.iter().map(|v| self.constant(bits_of(*v))).collect();
@@ -150,7 +151,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// An instruction for each scalar.
+    /// Emits a unary instruction per scalar.
     pub fn each_one(&mut self, f: F1, a: OpId) -> Made<Value> {
         let a = self.operand(a);
         let made: Vec<Reg> = (0..a.len)
@@ -162,7 +163,7 @@ impl Compiler<'_> {
         Some(Value::Regs(self.listed(made)))
     }
 
-    /// An instruction for each pair of scalars; the one of a scalar beside a vector is used again.
+    /// Emits a binary instruction per component; a scalar operand is broadcast.
     pub fn each_two(&mut self, f: F2, a: Regs, b: Regs) -> Made<Value> {
         let made: Vec<Reg> = (0..a.len.max(b.len))
             .map(|n| {
@@ -173,7 +174,7 @@ impl Compiler<'_> {
         Some(Value::Regs(self.listed(made)))
     }
 
-    /// A scalar of a vector, or the scalar that stands beside one.
+    /// A component of a vector, or the scalar operand that is broadcast.
     pub fn spread(&self, regs: Regs, at: u32) -> Reg {
         self.reg(regs, if regs.len == 1 { 0 } else { at })
     }
@@ -204,7 +205,7 @@ impl Compiler<'_> {
         Some(made)
     }
 
-    /// Has the result of an instruction looked at.
+    /// Adds a fault check to the result of an instruction.
     fn watch_number(&mut self, id: OpId, f: F2, result: Reg, operands: [Reg; 2]) {
         let what = match f {
             F2::Divide => Checked::Quotient,
@@ -216,7 +217,7 @@ impl Compiler<'_> {
         self.check(id, what, result, &operands);
     }
 
-    /// Has operands looked at for which a result is undefined.
+    /// Adds a check for operands with undefined results.
     pub fn watch_operands(
         &mut self,
         id: OpId,
@@ -229,7 +230,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Has a comparison looked at.
+    /// Records the operands of a comparison.
     pub fn watch_comparison(&mut self, op: OpId, result: Reg, sides: [Reg; 2], scalar: Scalar) {
         let known = self.code.compared.len() as u32;
         let site = *self.compared_sites.entry(op).or_insert(known);
@@ -248,7 +249,7 @@ impl Compiler<'_> {
         self.push(Instr::Compare(number));
     }
 
-    /// Has a result looked at.
+    /// Adds a fault check.
     pub fn check(&mut self, op: OpId, checked: Checked, result: Reg, operands: &[Reg]) {
         let checked = match checked {
             _ if self.watches(Watch::Numbers) => checked,
@@ -274,7 +275,7 @@ impl Compiler<'_> {
         self.push(Instr::Check(number));
     }
 
-    /// The sum of products, in order.
+    /// A sum of products, evaluated in order.
     pub fn sum_of_products(&mut self, pairs: &[(Reg, Reg)]) -> Reg {
         let mut sum: Option<Reg> = None;
         for (a, b) in pairs {
@@ -294,10 +295,10 @@ impl Compiler<'_> {
         let size = |ty: Type| ty.numeric().map(|(_, columns, rows)| [columns, rows]);
         let (left, right) = (size(self.module.ty(a)), size(self.module.ty(b)));
         let (Some([a_columns, a_rows]), Some([b_columns, b_rows])) = (left, right) else {
-            return self.refuse("a product of what is no matrix");
+            return self.refuse("a matrix product of operands that are not numeric");
         };
         let (x, y) = (self.operand(a), self.operand(b));
-        // A vector on the left is a row: as many columns as it has components.
+        // A vector on the left is a row vector: one column per component.
         let (inner, rows, columns) = match a_columns {
             1 => (a_rows, 1, b_columns),
             _ => (a_columns, a_rows, b_columns),
@@ -320,7 +321,7 @@ impl Compiler<'_> {
         Some(Value::Regs(self.listed(made)))
     }
 
-    /// Whether all scalars are equal, each as its type compares.
+    /// Whether all scalars of two values are equal, compared by type.
     fn same(&mut self, negated: bool, left: OpId, right: OpId) -> Made<Value> {
         let ty = self.module.ty(left);
         let mut kinds = Vec::new();
@@ -352,7 +353,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The kinds of the scalars of a type, in order.
+    /// The scalar types of a type's components, in layout order.
     fn kinds(&self, ty: Type, kinds: &mut Vec<Scalar>) {
         for _ in 0..ty.array.max(1) {
             match ty.base {
@@ -425,10 +426,10 @@ impl Compiler<'_> {
     fn extract(&mut self, a: OpId, number: u32) -> Made<Value> {
         let found = self.part_at(self.module.ty(a), number);
         let Some((at, inner, count)) = found else {
-            return self.refuse("a part of a value of more than 32,768 scalars");
+            return self.refuse("part of a value with more than 32,768 scalars");
         };
         if number >= count {
-            return self.refuse("an index outside of its array");
+            return self.refuse("an index that is out of bounds");
         }
         let len = self.scalars_of(inner)?;
         if let Value::Memory { at: first, .. } = self.value(a) {
@@ -443,7 +444,7 @@ impl Compiler<'_> {
     }
 }
 
-/// The bits of a scalar in a register.
+/// The bits of a constant scalar.
 fn bits_of(value: Constant) -> u32 {
     match value {
         Constant::Bool(v) => {
@@ -467,7 +468,7 @@ fn unary_of(unary: Unary, scalar: Option<Scalar>) -> F1 {
     }
 }
 
-/// The instruction of an operator, and whether its operands change places.
+/// The instruction of a binary operator, and whether its operands are swapped.
 fn binary_of(binary: Binary, scalar: Scalar) -> (F2, bool) {
     use Scalar::{Float, Uint};
     let (f, turned) = match (binary, scalar) {
@@ -496,7 +497,7 @@ fn binary_of(binary: Binary, scalar: Scalar) -> (F2, bool) {
     (f, turned)
 }
 
-/// For which operands an operator's result is undefined.
+/// The operands for which the result of a binary operator is undefined.
 const fn undefined_of(binary: Binary, scalar: Scalar) -> Undefined {
     match (binary, scalar) {
         (Binary::Remainder, Scalar::Int) => Undefined::NEGATIVE_REMAINDER,
@@ -505,7 +506,7 @@ const fn undefined_of(binary: Binary, scalar: Scalar) -> Undefined {
     }
 }
 
-/// The comparison of a kind of scalar.
+/// The `<` or `<=` instruction of a scalar type.
 pub(super) const fn less(scalar: Scalar, or_equal: bool) -> F2 {
     match (scalar, or_equal) {
         (Scalar::Float, false) => F2::Less,

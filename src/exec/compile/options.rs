@@ -1,85 +1,86 @@
-//! How a shader is compiled, and why one is not.
+//! Compilation options, and the reason for a refusal.
 
 use shaderlint_ir::{OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_text::Span;
 
-/// How a shader is compiled.
+/// Compilation options.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct CompileOptions {
-    /// What is watched while it runs.
+    /// The statistics recorded at run time.
     pub watch: Watch,
-    /// The function that runs; that of the shader, unless one is named.
+    /// The entry point; `None` for that of the shader.
     pub entry: Option<FunctionRef>,
-    /// What is given out beside what the shader gives.
+    /// A value that is output in addition to the outputs of the shader.
     pub probe: Option<Probe>,
-    /// The bits of what was never written: zero in the browser.
+    /// The bits of uninitialised variables; browsers initialise them to zero.
     pub undefined: u32,
-    /// The GPU that is played.
+    /// The emulated GPU profile.
     pub persona: Persona,
-    /// How many instructions it may become, where that is fewer than 400,000.
+    /// Maximum number of instructions, if less than 400,000.
     pub most: Option<usize>,
 }
 
-/// A GPU as exact as the conformance suite asks, and no more (VK-GL-CTS, glsBuiltinPrecisionTests).
+/// A GPU profile, as inexact as the conformance tests permit (VK-GL-CTS, glsBuiltinPrecisionTests).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Persona {
-    /// As exact as it gets.
+    /// Correctly computed results, without additional error.
     #[default]
     Exact,
-    /// Off by all that is allowed.
+    /// The maximum permitted error.
     Inexact(Lean),
-    /// Exact, but that `mediump` and `lowp` are numbers of 16 bits.
+    /// Exact, but `mediump` and `lowp` are 16-bit floats.
     Mobile,
 }
 
-/// To which side results are off.
+/// The direction of the error.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Lean {
-    /// Away from zero; sines up.
+    /// Away from zero; upwards for sines.
     Out,
-    /// Towards zero; sines down.
+    /// Towards zero; downwards for sines.
     In,
-    /// Now this, now that, by the bits of the result.
+    /// Either direction, by a hash of the result.
     Either,
 }
 
-/// What is looked at while a shader runs: the last moment of a pixel counts. The first four scalars of
-/// it become the last but one of [`Code::outputs`](crate::Code::outputs); the last is whether there was such a moment.
+/// A value to observe. The last time that a pixel executes it counts. Two outputs are appended to
+/// [`Code::outputs`](crate::Code::outputs): the first four scalars of the value, and whether it was
+/// executed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Probe {
-    /// A variable where it is read or written.
+    /// A variable, where it is read or written.
     Variable {
         /// The variable.
         variable: VariableId,
-        /// The text in which it is looked at, such as a line.
+        /// The source range to observe, such as a line.
         within: Span,
     },
-    /// What an operation gives.
+    /// The result of an operation.
     Value(OpId),
 }
 
-/// What is watched while a shader runs; each holds what stands before it.
+/// The statistics recorded at run time. Each level includes the previous ones.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
 pub enum Watch {
-    /// The picture alone.
+    /// Only the image.
     #[default]
     Nothing,
-    /// Turns of loops, which branches are taken, and what pixels cost.
+    /// Loop iterations, branches taken, and the cost of pixels.
     Flow,
-    /// Divisors that are zero, operands that leave a result undefined, and indices outside.
+    /// Zero divisors, operands with undefined results, and indices out of range.
     Faults,
-    /// The ends of comparisons.
+    /// The ranges of comparison operands.
     Comparisons,
-    /// Numbers that go wrong.
+    /// All numeric faults: NaN and infinity, too.
     Numbers,
 }
 
-/// Why a shader is not run.
+/// Why a shader cannot be run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Refusal {
-    /// What cannot be run, in words.
+    /// The unsupported construct, as it appears in messages.
     pub what: String,
-    /// Where that stands.
+    /// Its location in the source.
     pub at: Provenance,
 }

@@ -1,4 +1,4 @@
-//! Reads and writes of variables and of parts of values.
+//! Lowering of loads and stores, and of access to parts of values.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
 use crate::code::{ArraySite, Checked, F2, Instr, Reg};
@@ -6,25 +6,25 @@ use rustc_hash::FxHashSet;
 use shaderlint_ir::{Access, Lanes, OpId, PlaceId, Root};
 use shaderlint_semantic::{Base, Scalar, Type, VariableId};
 
-/// Most scalars of a value.
+/// Maximum number of scalars of a value.
 const MAX_SCALARS: u32 = 1 << 15;
 
-/// Where a place lies in its variable, in scalars.
+/// The location of a place within its variable, in scalars.
 struct Spot {
-    /// The first scalar, computed steps aside.
+    /// The offset of the first scalar, without dynamic indices.
     at: u32,
-    /// How many scalars the computed steps add.
+    /// The offset added by dynamic indices.
     index: Option<Reg>,
-    /// How many scalars it has, before components are picked.
+    /// The number of scalars before swizzling.
     len: u32,
-    /// The components that are picked.
+    /// The swizzled components.
     lanes: Option<Lanes>,
-    /// The sampler of the variable, in order.
+    /// The offset of the sampler within the variable.
     sampler: u32,
 }
 
 impl Compiler<'_> {
-    /// The value of a variable or a part of one.
+    /// Compiles a load.
     pub fn load(&mut self, id: OpId, place: PlaceId) -> Made<Value> {
         let place = *self.module.place(place);
         let variable = place.variable;
@@ -33,7 +33,7 @@ impl Compiler<'_> {
             let first = self.first_sampler(variable)?;
             return match spot.index {
                 None => Some(Value::Samplers(first + spot.sampler)),
-                Some(_) => self.refuse("a sampler chosen by a computed number"),
+                Some(_) => self.refuse("a dynamically indexed sampler"),
             };
         }
         let value = self.held(variable)?;
@@ -58,7 +58,9 @@ impl Compiler<'_> {
                 let regs = self.neighbours(regs);
                 Value::Regs(self.gathered(regs, index, &spot))
             }
-            (Value::Nothing | Value::Samplers(_), _) => return self.refuse("a value without type"),
+            (Value::Nothing | Value::Samplers(_), _) => {
+                return self.refuse("a value without a type");
+            }
         };
         if let Some(index) = spot.index {
             self.registers.release(index);
@@ -66,7 +68,7 @@ impl Compiler<'_> {
         Some(loaded)
     }
 
-    /// Writes to a variable or a part of one.
+    /// Compiles a store.
     pub fn store(&mut self, id: OpId, place: PlaceId, value: OpId) -> Made<()> {
         let place = *self.module.place(place);
         let variable = place.variable;
@@ -81,7 +83,7 @@ impl Compiler<'_> {
         }
         let spot = self.spot(variable, self.module.path(&place))?;
         let Value::Regs(to) = self.held(variable)? else {
-            return self.refuse("a write to what is only read");
+            return self.refuse("a write to a read-only variable");
         };
         let from = self.operand(value);
         match spot.index {
@@ -103,14 +105,15 @@ impl Compiler<'_> {
         Some(())
     }
 
-    /// Moves a value to registers of a variable: by having the value's last instructions write
-    /// there, if nothing else needs it.
+    /// Moves a value to the registers of a variable; if nothing else uses the value, its last
+    /// instructions write there directly.
     fn write(&mut self, id: OpId, value: OpId, to: Regs, from: Regs) {
         let writes_all = self.plan.writes_all(id);
         if writes_all && self.forwarded(value, to, from) {
             return;
         }
-        // Overlapping parts of one variable, such as `v.xy = v.yx`, are read before they are written.
+        // Overlapping parts of one variable, as in `v.xy = v.yx`, must be read before they are
+        // written.
         let overlaps = self.overlaps(to, from);
         let from = match overlaps {
             true => self.copied(from),
@@ -130,7 +133,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Whether a register is read behind the moves that write to it.
+    /// Whether a move overwrites a register that a later move reads.
     fn overlaps(&self, to: Regs, from: Regs) -> bool {
         if from.len <= MAX_KEPT as u32 {
             return (0..from.len).any(|n| {
@@ -165,7 +168,7 @@ impl Compiler<'_> {
                 && self.registers.owner(*reg).is_none()
                 && !to.get(..n).unwrap_or(&[]).iter().any(|t| instr.reads(*t))
         });
-        // An instruction must not read what one before it was to give.
+        // An instruction must not read the result of an earlier one that would be redirected.
         let chained = tail.iter().any(|i| from.iter().any(|f| i.reads(*f)));
         if !fits || chained {
             return false;
@@ -181,7 +184,7 @@ impl Compiler<'_> {
         self.frames.last().map_or(0, |f| f.clock)
     }
 
-    /// Where a variable is, which gets its registers now if it has none.
+    /// The location of a variable; allocates its registers on first use.
     fn held(&mut self, variable: VariableId) -> Made<Value> {
         let value = self.variable_value(variable);
         if value != Value::Nothing {
@@ -200,7 +203,7 @@ impl Compiler<'_> {
         self.open(variable)
     }
 
-    /// Whether a variable is set from outside and never written.
+    /// Whether a variable is an input or uniform.
     fn is_given(&self, variable: VariableId) -> bool {
         let root = self.module.variable(variable).map(|v| v.root);
         matches!(root, Some(Root::Uniform | Root::Input)) || self.plan.is_never_written(variable)
@@ -212,11 +215,11 @@ impl Compiler<'_> {
         }
         match self.samplers_of.get(&variable) {
             Some(first) => Some(*first),
-            None => self.refuse("a sampler inside of a struct that is a parameter"),
+            None => self.refuse("a sampler in a struct parameter"),
         }
     }
 
-    /// Where a place lies.
+    /// Resolves a place.
     fn spot(&mut self, variable: VariableId, path: &[Access]) -> Made<Spot> {
         let mut ty = self.module.variable(variable)?.ty;
         let mut spot = Spot {
@@ -238,7 +241,7 @@ impl Compiler<'_> {
                 Access::Element(number) => {
                     let (at, inner, count) = self.part_of(ty, number)?;
                     if number >= count {
-                        return self.refuse("an index outside of its array");
+                        return self.refuse("an index that is out of bounds");
                     }
                     spot.sampler += number * self.samplers_in(inner);
                     (spot.at, ty) = (spot.at + at, inner);
@@ -269,31 +272,31 @@ impl Compiler<'_> {
     fn part_of(&mut self, ty: Type, number: u32) -> Made<(u32, Type, u32)> {
         match self.part_at(ty, number) {
             Some(found) => Some(found),
-            None => self.refuse("a value of more than 32,768 scalars"),
+            None => self.refuse("a value with more than 32,768 scalars"),
         }
     }
 
-    /// The first scalar of a part with a number, its type, and how many such parts there are.
+    /// The offset of a part by index, its type, and the number of such parts.
     pub fn part_at(&self, ty: Type, number: u32) -> Option<(u32, Type, u32)> {
         let part = self.layout.part(ty, number)?;
         Some((part.scalar?, part.ty, self.layout.count(ty)))
     }
 
-    /// How many scalars a type has, if they are not too many.
+    /// The number of scalars of a type; `None` if there are too many.
     pub fn scalars(&self, ty: Type) -> Option<u32> {
         let found = self.layout.scalars(ty);
         found.filter(|count| *count <= MAX_SCALARS)
     }
 
-    /// How many scalars a type has.
+    /// The number of scalars of a type; refuses the shader if there are too many.
     pub fn scalars_of(&mut self, ty: Type) -> Made<u32> {
         match self.scalars(ty) {
             Some(count) => Some(count),
-            None => self.refuse("a value of more than 32,768 scalars"),
+            None => self.refuse("a value with more than 32,768 scalars"),
         }
     }
 
-    /// How many scalars a computed number skips, within the elements that there are.
+    /// The scalar offset of a dynamic index, clamped to the existing elements.
     fn steps(&mut self, index: OpId, count: u32, stride: u32) -> Reg {
         let is_int = self.module.scalar(index) == Some(Scalar::Int);
         let index = self.operand(index);
@@ -318,7 +321,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The registers that a place without computed steps means.
+    /// The registers of a place without dynamic indices.
     fn picked(&mut self, regs: Regs, spot: &Spot) -> Regs {
         match spot.lanes {
             None => Self::part(regs, spot.at, spot.len),
@@ -333,7 +336,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Fresh registers with the same bits.
+    /// A copy in fresh registers.
     pub fn copied(&mut self, regs: Regs) -> Regs {
         let copies: Vec<Reg> = (0..regs.len)
             .map(|n| {
@@ -364,7 +367,7 @@ impl Compiler<'_> {
         self.code.arrays.len() as u32 - 1
     }
 
-    /// Scalars out of the memory.
+    /// Loads dynamically indexed scalars from memory.
     fn table(&mut self, base: u32, end: u32, index: Reg, spot: &Spot) -> Regs {
         let count = spot.lanes.map_or(spot.len, |l| l.count() as u32);
         let mut made = Vec::with_capacity(count as usize);
@@ -377,7 +380,7 @@ impl Compiler<'_> {
         self.listed(made)
     }
 
-    /// Scalars out of registers that lie side by side.
+    /// Loads dynamically indexed scalars from consecutive registers.
     fn gathered(&mut self, regs: Regs, index: Reg, spot: &Spot) -> Regs {
         let count = spot.lanes.map_or(spot.len, |l| l.count() as u32);
         let mut made = Vec::with_capacity(count as usize);
@@ -390,7 +393,7 @@ impl Compiler<'_> {
         self.listed(made)
     }
 
-    /// The same registers if they lie side by side, else copies that do, which are kept for good.
+    /// The same registers if they are consecutive, else a permanent copy in consecutive registers.
     fn neighbours(&mut self, regs: Regs) -> Regs {
         let list = self.list(regs);
         let lie_so = list
@@ -408,11 +411,11 @@ impl Compiler<'_> {
         row
     }
 
-    /// The element, column or component of a value whose number is computed.
+    /// The element, column or component of a value at a dynamic index.
     pub fn extract_computed(&mut self, base: OpId, index: OpId) -> Made<Value> {
         let ty = self.module.ty(base);
         if matches!(ty.base, Base::Sampler(_)) {
-            return self.refuse("a sampler chosen by a computed number");
+            return self.refuse("a dynamically indexed sampler");
         }
         let (stride, inner, count) = self.part_of(ty, 1)?;
         let len = self.scalars_of(inner)?;
@@ -437,7 +440,7 @@ impl Compiler<'_> {
     }
 }
 
-/// The scalar, from the beginning of a place, that its value's scalar with a number is.
+/// The offset, from the start of a place, of a component of its value.
 fn lane_of(spot: &Spot, number: u32) -> u32 {
     let lane = spot
         .lanes

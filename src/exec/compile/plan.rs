@@ -1,8 +1,9 @@
-//! What is found out of a function before code is made for it: how long values are needed, which
-//! variables are names of values, and which writes touch no lane that is away.
+//! Analyses functions before code generation: lifetimes of values, variables that are aliases of
+//! values, and stores that may ignore the execution mask because no inactive lane needs the old
+//! value.
 //!
-//! A clock ticks at every operation and step. Making code ticks the same way, so that what is planned
-//! for a tick happens at it.
+//! A clock ticks at every operation and step. Code generation advances the same clock, so that
+//! lifetimes planned in ticks end at the right instruction.
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{
@@ -13,10 +14,10 @@ use shaderlint_semantic::BuiltinId as B;
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::StmtId;
 
-/// Stands for the initial values of globals where a function is asked for.
+/// A pseudo-function for the global initialisers.
 pub(super) const GLOBALS: FunctionRef = FunctionRef(u32::MAX);
 
-/// What may be given back at a tick.
+/// What may be released at a tick.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Held {
     /// The value of an operation.
@@ -25,43 +26,43 @@ pub(super) enum Held {
     Variable(VariableId),
 }
 
-/// What is known of the functions that run.
+/// The analysis of all functions that run.
 #[derive(Default, Debug)]
 pub(super) struct Plan {
-    /// By operation: the tick until which its value has to stay as it is.
+    /// By operation: the tick until which its registers must not change.
     stays: Vec<u32>,
     /// By operation: the tick of its last use.
     last: Vec<u32>,
     /// By operation: its own tick.
     made: Vec<u32>,
-    /// By operation that stores: whether it may write to all lanes.
+    /// By store: whether it may write all lanes instead of the active ones.
     writes_all: Vec<bool>,
     /// By variable.
     variables: Vec<About>,
-    /// By function: what may be given back, by tick.
+    /// By function: what may be released, ordered by tick.
     ends: FxHashMap<FunctionRef, Vec<(u32, Held)>>,
-    /// By function, of those that run: whether lanes can leave before its end.
+    /// By function: whether it has early returns.
     leaves_early: Vec<bool>,
-    /// By function: the tick before its first.
+    /// By function: the tick before its first operation.
     starts: FxHashMap<FunctionRef, u32>,
     /// By variable: the ticks of its writes.
     writes: FxHashMap<VariableId, Vec<u32>>,
 }
 
-/// What is known of a variable.
+/// The analysis of a variable.
 #[derive(Clone, Copy, Default, Debug)]
 struct About {
     stores: u32,
-    /// The only store, if it is a declaration's and of the whole.
+    /// The value of its declaration, if that is the only store.
     value: Option<OpId>,
-    /// Whether a store is none of a declaration, or not of the whole.
+    /// Whether there is a store other than a declaration of the whole variable.
     is_changed: bool,
-    /// The region that declares it, and the tick of that.
+    /// The region that declares it, and the tick of the declaration.
     home: Option<(u32, u32)>,
     last: u32,
 }
 
-/// A loop or `switch` that is being walked through.
+/// An enclosing loop.
 struct Around {
     start: u32,
     pending: Vec<Held>,
@@ -72,22 +73,22 @@ struct Planner<'m> {
     plan: Plan,
     clock: u32,
     around: Vec<Around>,
-    /// The operations of the function that is being walked through, and its variables.
+    /// The operations of the current function, and its variables.
     ops: Vec<OpId>,
     met: Vec<VariableId>,
-    /// The regions that are being walked through, the innermost last, and the loop part that each
-    /// is where it may write all lanes of what lies around the loop.
+    /// The enclosing regions, innermost last. The loop is set for the parts of a loop that start
+    /// every iteration, so that a store may write all lanes of variables declared around the loop.
     regions: Vec<(u32, Option<LoopId>)>,
     next_region: u32,
-    /// Stores that write to all lanes if nothing reads the variable behind the loop.
+    /// Stores that may write all lanes if the variable is not read after the loop.
     loose: Vec<(OpId, VariableId, LoopId)>,
     /// By loop: its last tick.
     loop_ends: FxHashMap<LoopId, u32>,
-    /// By function: the globals and outputs that it writes, those that it calls included.
+    /// By function: the globals and outputs that it writes, directly or indirectly.
     effects: FxHashMap<FunctionRef, Vec<VariableId>>,
 }
 
-/// Plans the functions that run, callees first.
+/// Analyses the functions that run, given in post-order.
 pub(super) fn plan(module: &Module, functions: &[FunctionRef]) -> Plan {
     let ops = module.ops.len();
     let mut planner = Planner {
@@ -120,7 +121,7 @@ pub(super) fn plan(module: &Module, functions: &[FunctionRef]) -> Plan {
 }
 
 impl Plan {
-    /// The value that a variable is a name of.
+    /// The value that a variable is an alias of.
     pub fn value_of(&self, variable: VariableId) -> Option<OpId> {
         let about = self.variables.get(variable.0 as usize)?;
         about
@@ -128,7 +129,7 @@ impl Plan {
             .filter(|_| about.stores == 1 && !about.is_changed)
     }
 
-    /// Whether a variable only names a value: its declaration's, or a parameter's argument.
+    /// Whether a variable is only an alias: of the value in its declaration, or of an argument.
     pub fn is_name(&self, module: &Module, variable: VariableId) -> bool {
         let root = module.variable(variable).map(|v| v.root);
         match root {
@@ -138,38 +139,38 @@ impl Plan {
         }
     }
 
-    /// Whether nothing needs a value behind a tick.
+    /// Whether a value is dead after a tick.
     pub fn is_last_use(&self, value: OpId, tick: u32) -> bool {
         at(&self.last, value) <= tick
     }
 
-    /// Whether nothing writes to a variable.
+    /// Whether a variable is never written to.
     pub fn is_never_written(&self, variable: VariableId) -> bool {
         let about = self.variables.get(variable.0 as usize);
         about.is_some_and(|v| v.stores == 0)
     }
 
-    /// What may be given back, by tick of a function.
+    /// What may be released in a function, ordered by tick.
     pub fn ends(&self, function: FunctionRef) -> &[(u32, Held)] {
         self.ends.get(&function).map_or(&[], |e| e)
     }
 
-    /// Whether lanes can leave a function before its end.
+    /// Whether a function has early returns.
     pub fn leaves_early(&self, function: FunctionRef) -> bool {
         self.leaves_early.get(function.0 as usize) == Some(&true)
     }
 
-    /// The tick before the first of a function.
+    /// The tick before the first operation of a function.
     pub fn start(&self, function: FunctionRef) -> u32 {
         self.starts.get(&function).copied().unwrap_or(0)
     }
 
-    /// Whether a store may write to all lanes.
+    /// Whether a store may write all lanes instead of the active ones.
     pub fn writes_all(&self, op: OpId) -> bool {
         self.writes_all.get(op.0 as usize) == Some(&true)
     }
 
-    /// Whether what a variable holds at a load is the same as long as the value of that is needed.
+    /// Whether a variable is not written to between a load and the last use of the loaded value.
     pub fn stays(&self, load: OpId, variable: VariableId) -> bool {
         let at = |all: &[u32]| all.get(load.0 as usize).copied().unwrap_or(u32::MAX);
         let (from, to) = (at(&self.made), at(&self.stays).max(at(&self.last)));
@@ -181,7 +182,7 @@ impl Plan {
     }
 }
 
-/// What only gives its operands' registers another name.
+/// Whether an operation only aliases the registers of its operands.
 fn is_alias(kind: OpKind) -> bool {
     matches!(
         kind,
@@ -294,7 +295,7 @@ impl<'m> Visit<'m> for Planner<'m> {
 }
 
 impl Planner<'_> {
-    /// Counts the stores of the functions that run.
+    /// Counts the stores in the functions that run.
     fn stores(&mut self, functions: &[FunctionRef]) {
         let module = self.module;
         let mut runs = Vec::new();
@@ -329,7 +330,7 @@ impl Planner<'_> {
     fn globals(&mut self) {
         let body = self.module.globals;
         self.walk(GLOBALS, body);
-        // They hold for as long as the shader runs.
+        // Global values live as long as the shader runs.
         for step in self.module.steps(body) {
             let Step::Run(run) = step else { continue };
             for op in run.ops() {
@@ -352,7 +353,7 @@ impl Planner<'_> {
             let root = self.module.variable(*variable).map(|v| v.root);
             let is_given_back = matches!(root, Some(Root::ParameterOut | Root::ParameterInout));
             if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
-                // Lanes that left before a write give back what was there.
+                // Lanes that return before a write must keep the old value.
                 about.home = Some(home).filter(|_| !(leaves && is_given_back));
                 about.last = self.clock;
                 self.met.push(*variable);
@@ -389,7 +390,7 @@ impl Planner<'_> {
         self.effects.insert(id, written);
     }
 
-    /// Walks through a body, and then settles what only its end tells.
+    /// Walks a body, then resolves what is only known at its end.
     fn walk(&mut self, function: FunctionRef, body: Region) {
         self.plan.starts.insert(function, self.clock);
         self.region(body);
@@ -426,7 +427,7 @@ impl Planner<'_> {
         plan.ends.insert(function, ends);
     }
 
-    /// A region; of a loop that it is a part of, where each turn begins with it.
+    /// Walks a region. `part` is the loop if every iteration starts with this region.
     fn part(&mut self, region: Region, part: Option<LoopId>) {
         self.regions.push((self.next_region, part));
         self.next_region += 1;
@@ -442,7 +443,8 @@ impl Planner<'_> {
         condition.into_iter().for_each(|c| self.used(c));
     }
 
-    /// A value is used at this tick: in a loop that began after it was made, until the end of that.
+    /// Records a use of a value at this tick. Values made before the enclosing loop live until its
+    /// end.
     fn used(&mut self, op: OpId) {
         raise(&mut self.plan.last, op, self.clock);
         let made = at(&self.plan.made, op);
@@ -451,7 +453,7 @@ impl Planner<'_> {
         }
     }
 
-    /// A variable is read or written at this tick.
+    /// Records a read or write of a variable at this tick.
     fn touched(&mut self, variable: VariableId) {
         let Some(about) = self.plan.variables.get_mut(variable.0 as usize) else {
             return;
@@ -503,7 +505,7 @@ impl Planner<'_> {
 }
 
 impl Plan {
-    /// What an operation only names stays as long as the name is needed.
+    /// Extends the lifetime of values for as long as an alias of them is needed.
     fn lengthen(&mut self, module: &Module, op: OpId, last: u32) {
         let until = at(&self.stays, op).max(last);
         let kind = module.op(op).kind;
@@ -526,7 +528,7 @@ impl Plan {
     }
 }
 
-/// Whether a `continue` of the loop around stands in steps.
+/// Whether the steps contain a `continue` of the enclosing loop.
 fn continues(module: &Module, steps: &[Step]) -> bool {
     steps.iter().any(|step| match step {
         Step::Continue(_) => true,
@@ -538,7 +540,7 @@ fn continues(module: &Module, steps: &[Step]) -> bool {
     })
 }
 
-/// Whether there is a `return` that is not the last of all steps.
+/// Whether there is a `return` other than as the last step.
 fn leaves(module: &Module, steps: &[Step]) -> bool {
     let early = match steps {
         [early @ .., Step::Return(..)] => early,

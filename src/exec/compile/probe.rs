@@ -1,4 +1,4 @@
-//! What is given out beside what the shader gives.
+//! The probe: outputs a variable or value in addition to the outputs of the shader.
 
 use super::emit::{Compiler, Made, Probed, Value};
 use super::options::Probe;
@@ -7,11 +7,11 @@ use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::Type;
 use shaderlint_text::Span;
 
-/// How many scalars are given out.
+/// Maximum number of scalars that are output.
 const SHOWN: u32 = 4;
 
 impl Compiler<'_> {
-    /// Makes room for what is looked at.
+    /// Allocates the registers of the probe.
     pub fn open_probe(&mut self) -> Made<()> {
         let ty = match self.options.probe? {
             Probe::Variable { variable, .. } => self.module.variable(variable)?.ty,
@@ -30,7 +30,7 @@ impl Compiler<'_> {
         Some(())
     }
 
-    /// Gives out what is looked at, if this operation is the place.
+    /// Copies the probed value, if this operation is to be observed.
     pub fn probe(&mut self, op: OpId) -> Made<()> {
         let value = match self.options.probe? {
             Probe::Value(probed) if probed == op => self.value(op),
@@ -64,7 +64,7 @@ impl Compiler<'_> {
         Some(self.program.token(extent.first)?.span)
     }
 
-    /// Tells where it went.
+    /// Appends the probe to the outputs.
     pub fn close_probe(&mut self) {
         let Some(probed) = self.probed else {
             return;

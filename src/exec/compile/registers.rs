@@ -1,25 +1,25 @@
-//! Which registers are taken, and by how many values.
+//! Register allocation with reference counts.
 
 use crate::code::{MAX_REGISTERS, Reg};
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::VariableId;
 
-/// How often a register is held that is never given back.
+/// The reference count of a permanent register.
 const FOREVER: u32 = u32::MAX;
 
-/// The registers.
+/// The register allocator.
 #[derive(Default)]
 pub(super) struct Registers {
-    /// By register: how many values hold it.
+    /// By register: the reference count.
     holders: Vec<u32>,
-    /// By register: whether it is the same for all pixels of a draw.
+    /// By register: whether it is uniform (the same for all pixels of a draw).
     uniform: Vec<bool>,
-    /// By register: the variable that it belongs to.
+    /// By register: the variable that owns it.
     owners: Vec<Option<VariableId>>,
     free: Vec<Reg>,
-    /// Rows of neighbours, by how many they are.
+    /// Free blocks of consecutive registers, by length.
     free_rows: FxHashMap<u32, Vec<Reg>>,
-    /// Whether there were too few.
+    /// Whether allocation has failed.
     pub is_full: bool,
 }
 
@@ -37,7 +37,7 @@ impl Registers {
         first as Reg
     }
 
-    /// One that holds a value, held once.
+    /// Allocates a register with reference count one.
     pub fn fresh(&mut self) -> Reg {
         match self.free.pop() {
             Some(reg) => {
@@ -48,12 +48,12 @@ impl Registers {
         }
     }
 
-    /// One that is never given back and is the same for all pixels.
+    /// Allocates a permanent uniform register.
     pub fn uniform(&mut self) -> Reg {
         self.add(1, FOREVER, true)
     }
 
-    /// Neighbours for a variable, held once, or forever.
+    /// Allocates consecutive registers for a variable, with reference count one or permanent.
     pub fn row(&mut self, count: u32, variable: VariableId, is_forever: bool) -> Reg {
         let found = match count {
             1 => self.free.pop(),
@@ -70,22 +70,22 @@ impl Registers {
         first
     }
 
-    /// The variable that a register belongs to.
+    /// The variable that owns a register.
     pub fn owner(&self, reg: Reg) -> Option<VariableId> {
         self.owners.get(reg as usize).copied().flatten()
     }
 
-    /// Whether it is the same for all pixels of a draw.
+    /// Whether a register is uniform.
     pub fn is_uniform(&self, reg: Reg) -> bool {
         self.uniform.get(reg as usize) == Some(&true)
     }
 
-    /// Whether one value alone holds it.
+    /// Whether the reference count is one.
     pub fn is_held_once(&self, reg: Reg) -> bool {
         self.holders.get(reg as usize) == Some(&1)
     }
 
-    /// How many there are.
+    /// The number of registers allocated so far.
     pub const fn count(&self) -> usize {
         self.holders.len()
     }
@@ -96,7 +96,7 @@ impl Registers {
         }
     }
 
-    /// One value more holds it.
+    /// Increments the reference count.
     pub fn retain(&mut self, reg: Reg) {
         if let Some(holders) = self.holders.get_mut(reg as usize)
             && *holders != FOREVER
@@ -105,7 +105,7 @@ impl Registers {
         }
     }
 
-    /// One value less holds it.
+    /// Decrements the reference count, and frees the register at zero.
     pub fn release(&mut self, reg: Reg) {
         let Some(holders) = self.holders.get_mut(reg as usize) else {
             return;
@@ -123,7 +123,8 @@ impl Registers {
         }
     }
 
-    /// A variable needs its neighbours no more; they stay together if nothing else holds one.
+    /// Releases the registers of a variable. They stay consecutive if nothing else holds one of
+    /// them.
     pub fn release_row(&mut self, first: Reg, count: u32) {
         let regs = || (0..count).map(|at| first.saturating_add(at as Reg));
         if count == 1 || !regs().all(|reg| self.is_held_once(reg)) {

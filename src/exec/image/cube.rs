@@ -1,8 +1,8 @@
-//! Cubes: which face a direction meets and where, and what lies beyond a face.
+//! Cube maps: the face and position that a direction hits, and texels across the edges of faces.
 
 use super::level::major;
 
-/// Which face a direction meets, and where on it, from 0 to 1.
+/// The face that a direction hits, and the coordinates on it, from 0 to 1.
 pub(super) fn face([x, y, z]: [f32; 3]) -> (u32, [f32; 2]) {
     let [far_x, far_y, far_z] = [x.abs(), y.abs(), z.abs()];
     let (face, s, t) = if far_z >= far_x && far_z >= far_y {
@@ -18,7 +18,8 @@ pub(super) fn face([x, y, z]: [f32; 3]) -> (u32, [f32; 2]) {
     (face, [s * scale + 0.5, t * scale + 0.5])
 }
 
-/// The direction to a place of a face, from -1 to 1; beyond that it meets another face.
+/// The direction to a point of a face, with coordinates from -1 to 1; beyond that range it hits
+/// another face.
 fn direction(face: u32, [s, t]: [f32; 2]) -> [f32; 3] {
     match face {
         0 => [1.0, -t, -s],
@@ -30,8 +31,8 @@ fn direction(face: u32, [s, t]: [f32; 2]) -> [f32; 3] {
     }
 }
 
-/// The number of a texel of a face that may lie one beyond its edge, where the next face begins.
-/// None beyond a corner, where only three faces meet.
+/// The index of a texel of a face, which may be one beyond an edge, on the adjacent face. `None`
+/// beyond a corner, where only three faces meet.
 pub(super) fn texel(face_number: u32, [column, row]: [i32; 2], side: u32) -> Option<usize> {
     let inside = |at: i32| u32::try_from(at).is_ok_and(|at| at < side);
     let number = |face: u32, column: i32, row: i32| {

@@ -1,9 +1,9 @@
-//! Which level of its image a lookup reads.
+//! Level of detail: which mipmap level a lookup reads.
 
 use super::{ImageShape, LevelOf, Lookup, Texture};
 use crate::row::LANES;
 
-/// By lane: the level, with its fraction, within the levels that there are.
+/// By lane: the fractional level, clamped to the existing levels.
 pub(super) fn levels(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
     let mut levels = match lookup.level {
         LevelOf::Explicit(level) => *level,
@@ -20,13 +20,14 @@ pub(super) fn levels(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
     };
     let last = (texture.image.full_count() - 1) as f32;
     for level in &mut levels {
-        // Of a NaN and a number these take the number.
+        // If one operand is NaN, `max` and `min` return the other.
         *level = level.max(0.0).min(last);
     }
     levels
 }
 
-/// All pixels of a quad read the same level: what its first one sees to its right and above it.
+/// The level of each quad, from the differences between its first pixel and those to the right and
+/// above.
 fn of_quads(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
     let mut levels = [0.0; LANES];
     for (quad, levels) in levels.as_chunks_mut::<4>().0.iter_mut().enumerate() {
@@ -44,7 +45,7 @@ fn of_quads(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
     levels
 }
 
-/// Each pixel for itself.
+/// The level of each pixel, from explicit gradients.
 fn of_gradients(
     texture: &Texture,
     lookup: &Lookup<'_>,
@@ -64,8 +65,8 @@ fn of_gradients(
     levels
 }
 
-/// The level of a pixel that covers so much of the image to the right and up: the logarithm of the
-/// longer side in texels.
+/// The level of a pixel with this footprint to the right and up: the logarithm of its longer side
+/// in texels.
 fn of_lengths(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     let [width, height, depth] = texture.image.size();
     let depth = if texture.image.shape() == ImageShape::Volume {
@@ -81,8 +82,8 @@ fn of_lengths(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     0.5 * logarithm(square(x).max(square(y)))
 }
 
-/// The level of a pixel that covers so much of a cube: since it may lie on several faces, the largest
-/// distance in any two directions counts.
+/// The level of a pixel with this footprint on a cube map. It may lie on several faces, so the
+/// maximum over all axes counts.
 fn of_directions(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     let distance = |[a, b, c]: [f32; 3]| {
         let [a, b, c] = [a.abs(), b.abs(), c.abs()];
@@ -92,9 +93,9 @@ fn of_directions(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     logarithm(distance(x).max(distance(y)) * width as f32)
 }
 
-/// The binary logarithm as graphics hardware takes it: the exponent of the square, and what follows
-/// it as its fraction. It is the logarithm at powers of two and of their roots, and nowhere off by
-/// more than 0.05.
+/// An approximation of the binary logarithm, as in graphics hardware: the exponent of the square,
+/// with the mantissa as the fraction. Exact at powers of two and of their square roots; the error
+/// is at most 0.05.
 fn logarithm(number: f32) -> f32 {
     const MANTISSA: u32 = 1 << (f32::MANTISSA_DIGITS - 1);
     let square = number * number;
@@ -102,7 +103,7 @@ fn logarithm(number: f32) -> f32 {
     0.5 * bits / MANTISSA as f32
 }
 
-/// How far the furthest coordinate is from zero.
+/// The largest absolute coordinate.
 pub(super) fn major([x, y, z]: [f32; 3]) -> f32 {
     x.abs().max(y.abs()).max(z.abs())
 }
@@ -111,7 +112,7 @@ fn difference([a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
     [a - x, b - y, c - z]
 }
 
-/// Up to three coordinates of a lane; the rest are 0.
+/// Up to three coordinates of a lane; missing ones are 0.
 pub(super) fn vector<T: Copy + Default>(rows: &[[T; LANES]], lane: usize) -> [T; 3] {
     let mut vector = [T::default(); 3];
     for (slot, row) in vector.iter_mut().zip(rows) {

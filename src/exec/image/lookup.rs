@@ -1,11 +1,11 @@
-//! Lookups of 32 pixels at a time.
+//! Texture lookups for 32 pixels at a time.
 
 use super::level::{levels, vector};
 use super::{Filter, Image, ImageShape, Lookup, Sampling, Texels, Texture, Wrap, cube};
 use crate::row::LANES;
 use wide::f32x4;
 
-/// What the sampler gives, as bits; the lanes whose bit is not set are not looked up.
+/// The result of a lookup, as bits. Only the lanes in the mask are looked up.
 pub(crate) fn lookup(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u32; LANES]; 4] {
     let Some(first) = texture.image.level(0).filter(|_| texture.is_complete()) else {
         return incomplete(&texture.image);
@@ -23,7 +23,7 @@ pub(crate) fn lookup(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u3
     }
 }
 
-/// What is read of a texture that lacks something its filter needs.
+/// The result for an incomplete texture.
 fn incomplete(image: &Image) -> [[u32; LANES]; 4] {
     let whole = image.level(0).is_some_and(Texels::whole);
     let one = if whole { 1 } else { 1.0_f32.to_bits() };
@@ -32,11 +32,11 @@ fn incomplete(image: &Image) -> [[u32; LANES]; 4] {
 
 /// Texels that are filtered as floats.
 trait Filtered: Sized + 'static {
-    /// Those of this kind.
+    /// The texels of this type.
     fn of(texels: &Texels) -> &[Self];
-    /// What is filtered.
+    /// The components to filter.
     fn parts(&self) -> f32x4;
-    /// What one is, after filtering.
+    /// The value of 1.0 after filtering.
     const ONE: f32;
 }
 
@@ -72,14 +72,14 @@ impl Filtered for [f32; 4] {
     const ONE: f32 = 1.0;
 }
 
-/// Where a lane looks: coordinates within a layer or face, and which of these.
+/// The location of a lookup: coordinates within a layer or face, and the index of it.
 #[derive(Clone, Copy)]
 struct Spot {
     at: [f32; 3],
     layer: u32,
 }
 
-/// How the levels of one lookup are read.
+/// The parameters for reading one level.
 struct Reading<'a> {
     shape: ImageShape,
     sampling: &'a Sampling,
@@ -148,7 +148,7 @@ fn nearest<T: Copy + Default>(
     found
 }
 
-/// Where coordinates lead.
+/// Splits coordinates into a location.
 #[inline(always)]
 fn spot(image: &Image, at: [f32; 3]) -> Spot {
     let [x, y, z] = at;
@@ -173,7 +173,7 @@ fn spot(image: &Image, at: [f32; 3]) -> Spot {
 }
 
 impl Reading<'_> {
-    /// The number of the nearest texel.
+    /// The index of the nearest texel.
     #[inline(always)]
     fn nearest(&self, size: [u32; 3], spot: Spot) -> usize {
         let [width, height, depth] = size;
@@ -199,7 +199,7 @@ impl Reading<'_> {
         self.sampling.wrap
     }
 
-    /// What one level gives.
+    /// The filtered value of one level.
     #[inline(always)]
     fn filtered(&self, size: [u32; 3], spot: Spot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
         let [width, height, depth] = size;
@@ -233,8 +233,8 @@ impl Reading<'_> {
     }
 }
 
-/// Between four texels of a face and its neighbours; where three faces meet, the fourth is the mean of
-/// the others.
+/// Bilinear filtering across the edges of cube faces. At a corner, the missing fourth texel is the
+/// average of the other three.
 fn of_face(side: u32, spot: Spot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
     let [s, t, _] = spot.at;
     let [s, t] = [s, t].map(|part| part * side as f32 - 0.5);
@@ -258,7 +258,7 @@ fn nearest_texel(at: f32, side: u32, wrap: Wrap, offset: i32) -> u32 {
     wrapped(texel.saturating_add(offset), side, wrap)
 }
 
-/// Two neighbouring texels along one coordinate, and how much the second one gives.
+/// Two neighbouring texels along one axis, and the weight of the second.
 #[derive(Clone, Copy)]
 struct Between {
     low: u32,
@@ -279,13 +279,12 @@ fn between(at: f32, side: u32, wrap: Wrap, offset: i32) -> Between {
     }
 }
 
-/// A coordinate in texels, where the image or its repetition begins: never far outside, and never a
-/// NaN.
+/// A coordinate in texels, relative to the image or its repetition; never far outside, never NaN.
 #[inline(always)]
 fn scaled(at: f32, side: u32, wrap: Wrap) -> f32 {
     let side = side as f32;
     let fraction = |at: f32| {
-        // Floats of this size have no fraction; the comparison turns a NaN away too.
+        // Floats of this magnitude have no fraction. The comparison is also false for NaN.
         if at.abs() < 8_388_608.0 {
             at - floor(at) as f32
         } else {
@@ -293,14 +292,14 @@ fn scaled(at: f32, side: u32, wrap: Wrap) -> f32 {
         }
     };
     match wrap {
-        // Beyond half a texel outside nothing changes.
+        // More than half a texel outside, nothing changes.
         Wrap::Clamp => (at * side).max(-1.0).min(side + 1.0),
         Wrap::Repeat => fraction(at) * side,
         Wrap::Mirror => fraction(at * 0.5) * (2.0 * side),
     }
 }
 
-/// The texel that stands at a number which may lie outside of the image.
+/// The texel at an index that may be outside the image.
 #[inline(always)]
 fn wrapped(number: i32, side: u32, wrap: Wrap) -> u32 {
     let side = side as i32;
@@ -334,8 +333,8 @@ fn number(width: u32, height: u32, [x, y, slice]: [u32; 3]) -> usize {
     (slice as usize * height as usize + y as usize) * width as usize + x as usize
 }
 
-/// One texel of a level, as bits; outside of the image all are 0, and instead of a level that there
-/// is not the nearest is read, as measured in a browser.
+/// One texel of a level, as bits. Zero outside the image; a missing level is replaced by the
+/// nearest one, as measured in a browser.
 pub(crate) fn fetch(
     texture: &Texture,
     texel: &[[i32; LANES]],
@@ -372,7 +371,7 @@ pub(crate) fn fetch(
     found
 }
 
-/// The bits that one texel gives unfiltered.
+/// The bits of a texel, unfiltered.
 fn bits(texels: &Texels, number: usize) -> [u32; 4] {
     let parts = match texels {
         Texels::Unorm8(texels) => texels
@@ -387,7 +386,7 @@ fn bits(texels: &Texels, number: usize) -> [u32; 4] {
     parts.unwrap_or_default()
 }
 
-/// The size of a level in texels; the layers of an array stay as many.
+/// The size of a level in texels; the number of layers is the same for all levels.
 pub(crate) fn size_of(texture: &Texture, level: &[i32; LANES]) -> [[i32; LANES]; 3] {
     let mut sizes = [[0; LANES]; 3];
     for (lane, level) in level.iter().enumerate() {
@@ -403,7 +402,7 @@ pub(crate) fn size_of(texture: &Texture, level: &[i32; LANES]) -> [[i32; LANES];
     sizes
 }
 
-/// The numbers of the lanes whose bit is set.
+/// The indices of the lanes in a mask.
 fn lanes_of(lanes: u32) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |lane| lanes >> lane & 1 == 1)
 }

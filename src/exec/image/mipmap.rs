@@ -1,9 +1,9 @@
-//! The levels of an image.
+//! Mipmap generation.
 
 use super::texels::Texels;
 
-/// The next level: each texel is what lies in the middle of those that it stands for, between two
-/// along each side that is halved. Sides of a level that is not even lose the rest, as in browsers.
+/// Generates the next level: each texel is interpolated at the centre of the area that it covers,
+/// between two texels along each halved axis. Odd sizes are rounded down, as in browsers.
 pub(super) fn half(texels: &Texels, from: [u32; 3], to: [u32; 3]) -> Texels {
     match texels {
         Texels::Unorm8(texels) => Texels::Unorm8(
@@ -54,8 +54,8 @@ fn shrink<T>(
     shrunk
 }
 
-/// For each texel along a side of the smaller level: the two of the larger one that it lies between,
-/// and what each gives.
+/// For each texel of the smaller level along one axis: the two texels of the larger level to
+/// interpolate, with their weights.
 fn taps(from: u32, to: u32) -> Vec<Vec<(usize, f32)>> {
     let step = from as f32 / to as f32;
     let last = from as usize - 1;

@@ -1,4 +1,4 @@
-//! Textures: what they hold, and how they are looked up.
+//! Textures: images with mipmaps, and sampler state.
 
 mod cube;
 mod level;
@@ -14,10 +14,10 @@ use super::row::LANES;
 use shaderlint_semantic::{Sampler, Scalar};
 use std::sync::Arc;
 
-/// The longest side of an image.
+/// Maximum side length of an image.
 const MAX_SIDE: u32 = 8192;
 
-/// What the coordinates of an image mean.
+/// The dimensionality of an image.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ImageShape {
     /// `sampler2D`
@@ -30,65 +30,67 @@ pub enum ImageShape {
     Layers,
 }
 
-/// What a lookup is given, the coordinates divided already where it projects.
+/// The operands of a lookup, after projection.
 pub(crate) struct Lookup<'a> {
-    /// As many as the sampler takes; of arrays the layer comes last.
+    /// One row per coordinate of the sampler; the layer of an array comes last.
     pub coordinates: &'a [[f32; LANES]],
-    /// What a shadow sampler compares the texels with: 1 where it is not more.
+    /// The depth reference of a shadow sampler: the result is 1 where it is not greater than the
+    /// texel.
     pub reference: Option<&'a [f32; LANES]>,
-    /// Which level is read.
+    /// The level to read.
     pub level: LevelOf<'a>,
-    /// In texels.
+    /// The offset in texels.
     pub offset: [i32; 3],
 }
 
-/// Where the level of a lookup comes from.
+/// How the level of a lookup is determined.
 pub(crate) enum LevelOf<'a> {
-    /// From how the coordinates grow in the quad.
+    /// From the derivatives of the coordinates in the quad.
     Implicit {
-        /// Added to it.
+        /// A bias added to the level.
         bias: Option<&'a [f32; LANES]>,
     },
-    /// Given.
+    /// The level is explicit.
     Explicit(&'a [f32; LANES]),
-    /// From how the coordinates are said to grow.
+    /// From explicit gradients of the coordinates.
     Gradient {
-        /// To the right, by coordinate.
+        /// The gradient to the right, by coordinate.
         x: &'a [[f32; LANES]],
-        /// Up, by coordinate.
+        /// The gradient upwards, by coordinate.
         y: &'a [[f32; LANES]],
     },
 }
 
-/// An image with its levels.
+/// An image with its mipmap levels.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Image {
     shape: ImageShape,
     size: [u32; 3],
-    /// Never none, all of one kind; level 0 is the sharpest, each next one half as large.
+    /// At least one level, all of the same format; level 0 is the largest, each further one half
+    /// its size.
     levels: Vec<Texels>,
 }
 
-/// Why texels make no image.
+/// Why texels do not form an image.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ImageProblem {
-    /// A side is zero or longer than any side may be, or does not fit the shape.
+    /// A side is zero or exceeds the maximum, or the size does not fit the shape.
     Size([u32; 3]),
-    /// There are more or fewer texels than the size says.
+    /// The number of texels does not match the size.
     Count {
-        /// As many as the size says.
+        /// The number of texels required by the size.
         expected: usize,
-        /// As many as were given.
+        /// The number of texels supplied.
         given: usize,
     },
 }
 
 impl Image {
-    /// An image of one level. The size is the width, the height, and the depth or the number of
-    /// layers: 1 if the image is flat, 6 if it is a cube.
+    /// An image with one level. `size` is the width, the height, and the depth or number of layers:
+    /// 1 for a flat image, 6 for a cube map.
     ///
     /// # Errors
-    /// If the size does not fit the shape or the texels.
+    /// The size does not fit the shape or the number of texels.
     pub fn new(shape: ImageShape, size: [u32; 3], texels: Texels) -> Result<Image, ImageProblem> {
         let [width, height, depth] = size;
         let fits = match shape {
@@ -113,7 +115,7 @@ impl Image {
         })
     }
 
-    /// What a sampler without a texture reads: black that covers all.
+    /// The image of an unbound sampler: opaque black.
     pub fn unbound(sampler: Sampler) -> Image {
         let (shape, scalar) = kind_of(sampler);
         let layers = if shape == ImageShape::Cube { 6 } else { 1 };
@@ -129,8 +131,7 @@ impl Image {
         }
     }
 
-    /// The image with all its levels, each made of the one before it, as `generateMipmap` does.
-    /// Integers have none.
+    /// Generates all mipmap levels, like `generateMipmap`. Integer formats have none.
     #[must_use]
     pub fn with_levels(mut self) -> Image {
         self.levels.truncate(1);
@@ -148,22 +149,22 @@ impl Image {
         self
     }
 
-    /// What the coordinates mean.
+    /// The dimensionality.
     pub const fn shape(&self) -> ImageShape {
         self.shape
     }
 
-    /// Width, height, and depth or layers, of level 0.
+    /// Width, height, and depth or number of layers, of level 0.
     pub const fn size(&self) -> [u32; 3] {
         self.size
     }
 
-    /// The texels of a level.
+    /// The texels of a level; `None` if there is no such level.
     pub fn level(&self, level: usize) -> Option<&Texels> {
         self.levels.get(level)
     }
 
-    /// The size of a level, whether there is one or not.
+    /// The size of a level, whether it exists or not.
     fn size_at(&self, level: usize) -> [u32; 3] {
         let half = |side: u32| side.checked_shr(level as u32).unwrap_or(0).max(1);
         let [width, height, depth] = self.size;
@@ -174,7 +175,7 @@ impl Image {
         [half(width), half(height), depth]
     }
 
-    /// How many levels there are down to a single texel.
+    /// The number of levels down to a single texel.
     fn full_count(&self) -> usize {
         let [width, height, depth] = self.size;
         let longest = match self.shape {
@@ -185,50 +186,50 @@ impl Image {
     }
 }
 
-/// What lies between texels.
+/// Texture filtering.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Filter {
     /// The nearest texel.
     Nearest,
-    /// The texels around, weighted.
+    /// Linear interpolation of the surrounding texels.
     #[default]
     Linear,
-    /// As linear; and between the two nearest levels.
+    /// Linear, and between the two nearest mipmap levels.
     Mipmap,
 }
 
-/// What lies outside an image.
+/// Wrap mode: what coordinates outside the image read.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Wrap {
-    /// The texels of its edge.
+    /// Clamps to the edge.
     #[default]
     Clamp,
-    /// The image again.
+    /// Repeats the image.
     Repeat,
-    /// The image again, every other one mirrored.
+    /// Repeats the image, mirroring every second copy.
     Mirror,
 }
 
-/// How an image is looked up.
+/// Sampler state.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Sampling {
-    /// Between texels.
+    /// The filter between texels and levels.
     pub filter: Filter,
-    /// Outside, along each coordinate. Faces of cubes meet whatever it says.
+    /// The wrap mode of each coordinate; ignored for cube maps, which are seamless.
     pub wrap: [Wrap; 3],
 }
 
-/// An image as a sampler sees it.
+/// An image with sampler state.
 #[derive(Clone, Debug)]
 pub struct Texture {
-    /// The texels.
+    /// The image, which may be shared.
     pub image: Arc<Image>,
-    /// How it is looked up.
+    /// The sampler state.
     pub sampling: Sampling,
 }
 
 impl Texture {
-    /// What a sampler without a texture reads.
+    /// The texture of an unbound sampler.
     pub fn unbound(sampler: Sampler) -> Texture {
         Texture {
             image: Arc::new(Image::unbound(sampler)),
@@ -239,7 +240,7 @@ impl Texture {
         }
     }
 
-    /// Whether a sampler of this type can look it up.
+    /// Whether the texture fits a sampler type.
     pub fn fits(&self, sampler: Sampler) -> bool {
         let scalar = match self.image.levels.first() {
             Some(Texels::Int(_)) => Scalar::Int,
@@ -249,7 +250,8 @@ impl Texture {
         (self.image.shape, scalar) == kind_of(sampler)
     }
 
-    /// Whether there is all that its filter reads; else lookups give black.
+    /// Whether the texture is complete, i.e. has all levels that its filter needs; incomplete
+    /// textures read black.
     fn is_complete(&self) -> bool {
         let whole = self.image.levels.first().is_some_and(Texels::whole);
         match self.sampling.filter {
@@ -260,7 +262,7 @@ impl Texture {
     }
 }
 
-/// What a sampler looks up: the shape of the image, and what its texels are made of.
+/// The image shape and component type of a sampler type.
 fn kind_of(sampler: Sampler) -> (ImageShape, Scalar) {
     let shape = match sampler {
         Sampler::Sampler2D

@@ -1,10 +1,10 @@
-//! Tests of lookups; what they expect was compared with what Chromium draws.
+//! Tests of texture lookups; the expected values were compared with Chromium.
 
 use super::lookup::{fetch, lookup, size_of};
 use super::*;
 use crate::row::LANES;
 
-/// A gray image whose texels are these numbers of 255.
+/// A grey image with these texel values, of 255.
 fn gray(shape: ImageShape, size: [u32; 3], texels: &[u8]) -> Image {
     let texels = texels.iter().map(|gray| [*gray, 0, 0, 255]).collect();
     Image::new(shape, size, Texels::Unorm8(texels)).unwrap()
@@ -20,7 +20,7 @@ fn texture(image: Image, filter: Filter, wrap: Wrap) -> Texture {
     }
 }
 
-/// What the first lane reads, in 255ths, all lanes looking there.
+/// The red component in the first lane, times 255; all lanes have the same coordinates.
 fn red(texture: &Texture, at: &[f32], level: LevelOf<'_>, offset: [i32; 3]) -> f32 {
     let coordinates: Vec<_> = at.iter().map(|part| [*part; LANES]).collect();
     let found = lookup(
@@ -133,7 +133,7 @@ fn levels_are_means_and_halves_of_them_go_to_even() {
         Some(Texels::Unorm8(texels)) => texels.iter().map(|texel| texel[0]).collect(),
         _ => Vec::new(),
     };
-    // 0.5 and 25.5
+    // 0.5 and 25.5, rounded to even.
     assert_eq!(red(1), [0, 26]);
     assert_eq!(red(2), [13]);
     assert_eq!(image.level(3), None);
@@ -141,7 +141,7 @@ fn levels_are_means_and_halves_of_them_go_to_even() {
     let Some(Texels::Unorm8(texels)) = odd.level(1) else {
         panic!("there is a level")
     };
-    // Between 0 and 1, between 3 and 4: what lies in the middle of each half.
+    // Interpolated between texels 0 and 1, and 3 and 4: at the centre of each half.
     assert_eq!([texels[0][0], texels[1][0]], [75, 75]);
 }
 
@@ -160,7 +160,7 @@ fn the_level_follows_the_quad() {
         level: LevelOf::Implicit { bias: None },
         offset: [0; 3],
     };
-    // Four texels wide: the coarsest level.
+    // Four texels wide: the smallest level.
     let found = lookup(&texture, &given, u32::MAX);
     assert!(
         found[0]
@@ -218,7 +218,7 @@ fn faces_of_a_cube_meet() {
     for (axis, expected) in axes {
         check(&linear, &axis, expected);
     }
-    // On an edge the two faces give a half each, at a corner the three a third.
+    // At an edge the two faces contribute a half each, at a corner the three faces a third each.
     check(&linear, &[1.0, 1.0, 0.0], 40.0);
     check(&linear, &[0.0, -1.0, 1.0], 140.0);
     check(&linear, &[1.0, 1.0, 1.0], 80.0);

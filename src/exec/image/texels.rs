@@ -1,20 +1,20 @@
-//! The texels of a level.
+//! Texel storage.
 
-/// The texels of one level, layer by layer, each layer row by row, the row of coordinate 0 first.
+/// The texels of one level: by layer, then by row, starting with the row at coordinate 0.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Texels {
-    /// Of formats of 8 bits that give a `vec4` of 0 to 1.
+    /// 8-bit normalised formats, read as a `vec4` in 0..1.
     Unorm8(Vec<[u8; 4]>),
-    /// Of formats that give `vec4`.
+    /// Float formats, read as `vec4`.
     Float(Vec<[f32; 4]>),
-    /// Of formats that give `ivec4`.
+    /// Signed integer formats, read as `ivec4`.
     Int(Vec<[i32; 4]>),
-    /// Of formats that give `uvec4`.
+    /// Unsigned integer formats, read as `uvec4`.
     Uint(Vec<[u32; 4]>),
 }
 
 impl Texels {
-    /// How many there are.
+    /// The number of texels.
     pub fn count(&self) -> usize {
         match self {
             Texels::Unorm8(texels) => texels.len(),
@@ -24,13 +24,13 @@ impl Texels {
         }
     }
 
-    /// Colours as a canvas keeps them: what is not a number is 0.
+    /// Converts colours to 8 bits, as a canvas stores them; NaN becomes 0.
     pub fn of_colors(colors: &[[f32; 4]]) -> Texels {
         let byte = |part: f32| (part.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
         Texels::Unorm8(colors.iter().map(|color| color.map(byte)).collect())
     }
 
-    /// What one gives, as floats; nothing of those that there are not.
+    /// A texel as floats; zero if there is no such texel.
     pub fn color(&self, number: usize) -> [f32; 4] {
         let color = match self {
             Texels::Unorm8(texels) => texels
@@ -43,7 +43,7 @@ impl Texels {
         color.unwrap_or_default()
     }
 
-    /// Whether lookups give integers.
+    /// Whether lookups return integers.
     pub(super) fn whole(&self) -> bool {
         matches!(self, Texels::Int(_) | Texels::Uint(_))
     }

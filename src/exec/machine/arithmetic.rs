@@ -1,6 +1,6 @@
-//! Instructions that compute.
+//! Arithmetic instructions.
 
-#![expect(clippy::needless_range_loop, reason = "the registers may be the same")]
+#![expect(clippy::needless_range_loop, reason = "the registers may alias")]
 
 use super::{Bank, Machine};
 use crate::code::{F1, F2, F3, Instr, Reg};
@@ -9,16 +9,13 @@ use crate::row::{PARTS, Row, floats, of_floats, of_unsigned, unsigned};
 use shaderlint_math as math;
 use wide::{f32x8, i32x8};
 
-/// A comparison's answer for eight lanes.
+/// The bits of a comparison result in eight lanes.
 #[inline(always)]
 fn truth(lanes: f32x8) -> i32x8 {
     of_floats(lanes)
 }
 
-#[expect(
-    clippy::indexing_slicing,
-    reason = "there is a register for every number"
-)]
+#[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
 #[inline(always)]
 fn one(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> i32x8) {
     for part in 0..PARTS {
@@ -26,10 +23,7 @@ fn one(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> i32x8) {
     }
 }
 
-#[expect(
-    clippy::indexing_slicing,
-    reason = "there is a register for every number"
-)]
+#[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
 #[inline(always)]
 fn two(bank: &mut Bank, to: Reg, a: Reg, b: Reg, f: impl Fn(i32x8, i32x8) -> i32x8) {
     for part in 0..PARTS {
@@ -37,10 +31,7 @@ fn two(bank: &mut Bank, to: Reg, a: Reg, b: Reg, f: impl Fn(i32x8, i32x8) -> i32
     }
 }
 
-#[expect(
-    clippy::indexing_slicing,
-    reason = "there is a register for every number"
-)]
+#[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
 #[inline(always)]
 fn three(bank: &mut Bank, [to, a, b, c]: [Reg; 4], f: impl Fn(i32x8, i32x8, i32x8) -> i32x8) {
     for part in 0..PARTS {
@@ -52,26 +43,26 @@ fn three(bank: &mut Bank, [to, a, b, c]: [Reg; 4], f: impl Fn(i32x8, i32x8, i32x
     }
 }
 
-/// Of floats.
+/// A unary operation on floats.
 #[inline(always)]
 fn float_one(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(f32x8) -> f32x8) {
     one(bank, to, a, |a| of_floats(f(floats(a))));
 }
 
-/// Of floats.
+/// A binary operation on floats.
 #[inline(always)]
 fn float_two(bank: &mut Bank, to: Reg, a: Reg, b: Reg, f: impl Fn(f32x8, f32x8) -> f32x8) {
     two(bank, to, a, b, |a, b| of_floats(f(floats(a), floats(b))));
 }
 
-/// Unsigned lanes compare as signed ones with their highest bits turned.
+/// Flips the sign bits, so that a signed comparison orders unsigned numbers.
 #[inline(always)]
 fn turned(lanes: i32x8) -> i32x8 {
     lanes ^ i32x8::splat(i32::MIN)
 }
 
 impl Machine<'_> {
-    /// Runs an instruction that does not jump.
+    /// Executes an instruction that does not jump.
     #[inline(always)]
     pub(super) fn straight(&mut self, instr: &Instr) {
         match *instr {
@@ -187,7 +178,7 @@ fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
     }
 }
 
-/// One of the two numbers in a packed one.
+/// One of the two halves of a packed value.
 #[inline(always)]
 fn unpacked(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> [f32x8; 2], half: usize) {
     one(bank, to, a, |a| {
@@ -196,8 +187,9 @@ fn unpacked(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> [f32x8; 2], h
     });
 }
 
-/// In each quad, for all of its lanes: a neighbour of the first lane less that, as browsers do that
-/// draw by software. The language leaves open whether each lane is compared with its own neighbour.
+/// The derivative of each quad, for all of its lanes: a neighbour of the first lane minus the first
+/// lane, as software renderers in browsers compute it. The specification permits one derivative per
+/// quad.
 #[inline(always)]
 fn difference(a: i32x8, neighbour: usize) -> i32x8 {
     let lanes: [f32; 8] = floats(a).to_array();

@@ -1,4 +1,4 @@
-//! Elements whose numbers are computed.
+//! Dynamic indexing.
 
 use super::Machine;
 use crate::code::{ArraySite, Reg};
@@ -10,13 +10,13 @@ impl Machine<'_> {
         found.unwrap_or(ArraySite { base: 0, len: 1 })
     }
 
-    /// By lane: which of a site's scalars is meant; never one outside.
+    /// By lane: the register or word at the index, clamped to the site.
     fn chosen(&self, index: Reg, site: ArraySite) -> [u32; LANES] {
         let last = site.len.saturating_sub(1);
         self.row(index).bits().map(|n| site.base + n.min(last))
     }
 
-    /// The one that all lanes mean, if they do.
+    /// The index shared by all lanes, if it is uniform.
     fn shared(chosen: &[u32; LANES]) -> Option<u32> {
         let (first, rest) = chosen.split_first()?;
         rest.iter().all(|n| n == first).then_some(*first)
@@ -55,19 +55,13 @@ impl Machine<'_> {
         self.set(to, row);
     }
 
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "there is a register for every number"
-    )]
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     fn lane(&self, reg: Reg, lane: usize) -> u32 {
         let part = &self.bank[reg as usize][lane / 8 % super::PARTS];
         part.as_array()[lane % 8] as u32
     }
 
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "there is a register for every number"
-    )]
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     fn set_lane(&mut self, reg: Reg, lane: usize, bits: u32) {
         let part = &mut self.bank[reg as usize][lane / 8 % super::PARTS];
         part.as_mut_array()[lane % 8] = bits as i32;

@@ -1,7 +1,7 @@
-//! Runs register code for 32 pixels at a time.
+//! The VM: a SIMD interpreter that executes bytecode for 32 pixels at a time.
 //!
-//! Which lanes take part is a word with a bit for each. Registers of lanes that do not take part may
-//! hold anything; what lives on behind a construct is written in lanes that take part alone.
+//! The execution mask has one bit per lane. Registers of inactive lanes may hold anything;
+//! variables that outlive a construct are written only in active lanes.
 
 mod arithmetic;
 mod array;
@@ -15,40 +15,40 @@ use shaderlint_semantic::Scalar;
 use watch::Watched;
 use wide::i32x8;
 
-/// All registers of a shader. The number of a register is never outside.
+/// All registers of a shader. The compiler guarantees that register indices are in bounds.
 type Bank = [[i32x8; PARTS]];
 
-/// The pixels of 32 lanes.
+/// The pixels executed together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
     /// By lane.
     pub pixels: [[u32; 2]; LANES],
-    /// The lanes that are asked for; the others are neighbours of these that only help.
+    /// The requested lanes; the others are helper lanes for derivatives.
     pub wanted: u32,
 }
 
-/// A machine with a shader in it.
+/// The state of the VM.
 pub(super) struct Machine<'d> {
     draw: &'d Draw<'d>,
     code: &'d Code,
     bank: Box<Bank>,
     masks: Vec<u32>,
-    /// The lanes that take part.
+    /// The execution mask: the active lanes.
     active: u32,
-    /// The lanes that were not discarded.
+    /// The lanes that are not discarded.
     live: u32,
-    /// The lanes that are counted.
+    /// The lanes that are counted in statistics.
     wanted: u32,
-    /// A mask, and the register that has all bits set in its lanes.
+    /// Cache of an expanded mask: the mask, and the register with all bits set in its lanes.
     spread: (u32, [i32x8; PARTS]),
     fuel: u64,
-    /// How many instructions were run in all.
+    /// The number of instructions executed so far.
     pub spent: u64,
     tile: Tile,
     pub watched: Watched,
 }
 
-/// The lanes of a mask, all bits set.
+/// Expands a mask to all bits set in its lanes.
 fn spread(mask: u32) -> [i32x8; PARTS] {
     const BITS: [i32; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
     let bits = i32x8::new(BITS);
@@ -58,13 +58,13 @@ fn spread(mask: u32) -> [i32x8; PARTS] {
     })
 }
 
-/// One bit for each lane whose highest bit is set.
+/// A bit mask of the lanes whose highest bit is set.
 fn mask_of(row: &[i32x8; PARTS]) -> u32 {
     Row(*row).mask()
 }
 
 impl<'d> Machine<'d> {
-    /// A machine that has run what is the same for all pixels.
+    /// Creates a VM and executes the uniform prologue.
     pub fn new(draw: &'d Draw<'d>) -> Machine<'d> {
         let code = draw.code;
         let mut machine = Machine {
@@ -93,10 +93,10 @@ impl<'d> Machine<'d> {
         machine
     }
 
-    /// Runs a tile. Gives the lanes that were not discarded.
+    /// Executes a tile. Returns the lanes that were not discarded.
     ///
     /// # Errors
-    /// When it takes too many operations.
+    /// The tile ran out of fuel.
     pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
         self.open(tile);
         (self.active, self.live) = (u32::MAX, u32::MAX);
@@ -105,7 +105,7 @@ impl<'d> Machine<'d> {
             pixel: m.tile.pixels.first().copied().unwrap_or_default(),
         };
         let code = self.code;
-        // Each instruction runs once, those in loops again.
+        // Each instruction runs once; only repeats in loops are charged as fuel.
         let once = self.spent.saturating_add(code.body.len() as u64);
         let Some(left) = self.draw.budget.checked_sub(once) else {
             return Err(out_of_fuel(self));
@@ -133,44 +133,35 @@ impl<'d> Machine<'d> {
         Ok(self.live & self.wanted)
     }
 
-    /// What was seen in all tiles.
+    /// The statistics of all tiles.
     pub fn finish(self) -> super::seen::Seen {
         self.watched.finish(self.code)
     }
 
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "there is a register for every number"
-    )]
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     #[inline(always)]
     fn bits(&self, reg: Reg) -> &[i32x8; PARTS] {
         &self.bank[reg as usize]
     }
 
-    /// What a register holds.
+    /// The value of a register.
     pub fn row(&self, reg: Reg) -> Row {
         Row(self.get(reg))
     }
 
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "there is a register for every number"
-    )]
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     #[inline(always)]
     fn get(&self, reg: Reg) -> [i32x8; PARTS] {
         self.bank[reg as usize]
     }
 
-    #[expect(
-        clippy::indexing_slicing,
-        reason = "there is a register for every number"
-    )]
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     #[inline(always)]
     fn set(&mut self, reg: Reg, row: Row) {
         self.bank[reg as usize] = row.0;
     }
 
-    /// Sets the inputs of the tile's pixels.
+    /// Loads the inputs of the tile's pixels.
     fn inputs(&mut self) {
         let draw = self.draw;
         for (slot, planes) in self.code.inputs.iter().zip(&draw.inputs) {
@@ -192,7 +183,7 @@ impl<'d> Machine<'d> {
         }
     }
 
-    /// The lanes that take part, all bits set.
+    /// The execution mask, expanded to all bits.
     fn spread(&mut self) -> [i32x8; PARTS] {
         if self.spread.0 != self.active {
             self.spread = (self.active, spread(self.active));
@@ -212,12 +203,12 @@ impl<'d> Machine<'d> {
         }
     }
 
-    /// Where nobody takes part, on from there.
+    /// Jumps if no lane is active.
     fn unless_any(&self, to: Target) -> Option<Step> {
         (self.active == 0).then_some(Step::To(to))
     }
 
-    /// Runs an instruction; gives where it jumps to.
+    /// Executes an instruction. Returns the jump to take.
     #[inline(always)]
     fn jump(&mut self, instr: &Instr) -> Option<Step> {
         match *instr {
@@ -280,10 +271,10 @@ impl<'d> Machine<'d> {
     }
 }
 
-/// Where a jump leads.
+/// The target of a jump.
 enum Step {
-    /// There.
+    /// Forwards.
     To(Target),
-    /// There, which was run before.
+    /// Backwards, to instructions already executed.
     Back(Target),
 }

@@ -1,4 +1,4 @@
-//! Lookups in textures.
+//! Texture lookup instructions.
 
 use super::Machine;
 use crate::code::{LookupQuery, LookupSite, Reg};
@@ -7,7 +7,7 @@ use crate::image::{LevelOf, Lookup, Texture};
 use crate::row::{LANES, Row};
 
 impl Machine<'_> {
-    /// Asks a texture.
+    /// Executes a lookup.
     pub(super) fn ask(&mut self, site: u32) {
         let code = self.code;
         let Some(site) = code.lookups.get(site as usize) else {
@@ -23,7 +23,7 @@ impl Machine<'_> {
         }
     }
 
-    /// What a sampler without a texture gives: black, and opaque.
+    /// The result for a sampler without a texture: opaque black.
     fn nothing(&self, site: &LookupSite) -> [[u32; LANES]; 4] {
         let sampler = self.code.samplers.get(site.sampler as usize);
         let is_integer = sampler.is_some_and(|s| {

@@ -1,4 +1,4 @@
-//! What is watched while a shader runs.
+//! Collects the statistics of a run.
 
 use super::{Machine, Tile, mask_of};
 use crate::code::{CallPath, Checked, Code, Look, Reg};
@@ -11,27 +11,27 @@ use shaderlint_math as math;
 use shaderlint_semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
 use wide::{f32x8, i32x8};
 
-/// Turns from which on loops are counted alike.
+/// The last bucket of iteration histograms.
 const MOST_TURNS: usize = 1024;
 
-/// What was seen so far.
+/// The statistics so far, and those of the current tile.
 pub(crate) struct Watched {
-    /// By lane: what it paid in the tile.
+    /// By lane: the cost in this tile.
     cost: [i32x8; PARTS],
-    /// By lane: the turns of all loops in the tile.
+    /// By lane: the iterations of all loops in this tile.
     turns: [i32x8; PARTS],
-    /// What any pixel of the tile paid, those at the same time counted once.
+    /// The operations executed for this tile, counted once for all its pixels.
     ran: u32,
-    /// By path of calls: what all pixels paid.
+    /// By call path: the cost summed over pixels.
     paid: Vec<u64>,
     loops: Vec<LoopCount>,
-    /// By check: how often pixels came to it.
+    /// By check: how often pixels executed it.
     visits: Vec<u64>,
     compared: Vec<Ends>,
     seen: Seen,
 }
 
-/// What a comparison met, by lane: the least and the largest number on either side.
+/// The minimum and maximum of the operands of a comparison, by lane.
 struct Ends {
     held: u64,
     failed: u64,
@@ -39,15 +39,15 @@ struct Ends {
     high: [[f32x8; PARTS]; 2],
 }
 
-/// A loop, in a tile.
+/// The state of a loop in the current tile.
 struct LoopCount {
-    /// The lanes that are in it.
+    /// The lanes inside it.
     entered: u32,
-    /// By lane: the turns of this entry.
+    /// By lane: the iterations of this entry.
     turns: [i32x8; PARTS],
-    /// By lane: the most turns of an entry, in this tile.
+    /// By lane: the maximum iterations of an entry in this tile.
     most: [u32; LANES],
-    /// The lanes that came here in this tile, and those that exhausted it.
+    /// The lanes that entered it in this tile, and those for which its condition became false.
     came: u32,
     exhausted: u32,
 }
@@ -81,7 +81,7 @@ impl Watched {
         }
     }
 
-    /// All that was seen.
+    /// The statistics of all tiles.
     pub fn finish(mut self, code: &Code) -> Seen {
         let seen = &mut self.seen;
         for (site, visits) in code.checks.iter().zip(self.visits) {
@@ -97,12 +97,12 @@ impl Watched {
         self.seen
     }
 
-    /// By lane: what it paid in the tile.
+    /// By lane: the cost in this tile.
     pub fn cost(&self) -> [u32; LANES] {
         Row(self.cost).bits()
     }
 
-    /// By lane: the turns of all loops in the tile.
+    /// By lane: the iterations of all loops in this tile.
     pub fn turns(&self) -> [u32; LANES] {
         Row(self.turns).bits()
     }
@@ -125,7 +125,7 @@ impl Watched {
         }
     }
 
-    /// Some lanes leave a loop since its condition is false.
+    /// Records the lanes that leave a loop because its condition is false.
     pub fn exhaust(&mut self, number: u32, lanes: u32) {
         let count = self.loops.get_mut(number as usize);
         let seen = self.seen.loops.get_mut(number as usize);
@@ -160,12 +160,13 @@ impl Watched {
         }
     }
 
-    /// What the tile took as a whole: more than a pixel of it did, where pixels went other ways.
+    /// The operations executed for this tile, which is more than the cost of any pixel if they
+    /// diverge.
     pub const fn ran(&self) -> u32 {
         self.ran
     }
 
-    /// Some lanes pay, so many of them for pixels that are counted, for what a path of calls leads to.
+    /// Charges lanes for operations. `pixels` is the number of them that are counted.
     pub fn spend(&mut self, [cost, by]: [u32; 2], pixels: u32, lanes: &[i32x8; PARTS]) {
         if pixels > 0 {
             self.ran = self.ran.saturating_add(cost);
@@ -179,7 +180,7 @@ impl Watched {
         }
     }
 
-    /// A tile begins.
+    /// Starts a tile.
     pub fn open(&mut self) {
         self.cost = Row::ZERO.0;
         self.turns = Row::ZERO.0;
@@ -190,7 +191,7 @@ impl Watched {
         }
     }
 
-    /// A tile ends.
+    /// Ends a tile.
     pub fn close(&mut self, wanted: u32) {
         self.seen.pixels += wanted.count_ones() as u64;
         for (lane, cost) in self.cost().into_iter().enumerate() {
@@ -224,7 +225,7 @@ impl Watched {
     }
 }
 
-/// What each function cost, by what was paid on the paths that lead to it and through it.
+/// The cost of each function, from the costs of all call paths that contain it.
 fn functions_seen(calls: &[CallPath], paid: &[u64]) -> Vec<FunctionSeen> {
     let mut seen: Vec<FunctionSeen> = Vec::new();
     let mut add = |function: Option<FunctionRef>, own: u64, whole: u64| {
@@ -244,7 +245,7 @@ fn functions_seen(calls: &[CallPath], paid: &[u64]) -> Vec<FunctionSeen> {
     };
     for (path, &paid) in calls.iter().zip(paid) {
         add(path.function, paid, paid);
-        // No function calls itself, so that each is on the way once.
+        // There is no recursion, so a function occurs once per path.
         let next = |path: &CallPath| calls.get(path.caller? as usize).copied();
         for caller in std::iter::successors(next(path), next) {
             add(caller.function, 0, paid);
@@ -267,7 +268,7 @@ impl LoopSeen {
         }
     }
 
-    /// A pixel took this many turns at most.
+    /// Adds a pixel with this maximum number of iterations.
     fn count(&mut self, most: u32) {
         self.most = self.most.max(most);
         let at = (most as usize).min(MOST_TURNS);
@@ -324,7 +325,7 @@ impl Ends {
 }
 
 impl Checked {
-    /// What can go wrong.
+    /// The kinds of faults that a check may report.
     const fn kinds(self) -> &'static [Kind] {
         match self {
             Checked::Float => &[Kind::Nan, Kind::Infinite],
@@ -337,7 +338,7 @@ impl Checked {
 }
 
 impl ComparedSeen {
-    /// Adds what was seen elsewhere.
+    /// Merges the statistics of another thread.
     fn add(&mut self, other: &ComparedSeen) {
         self.held += other.held;
         self.failed += other.failed;
@@ -352,8 +353,8 @@ impl ComparedSeen {
     }
 }
 
-/// Eight lanes as the numbers that they stand for. Integers beyond 2^24 are rounded, so that one that
-/// is greater than another may seem as great.
+/// Converts eight lanes to floats. Integers beyond 2^24 are rounded, so that different ones may
+/// become equal.
 fn numbers(part: i32x8, scalar: Scalar) -> f32x8 {
     match scalar {
         Scalar::Int => math::float_of_int(part),
@@ -362,19 +363,19 @@ fn numbers(part: i32x8, scalar: Scalar) -> f32x8 {
     }
 }
 
-/// The lanes of a mask whose neighbours are in it, too: all four of a quad.
+/// The lanes of a mask whose quad is completely in it.
 const fn whole_quads(lanes: u32) -> u32 {
     let first = lanes & lanes >> 1 & lanes >> 2 & lanes >> 3 & 0x1111_1111;
     first | first << 1 | first << 2 | first << 3
 }
 
-/// The lanes whose float is infinite or a NaN: all bits of its exponent are set.
+/// The lanes with an infinite or NaN float: all exponent bits are set.
 fn unusual(bits: &[i32x8; PARTS]) -> u32 {
     let exponent = i32x8::splat(0x7f80_0000);
     lanes_of(bits, |part| (part & exponent).simd_eq(exponent))
 }
 
-/// The lanes in which a test, eight of them at a time, sets the highest bit.
+/// The lanes in which a test sets the highest bit.
 #[inline(always)]
 fn lanes_of(bits: &[i32x8; PARTS], test: impl Fn(i32x8) -> i32x8) -> u32 {
     let parts = bits.iter().enumerate();
@@ -383,14 +384,14 @@ fn lanes_of(bits: &[i32x8; PARTS], test: impl Fn(i32x8) -> i32x8) -> u32 {
     })
 }
 
-/// The lanes whose float is one of some.
+/// The lanes whose float satisfies a predicate.
 fn lanes_where(row: Row, is: impl Fn(f32) -> bool) -> u32 {
     let lanes = row.floats().into_iter().enumerate();
     lanes.fold(0, |mask, (lane, v)| mask | (is(v) as u32) << lane)
 }
 
 impl Machine<'_> {
-    /// Looks at a result.
+    /// Checks a result for faults.
     pub(super) fn look(&mut self, look: u32) {
         let code = self.code;
         let Some(look) = code.looks.get(look as usize) else {
@@ -422,7 +423,7 @@ impl Machine<'_> {
         }
     }
 
-    /// The lanes whose last operand, the divisor, is zero: if a float, of either sign.
+    /// The lanes whose last operand, the divisor, is zero (of either sign).
     fn zeros(&self, look: &Look, scalar: Scalar) -> u32 {
         let Some(divisor) = look.operands.last() else {
             return 0;
@@ -433,7 +434,7 @@ impl Machine<'_> {
         })
     }
 
-    /// The pixel of a lane, and what the operation worked on there.
+    /// The pixel of a lane, with the operands of the operation.
     fn witness(&self, scalar: Scalar, look: &Look, lane: usize) -> Witness {
         let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
         let number = |bits: u32| match scalar {
@@ -448,7 +449,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Looks at a comparison.
+    /// Records the operands of a comparison.
     pub(super) fn compare(&mut self, number: u32) {
         let code = self.code;
         let Some(&comparison) = code.comparisons.get(number as usize) else {
@@ -468,7 +469,7 @@ impl Machine<'_> {
             let parts = lows.iter_mut().zip(highs).zip(side).zip(lanes);
             for (((low, high), part), lanes) in parts {
                 let values = numbers(part, comparison.scalar);
-                // A comparison with a NaN is false, so that it changes neither end.
+                // Comparisons with NaN are false, so NaN changes neither bound.
                 let counts = floats(lanes);
                 *low = (values.simd_lt(*low) & counts).bitselect(values, *low);
                 *high = (values.simd_gt(*high) & counts).bitselect(values, *high);
@@ -476,7 +477,7 @@ impl Machine<'_> {
         }
     }
 
-    /// The lanes in which a test of operands holds; of one that is not there, none.
+    /// The lanes in which an operand test holds; none if the operand is missing.
     fn holds(&self, test: &OperandTest, scalar: Scalar, look: &Look) -> u32 {
         let operand = |number: usize| {
             let row = self.row(*look.operands.get(number)?);
@@ -502,7 +503,7 @@ impl Machine<'_> {
         mask_of(&lanes)
     }
 
-    /// The lanes whose operands leave a result undefined.
+    /// The lanes whose operands make the result undefined.
     fn undefined(&self, Undefined(cases): Undefined, scalar: Scalar, look: &Look) -> u32 {
         cases.iter().fold(0, |any, case| {
             let tests = case.iter().map(|test| self.holds(test, scalar, look));
@@ -510,7 +511,7 @@ impl Machine<'_> {
         })
     }
 
-    /// The lanes in which something went wrong.
+    /// The lanes with a fault of this kind.
     fn wrong(&self, kind: Kind, checked: Checked, look: &Look) -> u32 {
         let result = self.row(look.result);
         let operands = || look.operands.iter().map(|reg| self.row(*reg));
@@ -545,7 +546,7 @@ impl Machine<'_> {
         }
     }
 
-    /// A tile begins.
+    /// Starts a tile.
     pub(super) fn open(&mut self, tile: &Tile) {
         self.tile = *tile;
         self.wanted = tile.wanted;
@@ -554,7 +555,7 @@ impl Machine<'_> {
 }
 
 impl Seen {
-    /// Adds what was seen elsewhere in the same draw.
+    /// Merges the statistics of another thread of the same draw.
     pub fn add(&mut self, other: Seen) {
         if self.pixels == 0 {
             *self = other;

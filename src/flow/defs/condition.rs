@@ -1,5 +1,4 @@
-//! What a condition speaks of: the comparisons that it is made of, and the values that those are
-//! made of.
+//! Decomposes conditions into comparisons, and comparisons into the values that they constrain.
 
 use super::def::{Def, DefId, Defs, Hop, Premise, Refinement};
 use crate::same::is_same;
@@ -7,13 +6,13 @@ use shaderlint_ir::{Binary, Module, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_semantic::builtins::Transfer;
 
-/// Most parts of a condition, and of a comparison, that are looked at.
+/// Maximum number of parts of a condition, and of a comparison, that are visited.
 const MAX_PARTS: usize = 24;
-/// Most hops from a comparison to what it tells of.
+/// Maximum number of hops from a comparison to a load.
 const MAX_HOPS: u8 = 16;
 
-/// Calls `each` with every comparison, or other condition, that holds or does not where `condition`
-/// does.
+/// Calls `each` with every comparison, or other atomic condition, that is known to be true or false
+/// if `condition` has the value `truth`.
 pub fn each_comparison(
     module: &Module,
     defs: &Defs,
@@ -31,7 +30,7 @@ pub fn each_comparison(
     parts.condition(condition, truth);
 }
 
-/// A walk over the parts of a condition, the left ones first, as long as there are not too many.
+/// A depth-first walk over the parts of a condition, left to right, up to a limit.
 struct Parts<'a, F> {
     module: &'a Module,
     defs: &'a Defs,
@@ -63,14 +62,14 @@ impl<F: FnMut(Premise)> Parts<'_, F> {
             }
             OpKind::Binary(op, ..) if op.compares() => (self.each)(told),
             OpKind::Same { left, negated, .. } => {
-                // Of vectors that differ it is not known where.
+                // For vectors that differ, the differing component is not known.
                 let ty = self.module.ty(left);
                 if ty.is_scalar() || ty.is_vector() && truth != negated {
                     (self.each)(told);
                 }
             }
             OpKind::Load(_) => self.held(self.defs.seen(at, 0), truth),
-            // A function that is nothing but a condition.
+            // A function that only returns a condition.
             OpKind::Call(function, _) if self.call.is_none() => {
                 if let Some(value) = self.defs.value_of(function) {
                     self.call = Some(at);
@@ -82,7 +81,7 @@ impl<F: FnMut(Premise)> Parts<'_, F> {
         }
     }
 
-    /// What was put into a variable of type `bool` that is true or false now.
+    /// Decomposes the value of a `bool` variable that is known to be true or false.
     fn held(&mut self, def: DefId, truth: bool) {
         let (module, defs) = (self.module, self.defs);
         let value = |def| match defs.get(defs.unrefined(def)) {
@@ -110,7 +109,7 @@ impl<F: FnMut(Premise)> Parts<'_, F> {
                 _ => value == condition && met != truth,
             })
         };
-        // The side that gives the other answer was not taken.
+        // The side that gives the opposite answer was not taken.
         let (met, taken) = match (is_out(otherwise, false), is_out(then, true)) {
             (true, _) => (true, then),
             (_, true) => (false, otherwise),
@@ -123,7 +122,7 @@ impl<F: FnMut(Premise)> Parts<'_, F> {
     }
 }
 
-/// The two sides of a comparison.
+/// The two operands of a comparison.
 pub(super) fn sides(module: &Module, comparison: OpId) -> Option<(OpId, OpId)> {
     match module.op(comparison).kind {
         OpKind::Binary(_, left, right) | OpKind::Same { left, right, .. } => Some((left, right)),
@@ -131,7 +130,8 @@ pub(super) fn sides(module: &Module, comparison: OpId) -> Option<(OpId, OpId)> {
     }
 }
 
-/// Calls `each` with every load that a comparison tells something of: the load, its lane, and how.
+/// Calls `each` with every load that a comparison constrains: the load, its component, and the path
+/// to it.
 pub fn each_load(
     module: &Module,
     defs: &Defs,
@@ -168,7 +168,7 @@ pub fn each_load(
     }
 }
 
-/// A walk over what a comparison is made of.
+/// A walk over the operands of a comparison.
 struct Loads<'a, F> {
     module: &'a Module,
     defs: &'a Defs,
@@ -199,7 +199,7 @@ impl<F: FnMut(OpId, u32, Refinement)> Loads<'_, F> {
 }
 
 impl Refinement {
-    /// The way from one side of the comparison down to what it tells of.
+    /// The operations from one side of the comparison down to the constrained load.
     pub fn way(self, module: &Module, defs: &Defs) -> impl Iterator<Item = Hop> {
         let first = sides(module, self.comparison);
         let lane = self.lane as u32;
@@ -214,7 +214,7 @@ impl Refinement {
         })
     }
 
-    /// An operand of which something is known where something is known of a lane of an operation.
+    /// The operand that is constrained if a component of an operation is.
     fn hop(
         self,
         module: &Module,
@@ -254,7 +254,7 @@ fn operand(module: &Module, defs: &Defs, op: OpId, lane: u32, choice: u8) -> Opt
     }
 }
 
-/// An argument of which the result of a built-in function tells something.
+/// The argument of a built-in function that its result constrains.
 fn argument(
     module: &Module,
     defs: &Defs,

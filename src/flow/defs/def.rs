@@ -1,4 +1,4 @@
-//! Definitions, and what may be asked of those of a shader.
+//! Definitions, and queries on the reaching definitions of a shader.
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, LoopId, Module, OpId, OpKind, Root};
@@ -10,97 +10,97 @@ use shaderlint_syntax::ast::List;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct DefId(pub u32);
 
-/// A scalar lane of a variable.
+/// A scalar component of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Slot(pub u32);
 
-/// What a comparison tells of a value: the way from the comparison down to a load of it. Each hop
-/// goes to an operand, and each can be taken back by arithmetic.
+/// The constraint that a comparison puts on a value: the path from the comparison down to a load of
+/// the value. Each hop goes to an operand of an operation that can be inverted.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Refinement {
     /// The comparison.
     pub comparison: OpId,
-    /// Whether it is true.
+    /// Whether the comparison is true.
     pub truth: bool,
-    /// Whether the value is on its right.
+    /// Whether the value is on the right side of the comparison.
     pub is_right: bool,
-    /// The component that is compared.
+    /// The compared component.
     pub lane: u8,
-    /// Which operand each hop takes, two bits each, the first lowest.
+    /// The operand index of each hop, two bits each, the first hop in the lowest bits.
     pub(super) path: u32,
     pub(super) hops: u8,
-    /// The call of the function that the comparison stands in, if it is another.
+    /// The call of the function that contains the comparison, if it is another function.
     pub(super) call: Option<OpId>,
 }
 
-/// A comparison, or other condition, that holds or does not.
+/// A comparison, or other atomic condition, that is known to be true or false.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Premise {
-    /// The comparison.
+    /// The operation.
     pub comparison: OpId,
     /// Whether it is true.
     pub truth: bool,
-    /// The call of the function that it stands in, where a condition calls one.
+    /// The call of the function that contains it, if the condition calls one.
     pub call: Option<OpId>,
 }
 
-/// A lane of an operation on the way from a comparison to what it tells of.
+/// A component of an operation on the path from a comparison to the constrained load.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Hop {
     /// The operation.
     pub op: OpId,
-    /// Its lane.
+    /// The component of its value.
     pub lane: u32,
-    /// The operand that the way goes on to; `None` at its end.
+    /// The index of the next operand on the path; `None` at the load.
     pub choice: Option<u8>,
 }
 
-/// What a lane of a variable holds.
+/// The value of one component of a variable (an SSA definition).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Def {
-    /// What was there before the function, or behind a call that may have written to it.
+    /// The value on entry to the function, or after a call that may have written to it.
     Entry(Slot),
-    /// A lane of a value that was stored.
+    /// A component of a stored value.
     Stored {
-        /// The value.
+        /// The stored value.
         value: OpId,
-        /// Its lane.
+        /// The component.
         lane: u32,
     },
-    /// The length of a vector whose components were written one by one: their definitions.
+    /// The length of a vector whose components were written separately: the definitions of these.
     Measured(List),
-    /// One of several.
+    /// A merge of several definitions (a phi).
     Merge {
-        /// The definitions on the ways that come together.
+        /// The incoming definitions.
         sides: List,
-        /// The condition, where there are two sides: the first holds where it is true.
+        /// The branch condition of a two-way merge: the first definition holds if it is true.
         condition: Option<OpId>,
-        /// Whether it is the value of a `?:`, `&&` or `||`, so that each side is meant.
+        /// Whether it merges the sides of `?:`, `&&` or `||`, so that both values are intended.
         is_choice: bool,
     },
-    /// What a lane holds when a turn of a loop begins.
+    /// The value at the start of a loop iteration (the phi at the loop head).
     Head {
         /// The loop.
         of: LoopId,
-        /// The lane.
+        /// The component of the variable.
         slot: Slot,
-        /// Before the loop.
+        /// The definition before the loop.
         init: DefId,
-        /// At the end of a turn.
+        /// The definition at the end of an iteration.
         back: DefId,
     },
-    /// The same where a comparison has told something of it.
+    /// A definition constrained by a comparison (e-SSA).
     Refined {
-        /// What it was before.
+        /// The definition before the comparison.
         of: DefId,
-        /// What is known.
+        /// The constraint.
         by: Refinement,
     },
-    /// Nobody knows.
+    /// Not known.
     Unknown,
 }
 
-/// A condition that is true or false where an operation runs.
+/// A condition that controls an operation: it is known to be true or false there.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Guard {
     /// The condition.
@@ -110,18 +110,18 @@ pub struct Guard {
     pub(super) around: Option<u32>,
 }
 
-/// What the calls of a function pass to a lane of one of its parameters.
+/// The arguments passed to a component of a parameter by all calls of its function.
 #[derive(Clone, Copy, Debug)]
 pub struct Passed<'m> {
     pub(super) module: &'m Module,
     pub(super) calls: &'m [OpId],
     pub(super) position: usize,
-    /// The lane.
+    /// The component of each argument.
     pub lane: u32,
 }
 
 impl<'m> Passed<'m> {
-    /// The arguments, one for each call.
+    /// The arguments, one per call.
     pub fn args(self) -> impl ExactSizeIterator<Item = OpId> + 'm {
         let Passed {
             module,
@@ -140,51 +140,50 @@ impl<'m> Passed<'m> {
     }
 }
 
-/// All definitions of a shader.
+/// The reaching definitions of a shader, in SSA form.
 #[derive(Debug)]
 pub struct Defs {
-    /// How values lie in lanes.
+    /// The layout of values in components.
     pub layout: Layout,
-    /// By variable: its first slot; at the end, how many slots there are.
+    /// By variable: its first slot; the last entry is the number of slots.
     pub(super) slots: Vec<u32>,
-    /// By slot: the number of the variable that it belongs to.
+    /// By slot: the variable that it belongs to.
     pub(super) variables: Vec<u32>,
-    /// By operation: its first lane; at the end, how many lanes there are.
+    /// By operation: its first component; the last entry is the number of components.
     pub(super) lanes: Vec<u32>,
-    /// By lane: the number of the operation that it belongs to.
+    /// By component: the operation that it belongs to.
     pub(super) owners: Vec<u32>,
-    /// By lane of an operation that loads: what it sees.
+    /// By component of a load: the definition that reaches it.
     pub(super) seen: Vec<DefId>,
     pub(super) defs: Vec<Def>,
-    /// By definition: the same without what conditions tell of it.
+    /// By definition: the same without refinements.
     pub(super) unrefined: Vec<DefId>,
     pub(super) lists: Vec<DefId>,
-    /// By function: the calls of it.
+    /// By function: its calls.
     pub(super) calls: Lists<OpId>,
-    /// By function: the values that it returns.
+    /// By function: its return values.
     pub(super) returns: Lists<OpId>,
-    /// By function: the one value that it returns, if it just gives that and does nothing else that
-    /// anybody sees.
+    /// By function: its only return value, if it has no visible side effects.
     pub(super) values: Vec<Option<OpId>>,
-    /// By function: whether the same arguments give the same again.
+    /// By function: whether it is pure.
     pub(super) pure: Vec<bool>,
-    /// By slot of a parameter that goes back to the caller: what it holds in the end.
+    /// By slot of an `out` or `inout` parameter: the definition at the end of the function.
     pub(super) exits: FxHashMap<Slot, DefId>,
-    /// By slot: what is ever put there, if it is one of a global.
+    /// By slot of a global: all definitions stored there.
     pub(super) global_writes: Lists<DefId>,
-    /// By loop: the definitions made in it; the heads stand together.
+    /// By loop: the range of definitions made in it; the heads are consecutive.
     pub(super) loop_defs: Vec<(DefId, DefId)>,
     pub(super) guards: Vec<Guard>,
-    /// From which operation on which guard is the innermost.
+    /// By first operation of a range: the innermost guard of the range.
     pub(super) guarded: Vec<(OpId, Option<u32>)>,
-    /// Whether all of the shader was looked at; not where there is too much of it.
+    /// Whether the whole shader was analysed; `false` if it exceeds the size limit.
     pub is_complete: bool,
 }
 
 impl Defs {
     pub(super) const UNKNOWN: DefId = DefId(0);
 
-    /// A definition.
+    /// A definition; [`Def::Unknown`] if the id belongs to another shader.
     pub fn get(&self, id: DefId) -> Def {
         self.defs
             .get(id.0 as usize)
@@ -192,17 +191,17 @@ impl Defs {
             .unwrap_or(Def::Unknown)
     }
 
-    /// How many definitions there are.
+    /// The number of definitions.
     pub fn len(&self) -> u32 {
         self.defs.len() as u32
     }
 
-    /// Whether there are none.
+    /// Whether there are no definitions.
     pub fn is_empty(&self) -> bool {
         self.defs.is_empty()
     }
 
-    /// The definitions of a list.
+    /// The definitions in a list.
     pub fn list(&self, list: List) -> &[DefId] {
         let start = list.start as usize;
         self.lists
@@ -210,43 +209,43 @@ impl Defs {
             .unwrap_or(&[])
     }
 
-    /// How many lanes all operations have together.
+    /// The number of components of all operations.
     pub fn lane_count(&self) -> u32 {
         self.lanes.last().copied().unwrap_or(0)
     }
 
-    /// The first lane of an operation among those of all.
+    /// The index of an operation's first component among those of all operations.
     pub fn first_lane(&self, op: OpId) -> u32 {
         self.lanes.get(op.0 as usize).copied().unwrap_or(0)
     }
 
-    /// How many lanes an operation's value has.
+    /// The number of components of an operation's value.
     pub fn lanes_of(&self, op: OpId) -> u32 {
         let end = self.lanes.get(op.0 as usize + 1).copied().unwrap_or(0);
         end.saturating_sub(self.first_lane(op))
     }
 
-    /// The operation that a lane belongs to, and which of its lanes it is.
+    /// The operation that a component belongs to, and its index in that operation.
     pub fn op_at(&self, lane: u32) -> (OpId, u32) {
         let op = OpId(self.owners.get(lane as usize).copied().unwrap_or(0));
         (op, lane - self.first_lane(op))
     }
 
-    /// What a load sees in one of its lanes.
+    /// The definition that reaches one component of a load.
     pub fn seen(&self, load: OpId, lane: u32) -> DefId {
         let at = self.first_lane(load) + lane;
         let seen = self.seen.get(at as usize).copied();
         seen.unwrap_or(Defs::UNKNOWN)
     }
 
-    /// The variable that a slot belongs to, and which of its lanes it is.
+    /// The variable that a slot belongs to, and the component.
     pub fn variable_at(&self, slot: Slot) -> (VariableId, u32) {
         let number = self.variables.get(slot.0 as usize).copied().unwrap_or(0);
         let first = self.slots.get(number as usize).copied().unwrap_or(0);
         (VariableId(number), slot.0.saturating_sub(first))
     }
 
-    /// The slot of a lane of a variable.
+    /// The slot of a component of a variable.
     pub fn slot(&self, variable: VariableId, lane: u32) -> Slot {
         Slot(self.slots.get(variable.0 as usize).copied().unwrap_or(0) + lane)
     }
@@ -256,22 +255,23 @@ impl Defs {
         self.calls.get(function.0)
     }
 
-    /// The values that a function returns.
+    /// The return values of a function.
     pub fn returns_of(&self, function: FunctionRef) -> &[OpId] {
         self.returns.get(function.0)
     }
 
-    /// The value that a function is just another word for.
+    /// The only return value of a function that has no visible side effects.
     pub fn value_of(&self, function: FunctionRef) -> Option<OpId> {
         self.values.get(function.0 as usize).copied().flatten()
     }
 
-    /// Whether a function writes to nothing of others and gives the same for the same arguments.
+    /// Whether a function is pure: it writes no shared state, and equal arguments give equal
+    /// results.
     pub fn is_pure(&self, function: FunctionRef) -> bool {
         self.pure.get(function.0 as usize) == Some(&true)
     }
 
-    /// What a call passes to a slot of a parameter.
+    /// The argument, and its component, that a call passes to a slot of a parameter.
     pub fn argument(&self, module: &Module, call: OpId, slot: Slot) -> Option<(OpId, u32)> {
         let (id, lane) = self.variable_at(slot);
         let OpKind::Call(function, list) = module.op(call).kind else {
@@ -283,18 +283,18 @@ impl Defs {
         Some((*argument, lane))
     }
 
-    /// What a parameter that goes back to the caller holds in the end.
+    /// The definition of a slot of an `out` or `inout` parameter at the end of its function.
     pub fn exit(&self, slot: Slot) -> Option<DefId> {
         self.exits.get(&slot).copied()
     }
 
-    /// What is ever put into a global.
+    /// All definitions stored in a slot of a global.
     pub fn global_writes(&self, slot: Slot) -> &[DefId] {
         self.global_writes.get(slot.0)
     }
 
-    /// What calls pass to a lane of a parameter; `None` where nobody calls its function, or it is no
-    /// parameter that takes values.
+    /// The arguments for a slot of an `in` or `inout` parameter; `None` if its function is never
+    /// called or the slot is not such a parameter.
     pub fn passed<'m>(&'m self, module: &'m Module, slot: Slot) -> Option<Passed<'m>> {
         let (id, lane) = self.variable_at(slot);
         let variable = module.variable(id)?;
@@ -313,28 +313,28 @@ impl Defs {
         })
     }
 
-    /// The definitions that were made inside a loop.
+    /// The range of definitions made inside a loop.
     pub fn made_in(&self, looped: LoopId) -> std::ops::Range<DefId> {
         let found = self.loop_defs.get(looped.0 as usize).copied();
         let (first, end) = found.unwrap_or((DefId(0), DefId(0)));
         first..end
     }
 
-    /// The heads of a loop: what its turns carry on.
+    /// The head definitions of a loop: one for each slot that it carries between iterations.
     pub fn heads(&self, looped: LoopId) -> impl Iterator<Item = DefId> + '_ {
         let made = self.made_in(looped);
         let all = (made.start.0..made.end.0).map(DefId);
         let is_head = move |d: &DefId| matches!(self.get(*d), Def::Head { of, .. } if of == looped);
-        // What the loop is first to name has its entry before them.
+        // Entry definitions of slots first used in the loop precede the heads.
         all.skip_while(move |d| !is_head(d)).take_while(is_head)
     }
 
-    /// A definition without what conditions tell of it.
+    /// A definition without its refinements.
     pub fn unrefined(&self, id: DefId) -> DefId {
         self.unrefined.get(id.0 as usize).copied().unwrap_or(id)
     }
 
-    /// Where a value was first made, copies taken back; a definition, for want of a value.
+    /// The definition that a value originates from, copies followed.
     pub fn copied_from(&self, module: &Module, id: DefId) -> DefId {
         let mut id = self.unrefined(id);
         for _ in 0..16 {
@@ -349,7 +349,8 @@ impl Defs {
         id
     }
 
-    /// The load that a lane of a value is a copy of: through swizzles and the like.
+    /// The load that a component of a value is a copy of, through swizzles, constructors and the
+    /// like.
     pub fn through(&self, module: &Module, mut op: OpId, mut lane: u32) -> Option<(OpId, u32)> {
         for _ in 0..16 {
             if let OpKind::Load(_) = module.op(op).kind {
@@ -360,7 +361,7 @@ impl Defs {
         None
     }
 
-    /// The lane of another value that a lane is, where it is just that.
+    /// The component of another value that a component is a plain copy of.
     pub fn part_of(&self, module: &Module, op: OpId, lane: u32) -> Option<(OpId, u32)> {
         let found = module.op(op);
         match found.kind {
@@ -396,7 +397,7 @@ impl Defs {
         }
     }
 
-    /// The conditions around an operation, innermost first, each with its number.
+    /// The conditions that control an operation, innermost first, with their indices.
     pub fn guards(&self, op: OpId) -> impl Iterator<Item = (u32, Guard)> + '_ {
         let at = self.guarded.partition_point(|(first, _)| *first <= op);
         let found = at.checked_sub(1).and_then(|i| self.guarded.get(i));
@@ -408,7 +409,7 @@ impl Defs {
         std::iter::successors(first, move |(_, guard)| get(guard.around))
     }
 
-    /// How many conditions there are.
+    /// The number of guards.
     pub fn guard_count(&self) -> usize {
         self.guards.len()
     }

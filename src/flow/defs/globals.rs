@@ -1,4 +1,4 @@
-//! Which globals a call may write to.
+//! Globals that a call may write to, and purity of functions.
 
 use super::Slot;
 use super::walk::Walker;
@@ -8,7 +8,7 @@ use shaderlint_ir::{OpKind, Root};
 use shaderlint_semantic::VariableId;
 
 impl Walker<'_> {
-    /// By function: whether it writes to nothing of others, and reads no global that changes.
+    /// By function: whether it is pure: it writes nothing shared and reads no mutable global.
     pub(super) fn pure_functions(&self, calls: &Calls) -> Vec<bool> {
         let module = self.module;
         let written: FxHashSet<Slot> = self.writes.iter().flatten().copied().collect();
@@ -46,7 +46,7 @@ impl Walker<'_> {
         pure
     }
 
-    /// By function: the slots of globals that a call of it may write to.
+    /// By function: the slots of globals that a call of it may write to, directly or indirectly.
     pub(super) fn written_globals(&self, calls: &Calls) -> Vec<Vec<Slot>> {
         let module = self.module;
         let mut own: Vec<FxHashSet<Slot>> = vec![FxHashSet::default(); module.functions.len()];

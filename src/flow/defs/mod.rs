@@ -1,11 +1,12 @@
-//! Which write each read sees: definitions of the scalar lanes of variables, found once.
+//! Reaching definitions: an SSA form of the scalar components of all variables.
 //!
-//! One walk over the regions of a function, in order, keeps the definition that each lane has at the
-//! moment (Braun and others, *Simple and Efficient Construction of Static Single Assignment Form*,
-//! 2013, on structured control flow). Where ways come together lanes that differ get a merge, at the
-//! head of a loop what the loop writes gets one too, and where a condition holds, what the condition
-//! is made of gets a refinement (e-SSA; Bodík and others, *ABCD*, 2000). Functions are seen apart:
-//! parameters take what any call passes, globals what anything writes to them.
+//! One walk over the regions of a function, in order, keeps the current definition of each
+//! component (Braun et al., *Simple and Efficient Construction of Static Single Assignment Form*,
+//! 2013, on structured control flow). Components that differ where paths join get a merge (phi),
+//! those that a loop writes get one at the loop head, and the operands of a condition get a
+//! refinement where the condition holds (e-SSA; Bodík et al., *ABCD: Eliminating Array Bounds
+//! Checks on Demand*, 2000). The analysis is intraprocedural: a parameter may hold the argument of
+//! any call, a global the value of any write.
 
 pub mod condition;
 mod def;
@@ -21,7 +22,7 @@ use shaderlint_ir::Module;
 use shaderlint_semantic::Program;
 
 impl Defs {
-    /// Finds the definitions of a shader.
+    /// Computes the reaching definitions of a shader.
     pub fn of(program: &Program, module: &Module, calls: &Calls) -> Defs {
         walk::walk(program, module, calls)
     }

@@ -1,29 +1,28 @@
-//! Which slots a place stands for.
+//! Maps places to slots.
 
 use super::def::Slot;
 use shaderlint_ir::{Access, Lanes, Layout, Module, PlaceId, column_lanes};
 use shaderlint_semantic::Type;
 
-/// The slots of a place.
+/// The slots that a place may refer to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlaceSlots {
-    /// The first slot.
+    /// The first slot, with dynamic indices taken as 0.
     pub first: Slot,
-    /// The type of what stands there, before components are picked.
+    /// The type of the place before swizzling.
     pub ty: Type,
-    /// How many parts a computed number picks from, and how far apart they are: of columns, then of
-    /// components.
+    /// Count and stride of the candidates of a dynamic index: into columns, then into components.
     pub picks: [(u32, u32); 2],
-    /// Whether it is one of the elements of an array, so that a write leaves the others.
+    /// Whether it is an element of an array, so that a write is a weak update.
     pub is_element: bool,
-    /// The components that are picked.
+    /// The swizzled components.
     pub lanes: Option<Lanes>,
-    /// The vector that components are picked from: its first slot and its length.
+    /// The vector that components are selected from: its first slot and its number of components.
     pub vector: Option<(Slot, u8)>,
 }
 
 impl PlaceSlots {
-    /// Resolves a place; `None` for what has no lanes.
+    /// Resolves a place; `None` if its type has no components.
     pub(super) fn of(
         module: &Module,
         layout: &Layout,
@@ -86,12 +85,12 @@ impl PlaceSlots {
         Some(())
     }
 
-    /// Whether a computed number picks among columns or components.
+    /// Whether a column or component is selected by a dynamic index.
     pub(super) fn is_picked(&self) -> bool {
         self.picks.iter().any(|(count, _)| *count > 1)
     }
 
-    /// The slot of a lane, where no computed number picks among columns or components.
+    /// The slot of a component, with dynamic indices taken as 0.
     pub(super) fn slot(&self, lane: u32) -> Option<Slot> {
         let at = match self.lanes {
             Some(lanes) => *lanes.numbers().get(lane as usize)? as u32,
@@ -100,7 +99,7 @@ impl PlaceSlots {
         Some(Slot(self.first.0 + at))
     }
 
-    /// The slots that a lane may stand for; the length of picked components has none.
+    /// The slots that a component may refer to. The length of a swizzle has none.
     pub(super) fn slots(&self, lane: u32) -> impl Iterator<Item = Slot> {
         let [(outer, far), (inner, near)] = self.picks;
         let offsets = (0..outer).flat_map(move |o| (0..inner).map(move |i| o * far + i * near));
@@ -108,14 +107,14 @@ impl PlaceSlots {
         first.flat_map(move |first| offsets.clone().map(move |offset| Slot(first.0 + offset)))
     }
 
-    /// The vectors whose length changes when components of them are written.
+    /// The vectors whose length changes when the place is written.
     pub(super) fn vectors(&self) -> impl Iterator<Item = (Slot, u8)> {
         let (outer, far) = self.picks[0];
         let all = self.vector.into_iter();
         all.flat_map(move |(first, rows)| (0..outer).map(move |o| (Slot(first.0 + o * far), rows)))
     }
 
-    /// How many lanes are picked: the components, without the length.
+    /// The number of components of the place, without the length of a swizzle.
     pub(super) fn width(&self, layout: &Layout) -> u32 {
         match self.lanes {
             Some(lanes) => lanes.count() as u32,
@@ -123,7 +122,7 @@ impl PlaceSlots {
         }
     }
 
-    /// The slot of the length, where all components of a vector are picked in any order.
+    /// The slot of the length, if the swizzle is a permutation of the whole vector.
     pub(super) fn length(&self) -> Option<Slot> {
         let (first, rows) = self.vector?;
         let lanes = self.lanes?;

@@ -1,4 +1,4 @@
-//! What each lane of a variable holds at the moment of a walk, and how ways come together.
+//! The current definition of each component during the walk, and merges where paths join.
 
 use super::def::{Def, DefId, Defs, Slot};
 use super::walk::{Changes, Walker};
@@ -41,7 +41,7 @@ impl Walker<'_> {
         self.module.variable(id).map(|v| v.root)
     }
 
-    /// The definition that a slot has at the moment.
+    /// The current definition of a slot.
     pub(super) fn get(&mut self, slot: Slot) -> DefId {
         if let Some(def) = self.current.get(slot.0 as usize).copied().flatten() {
             return def;
@@ -73,7 +73,7 @@ impl Walker<'_> {
         }
     }
 
-    /// What changed since a point in the trail, each slot once.
+    /// The slots that changed since a point in the trail, with their current definitions.
     pub(super) fn changes(&mut self, mark: usize) -> Changes {
         self.stamp += 1;
         let trail = self.trail.get(mark..).unwrap_or(&[]);
@@ -91,15 +91,15 @@ impl Walker<'_> {
         changes
     }
 
-    /// Takes over what holds on the only way that leads on.
+    /// Adopts the changes of the only path that continues.
     pub(super) fn apply(&mut self, changes: &Changes) {
         for &(slot, def) in changes {
             self.set(slot, def);
         }
     }
 
-    /// Brings several ways together, each given by what changed on it since now. `since` is the
-    /// first definition made on them.
+    /// Merges several paths, each given by its changes since the current point. `since` is the
+    /// first definition made on any of them.
     pub(super) fn merge(&mut self, ways: &[Changes], since: DefId, condition: Option<OpId>) {
         let count = ways.iter().map(Vec::len).sum();
         let mut all: Vec<(Slot, u32, DefId)> = Vec::with_capacity(count);
@@ -113,7 +113,7 @@ impl Walker<'_> {
                 continue;
             };
             let is_known = self.current.get(slot.0 as usize).copied().flatten();
-            // A local without a definition was declared on one of the ways.
+            // A local without a definition was declared on one of the paths.
             if is_known.is_none() && self.root(slot) == Some(Root::Local) {
                 continue;
             }
@@ -131,7 +131,7 @@ impl Walker<'_> {
         }
     }
 
-    /// Gives a slot what it may hold where ways come together.
+    /// Defines a slot as the merge of the definitions on several paths.
     pub(super) fn join(
         &mut self,
         slot: Slot,

@@ -13,15 +13,16 @@ use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, Program};
 use shaderlint_syntax::ast::StmtId;
 
-/// Definitions and entries of lists for each lane of a shader, at most; then nothing more is known.
+/// Maximum number of definitions and list entries per component of a shader. Beyond it the analysis
+/// stops and the remaining definitions are unknown.
 const PER_LANE: usize = 24;
-/// What a small shader may have in any case.
+/// Minimum of that limit, for small shaders.
 const AT_LEAST: usize = 1 << 14;
 
-/// The lanes that changed since some point, with what they hold now.
+/// The slots changed since some point, with their current definitions.
 pub(super) type Changes = Vec<(Slot, DefId)>;
 
-/// Finds the definitions of a shader.
+/// Computes the reaching definitions of a shader.
 pub(super) fn walk(program: &Program, module: &Module, calls: &Calls) -> Defs {
     let mut walker = Walker::of(program, module, calls);
     let globals = module.globals;
@@ -32,7 +33,7 @@ pub(super) fn walk(program: &Program, module: &Module, calls: &Calls) -> Defs {
             walker.function(FunctionRef(number), body);
         }
     }
-    // Functions are not numbered in the order of their operations.
+    // Functions are not numbered in operation order.
     walker.defs.guarded.sort_by_key(|(first, _)| *first);
     let is_complete = !walker.is_full();
     let (functions, slots) = (module.functions.len(), walker.current.len());
@@ -45,10 +46,10 @@ pub(super) fn walk(program: &Program, module: &Module, calls: &Calls) -> Defs {
     }
 }
 
-/// A loop or `switch` that can be left from inside.
+/// A loop or `switch` that `break` or `continue` can leave.
 struct JumpFrame {
     is_loop: bool,
-    /// Where the changes inside it begin.
+    /// The length of the trail at its start.
     mark: usize,
     breaks: Vec<Changes>,
     continues: Vec<Changes>,
@@ -57,37 +58,36 @@ struct JumpFrame {
 pub(super) struct Walker<'m> {
     pub(super) module: &'m Module,
     pub(super) defs: Defs,
-    /// By slot: its definition at the moment, if it has one since the function began.
+    /// By slot: its current definition, if it has one since the start of the function.
     pub(super) current: Vec<Option<DefId>>,
-    /// By slot: what was there when the function began, once it was asked for.
+    /// By slot: its definition on function entry, created on demand.
     pub(super) entries: Vec<Option<DefId>>,
-    /// What each change since the function began took the place of.
+    /// Undo log: the previous definition of each changed slot since the start of the function.
     pub(super) trail: Vec<(Slot, Option<DefId>)>,
     frames: Vec<JumpFrame>,
     guard: Option<u32>,
-    /// Whether the step that follows can be reached.
+    /// Whether the next step is reachable.
     is_alive: bool,
     function: Option<FunctionRef>,
     /// By function: the slots of globals that a call may write to.
     pub(super) writes: Vec<Vec<Slot>>,
-    /// Calls, with the function that is called.
+    /// Pairs of callee and call.
     calls: Vec<(u32, OpId)>,
-    /// Values that are returned, with the function.
+    /// Pairs of function and return value.
     returns: Vec<(u32, OpId)>,
-    /// What is put into slots of globals.
+    /// Pairs of slot and definition stored there.
     global_writes: Vec<(u32, DefId)>,
-    /// What parameter slots that go back to the caller hold where the function ends.
+    /// Slots of `out` and `inout` parameters with their definitions at each function exit.
     open_exits: Vec<(Slot, DefId)>,
-    /// By slot: whether it was seen in the question at hand, by the number of the question.
+    /// By slot: the stamp of the query that visited it last.
     pub(super) stamps: Vec<u32>,
     pub(super) stamp: u32,
     pub(super) limit: usize,
-    /// What the condition at hand tells of which lanes of which loads.
+    /// Scratch list: the loads, components and refinements of the current condition.
     told: Vec<(OpId, u32, Refinement)>,
 }
 
-/// The first lane of each of several values with so many lanes, with how many there are at the end;
-/// and by lane the number of the value that it belongs to.
+/// Prefix sums of sizes, with the total at the end, and for each component the index of its value.
 fn numbered(sizes: impl Iterator<Item = u32>) -> (Vec<u32>, Vec<u32>) {
     let mut firsts = Vec::with_capacity(sizes.size_hint().0 + 1);
     let mut owners = Vec::with_capacity(sizes.size_hint().0 * 2);
@@ -106,8 +106,9 @@ impl<'m> Visit<'m> for Walker<'m> {
         self.module
     }
 
-    /// Operations, in order. The right side of `&&` and the sides of `?:` that are simple enough to
-    /// run in any case are only used where the condition holds, and see it so.
+    /// Walks operations in order. The right side of `&&` and `||` and the sides of `?:` may be
+    /// evaluated unconditionally if they are cheap, but their values are only used if the condition
+    /// holds, so their loads get the refined definitions.
     fn run(&mut self, run: Run) {
         let module = self.module;
         self.enter_guard(run.first);
@@ -400,7 +401,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    /// Notes what goes back to the caller.
+    /// Records the return value and the `out` parameters at a function exit.
     fn leave_function(&mut self, value: Option<OpId>) {
         let Some(function) = self.function else {
             return;
@@ -424,7 +425,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    /// From this operation on the guard at the moment holds.
+    /// Records the current guard for the operations from `from` on.
     fn enter_guard(&mut self, from: OpId) {
         match self.defs.guarded.last_mut() {
             Some((first, guard)) if *first == from => *guard = self.guard,
@@ -433,7 +434,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    /// Leaves the innermost frame that has such a way out.
+    /// Ends the current path by jumping out of the innermost frame that accepts the jump.
     fn leave(&mut self, way: impl Fn(&mut JumpFrame) -> Option<&mut Vec<Changes>>) {
         if !self.is_alive {
             return;
@@ -455,7 +456,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    /// The number that the next definition will have.
+    /// The id of the next definition.
     fn next(&self) -> DefId {
         DefId(self.defs.defs.len() as u32)
     }
@@ -469,7 +470,7 @@ impl<'m> Walker<'m> {
         self.guard = Some(self.defs.guards.len() as u32 - 1);
     }
 
-    /// What a condition that is true or false tells of the lanes that it speaks of.
+    /// Pushes a guard, and refines the definitions that the condition constrains.
     fn refine(&mut self, condition: OpId, truth: bool) {
         self.push_guard(condition, truth);
         let mut told = std::mem::take(&mut self.told);
@@ -492,7 +493,7 @@ impl<'m> Walker<'m> {
             };
             let of = self.get(slot);
             let before = self.defs.unrefined(of);
-            // Nothing was written since the condition was computed.
+            // The variable was not written to since the condition was computed.
             if before == self.defs.unrefined(self.defs.seen(load, lane)) && before != Defs::UNKNOWN
             {
                 let refined = self.define(Def::Refined { of, by });
@@ -503,7 +504,7 @@ impl<'m> Walker<'m> {
         self.told = told;
     }
 
-    /// The one slot that a lane of a place is.
+    /// The slot of a component of a place, if it is the only one.
     fn slot_of(&self, place: PlaceId, lane: u32) -> Option<Slot> {
         let spot = self.spot(place)?;
         if spot.is_element || spot.is_picked() {
@@ -519,7 +520,7 @@ impl<'m> Walker<'m> {
         PlaceSlots::of(self.module, &self.defs.layout, &self.defs.slots, place)
     }
 
-    /// The heads of what a loop writes to.
+    /// Creates the head definitions of a loop, one for each slot that it writes to.
     fn heads(&mut self, id: LoopId, looped: &ir::Loop) -> Vec<(Slot, DefId)> {
         let written = self.written(looped);
         let mut heads = Vec::with_capacity(written.len());
@@ -549,7 +550,7 @@ impl<'m> Walker<'m> {
         heads
     }
 
-    /// The slots that something in a loop writes to, each once, in order.
+    /// The slots that are written to in a loop, sorted, without duplicates.
     fn written(&mut self, looped: &ir::Loop) -> Vec<Slot> {
         let module = self.module;
         self.stamp += 1;
@@ -591,7 +592,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    /// A loop's condition: where it is false, the loop ends.
+    /// The condition of a loop: the loop exits where it is false.
     fn test(&mut self, condition: Option<OpId>, mark: usize, exits: &mut Vec<Changes>) {
         let Some(condition) = condition else {
             return;
@@ -607,7 +608,7 @@ impl<'m> Walker<'m> {
         self.enter_guard(OpId(condition.0 + 1));
     }
 
-    /// Where `continue` goes to: behind the body.
+    /// Joins the `continue` paths with the end of the body.
     fn go_on(&mut self, mark: usize, since: DefId) {
         let Some(frame) = self.frames.last_mut() else {
             return;
@@ -650,7 +651,7 @@ impl<'m> Walker<'m> {
                 *seen = def;
             }
         }
-        // The length of picked components.
+        // The length of a swizzle.
         if spot.lanes.is_some()
             && let Some(lane) = length_lane(self.module.ty(op))
         {
@@ -727,7 +728,7 @@ impl<'m> Walker<'m> {
         }
     }
 
-    /// A write to a slot.
+    /// Sets the definition of a slot, and records it if the variable is global.
     fn put(&mut self, slot: Slot, def: DefId, is_global: bool) {
         self.set(slot, def);
         if is_global {

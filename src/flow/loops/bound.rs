@@ -1,4 +1,4 @@
-//! What ends a loop for certain, and after how many turns.
+//! Loop bounds: the exit condition that terminates a loop, and its trip count.
 
 use super::halving::halves;
 use super::pace::{Pace, Tracer, is_still};
@@ -10,12 +10,12 @@ use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Root};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_syntax::ast::ExprId;
 
-/// A step that is smaller may as well be none: it is lost when it is added to a counter.
+/// Smaller steps are taken for zero: they may be lost in rounding when added to a counter.
 const LEAST_STEP: f64 = 1e-9;
-/// How far a limit is followed from parameters to arguments.
+/// Maximum number of calls through which a limit is followed from parameters to arguments.
 const MAX_CALLS: u32 = 24;
 
-/// How the counter of a loop that goes on is related to a limit.
+/// The relation between the counter and the limit while a loop continues.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Relation {
     Below { or_equal: bool },
@@ -34,7 +34,7 @@ impl Relation {
 }
 
 impl Found {
-    /// Looks for what ends the loop.
+    /// Finds the bound of the loop.
     pub(super) fn looped(self, query: Query) -> Option<LoopFacts> {
         let module = query.module;
         let looped = module.looped(self.id)?;
@@ -58,16 +58,16 @@ impl Found {
         match made.bound {
             Bound::Exact(turns) if made.ends_early => made.bound = Bound::AtMost(turns),
             Bound::Exact(_) => {}
-            // What the loop itself does not count is up to its body.
+            // Without a step expression, the body may end the loop early.
             _ => made.ends_early |= module.steps(looped.step).is_empty(),
         }
         Some(made)
     }
 
-    /// Takes a condition over where it says more than what is known.
+    /// Updates the loop's facts if a continuation condition gives a better bound.
     fn take(&self, query: Query, made: &mut LoopFacts, goes: Goes) {
         let (module, defs) = (query.module, query.defs);
-        // `a || b` goes on until both have come to their ends.
+        // `a || b` holds until both sides are false.
         if let (OpKind::Binary(Binary::Or, a, b), true) =
             (module.op(goes.condition).kind, goes.truth)
         {
@@ -104,7 +104,7 @@ impl Found {
         }
     }
 
-    /// Takes a relation over where it says more than what is known.
+    /// Updates the loop's facts if a relation between a counter and a limit gives a better bound.
     fn compare(
         &self,
         query: Query,
@@ -169,7 +169,7 @@ impl Found {
     }
 }
 
-/// What a comparison says of its sides where it is true or false.
+/// The relation between the two sides of a comparison that is true or false.
 fn related(query: Query, comparison: OpId, truth: bool) -> Option<(Relation, OpId, OpId)> {
     match query.module.op(comparison).kind {
         OpKind::Binary(kind, left, right) => {
@@ -199,7 +199,7 @@ fn related(query: Query, comparison: OpId, truth: bool) -> Option<(Relation, OpI
     }
 }
 
-/// Whether a counter that moves like this comes to where the relation ends.
+/// Whether a counter with this step moves towards the limit.
 fn heads_there(relation: Relation, pace: Pace) -> bool {
     match (relation, pace) {
         (
@@ -213,17 +213,17 @@ fn heads_there(relation: Relation, pace: Pace) -> bool {
         (Relation::Above { .. }, Pace::By { hi, .. }) => hi < -LEAST_STEP,
         (Relation::Not, Pace::By { lo, hi, .. }) => lo == hi,
         (Relation::Below { .. }, Pace::Times(by)) => by > 1.0,
-        // Whole numbers that are shifted come to zero.
+        // Shifted or divided integers reach zero.
         (Relation::Above { .. } | Relation::Not, Pace::Times(by)) => by < 1.0,
     }
 }
 
-/// Whether it is one number that is added.
+/// Whether the step is one constant.
 fn is_known(pace: Pace) -> bool {
     matches!(pace, Pace::By { lo, hi, .. } if lo == hi)
 }
 
-/// The first value of a counter, so that it turns most often.
+/// The initial value of a counter; the one with the most iterations if it is not known exactly.
 fn start(query: Query, init: DefId, pace: Pace) -> Option<f64> {
     let (module, defs) = (query.module, query.defs);
     let range = query.def(init);
@@ -232,10 +232,9 @@ fn start(query: Query, init: DefId, pace: Pace) -> Option<f64> {
     }
     if let Def::Stored { value, .. } = defs.get(defs.unrefined(init)) {
         match module.op(value).kind {
-            // The browser starts every variable at zero.
+            // The browser initialises every variable to zero.
             OpKind::Undef => return Some(0.0),
-            // `min(frame, 0)` is zero: the other operand is there to keep the compiler from
-            // unrolling.
+            // `min(frame, 0)` is zero; the other operand only prevents the compiler from unrolling.
             OpKind::Builtin(function, list) if matches!(function.transfer(), Transfer::Minimum) => {
                 let mut args = module.operands(list).iter();
                 return args.find_map(|arg| query.lane(*arg, 0).single());
@@ -250,7 +249,7 @@ fn start(query: Query, init: DefId, pace: Pace) -> Option<f64> {
     worst.is_finite().then_some(worst)
 }
 
-/// The limit that is reached last.
+/// The value of the limit; the one with the most iterations if it is not known exactly.
 fn end(query: Query, limit: OpId, relation: Relation, pace: Pace) -> Option<f64> {
     let range = query.lane(limit, 0);
     if relation == Relation::Not {
@@ -270,7 +269,7 @@ fn is_rising(pace: Pace) -> bool {
     }
 }
 
-/// How often a counter from `start` passes a relation to `end`.
+/// The trip count of a counter from `start` to `end`.
 fn turns(start: f64, relation: Relation, end: f64, pace: Pace) -> Option<u64> {
     let way = match pace {
         Pace::By { lo, hi, .. } if lo == hi => (end - start) / lo,
@@ -295,8 +294,8 @@ fn expr_of(query: Query, op: OpId) -> Option<ExprId> {
     }
 }
 
-/// Where the value of an operation is given: the argument of the call that gives the largest, where
-/// it is a parameter, and itself otherwise.
+/// The operation that determines a limit: for a parameter, the largest argument of all calls;
+/// otherwise the operation itself.
 fn source(query: Query, op: OpId) -> OpId {
     let mut at = op;
     for _ in 0..MAX_CALLS {

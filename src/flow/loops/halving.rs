@@ -1,4 +1,4 @@
-//! Two bounds that come together: each turn puts one of them into the middle.
+//! Termination of bisection: each iteration moves one of two bounds to the midpoint.
 
 use crate::defs::{Def, DefId};
 use crate::ranges::Query;
@@ -6,10 +6,10 @@ use shaderlint_ir::{Binary, LoopId, OpId, OpKind};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_semantic::builtins::Transfer;
 
-/// How deep conditions nest that tell which bound moves.
+/// Maximum nesting of the conditions that choose which bound moves.
 const MAX_DEPTH: u32 = 4;
 
-/// Whether a value is the distance of two such bounds.
+/// Whether a value is the distance between two bounds of a bisection.
 pub(super) fn halves(query: Query, looped: LoopId, distance: OpId) -> bool {
     let module = query.module;
     let mut at = distance;
@@ -38,7 +38,7 @@ pub(super) fn halves(query: Query, looped: LoopId, distance: OpId) -> bool {
     both.is_some_and(|both| comes_together(query, looped, bounds, both, MAX_DEPTH))
 }
 
-/// Whether one of two bounds has become their middle, and the other is what it was.
+/// Whether on every path one bound becomes the midpoint and the other is unchanged.
 fn comes_together(
     query: Query,
     looped: LoopId,
@@ -78,7 +78,8 @@ fn comes_together(
             .all(|(a, b)| comes_together(query, looped, heads, (*a, *b), depth - 1))
 }
 
-/// `(a + b) / 2`, `(a + b) * 0.5`, `mix(a, b, 0.5)`.
+/// Whether a definition is a midpoint: `(a + b) / 2`, `(a + b) * 0.5` or `mix(a, b, t)` with 0 < t
+/// < 1.
 fn is_middle(query: Query, looped: LoopId, heads: (DefId, DefId), def: DefId) -> bool {
     let module = query.module;
     let Some(value) = value_of(query, def) else {
@@ -109,7 +110,7 @@ fn is_middle(query: Query, looped: LoopId, heads: (DefId, DefId), def: DefId) ->
     }
 }
 
-/// The value that was put into a variable, copies taken back.
+/// The value stored in a variable, copies followed.
 fn value_of(query: Query, def: DefId) -> Option<OpId> {
     let (module, defs) = (query.module, query.defs);
     match defs.get(defs.copied_from(module, def)) {
@@ -118,7 +119,7 @@ fn value_of(query: Query, def: DefId) -> Option<OpId> {
     }
 }
 
-/// The head of the loop that a value is a copy of.
+/// The loop head that a value is a copy of.
 fn head(query: Query, looped: LoopId, op: OpId) -> Option<DefId> {
     let (module, defs) = (query.module, query.defs);
     let OpKind::Load(_) = module.op(op).kind else {

@@ -1,4 +1,4 @@
-//! The loops of a shader, and what ends them.
+//! Loop analysis: induction variables, exit conditions and trip counts.
 
 mod bound;
 mod halving;
@@ -12,41 +12,42 @@ use shaderlint_ir::{Loop, LoopId, Module, OpId, Step, Switch, Visit};
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::{ExprId, StmtId};
 
-/// A loop.
+/// The facts about one loop.
 #[derive(Clone, Copy, Debug)]
 pub struct LoopFacts {
-    /// The statement.
+    /// The loop statement.
     pub stmt: StmtId,
-    /// The function around it.
+    /// The function that contains the loop.
     pub function: FunctionRef,
-    /// How often it turns.
+    /// The bound of its trip count.
     pub bound: Bound,
-    /// The variable that counts the turns.
+    /// The induction variable that bounds the loop.
     pub counter: Option<VariableId>,
-    /// What the counter is compared with.
+    /// The limit that the counter is compared with.
     pub limit: Option<ExprId>,
-    /// Where the limit's number stands: the limit itself, or the argument of a call where it is a
+    /// The expression that determines the limit: the limit itself, or the argument if it is a
     /// parameter.
     pub given: Option<ExprId>,
-    /// Whether something besides the counter may end it: `break`, `return`, a second condition.
+    /// Whether something else may exit the loop: `break`, `return`, `discard`, or a second
+    /// condition.
     pub ends_early: bool,
 }
 
-/// How often a loop turns each time that it is reached.
+/// The trip count of a loop, per execution.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Bound {
-    /// Just as often.
+    /// Exactly this many iterations.
     Exact(u64),
-    /// As often, or less.
+    /// At most this many iterations.
     AtMost(u64),
-    /// Nobody knows how often, but a counter goes steadily towards a limit.
+    /// The trip count is unknown, but a counter moves steadily towards a limit.
     Ends,
-    /// Nothing ends it for certain.
+    /// Nothing provably terminates the loop.
     Open,
 }
 
 impl Bound {
-    /// The most turns, if they are known.
+    /// The maximum trip count, if it is known.
     pub const fn turns(self) -> Option<u64> {
         match self {
             Bound::Exact(turns) | Bound::AtMost(turns) => Some(turns),
@@ -55,15 +56,15 @@ impl Bound {
     }
 }
 
-/// All loops of a shader, in the order of the tree.
+/// All loops of a shader, in source order.
 #[derive(Default, Debug)]
 pub struct Loops {
-    /// The loops.
+    /// Sorted by statement.
     pub all: Vec<LoopFacts>,
 }
 
 impl Loops {
-    /// Finds the loops of a shader.
+    /// Analyses all loops of a shader.
     pub fn of(query: Query) -> Loops {
         let module = query.module;
         let mut finder = Finder {
@@ -84,41 +85,41 @@ impl Loops {
         Loops { all }
     }
 
-    /// By statement: the most turns, where they are known.
+    /// The maximum trip count of each loop, by statement; `None` where it is unknown.
     pub fn turns(&self) -> FxHashMap<StmtId, Option<u64>> {
         let all = self.all.iter();
         all.map(|l| (l.stmt, l.bound.turns())).collect()
     }
 
-    /// The loop that a statement is.
+    /// The facts about the loop at a statement.
     pub fn get(&self, stmt: StmtId) -> Option<&LoopFacts> {
         let at = self.all.binary_search_by_key(&stmt, |l| l.stmt).ok()?;
         self.all.get(at)
     }
 }
 
-/// A condition that is true, or false, as long as a loop goes on.
+/// A condition that must hold, or must not, for a loop to continue.
 #[derive(Clone, Copy, Debug)]
 struct Goes {
     condition: OpId,
     truth: bool,
 }
 
-/// A loop, and what may end it.
+/// A loop and its exit conditions.
 #[derive(Debug)]
 struct Found {
     id: LoopId,
     function: FunctionRef,
-    /// Conditions that each turn looks at.
+    /// Conditions that are evaluated in every iteration.
     goes: Vec<Goes>,
     ends_early: bool,
 }
 
-/// Looks for loops.
+/// Collects the loops of a function.
 struct Finder<'m> {
     module: &'m Module,
     function: FunctionRef,
-    /// The loops and `switch` statements around; of loops, their number in `found`.
+    /// The enclosing loops and `switch` statements; for a loop, its index in `found`.
     open: Vec<Option<usize>>,
     found: Vec<Found>,
 }
@@ -137,7 +138,8 @@ impl<'m> Visit<'m> for Finder<'m> {
             truth: true,
         });
         let mut goes: Vec<Goes> = head.into_iter().collect();
-        // What runs at each turn: the steps of the body itself, as if it had no `continue`.
+        // Exits at the top level of the body are evaluated in every iteration, if `continue` is
+        // ignored.
         for step in module.steps(looped.body) {
             if let Step::If {
                 condition,

@@ -1,30 +1,31 @@
-//! How a counter moves: what a turn of a loop makes of the value that it began with.
+//! Induction variables: how a loop counter changes per iteration.
 
 use crate::defs::{Def, DefId};
 use crate::ranges::{Interval, Query};
 use crate::same::is_same;
 use shaderlint_ir::{Binary, LoopId, OpId, OpKind, Root};
 
-/// How much Euclid's algorithm leaves of a number at least in each turn: the golden ratio.
+/// Upper bound of the factor by which Euclid's algorithm shrinks a number per iteration: 1 / golden
+/// ratio.
 const EUCLID: f64 = 0.618;
-/// How many steps back are looked at.
+/// Maximum number of steps per query.
 const BUDGET: u32 = 64;
 
-/// How a value follows from what it was when a turn began.
+/// How a value changes relative to its value at the start of an iteration.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Pace {
-    /// Something between two numbers is added; whether that is the same at each turn.
+    /// A value in this range is added; `is_still` if it is loop-invariant.
     By { lo: f64, hi: f64, is_still: bool },
-    /// It is multiplied.
+    /// It is multiplied by a factor.
     Times(f64),
 }
 
-/// A value that comes from the head of a loop.
+/// A value derived from a loop head.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Moved {
-    /// The head.
+    /// The definition at the loop head.
     pub head: DefId,
-    /// How far it is from it.
+    /// The change relative to it.
     pub pace: Pace,
 }
 
@@ -67,11 +68,11 @@ impl Pace {
     }
 }
 
-/// Follows values back to the head of a loop.
+/// Traces values back to a loop head.
 pub(super) struct Tracer<'x> {
     pub query: Query<'x>,
     pub looped: LoopId,
-    /// Numbers that some turns put into the counter, whatever it was.
+    /// Constants that some iterations assign to the counter, regardless of its value.
     pub jumps: Vec<f64>,
     left: u32,
 }
@@ -86,7 +87,7 @@ impl<'x> Tracer<'x> {
         }
     }
 
-    /// What a value is, as something that a turn began with and has moved.
+    /// Expresses a value as a loop head and a change.
     pub(super) fn value(&mut self, op: OpId, lane: u32) -> Option<Moved> {
         self.left = self.left.checked_sub(1)?;
         let (module, defs) = (self.query.module, self.query.defs);
@@ -126,7 +127,7 @@ impl<'x> Tracer<'x> {
             Binary::Divide => 1.0 / factor(b)?,
             Binary::ShiftLeft => factor(b)?.exp2(),
             Binary::ShiftRight => (-factor(b)?).exp2(),
-            // What is left of a division is nearer to zero than the divisor: Euclid's algorithm.
+            // A remainder is smaller than the divisor, as in Euclid's algorithm.
             Binary::Remainder => {
                 let moved = self.value(b, lane)?;
                 let is_own = moved.pace == Pace::NONE;
@@ -163,7 +164,7 @@ impl<'x> Tracer<'x> {
         }
     }
 
-    /// The same of a definition.
+    /// Expresses a definition as a loop head and a change.
     pub(super) fn def(&mut self, def: DefId) -> Option<Moved> {
         self.left = self.left.checked_sub(1)?;
         let defs = self.query.defs;
@@ -173,7 +174,7 @@ impl<'x> Tracer<'x> {
                 head: def,
                 pace: Pace::NONE,
             }),
-            // What a loop inside moves only one way.
+            // An inner loop that moves the value in one direction.
             Def::Head { of, init, back, .. } if self.is_inside(def) => {
                 let moved = self.def(init)?;
                 let mut inner = Tracer {
@@ -212,7 +213,7 @@ impl<'x> Tracer<'x> {
         }
     }
 
-    /// The number that is put into a variable, if it is always the same.
+    /// The constant that a definition assigns, if there is one.
     fn jump(&self, def: DefId) -> Option<f64> {
         let (module, defs) = (self.query.module, self.query.defs);
         let Def::Stored { value, lane } = defs.get(defs.unrefined(def)) else {
@@ -243,7 +244,8 @@ impl Moved {
     }
 }
 
-/// The factor that moves a value least: of those above one, or of those between zero and one.
+/// The factor that changes a value least: the smallest if all are at least 1, the largest if all
+/// are in 0..1.
 fn slowest(range: Interval) -> Option<f64> {
     let (lo, hi) = (range.lo.value, range.hi.value);
     match range.single() {
@@ -253,7 +255,7 @@ fn slowest(range: Interval) -> Option<f64> {
     }
 }
 
-/// Whether a value is the same at each turn of a loop.
+/// Whether a value is loop-invariant.
 pub(super) fn is_still(query: Query, looped: LoopId, op: OpId) -> bool {
     let (module, defs) = (query.module, query.defs);
     let made = defs.made_in(looped);
@@ -279,7 +281,7 @@ pub(super) fn is_still(query: Query, looped: LoopId, op: OpId) -> bool {
     false
 }
 
-/// Whether a definition stands for what was there before the loop, though it was made inside.
+/// Whether a definition made inside the loop is an unchanged value from before it.
 fn is_entry(query: Query, looped: LoopId, def: DefId) -> bool {
     let defs = query.defs;
     match defs.get(def) {

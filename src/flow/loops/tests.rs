@@ -1,4 +1,4 @@
-//! How often loops turn.
+//! Tests of loop bounds.
 
 use super::Loops;
 use crate::calls::Calls;
@@ -7,7 +7,7 @@ use crate::ranges::{Query, Ranges};
 use crate::sample::checked;
 use shaderlint_ir::lower;
 
-/// The bounds of the loops of `void f(int n, float x)`, which is called with 5 and with 9.
+/// Checks the bounds of the loops in `void f(int n, float x)`, which is called with 5 and with 9.
 #[track_caller]
 fn check(body: &str, expected: &str) {
     let code = format!(

@@ -1,8 +1,9 @@
-//! Whether conditions can all hold at once: what is left where the others have been told apart.
+//! Satisfiability of path conditions: whether a set of conditions can hold at the same time.
 //!
-//! A condition is taken apart at `&&`, `||`, `!`, `min` and `max` into comparisons, each of which puts
-//! two values in order. Orders that run in a circle cannot be, and neither can two answers to one
-//! question.
+//! A depth-first search over cases decomposes conditions at `&&`, `||`, `!`, `min` and `max` into
+//! comparisons, each of which orders two values. A case is contradictory if the order has a strict
+//! cycle, or if a condition is both true and false. When the search runs out of steps, the
+//! conditions count as satisfiable.
 
 use super::conditions::{Answer, Conditions, Fact};
 use crate::defs::Def;
@@ -11,15 +12,15 @@ use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::Scalar;
 use shaderlint_semantic::builtins::Transfer;
 
-/// Most values that are put in order.
+/// Maximum number of values in an order.
 const MAX_VALUES: usize = 20;
-/// Most steps until anything may be.
+/// Maximum number of steps; beyond it the answer is "satisfiable".
 const MAX_STEPS: u32 = 1000;
-/// Most conditions that are looked at, the last ones.
+/// Maximum number of path conditions considered, the most recent ones.
 const MAX_CONDITIONS: usize = 24;
 
 impl Conditions {
-    /// Whether a condition may have an answer here.
+    /// Whether a condition may have the value `truth` on the current path.
     pub fn may_be(&self, query: Query, condition: OpId, truth: bool) -> bool {
         let first = self.held.len().saturating_sub(MAX_CONDITIONS);
         let held = self.held.get(first..).unwrap_or(&[]).iter().copied();
@@ -28,7 +29,7 @@ impl Conditions {
     }
 }
 
-/// Whether all of these may be so.
+/// Whether all of these answers are possible at the same time.
 fn may_all_be(query: Query, conditions: &Conditions, answers: &[Answer]) -> bool {
     let answers = answers.iter().rev();
     let mut open = vec![Case {
@@ -76,11 +77,11 @@ fn may_all_be(query: Query, conditions: &Conditions, answers: &[Answer]) -> bool
     true
 }
 
-/// What has to be.
+/// A proposition still to be decomposed.
 #[derive(Clone, Copy)]
 enum Goal {
     Is(OpId, bool),
-    /// One number is less than another, or the same unless it is strict.
+    /// `low < high` if strict, `low <= high` otherwise.
     Below {
         low: OpId,
         high: OpId,
@@ -88,7 +89,7 @@ enum Goal {
     },
 }
 
-/// What a goal comes to.
+/// The decomposition of a goal.
 enum Meaning {
     Anything,
     Never,
@@ -102,14 +103,14 @@ enum Meaning {
     },
 }
 
-/// A number that is known, or that something comes to, with the least and most that it may be.
+/// A constant, or an unknown value (identified by a hash) with its range.
 #[derive(Clone, Copy)]
 enum Value {
     Known(f64),
     Found { key: u64, lo: f64, hi: f64 },
 }
 
-/// One way in which all may be.
+/// A conjunction: one branch of the case analysis.
 #[derive(Clone, Default)]
 struct Case {
     goals: Vec<Goal>,
@@ -215,7 +216,7 @@ impl Cases<'_> {
         };
         let is_whole = self.query.module.ty(low).scalar_kind() != Some(Scalar::Float);
         let mut is_strict = is_strict;
-        // Between whole numbers there is nothing.
+        // For integers, `a < b` with a constant `b` is `a <= b - 1`.
         if is_whole && is_strict {
             match (&mut left, &mut right) {
                 (_, Value::Known(value)) => (*value, is_strict) = (*value - 1.0, false),
@@ -230,7 +231,7 @@ impl Cases<'_> {
         }
     }
 
-    /// The operands of `max`, or of `min`; a variable that holds one of them is looked into.
+    /// The operands of a `max` (`true`) or `min` (`false`), looking through one variable.
     fn extreme(&self, op: OpId) -> Option<(bool, [OpId; 2])> {
         let (module, defs) = (self.query.module, self.query.defs);
         let mut at = op;
@@ -271,14 +272,14 @@ impl Cases<'_> {
     }
 }
 
-/// How values are known to lie: by pair, whether the first is at most, or less than, the second.
+/// A transitively closed order of values: by pair, whether the first is `<=` or `<` the second.
 #[derive(Clone, Default)]
 struct Order {
     values: Vec<Value>,
     pairs: [[Step; MAX_VALUES]; MAX_VALUES],
 }
 
-/// The way from one value to another that is as great or greater.
+/// The known relation of one value to another.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 enum Step {
     #[default]
@@ -288,10 +289,10 @@ enum Step {
 }
 
 impl Order {
-    /// Takes on that one value is below another; `false` where that cannot be.
+    /// Adds `low < high` or `low <= high`; `false` if that is a contradiction.
     fn add(&mut self, low: Value, high: Value, is_strict: bool) -> bool {
         let (Some(low), Some(high)) = (self.place(low), self.place(high)) else {
-            // There are too many.
+            // Too many values.
             return true;
         };
         let step = match is_strict {
@@ -332,7 +333,7 @@ impl Order {
         may_be
     }
 
-    /// The number of a value, which has its place among those that are known.
+    /// The index of a value, which is added if necessary; `None` if there are too many.
     fn place(&mut self, value: Value) -> Option<usize> {
         let is_it = |other: &Value| match (value, *other) {
             (Value::Known(a), Value::Known(b)) => a == b,

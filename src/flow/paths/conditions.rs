@@ -1,4 +1,5 @@
-//! Conditions that are asked more than once, and what follows from the answers.
+//! The conditions known on the current path (facts), and what follows from them (correlated
+//! branches).
 
 use super::state::Parts;
 use rustc_hash::{FxHashMap, FxHasher};
@@ -6,10 +7,10 @@ use shaderlint_ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
 use shaderlint_semantic::{Scalar, Value, VariableId};
 use std::hash::{Hash, Hasher};
 
-/// How deep conditions are compared.
+/// Maximum depth to which conditions are hashed.
 const MAX_DEPTH: u32 = 8;
 
-/// A condition, as the number that its operations come to, and the answer to it.
+/// A condition, identified by a hash of its operations, and its value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Fact {
     key: u64,
@@ -17,7 +18,7 @@ pub(super) struct Fact {
 }
 
 impl Fact {
-    /// The other answer.
+    /// The opposite fact.
     pub fn turned(self) -> Fact {
         Fact {
             truth: !self.truth,
@@ -26,7 +27,7 @@ impl Fact {
     }
 }
 
-/// Components of a variable that have a value wherever a fact holds.
+/// Components of a variable that are assigned wherever a fact holds.
 #[derive(Clone, Copy)]
 struct Consequence {
     fact: Fact,
@@ -37,22 +38,22 @@ struct Consequence {
 /// A condition, and whether it is true.
 pub(super) type Answer = (OpId, bool);
 
-/// What is known of conditions on the way to a point.
+/// The conditions known on the path to the current point.
 #[derive(Default)]
 pub(super) struct Conditions {
     facts: Vec<Fact>,
-    /// The conditions behind the facts, and their answers.
+    /// The conditions of the facts, undecomposed.
     pub(super) held: Vec<Answer>,
     consequences: Vec<Consequence>,
-    /// By load: how often its variable had been written to.
+    /// By load: the version of its variable, counted in writes.
     versions: FxHashMap<OpId, u32>,
-    /// By variable: how often it was written to so far.
+    /// By variable: the number of writes so far.
     writes: FxHashMap<VariableId, u32>,
-    /// How often something was called that may write to globals.
+    /// The number of calls so far; each may write to globals.
     calls: u32,
 }
 
-/// A point to come back to.
+/// A point to which [`Conditions`] can be rolled back.
 #[derive(Clone, Copy)]
 pub(super) struct Mark {
     facts: usize,
@@ -61,12 +62,12 @@ pub(super) struct Mark {
 }
 
 impl Conditions {
-    /// Forgets everything.
+    /// Resets everything for another function.
     pub fn clear(&mut self) {
         *self = Conditions::default();
     }
 
-    /// A point to come back to.
+    /// The current point, for [`Conditions::undo`].
     pub fn mark(&self) -> Mark {
         Mark {
             facts: self.facts.len(),
@@ -75,19 +76,19 @@ impl Conditions {
         }
     }
 
-    /// Forgets what was learned since a point.
+    /// Rolls back to a point.
     pub fn undo(&mut self, mark: Mark) {
         self.facts.truncate(mark.facts);
         self.held.truncate(mark.held);
         self.consequences.truncate(mark.consequences);
     }
 
-    /// A variable is written to.
+    /// Invalidates facts about a variable that is written to.
     pub fn written(&mut self, variable: VariableId) {
         *self.writes.entry(variable).or_insert(0) += 1;
     }
 
-    /// A variable has no value any more.
+    /// Records that a variable became unassigned.
     pub fn reset(&mut self, variable: VariableId) {
         self.written(variable);
         for consequence in &mut self.consequences {
@@ -97,12 +98,12 @@ impl Conditions {
         }
     }
 
-    /// A function is called.
+    /// Invalidates facts about globals, as a function is called.
     pub fn called(&mut self) {
         self.calls += 1;
     }
 
-    /// A variable is read.
+    /// Records the version of the variable that a load reads.
     pub fn loaded(&mut self, module: &Module, load: OpId, variable: VariableId) {
         let mut version = self.writes.get(&variable).copied().unwrap_or(0);
         let root = module.variable(variable).map(|v| v.root);
@@ -112,7 +113,7 @@ impl Conditions {
         self.versions.insert(load, version);
     }
 
-    /// What it means that a condition has an answer: itself, and what it is made of.
+    /// All facts that follow from a condition with a known value: the condition and its operands.
     fn facts_of(&self, module: &Module, condition: OpId, truth: bool) -> Vec<Fact> {
         let mut found = Vec::new();
         let mut todo = vec![(condition, truth, 0)];
@@ -135,14 +136,14 @@ impl Conditions {
         found
     }
 
-    /// A condition and its answer, told apart from all others; `None` where it cannot be.
+    /// The fact that a condition has this value; `None` if it cannot be hashed.
     pub fn fact(&self, module: &Module, condition: OpId, truth: bool) -> Option<Fact> {
         let (op, truth) = straight(module, condition, truth);
         let key = self.number(module, op)?;
         Some(Fact { key, truth })
     }
 
-    /// The number that a value's operations come to; `None` where it cannot be told from others.
+    /// The hash of a value's operations; `None` if they are too deep or not pure.
     pub fn number(&self, module: &Module, op: OpId) -> Option<u64> {
         let mut hasher = FxHasher::default();
         self.hash(module, op, 0, &mut hasher)?;
@@ -168,7 +169,7 @@ impl Conditions {
                 }
             }
             OpKind::Unary(unary, _) => unary.hash(to),
-            // One way to say it, whichever way it was written.
+            // All orderings are normalised to `<`.
             OpKind::Binary(Binary::Greater | Binary::LessEqual | Binary::GreaterEqual, ..) => {
                 Binary::Less.hash(to);
             }
@@ -197,15 +198,15 @@ impl Conditions {
         all
     }
 
-    /// From here on a condition has an answer.
+    /// Records that a condition has this value from here on.
     pub fn learn(&mut self, module: &Module, condition: OpId, truth: bool) {
         let facts = self.facts_of(module, condition, truth);
         self.facts.extend(facts);
         self.held.push((condition, truth));
     }
 
-    /// Where a fact holds, components of a variable have a value. Gives those that have one whatever
-    /// the answer is.
+    /// Records that components of a variable are assigned where a fact holds. Returns those that
+    /// are also assigned where it does not hold.
     pub fn follows(&mut self, fact: Fact, variable: VariableId, mask: Parts) -> Parts {
         let other = fact.turned();
         let others = self.consequences.iter();
@@ -219,7 +220,7 @@ impl Conditions {
         both
     }
 
-    /// The components of a variable that have a value because of what holds here.
+    /// The components of a variable that are assigned because of the current facts.
     pub fn known(&self, variable: VariableId) -> Parts {
         let own = self.consequences.iter();
         let own = own.filter(|c| c.variable == variable && self.facts.contains(&c.fact));
@@ -227,7 +228,7 @@ impl Conditions {
     }
 }
 
-/// A value in two numbers: its kind, and its bits.
+/// The type and bit pattern of a value, for hashing.
 fn bits(value: Value) -> (Scalar, u32) {
     match value {
         Value::Bool(v) => (Scalar::Bool, v as u32),
@@ -237,7 +238,7 @@ fn bits(value: Value) -> (Scalar, u32) {
     }
 }
 
-/// A condition without what turns its answer round.
+/// Strips negations from a condition: `!a`, and the negated forms of comparisons.
 fn straight(module: &Module, mut op: OpId, mut truth: bool) -> (OpId, bool) {
     loop {
         match module.op(op).kind {

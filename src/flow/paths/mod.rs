@@ -1,9 +1,9 @@
-//! What happens on every path through a function: which variables have a value when they are read
-//! and when the function is left, and whether its end is reached.
+//! Definite assignment: which variables may be read, or left by a function, before they are
+//! assigned on some path; and whether the end of a function is reachable.
 //!
-//! What a loop may write counts as written behind it: whether it turns at all, and whether it finds
-//! what it looks for, is seldom written in the text. A condition that is asked again gives the same
-//! answer as before, until something that it is made of changes.
+//! Writes in a loop count as assigned after it: shaders rarely make explicit that a loop runs at
+//! least once, or that a search succeeds. A repeated condition has the same value as before until
+//! one of its operands changes.
 
 mod cases;
 mod conditions;
@@ -20,14 +20,14 @@ use shaderlint_semantic::{FunctionRef, Mentions, Program, Stage, VariableId};
 pub use state::{Findings, Parts, Unset};
 use walk::Walk;
 
-/// What was found, by function.
+/// The findings of all functions, by function.
 #[derive(Default, Debug)]
 pub struct Paths {
     by_function: FxHashMap<FunctionRef, Findings>,
 }
 
 impl Paths {
-    /// Follows the paths through all functions of a shader.
+    /// Analyses the paths through all functions of a shader.
     pub fn of<'x>(
         (program, module): (&'x Program, &'x Module),
         calls: &Calls,
@@ -51,13 +51,13 @@ impl Paths {
         paths
     }
 
-    /// What was found in a function.
+    /// The findings of a function; `None` if it was not analysed.
     pub fn get(&self, function: FunctionRef) -> Option<&Findings> {
         self.by_function.get(&function)
     }
 }
 
-/// Parameters whose value their function makes no use of, but to hand it to such a one.
+/// `in` parameters whose value is unused, except as an argument for another such parameter.
 fn ignored(module: &Module, calls: &Calls) -> FxHashSet<VariableId> {
     let mut ignored = FxHashSet::default();
     for id in calls.graph().bottom_up() {
@@ -104,7 +104,7 @@ fn main(program: &Program) -> Option<FunctionRef> {
     Some(FunctionRef(at as u32))
 }
 
-/// The outputs of a fragment shader that `main` alone touches.
+/// The outputs of a fragment shader that only `main` accesses.
 fn outputs_of(program: &Program, module: &Module, main: FunctionRef) -> Vec<VariableId> {
     if program.stage != Stage::Fragment {
         return Vec::new();

@@ -1,57 +1,58 @@
-//! What has a value on the way to a point, and how ways come together.
+//! The assigned components of each variable on the current path, and their join.
 
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::VariableId;
 use shaderlint_syntax::ast::Extent;
 
-/// A variable without a value.
+/// A variable that may be read, or left by a function, before it is assigned.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Unset {
     /// The variable.
     pub variable: VariableId,
-    /// Where its value is missed.
+    /// Where its value is needed.
     pub at: Extent,
-    /// The components or members that are missing, a bit each.
+    /// Bit mask of the unassigned components or members.
     pub missing: Parts,
-    /// Whether nothing has written to them before; of an output: whether nothing ever does.
+    /// Whether nothing was assigned to them before on any path; for an output, anywhere in the
+    /// function.
     pub always: bool,
-    /// Whether a condition stands between the declaration and here, which may well tell whether
-    /// there is a value.
+    /// Whether a condition lies between the declaration and this point; it may well imply that the
+    /// variable is assigned.
     pub guarded: bool,
 }
 
-/// What was found in a function.
+/// The findings in a function.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub struct Findings {
-    /// Variables that are read before they are written to.
+    /// Variables that are read before they are assigned.
     pub reads: Vec<Unset>,
-    /// Parameters and outputs that the function leaves without a value.
+    /// `out` parameters and outputs that are unassigned when the function returns.
     pub outputs: Vec<Unset>,
-    /// Whether its end may be reached.
+    /// Whether the end of the body is reachable.
     pub reaches_end: bool,
 }
 
-/// Parts of a variable, a bit each: the components of a vector, the members of a struct; one bit for
-/// what has none, and the last for all members behind it.
+/// Bit mask of the parts of a variable: the components of a vector or the members of a struct.
+/// Other types use one bit; the last bit is shared by all further members.
 pub type Parts = u32;
 
 /// All parts.
 pub(super) const ALL: Parts = Parts::MAX;
 
-/// What differs from a point of the trail on one way from there, by variable.
+/// The variables that differ from a point of the trail, with their assigned parts.
 pub(super) type Path = FxHashMap<u32, Parts>;
 
-/// By variable: the components that have a value on every path to here.
+/// By variable: the components that are assigned on every path to the current point.
 pub(super) struct State {
     set: Vec<Parts>,
-    /// The variables that changed, and what they were.
+    /// Undo log: the changed variables with their previous state.
     trail: Vec<(u32, Parts)>,
-    /// Whether no path leads here.
+    /// Whether the current point is unreachable.
     pub dead: bool,
 }
 
 impl State {
-    /// Everything has a value.
+    /// A state in which every variable is assigned.
     pub fn new(variables: usize) -> State {
         State {
             set: vec![ALL; variables],
@@ -60,7 +61,7 @@ impl State {
         }
     }
 
-    /// The components of a variable that have a value.
+    /// The assigned components of a variable.
     pub fn get(&self, variable: VariableId) -> Parts {
         self.at(variable.0)
     }
@@ -69,7 +70,7 @@ impl State {
         self.set.get(variable as usize).copied().unwrap_or(ALL)
     }
 
-    /// Sets which components of a variable have a value.
+    /// Sets the assigned components of a variable.
     pub fn put(&mut self, variable: VariableId, value: Parts) {
         self.put_at(variable.0, value);
     }
@@ -83,12 +84,12 @@ impl State {
         }
     }
 
-    /// A point to come back to.
+    /// The current point, for [`State::undo`].
     pub fn mark(&self) -> usize {
         self.trail.len()
     }
 
-    /// Goes back to what was known at a point.
+    /// Rolls back to a point.
     pub fn undo(&mut self, mark: usize) {
         while self.trail.len() > mark
             && let Some((variable, old)) = self.trail.pop()
@@ -99,21 +100,22 @@ impl State {
         }
     }
 
-    /// The path from a point to here, if there is one.
+    /// The difference between a point and the current state; `None` if the current point is
+    /// unreachable.
     pub fn path(&self, mark: usize) -> Option<Path> {
         let since = self.trail.get(mark..).unwrap_or(&[]);
         (!self.dead).then(|| since.iter().map(|(v, _)| (*v, self.at(*v))).collect())
     }
 
-    /// What a variable was at a point.
+    /// The state of a variable at a point.
     pub fn before(&self, mark: usize, variable: u32) -> Parts {
         let since = self.trail.get(mark..).unwrap_or(&[]);
         let first = since.iter().find(|(v, _)| *v == variable);
         first.map_or_else(|| self.at(variable), |(_, old)| *old)
     }
 
-    /// Goes back to a point, and takes on the states of the paths that come from there: a variable
-    /// has a value if it has one on all of them.
+    /// Rolls back to a point and joins the paths from there: a component is assigned if it is on
+    /// all of them.
     pub fn join(&mut self, mark: usize, paths: &[Path]) {
         self.undo(mark);
         self.dead = paths.is_empty();
@@ -126,7 +128,7 @@ impl State {
             let all = others.iter().fold(value, |all, p| all & other(p));
             self.put_at(variable, all);
         }
-        // What lost its value on another path.
+        // Variables that became unassigned on another path only.
         for path in others {
             for (&variable, &value) in path.iter().filter(|(v, _)| !first.contains_key(*v)) {
                 self.put_at(variable, self.at(variable) & value);

@@ -1,4 +1,4 @@
-//! What is without a value, as short sentences.
+//! Tests of definite assignment.
 
 use super::{Paths, Unset};
 use crate::calls::Calls;
@@ -9,7 +9,8 @@ use shaderlint_semantic::{Dialect, Mentions, Pass, Stage, Unit, Wholeness, analy
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
-/// Compares what is found in the last function of some code: `?` where it is behind a condition.
+/// Compares the findings in the last function of `code`; `?` marks a variable that is guarded by a
+/// condition.
 #[track_caller]
 fn check(code: &str, expected: &str) {
     let mut sources = Sources::new();

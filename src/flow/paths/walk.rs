@@ -1,9 +1,9 @@
-//! The walk through the regions of a function.
+//! The walk over the regions of a function that computes definite assignment.
 //!
-//! `defs` goes the same way through the same regions, by the same visitor, and keeps something else:
-//! one definition for each lane, merged where ways come together. Here it counts what every way has
-//! written, and which conditions held on it, so that a way that cannot be taken is left out; that
-//! makes ways again of what a merge has made one. Neither state is part of the other.
+//! `defs` walks the same regions with the same visitor, but keeps one definition per component,
+//! merged where paths join. This walk keeps the components that every path has written and the
+//! conditions that hold on it, so that infeasible paths are excluded and correlated branches stay
+//! distinct. The two states are independent.
 
 use super::conditions::Conditions;
 use super::state::{ALL, Findings, Parts, Path, State, Unset};
@@ -16,18 +16,18 @@ use shaderlint_ir::{
 use shaderlint_semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
 use shaderlint_syntax::ast::{Extent, StmtId};
 
-/// How deep regions may nest; of a function with deeper ones nothing is said.
+/// Maximum nesting of regions; deeper functions have no findings.
 const MAX_DEPTH: u32 = 200;
 
-/// A loop or `switch` that is being walked.
+/// A loop or `switch` being walked.
 struct Frame {
-    /// The trail when it began.
+    /// The trail at its start.
     mark: usize,
-    /// The first operation behind its beginning.
+    /// The first operation after its start.
     start: u32,
-    /// Its last operation, of a loop: what it writes may come from the turn before.
+    /// The last operation of a loop: its writes may come from the previous iteration.
     last: Option<u32>,
-    /// What differs from the beginning where `break` leaves it, on all paths so far.
+    /// The join of the states at each `break`, relative to the start.
     exits: Option<Path>,
 }
 
@@ -35,39 +35,40 @@ pub(super) struct Walk<'x> {
     program: &'x Program,
     module: &'x Module,
     mentions: &'x Mentions,
-    /// By operation: whether a choice between values, both computed, may pass it over.
+    /// By operation: whether it is an operand of `?:`, `&&` or `||` whose value may not be used.
     chosen: Vec<bool>,
     state: State,
     conditions: Conditions,
-    /// By variable: the components that were written to anywhere so far.
+    /// By variable: the components written to so far on any path.
     ever: FxHashMap<VariableId, Parts>,
-    /// By variable: where it began to be without a value.
+    /// By variable: where it became unassigned.
     since: FxHashMap<VariableId, u32>,
-    /// Variables that must have a value when the function is left.
+    /// Variables that must be assigned when the function returns.
     outputs: Vec<VariableId>,
-    /// By load: the `inout` parameter that it is handed to; `None` is one whose value is not used, or
-    /// nobody knows.
+    /// By load passed as an argument: the `inout` parameter that receives it; `None` for a
+    /// parameter whose value is unused or unknown.
     handed: FxHashMap<OpId, Option<VariableId>>,
-    /// Asked for where something was found that may not be.
+    /// Requested only if the first walk finds something.
     query: &'x dyn Fn() -> Query<'x>,
-    /// What tells which conditions may hold, in a second walk.
+    /// Ranges to test the feasibility of paths, in the second walk.
     cases: Option<Query<'x>>,
-    /// By variable and value: the parts that were written where the value was one constant.
+    /// By variable and hash of a value: the parts written where that value equals one constant.
     told: FxHashMap<(VariableId, u64), Parts>,
-    /// By `inout` parameter of a function walked so far: the components whose value it uses.
+    /// By `inout` parameter of the functions walked so far: the components whose incoming value is
+    /// read.
     taken: FxHashMap<VariableId, Parts>,
     /// All writes in the function so far.
     writes: Vec<(VariableId, Parts)>,
     frames: Vec<Frame>,
-    /// The sides of conditions around here: where the condition stands, and the last operation.
+    /// The enclosing branches: the operation after the condition, and the last operation.
     branches: Vec<(u32, u32)>,
-    /// The value that the conditions around here compared with one constant each.
+    /// The hash of the value that the enclosing `else if` chain compares with constants.
     compared: Option<u64>,
-    /// The last condition behind which the function, a loop or a `switch` may have been left.
+    /// The last condition after which the function, a loop or a `switch` may have been left.
     exit: u32,
-    /// The operation that comes next.
+    /// The next operation.
     next: u32,
-    /// How deep regions nest here.
+    /// The current nesting of regions.
     depth: u32,
     too_deep: bool,
     findings: Findings,
@@ -131,7 +132,8 @@ impl<'x> Visit<'x> for Walk<'x> {
         self.side(condition, false, otherwise);
         self.compared = outer;
         let second = self.state.path(mark);
-        // Two values have been told apart and nothing is left for others: there are none.
+        // An `if`/`else if` chain that compares one value with two or more constants and has no
+        // `else` is taken to be exhaustive.
         let is_empty = self.module.steps(otherwise).is_empty();
         let second = second.filter(|_| !(is_next && is_empty && first.is_some()));
         let paths: Vec<Path> = first.iter().chain(&second).cloned().collect();
@@ -168,7 +170,7 @@ impl<'x> Visit<'x> for Walk<'x> {
             self.region(found.test);
         }
         let path = match self.state.path(mark) {
-            // No turn comes to its end, but the loop may not turn at all.
+            // No iteration reaches the end of the body, but the loop may run zero times.
             None if !was_dead && found.tests_first => Some(Path::default()),
             path => path,
         };
@@ -185,14 +187,15 @@ impl<'x> Visit<'x> for Walk<'x> {
         let mut has_default = false;
         for case in cases {
             has_default |= module.labels(case).contains(&CaseLabel::Default);
-            // A label is reached from the top too, where less has a value.
+            // A label is also reached directly from the `switch`, where less is assigned.
             self.state.undo(mark);
             self.state.dead = was_dead;
             self.guarded_region(case.body, start);
         }
         let path = self.state.path(mark);
         let has_left = self.frames.last().is_some_and(|f| f.exits.is_some());
-        // Whoever tells several values apart that the shader made has all that there are.
+        // A `switch` with several labels on a value computed by the shader is taken to be
+        // exhaustive.
         let is_told =
             cases.len() > 1 && !self.is_outside(found.selector) && (path.is_some() || has_left);
         let has_default = has_default || self.has_all(found.selector, cases);
@@ -256,8 +259,8 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// What happens in a function that has to write to some globals. The functions that it calls
-    /// come before it.
+    /// Analyses a function that must assign some globals. Its callees must have been analysed
+    /// before.
     pub fn function(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<Findings> {
         let found = self.follow(id, globals)?;
         let function = self.program.function(id)?;
@@ -265,14 +268,14 @@ impl<'x> Walk<'x> {
         if is_clean && (function.returns.is_void() || !found.reaches_end) {
             return Some(found);
         }
-        // Only now it is worth asking which paths there are.
+        // The feasibility of paths is tested only if there is something to report.
         self.cases = Some((self.query)());
         let found = self.follow(id, globals);
         self.cases = None;
         found
     }
 
-    /// Follows the paths through a function.
+    /// Walks a function once.
     fn follow(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<Findings> {
         let module = self.module;
         let function = module.function(id)?;
@@ -316,7 +319,7 @@ impl<'x> Walk<'x> {
         (!self.too_deep).then_some(findings)
     }
 
-    /// A variable is without a value from here on.
+    /// Marks a variable as unassigned from here on.
     fn lose(&mut self, variable: VariableId, at: u32) {
         self.state.put(variable, 0);
         self.since.insert(variable, at);
@@ -324,8 +327,7 @@ impl<'x> Walk<'x> {
         self.conditions.reset(variable);
     }
 
-    /// Whether conditions matter: a variable of the function was without a value, or it is asked
-    /// whether its end is reached.
+    /// Whether conditions must be tracked: a variable was unassigned, or this is the second walk.
     fn is_open(&self) -> bool {
         !self.since.is_empty() || self.cases.is_some()
     }
@@ -351,7 +353,7 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// The only answer that a condition may have here.
+    /// The value of a condition on this path, if only one is possible.
     fn known(&self, condition: OpId) -> Option<bool> {
         let constant = self.module.constant(condition).first();
         constant.map(|v| v.as_bool()).or_else(|| {
@@ -365,7 +367,7 @@ impl<'x> Walk<'x> {
         })
     }
 
-    /// One side of a branch.
+    /// Walks one side of a branch.
     fn side(&mut self, condition: OpId, truth: bool, region: Region) {
         let held = self.conditions.mark();
         let start = condition.0 + 1;
@@ -376,7 +378,7 @@ impl<'x> Walk<'x> {
         self.conditions.undo(held);
     }
 
-    /// A region that runs where a condition at `start` has one of its answers.
+    /// Walks a region guarded by the condition before `start`.
     fn guarded_region(&mut self, region: Region, start: u32) {
         let last = last_in(self.module, region).unwrap_or(start);
         self.branches.push((start, last));
@@ -384,7 +386,7 @@ impl<'x> Walk<'x> {
         self.branches.pop();
     }
 
-    /// The value that a condition compares with a constant.
+    /// The hash of the value that a condition compares with a constant for equality.
     fn compared(&self, condition: OpId) -> Option<u64> {
         let OpKind::Same {
             negated: false,
@@ -404,7 +406,7 @@ impl<'x> Walk<'x> {
         is_bounded.then(|| self.conditions.number(self.module, value))?
     }
 
-    /// Whether a value comes from outside as it is, so that it may be any.
+    /// Whether a value is loaded directly from a uniform or input, so that it may be anything.
     fn is_outside(&self, value: OpId) -> bool {
         let OpKind::Load(place) = self.module.op(value).kind else {
             return false;
@@ -413,8 +415,8 @@ impl<'x> Walk<'x> {
         matches!(variable.map(|v| v.root), Some(Root::Uniform | Root::Input))
     }
 
-    /// Keeps what the two sides of a condition tell of it: where it holds, what the one side wrote
-    /// to has a value.
+    /// Records the correlation between a condition and the variables assigned on only one of its
+    /// sides: they are assigned wherever the condition has the same value again.
     fn compare(&mut self, condition: OpId, first: &Path, second: &Path) {
         let Some(fact) = self.conditions.fact(self.module, condition, true) else {
             return;
@@ -424,7 +426,7 @@ impl<'x> Walk<'x> {
         all.dedup();
         for variable in all {
             let id = VariableId(variable);
-            // Behind the join it is what it was on both sides.
+            // After the join, it is the state common to both sides.
             let start = self.state.get(id);
             let of = |path: &Path| path.get(&variable).copied().unwrap_or(start);
             let (then, otherwise) = (of(first), of(second));
@@ -445,9 +447,9 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// Parts of a variable are written where a value is one constant. Gives those that were written
-    /// for another constant too: who tells several values apart that the shader made has all that
-    /// there are.
+    /// Records that parts of a variable are assigned where a value equals one constant. Returns
+    /// those that were also assigned for another constant: such comparisons are taken to be
+    /// exhaustive.
     fn tell(&mut self, variable: VariableId, condition: OpId, gained: Parts) -> Parts {
         let Some(value) = self.compared(condition) else {
             return 0;
@@ -469,14 +471,14 @@ impl<'x> Walk<'x> {
         mark
     }
 
-    /// Ends a loop or `switch`, which is left by `break`, or on one more path.
+    /// Ends a loop or `switch`: joins the paths of all `break` statements with `path`.
     fn end(&mut self, mark: usize, path: Option<Path>) {
         let exits = self.frames.pop().and_then(|f| f.exits);
         let paths: Vec<Path> = path.into_iter().chain(exits).collect();
         self.state.join(mark, &paths);
     }
 
-    /// What a loop wrote on some path stays written behind it.
+    /// Everything that a loop writes on some path counts as assigned after it.
     fn keep(&mut self, before: usize) {
         for i in before..self.writes.len() {
             if let Some(&(variable, mask)) = self.writes.get(i) {
@@ -485,7 +487,8 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// What a loop writes to is another at each turn.
+    /// Invalidates the facts about variables that a loop writes to, as they differ in each
+    /// iteration.
     fn turn_over(&mut self, start: u32, last: Option<u32>) {
         if !self.is_open() {
             return;
@@ -502,7 +505,7 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// Whether there is a case for every value that a selector may have.
+    /// Whether the cases cover every value in the range of the selector.
     fn has_all(&self, selector: OpId, cases: &[Case]) -> bool {
         const MOST: f64 = 64.0;
         let Some(range) = self.cases.map(|query| query.lane(selector, 0)) else {
@@ -522,7 +525,7 @@ impl<'x> Walk<'x> {
         (lo as i64..=hi as i64).all(|value| values.contains(&value))
     }
 
-    /// A `break`.
+    /// Handles a `break`.
     fn leave_frame(&mut self) {
         let Some(frame) = self.frames.last_mut() else {
             return;
@@ -549,7 +552,7 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// The function is left: what it must give has a value, or not.
+    /// Handles a function exit: outputs must be assigned.
     fn leave(&mut self, at: Extent) {
         if self.state.dead {
             return;
@@ -573,7 +576,7 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// The parts of a variable, or one bit for anything that has none.
+    /// All parts of a variable; one bit for types without parts.
     fn needed(&self, variable: VariableId) -> Parts {
         match self.module.variable(variable).map(|v| v.ty) {
             Some(ty) if ty.is_vector() => (1 << ty.components()) - 1,
@@ -590,7 +593,7 @@ impl<'x> Walk<'x> {
         }
     }
 
-    /// A place is read.
+    /// Checks a load.
     fn read(&mut self, op: OpId, place: PlaceId) {
         let place = self.module.place(place);
         let variable = place.variable;
@@ -599,13 +602,13 @@ impl<'x> Walk<'x> {
             return;
         }
         let needed = match self.module.path(place).first() {
-            // Which component it is, the text does not tell.
+            // The accessed component is not known statically.
             Some(Access::Computed(_) | Access::Element(_)) if has != 0 => 0,
-            // Who copies a struct need not use all of it.
+            // A struct that is copied need not be assigned completely.
             None if has != 0 && self.has_members(variable) => 0,
             _ => lanes(self.module, place).unwrap_or_else(|| self.needed(variable)),
         };
-        // What a function without a body does with it, nobody knows.
+        // It is not known what a function without a body does with its argument.
         let taken = |parameter| self.taken.get(&parameter).copied();
         let handed = self.handed.get(&op);
         let needed = match handed.map(|p| p.and_then(taken).unwrap_or(0)) {
@@ -634,7 +637,7 @@ impl<'x> Walk<'x> {
             always,
             guarded,
         });
-        // Once is enough.
+        // Report each variable once.
         self.state.put(variable, ALL);
     }
 
@@ -643,14 +646,14 @@ impl<'x> Walk<'x> {
         ty.is_some_and(|ty| ty.array == 0 && self.program.struct_of(ty).is_some())
     }
 
-    /// Whether a condition stands between a point and here.
+    /// Whether a condition lies between a point and this operation.
     fn is_guarded(&self, op: OpId, since: u32) -> bool {
         let is_chosen = self.chosen.get(op.0 as usize).copied().unwrap_or(false);
         is_chosen || self.exit > since || self.branches.iter().any(|b| b.0 > since)
     }
 
-    /// Whether the turn before may have written what is read here: on a way that passes the read
-    /// over, by a condition that may well tell the first turn from the others.
+    /// Whether the previous iteration may have written what is read here. That needs a guarded
+    /// read, since the condition may distinguish the first iteration from the others.
     fn is_written_later(&self, variable: VariableId, missing: Parts, op: OpId, since: u32) -> bool {
         let loops = self.frames.iter().filter(|f| f.start >= since);
         let mut loops = loops.filter_map(|f| Some((f.start, f.last?)));
@@ -671,7 +674,7 @@ impl<'x> Walk<'x> {
         })
     }
 
-    /// Where the variable that is read is named.
+    /// Where the variable is mentioned in the expression that reads it.
     fn named(&self, variable: VariableId, op: OpId) -> Extent {
         let tree = &self.program.tree;
         let extent = self.module.provenance(op).extent(tree).unwrap_or_default();
@@ -680,10 +683,11 @@ impl<'x> Walk<'x> {
     }
 }
 
-/// The number of the last part; members behind it share it.
+/// The last bit of the mask, shared by all further members.
 const LAST_PART: u32 = Parts::BITS - 1;
 
-/// The components that a place is, or the member that it lies in, if they are known.
+/// The components of a place, or the member that contains it; `None` if that is not known
+/// statically.
 fn lanes(module: &Module, place: &Place) -> Option<Parts> {
     match module.path(place) {
         [Access::Lanes(lanes)] => Some(lanes.numbers().iter().fold(0, |mask, n| mask | 1 << n)),
@@ -692,7 +696,7 @@ fn lanes(module: &Module, place: &Place) -> Option<Parts> {
     }
 }
 
-/// Whether a variable brings the value of the caller's, and takes it back.
+/// Whether a variable is an `inout` parameter.
 fn is_inout(module: &Module, variable: VariableId) -> bool {
     let root = module.variable(variable).map(|v| v.root);
     root == Some(Root::ParameterInout)
@@ -724,7 +728,7 @@ fn handed(
     handed
 }
 
-/// By operation: whether it is computed for a choice that may pass it over: `c ? a : b`, `a && b`.
+/// By operation: whether it is an operand of `?:`, `&&` or `||` whose value may not be used.
 fn chosen(module: &Module) -> Vec<bool> {
     let mut chosen = vec![false; module.ops.len()];
     let mark = |chosen: &mut Vec<bool>, op: OpId| {
@@ -750,7 +754,6 @@ fn chosen(module: &Module) -> Vec<bool> {
     chosen
 }
 
-/// The last operation of a loop.
 fn last_op(looped: &Loop) -> Option<u32> {
     looped.ops.ops().next_back().map(|op| op.0)
 }

@@ -1,4 +1,5 @@
-//! From a comparison back to what it is made of.
+//! Backward transfer functions: narrows the operands of a comparison that is known to be true or
+//! false.
 
 use super::interval::{Interval, above, below};
 use super::node::Node;
@@ -9,12 +10,12 @@ use shaderlint_ir::{Binary, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{BuiltinId, Scalar};
 
-/// What a condition leaves of a value.
+/// The values that a condition permits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
     lo: f64,
     hi: f64,
-    /// What it is not: numbers between two, and these.
+    /// An excluded closed interval of values.
     not: Option<(f64, f64)>,
 }
 
@@ -34,7 +35,7 @@ impl Wanted {
         }
     }
 
-    /// What a comparison tells of one of its sides.
+    /// The values that a comparison permits for one of its sides.
     pub(super) fn of(
         query: &Query,
         comparison: OpId,
@@ -80,7 +81,7 @@ impl Wanted {
         }
     }
 
-    /// What a refinement tells of the value that it is about.
+    /// The values that a refinement permits for the load that it constrains.
     pub(super) fn at_end(
         query: &Query,
         by: Refinement,
@@ -96,7 +97,7 @@ impl Wanted {
         wanted
     }
 
-    /// What is wanted of an operand, where this is wanted of a lane of an operation.
+    /// The values permitted for an operand, given those permitted for a component of the operation.
     fn through(
         self,
         query: &Query,
@@ -144,7 +145,7 @@ impl Wanted {
         let from = query.module.ty(a).scalar_kind();
         match (from, to) {
             (_, Some(Scalar::Bool)) | (Some(Scalar::Bool), _) => Wanted::ANY,
-            // Cut off towards zero.
+            // Conversion truncates towards zero.
             (Some(Scalar::Float), Some(_)) => {
                 let lo = if self.lo > 0.0 {
                     self.lo
@@ -165,7 +166,7 @@ impl Wanted {
         }
     }
 
-    /// What is wanted of an operand beside another.
+    /// The values permitted for one operand, given the range of the other.
     fn operand(self, kind: Binary, choice: u8, other: Interval) -> Wanted {
         let (lo, hi) = (other.lo.value, other.hi.value);
         match (kind, choice) {
@@ -201,7 +202,7 @@ impl Wanted {
         }
     }
 
-    /// What is wanted of a factor beside another.
+    /// The values permitted for a factor, given the range of the other.
     fn factor(self, other: Interval) -> Wanted {
         let (lo, hi) = (other.lo.value, other.hi.value);
         if hi < 0.0 {
@@ -230,18 +231,19 @@ impl Wanted {
         )
     }
 
-    /// What is wanted of an argument of a built-in function, given another.
+    /// The values permitted for an argument of a built-in function, given the range of another
+    /// argument.
     fn argument(self, function: BuiltinId, is_scalar: bool, other: Interval) -> Wanted {
         match function.transfer() {
             Transfer::Magnitude => self.magnitude(),
-            // The length of a scalar is its magnitude.
+            // The length of a scalar is its absolute value.
             Transfer::Norm if is_scalar => self.magnitude(),
             Transfer::Product if is_scalar => self.root().magnitude(),
             Transfer::Norm => Wanted {
                 not: self.not,
                 ..Wanted::between(self.lo.max(0.0), self.hi)
             },
-            // The square of a length.
+            // The dot product of a vector with itself is its squared length.
             Transfer::Product => self.root(),
             Transfer::Minimum if other.lo.value > self.hi => Wanted::between(self.lo, self.hi),
             Transfer::Minimum => Wanted::between(self.lo, f64::INFINITY),
@@ -260,7 +262,7 @@ impl Wanted {
         }
     }
 
-    /// What is wanted of `abs(x)`, where this is wanted of `x * x`.
+    /// The values permitted for `abs(x)`, given those permitted for `x * x`.
     fn root(self) -> Wanted {
         Wanted {
             not: self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
@@ -268,7 +270,7 @@ impl Wanted {
         }
     }
 
-    /// What is wanted of `x`, where this is wanted of `abs(x)`.
+    /// The values permitted for `x`, given those permitted for `abs(x)`.
     pub(super) fn magnitude(self) -> Wanted {
         let hole = match self.lo > 0.0 {
             true => Some((-below(self.lo), below(self.lo))),
@@ -280,13 +282,13 @@ impl Wanted {
         }
     }
 
-    /// Whether zero is not wanted.
+    /// Whether zero is excluded.
     fn is_nonzero(self) -> bool {
         let is_out = self.not.is_some_and(|(lo, hi)| lo <= 0.0 && hi >= 0.0);
         self.lo > 0.0 || self.hi < 0.0 || is_out
     }
 
-    /// Leaves of a range what is wanted.
+    /// Intersects a range with the permitted values.
     pub(super) fn narrow(self, range: &mut Interval, is_float: bool) {
         let (lo, hi) = match is_float {
             true => (self.lo, self.hi),

@@ -1,11 +1,11 @@
-//! Ranges of built-in functions and of what hosts provide.
+//! Transfer functions of built-in functions, and ranges of variables provided by the host.
 
 use super::interval::{Interval, Rounding, Tightness, below, is_power_of_two};
 use shaderlint_semantic::builtins::Transfer;
 use std::f64::consts::{PI, TAU};
 
-/// The range of a component of a built-in function's result, given those of the arguments at that
-/// component. Of functions that mix components nothing is known here.
+/// The range of a component of a built-in function's result, given the ranges of that component in
+/// the arguments. Unbounded for functions that mix components.
 pub fn of_function(transfer: Transfer, args: &[Interval]) -> Interval {
     let mut range = transferred(transfer, args).unwrap_or(Interval::ANY);
     if rounds(transfer) && args.iter().any(|arg| arg.single().is_none()) {
@@ -14,7 +14,7 @@ pub fn of_function(transfer: Transfer, args: &[Interval]) -> Interval {
     args.iter().fold(range, |range, arg| range.like(arg))
 }
 
-/// Whether a function rounds whatever it is given.
+/// Whether a function always rounds.
 const fn rounds(transfer: Transfer) -> bool {
     use Transfer as T;
     matches!(
@@ -82,7 +82,7 @@ fn transferred(transfer: Transfer, args: &[Interval]) -> Option<Interval> {
     })
 }
 
-/// `atan(y, x)`: the quadrants that the signs leave.
+/// `atan(y, x)`: the quadrants that the signs of the arguments permit.
 fn angle(y: Interval, x: Interval) -> Interval {
     let mut range = Interval::new(-PI, PI, Tightness::Touched);
     if x.lo.value >= 0.0 {
@@ -110,12 +110,12 @@ fn modulo(x: Interval, y: Interval) -> Option<Interval> {
         Tightness::Touched
     };
     let mut range = Interval::new(0.0, below(divisor), tightness);
-    // Whole numbers from zero on are multiples of the divisor again and again.
+    // Integers counted from zero hit multiples of the divisor repeatedly.
     if x.holds(0.0) && x.rounding == Rounding::Never {
         range.lo.tightness = Tightness::Held;
     }
-    // What is left of halves and the like by a whole number is exact, but for multiples of it: there
-    // some GPUs give the number itself instead of zero.
+    // `mod` of halves and the like by an integer is exact, except at multiples of the divisor,
+    // where some GPUs return the divisor instead of zero.
     let is_exact = Interval::constant(divisor).rounding == Rounding::Never;
     range.rounding = match (is_power_of_two(divisor), x.rounding) {
         (true, rounding) => rounding,
@@ -138,7 +138,7 @@ fn power(x: Interval, y: Interval) -> Option<Interval> {
     })
 }
 
-/// `mix` with a share between 0 and 1.
+/// `mix` with a weight in 0..1.
 fn blend(x: Interval, y: Interval, share: Interval) -> Option<Interval> {
     if share.lo.value < 0.0 || share.hi.value > 1.0 {
         return None;
@@ -157,7 +157,7 @@ fn blend(x: Interval, y: Interval, share: Interval) -> Option<Interval> {
     Some(range)
 }
 
-/// The part of a range between two numbers; a function is not defined beyond.
+/// The part of a range in the domain of a function.
 fn inside(x: Interval, lo: f64, hi: f64) -> Interval {
     let mut part = x;
     part.raise(lo);
@@ -181,7 +181,8 @@ fn wave(x: Interval, crest: f64) -> Interval {
     if is_reached { range } else { range.loose() }
 }
 
-/// What is known of a variable that ShaderToy's player or the language fills in, by component.
+/// The range of a component of a variable set by ShaderToy's player or the language; `None` for
+/// other names.
 pub fn of_host(name: &str, component: u8) -> Option<Interval> {
     let from = |lo, tightness| Interval::new(lo, f64::INFINITY, tightness);
     Some(match (name, component) {
@@ -195,7 +196,7 @@ pub fn of_host(name: &str, component: u8) -> Option<Interval> {
         ("iDate", 2) => Interval::new(1.0, 31.0, Tightness::Touched).exactly(),
         ("iDate", 3) => Interval::new(0.0, 86_400.0, Tightness::Touched),
         ("iDate", _) => from(1970.0, Tightness::Loose).exactly(),
-        // The first pixel lies there, and no other value is taken over whole areas.
+        // 0.5 is the coordinate of the first pixel; no value is taken over a whole area.
         ("gl_FragCoord", 0 | 1) => from(0.5, Tightness::Touched).exactly(),
         ("gl_FragCoord", 2) => Interval::new(0.0, 1.0, Tightness::Loose),
         ("gl_PointCoord", _) => Interval::new(0.0, 1.0, Tightness::Touched),

@@ -1,4 +1,4 @@
-//! Where a value was copied from, bit for bit.
+//! Bitwise copies: whether two values may originate from the same value.
 
 use super::Query;
 use crate::defs::{Def, DefId, Slot};
@@ -6,33 +6,33 @@ use rustc_hash::FxHashSet;
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::builtins::Transfer;
 
-/// Most copies that are followed for one question.
+/// Maximum number of copies followed per query.
 const MAX_COPIES: usize = 600;
 
-/// Where a value comes from when all copies are taken back.
+/// The origin of a value, copies followed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 enum Origin {
-    /// A constant, by its bits.
+    /// A constant, as bits.
     Constant(u32),
     /// A definition.
     Def(DefId),
-    /// A lane of a variable, as it was before the function.
+    /// A slot on entry to the function.
     Entry(Slot),
 }
 
-/// What is still to be followed.
+/// A value still to be followed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 enum Copy {
     Lane(OpId, u32),
     Def(DefId),
 }
 
-/// All that a value may be a copy of.
+/// All values that a value may be a copy of.
 type Origins = FxHashSet<Origin>;
 
 impl Query<'_> {
-    /// Whether two numbers may be copies of one value, so that comparing them is exact: a variable
-    /// and a constant that was put into it, or the least of two distances and one of the two.
+    /// Whether two numbers may be copies of the same value, so that comparing them for equality is
+    /// exact: a variable and a constant assigned to it, or `min(a, b)` and `a`.
     pub fn may_be_copies(&self, a: OpId, b: OpId, lane: u32) -> bool {
         let (left, right) = (self.origins(a, lane), self.origins(b, lane));
         !left.is_disjoint(&right)
@@ -62,7 +62,7 @@ impl Query<'_> {
         match module.op(op).kind {
             OpKind::Const(_) => {
                 let value = module.constant(op).get(lane as usize);
-                // 0.0 and -0.0 are equal.
+                // 0.0 and -0.0 compare equal.
                 found.extend(value.map(|v| Origin::Constant((v.as_float() + 0.0).to_bits())));
             }
             OpKind::Load(_) => todo.push(Copy::Def(defs.seen(op, lane))),

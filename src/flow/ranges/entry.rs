@@ -10,10 +10,10 @@ use crate::defs::{Def, DefId, Refinement, Slot};
 use shaderlint_ir::{Binary, LoopId, OpKind, Root};
 use shaderlint_semantic::{Scalar, Type};
 
-/// How many copies are followed at once.
+/// Maximum number of copies followed at once.
 const MAX_COPIES: u32 = 64;
 
-/// The number that each turn of a loop adds to what a loop begins with.
+/// A loop head that starts at `init` and is incremented by a constant per iteration.
 #[derive(Clone, Copy, Debug)]
 struct Counter {
     of: LoopId,
@@ -22,7 +22,7 @@ struct Counter {
 }
 
 impl Query<'_> {
-    /// The node whose value a node has, copies followed.
+    /// The node that a node is a copy of, copies followed.
     pub(super) fn resolved(&self, mut node: Node) -> Node {
         let (module, defs) = (self.module, self.defs);
         for _ in 0..MAX_COPIES {
@@ -51,8 +51,8 @@ impl Query<'_> {
         node
     }
 
-    /// The range of a node, given those that it hangs on; `None` where it never has a value. Which
-    /// nodes are asked for does not depend on the answers.
+    /// The range of a node, given the ranges of its operands; `None` if it never has a value. The
+    /// set of operands requested does not depend on their ranges.
     pub(super) fn compute(
         &self,
         node: Node,
@@ -99,7 +99,7 @@ impl Query<'_> {
             Def::Head { init, back, .. } => {
                 let (first, later) = (get(of(init)), get(of(back)));
                 let mut joined = join([first, later].into_iter())?;
-                // After the first turn it is what the turns make of it.
+                // After the first iteration, only the back edge determines the rounding.
                 joined.rounding = later.map_or(joined.rounding, |later| later.rounding);
                 if !self.is_tested(id) {
                     joined = joined.loose();
@@ -115,7 +115,7 @@ impl Query<'_> {
         }
     }
 
-    /// What is left of a definition where a comparison holds or does not.
+    /// The range of a definition constrained by a comparison.
     fn refined(
         &self,
         before: DefId,
@@ -138,7 +138,7 @@ impl Query<'_> {
                 range.touch_ends();
             }
         }
-        // What contradicts itself is never reached.
+        // A contradiction: this code is unreachable.
         (range.lo.value <= range.hi.value).then_some(range)
     }
 
@@ -147,7 +147,7 @@ impl Query<'_> {
         ty.element().scalar_kind() == Some(Scalar::Float)
     }
 
-    /// Whether a loop goes on while a comparison holds.
+    /// Whether a comparison is a continuation condition of a loop.
     fn is_test(&self, looped: LoopId, by: Refinement) -> bool {
         let condition = self.module.looped(looped).and_then(|l| l.condition);
         let mut is_test = false;
@@ -159,8 +159,8 @@ impl Query<'_> {
         is_test
     }
 
-    /// Whether the head of a loop counts, and the loop ends by what it has counted: then it takes
-    /// each of its values.
+    /// Whether a loop head is a counter that the loop condition tests, so that it takes each of its
+    /// values.
     fn is_tested(&self, head: DefId) -> bool {
         let Some(counter) = self.counter(head) else {
             return false;
@@ -178,12 +178,12 @@ impl Query<'_> {
         is_tested
     }
 
-    /// Whether a definition is, conditions aside, what a loop counts.
+    /// Whether a definition, refinements aside, is a loop counter.
     pub(super) fn is_counted(&self, def: DefId) -> bool {
         self.counter(self.defs.unrefined(def)).is_some()
     }
 
-    /// What a lane counts, if it is the head of a loop whose turns each add one number to it.
+    /// The counter at a loop head, if each iteration adds the same constant to it.
     fn counter(&self, head: DefId) -> Option<Counter> {
         let defs = self.defs;
         let Def::Head { of, init, back, .. } = defs.get(head) else {
@@ -212,7 +212,7 @@ impl Query<'_> {
         (step != 0.0).then_some(Counter { of, init, step })
     }
 
-    /// What a lane of a variable holds before anything in the function is written to it.
+    /// The range of a slot on entry to a function.
     fn entry(
         &self,
         slot: Slot,
@@ -262,7 +262,7 @@ impl Query<'_> {
             }
         };
         if self.ranges.hides_variable(id) {
-            // Whether it is rounded, the writes that are known tell best.
+            // The known writes are the best estimate of its rounding.
             range = Interval {
                 rounding: range.rounding,
                 ..unknown(variable.ty)
@@ -274,7 +274,7 @@ impl Query<'_> {
         Some(range)
     }
 
-    /// What the host or the language puts into a lane of a variable.
+    /// The range of a slot that the host or the language sets.
     fn given(&self, slot: Slot, source: u64) -> Interval {
         let (id, lane) = self.defs.variable_at(slot);
         let Some(variable) = self.program.variable(id) else {
@@ -294,7 +294,7 @@ impl Query<'_> {
                 .loose(),
         };
         let scalar = variable.ty.element().scalar_kind().filter(|_| lane < rows);
-        // The size of the picture stays as it is, so numbers do not hang on each other by it.
+        // The resolution is constant, so it does not correlate values.
         let sources = if name == "iResolution" { 0 } else { source };
         Interval {
             sources,
@@ -303,7 +303,7 @@ impl Query<'_> {
     }
 }
 
-/// What is one of several, those left out that never have a value.
+/// The union of ranges, without those that never have a value.
 pub(super) fn join(ranges: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
     ranges.fold(None, |joined, range| match (joined, range) {
         (Some(a), Some(b)) => Some(a.join(b)),
@@ -311,7 +311,7 @@ pub(super) fn join(ranges: impl Iterator<Item = Option<Interval>>) -> Option<Int
     })
 }
 
-/// The length of a vector of these components.
+/// The length of a vector, from the ranges of its components.
 pub(super) fn measure(parts: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
     let mut sum: Option<Interval> = None;
     let mut is_made = true;
@@ -326,7 +326,8 @@ pub(super) fn measure(parts: impl Iterator<Item = Option<Interval>>) -> Option<I
     Some(length)
 }
 
-/// Moves the ends of what a counter may be to numbers that it counts. Says whether it comes to them.
+/// Moves the bounds of a counter to the nearest values that it takes. Returns whether it attains
+/// them.
 fn snap(range: &mut Interval, first: Interval, step: f64) -> bool {
     let Some(first) = first.single() else {
         return true;
@@ -344,8 +345,8 @@ fn snap(range: &mut Interval, first: Interval, step: f64) -> bool {
     least.is_some() && most.is_some()
 }
 
-/// The last number on this side of an end that counting comes to. `None` where rounding decides
-/// whether one turn more is made.
+/// The last value of a counter before a bound. `None` if rounding decides whether there is one more
+/// iteration.
 fn counted(first: f64, step: f64, end: f64, rounded: fn(f64) -> f64) -> Option<f64> {
     let turns = (end - first) / step;
     let is_exact = |v: f64| (v * 256.0).fract() == 0.0;

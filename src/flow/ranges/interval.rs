@@ -1,43 +1,43 @@
-//! Ranges of numbers, and arithmetic on them.
+//! Intervals of numbers, and interval arithmetic.
 
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// How well a value takes a bound of its range.
+/// How closely values approach a bound of their range.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Tightness {
-    /// It is a limit that no value takes, as 0 is of `exp(x)`.
+    /// An open limit that no value attains, as 0 is of `exp(x)`.
     Open,
-    /// Never beyond it, but perhaps never near it.
+    /// A conservative bound, which may not be tight.
     Loose,
-    /// It comes as near as one likes.
+    /// Values come arbitrarily close to the bound.
     Touched,
-    /// It takes the bound itself, and not only in passing: `max(x, 0.0)` is 0 over whole areas.
+    /// Values attain the bound, over whole areas: `max(x, 0.0)` is 0 for all negative `x`.
     Held,
 }
 
-/// An end of a range.
+/// A bound of an interval.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct End {
-    /// The number, perhaps infinite.
+    /// The bound, perhaps infinite.
     pub value: f64,
-    /// How well it is taken.
+    /// How closely values approach it.
     pub tightness: Tightness,
 }
 
-/// Whether arithmetic that rounds made a number.
+/// Whether a number is the result of arithmetic that rounds.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Rounding {
-    /// No: whole numbers, halves and the like.
+    /// Never rounded: integers, halves and the like.
     Never,
-    /// It is not known.
+    /// Not known.
     Unknown,
-    /// Yes, so that it differs in the last digits from what it would be on paper, and from GPU to GPU.
+    /// Always rounded: its last digits differ from the exact result, and between GPUs.
     Always,
 }
 
 impl Rounding {
-    /// That of what is one of two numbers.
+    /// The rounding of a value that is one of two numbers.
     fn join(self, other: Rounding) -> Rounding {
         if self == other {
             self
@@ -47,34 +47,34 @@ impl Rounding {
     }
 }
 
-/// How far arithmetic that rounds may stray beyond what it gives on paper: `cos(PI / 2.0)` is a
-/// little below zero.
+/// How far rounding may take a result beyond its exact bound: `cos(PI / 2.0)` is slightly below
+/// zero.
 const STRAY: f64 = 1e-5;
-/// No number is taken for certain.
+/// The inner interval is empty: no values are known to be attained.
 const NOTHING: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
-/// Below and above zero, nobody knows how far.
+/// The inner interval around zero: both signs occur, by an unknown amount.
 const BOTH_SIGNS: [f32; 2] = [-1e-30, 1e-30];
 
-/// What a number may be.
+/// The possible values of a number.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Interval {
-    /// The least.
+    /// The lower bound.
     pub lo: End,
-    /// The greatest.
+    /// The upper bound.
     pub hi: End,
-    /// Some of it is for certain as little as the first, and some as great as the second, although
-    /// the ends lie further out. None is, where the first is the greater.
+    /// Inner approximation: some values are known to be at most the first, and some at least the
+    /// second, although the bounds lie further out. Empty if the first is greater.
     pub inner: [f32; 2],
-    /// Whether rounding comes into it.
+    /// Whether rounding affects it.
     pub rounding: Rounding,
-    /// What it hangs on, a bit for each unknown. Two numbers that hang on the same are not free of
-    /// each other, so bounds made of both are not reached for certain.
+    /// The unknowns that it depends on, as a bit set (a Bloom filter). Numbers with a common source
+    /// are correlated, so bounds computed from both may not be attained.
     pub sources: u64,
-    /// Whether it mixes what several callers of a function pass.
+    /// Whether it merges the arguments of several calls of a function.
     pub mixed: bool,
 }
 
-/// The largest number below `value` that a `float` can be.
+/// The largest `float` less than `value`.
 pub fn below(value: f64) -> f64 {
     if value.is_finite() {
         (value as f32).next_down() as f64
@@ -83,7 +83,7 @@ pub fn below(value: f64) -> f64 {
     }
 }
 
-/// The smallest number above `value` that a `float` can be.
+/// The smallest `float` greater than `value`.
 pub fn above(value: f64) -> f64 {
     -below(-value)
 }
@@ -93,18 +93,18 @@ fn bound(value: f64, tightness: Tightness) -> End {
         true => tightness,
         false => Tightness::Loose,
     };
-    // A product of zero and infinity: whatever it is, nothing is known.
+    // Zero times infinity: nothing is known.
     let value = if value.is_nan() { 0.0 } else { value };
     End { value, tightness }
 }
 
-/// The lesser of two ends of different values that may both be.
+/// The lesser of two bounds; of equal ones, the tighter.
 fn least(a: End, b: End) -> End {
     let is_first = a.value < b.value || (a.value == b.value && a.tightness >= b.tightness);
     if is_first { a } else { b }
 }
 
-/// The greater of two ends.
+/// The greater of two bounds; of equal ones, the tighter.
 fn greatest(a: End, b: End) -> End {
     let is_first = a.value > b.value || (a.value == b.value && a.tightness >= b.tightness);
     if is_first { a } else { b }
@@ -112,16 +112,16 @@ fn greatest(a: End, b: End) -> End {
 
 impl End {
     fn negated(self) -> End {
-        // No -0.0, which would be below 0.0.
+        // Avoids -0.0, which would sort below 0.0.
         bound(0.0 - self.value, self.tightness)
     }
 
-    /// Whether values come as near to it as one likes.
+    /// Whether values come arbitrarily close to the bound.
     pub fn is_reached(self) -> bool {
         self.tightness >= Tightness::Touched
     }
 
-    /// How well an end is taken that a condition tells of.
+    /// The tightness of a bound derived from a condition.
     fn told(self) -> Tightness {
         self.tightness.clamp(Tightness::Loose, Tightness::Touched)
     }
@@ -132,7 +132,7 @@ impl End {
 }
 
 impl Interval {
-    /// Any number.
+    /// The unbounded interval.
     pub const ANY: Interval = Interval {
         lo: End {
             value: f64::NEG_INFINITY,
@@ -148,7 +148,7 @@ impl Interval {
         mixed: false,
     };
 
-    /// One number.
+    /// The interval of one number.
     pub fn constant(value: f64) -> Interval {
         let scaled = value * 256.0;
         let range = Interval::new(value, value, Tightness::Held);
@@ -158,7 +158,7 @@ impl Interval {
         }
     }
 
-    /// From `lo` to `hi`, both taken as `tightness` says.
+    /// The interval from `lo` to `hi`, with the same tightness at both bounds.
     pub fn new(lo: f64, hi: f64, tightness: Tightness) -> Interval {
         Interval {
             lo: bound(lo, tightness),
@@ -167,7 +167,7 @@ impl Interval {
         }
     }
 
-    /// The same numbers, which come about without rounding.
+    /// The same interval, computed without rounding.
     pub fn exactly(self) -> Interval {
         Interval {
             rounding: Rounding::Never,
@@ -175,7 +175,7 @@ impl Interval {
         }
     }
 
-    /// The same numbers, made by arithmetic that rounds.
+    /// The same interval, computed with rounding.
     pub fn rounded(self) -> Interval {
         Interval {
             rounding: Rounding::Always,
@@ -183,10 +183,10 @@ impl Interval {
         }
     }
 
-    /// Whether rounding comes into the sum or product of two numbers.
+    /// Whether the sum or product of two numbers is rounded.
     pub fn rounding_with(&self, other: &Interval) -> Rounding {
         use Rounding::{Always, Never, Unknown};
-        // A constant that no `float` can be, such as 0.1, is rounded with whatever it meets.
+        // A constant that `float` cannot represent, such as 0.1, rounds every result.
         let is_rough = |r: &Interval| r.rounding == Unknown && r.single().is_some();
         match (self.rounding, other.rounding) {
             (Never, Never) => Never,
@@ -196,7 +196,7 @@ impl Interval {
         }
     }
 
-    /// The same, hanging on what `of` hangs on.
+    /// The same interval, which also depends on the sources of `of`.
     pub fn like(self, of: &Interval) -> Interval {
         Interval {
             sources: self.sources | of.sources,
@@ -205,7 +205,7 @@ impl Interval {
         }
     }
 
-    /// The same, with neither bound reached for certain.
+    /// The same interval with conservative bounds, neither of which may be attained.
     pub fn loose(self) -> Interval {
         Interval {
             lo: self.lo.at_most(Tightness::Loose),
@@ -215,7 +215,7 @@ impl Interval {
         }
     }
 
-    /// The same, with some of it for certain as little as `lo` and some as great as `hi`.
+    /// The same interval, with values known to be at most `lo` and at least `hi`.
     pub fn taking(self, lo: f64, hi: f64) -> Interval {
         Interval {
             inner: [lo as f32, hi as f32],
@@ -223,7 +223,7 @@ impl Interval {
         }
     }
 
-    /// The same, with some of it for certain below and some above zero.
+    /// The same interval, known to contain negative and positive values.
     pub fn taking_both_signs(self) -> Interval {
         Interval {
             inner: BOTH_SIGNS,
@@ -231,7 +231,7 @@ impl Interval {
         }
     }
 
-    /// The least and the greatest number that it comes near to for certain.
+    /// The least and the greatest number that values are known to approach.
     fn taken(&self) -> Option<(f64, f64)> {
         let [least, most] = self.inner;
         let of = |end: End, inner: f32| match end.is_reached() {
@@ -242,12 +242,12 @@ impl Interval {
         (lo <= hi).then_some((lo, hi))
     }
 
-    /// Whether some of it is for certain below and some above zero.
+    /// Whether both negative and positive values are known to occur.
     pub fn takes_both_signs(&self) -> bool {
         self.taken().is_some_and(|(lo, hi)| lo < 0.0 && hi > 0.0)
     }
 
-    /// The same, with no bound that is more than touched.
+    /// The same interval with bounds at most [`Tightness::Touched`].
     pub fn touched(self) -> Interval {
         Interval {
             lo: self.lo.at_most(Tightness::Touched),
@@ -256,56 +256,56 @@ impl Interval {
         }
     }
 
-    /// Whether nothing is known.
+    /// Whether it is unbounded on both sides.
     pub fn is_any(&self) -> bool {
         self.lo.value.is_infinite() && self.hi.value.is_infinite()
     }
 
-    /// Whether both ends are numbers.
+    /// Whether both bounds are finite.
     pub fn is_finite(&self) -> bool {
         self.lo.value.is_finite() && self.hi.value.is_finite()
     }
 
-    /// The number that it is, if it is one alone.
+    /// The only value, if there is just one.
     pub fn single(&self) -> Option<f64> {
         (self.lo.value == self.hi.value).then_some(self.lo.value)
     }
 
-    /// Whether a number lies in it.
+    /// Whether a value lies in the interval.
     pub fn contains(&self, value: f64) -> bool {
         self.lo.value <= value && value <= self.hi.value
     }
 
-    /// Whether all of it is less than `value`.
+    /// Whether all values are less than `value`.
     pub fn is_below(&self, value: f64) -> bool {
         self.hi.value < value
     }
 
-    /// Whether all of it is greater than `value`.
+    /// Whether all values are greater than `value`.
     pub fn is_above(&self, value: f64) -> bool {
         self.lo.value > value
     }
 
-    /// Whether some of it is for certain less than `value`.
+    /// Whether some values are known to be less than `value`.
     pub fn reaches_below(&self, value: f64) -> bool {
         let is_reached = self.lo.value < value && self.lo.is_reached();
         self.is_below(value) || is_reached || self.is_parted_by(value)
     }
 
-    /// Whether some of it is for certain greater than `value`.
+    /// Whether some values are known to be greater than `value`.
     pub fn reaches_above(&self, value: f64) -> bool {
         let is_reached = self.hi.value > value && self.hi.is_reached();
         self.is_above(value) || is_reached || self.is_parted_by(value)
     }
 
-    /// Whether a number lies amid those that it takes for certain. Where all of them lie on one side,
-    /// it holds something else than one might think.
+    /// Whether `value` lies strictly within the inner interval. If all known values lie on one
+    /// side, the bound on the other side is probably not attained.
     fn is_parted_by(&self, value: f64) -> bool {
         let [least, most] = self.inner;
         (least as f64) < value && value < most as f64
     }
 
-    /// Whether some of it is for certain less than `value`, and not by rounding alone.
+    /// Whether some values are known to be less than `value` by more than rounding.
     pub fn strays_below(&self, value: f64) -> bool {
         let is_open = self.hi.tightness == Tightness::Open && self.hi.value <= value;
         self.is_parted_by(value)
@@ -313,12 +313,12 @@ impl Interval {
             || self.reaches_below(value - STRAY)
     }
 
-    /// Whether some of it is for certain greater than `value`, and not by rounding alone.
+    /// Whether some values are known to be greater than `value` by more than rounding.
     pub fn strays_above(&self, value: f64) -> bool {
         (-*self).strays_below(-value)
     }
 
-    /// Whether it is for certain `value`, and not only in passing.
+    /// Whether `value` is a bound that is attained over whole areas.
     pub fn holds(&self, value: f64) -> bool {
         [self.lo, self.hi].contains(&End {
             value,
@@ -326,7 +326,7 @@ impl Interval {
         })
     }
 
-    /// What is one or the other.
+    /// The union of two intervals (join).
     pub fn join(self, other: Interval) -> Interval {
         Interval {
             lo: least(self.lo, other.lo),
@@ -341,7 +341,7 @@ impl Interval {
         }
     }
 
-    /// No less than `lo`: what a comparison told.
+    /// Raises the lower bound to `lo`, as implied by a condition.
     pub fn raise(&mut self, lo: f64) {
         if lo > self.lo.value {
             self.lo = bound(lo, self.lo.told());
@@ -349,7 +349,7 @@ impl Interval {
         }
     }
 
-    /// No greater than `hi`.
+    /// Lowers the upper bound to `hi`, as implied by a condition.
     pub fn lower(&mut self, hi: f64) {
         if hi < self.hi.value {
             self.hi = bound(hi, self.hi.told());
@@ -357,7 +357,7 @@ impl Interval {
         }
     }
 
-    /// Down to a number that is perhaps never come near to.
+    /// Extends the lower bound to `lo`, which may not be attained.
     pub fn down_to(self, lo: f64) -> Interval {
         Interval {
             lo: bound(lo, Tightness::Loose),
@@ -366,7 +366,7 @@ impl Interval {
         }
     }
 
-    /// Up to a number that is perhaps never come near to.
+    /// Extends the upper bound to `hi`, which may not be attained.
     pub fn up_to(self, hi: f64) -> Interval {
         Interval {
             hi: bound(hi, Tightness::Loose),
@@ -375,7 +375,7 @@ impl Interval {
         }
     }
 
-    /// The same, where another computation of it goes less far.
+    /// The intersection with the result of another computation of the same value.
     pub fn within(mut self, other: &Interval) -> Interval {
         if other.lo.value > self.lo.value {
             self.lo = other.lo;
@@ -386,13 +386,14 @@ impl Interval {
         self
     }
 
-    /// Both ends are come near to.
+    /// Marks both bounds as approached.
     pub fn touch_ends(&mut self) {
         self.lo = bound(self.lo.value, self.lo.tightness.max(Tightness::Touched));
         self.hi = bound(self.hi.value, self.hi.tightness.max(Tightness::Touched));
     }
 
-    /// A range made of the ends of two; whether the ends come together hangs on their sources.
+    /// An interval computed from two others. The bounds are only tight if the operands are
+    /// independent.
     fn made_of(a: &Interval, b: &Interval, lo: End, hi: End) -> Interval {
         let range = Interval {
             lo,
@@ -409,18 +410,18 @@ impl Interval {
         }
     }
 
-    /// Whether two numbers do not hang on each other.
+    /// Whether two numbers are independent: they share no source.
     pub fn is_free_of(&self, other: &Interval) -> bool {
         self.sources & other.sources == 0 && !(self.mixed && other.mixed)
     }
 
-    /// Whether this, made of two, is taken only in part as far as its ends go.
+    /// Whether the bounds of a result overestimate the values that its operands are known to take.
     fn is_partly_taken(&self, a: &Interval, b: &Interval) -> bool {
         let is_inner = |r: &Interval| r.inner[0] <= r.inner[1];
         (is_inner(a) || is_inner(b)) && a.is_free_of(b)
     }
 
-    /// Takes over from a factor or dividend that it takes both signs, or how far a number scales it.
+    /// Derives the inner interval of a product or quotient from a factor or dividend.
     fn scale(&mut self, of: &Interval, by: &Interval) {
         let is_crossing = of.lo.value < 0.0 && of.hi.value > 0.0;
         if !is_crossing && of.inner[0] > of.inner[1] {
@@ -461,7 +462,8 @@ impl Interval {
         }
     }
 
-    /// How well a value between the ends is taken: in passing, if both ends are reached.
+    /// How closely a value between the bounds is approached: [`Tightness::Touched`] if both bounds
+    /// are.
     fn inner_reach(&self) -> Tightness {
         self.lo
             .tightness
@@ -497,8 +499,8 @@ impl Interval {
         } else {
             (other.lo, self.lo)
         };
-        // The higher of the lower ends is the result where the other value lies below it, which it
-        // does for certain, or as far as anybody who writes `max` thinks.
+        // The result attains the higher of the lower bounds where the other operand is below it.
+        // Whoever writes `max` expects that to happen.
         let is_below = low.is_reached() || low.value < high.value;
         let tightness = if is_below {
             high.tightness
@@ -515,7 +517,7 @@ impl Interval {
             lo: bound(high.value, tightness),
             hi: greatest(self.hi, other.hi),
             inner,
-            // A constant bound is known by the end of the range that it makes.
+            // A constant operand is only visible as the bound of the result.
             rounding: match (self.single(), other.single()) {
                 (None, Some(_)) => self.rounding,
                 (Some(_), None) => other.rounding,
@@ -526,10 +528,11 @@ impl Interval {
         }
     }
 
-    /// The range of a function that never falls and takes whole stretches to one number.
+    /// The range of a non-decreasing step function, which is constant over whole stretches.
     pub fn stepped(self, f: impl Fn(f64) -> f64) -> Interval {
         let part = (self.hi.value - self.lo.value) * 1e-6;
-        // Where an end is touched, so are the numbers beside it, and what they become is held.
+        // If a bound is approached, so are the values next to it, and a flat step there is attained
+        // over an area.
         let at = |end: End, beside: f64| {
             let value = f(end.value);
             let is_flat = end.is_reached() && part > 0.0 && f(beside) == value;
@@ -547,7 +550,7 @@ impl Interval {
         }
     }
 
-    /// The range of a function that never falls.
+    /// The range of a non-decreasing function.
     pub fn rising(self, f: impl Fn(f64) -> f64) -> Interval {
         let at = |end: End| {
             let value = f(end.value);
@@ -626,7 +629,7 @@ impl Mul for Interval {
             if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
         });
         let mut range = Interval::made_of(&self, &other, lo, hi);
-        // Whatever the one is where the other is zero.
+        // If one operand is held at zero, the product is zero, whatever the other is.
         if !(self.mixed && other.mixed) && (self.holds(0.0) || other.holds(0.0)) {
             for end in [&mut range.lo, &mut range.hi] {
                 if end.value == 0.0 {
@@ -640,7 +643,7 @@ impl Mul for Interval {
     }
 }
 
-/// `a / b`; nothing is known where `b` may be on both sides of zero.
+/// `a / b`; unbounded if `b` may have either sign.
 impl Div for Interval {
     type Output = Interval;
 
@@ -657,18 +660,18 @@ impl Div for Interval {
             (a, b) => a / b,
         });
         let mut range = Interval::made_of(&self, &other, lo, hi);
-        // So far away as one likes it comes near to zero.
+        // An unbounded divisor takes the quotient arbitrarily close to zero.
         if sign > 0.0 && self.lo.value > 0.0 && other.hi.value.is_infinite() {
             range.lo.tightness = Tightness::Open;
         }
         let inverse = other.single().map(|v| Interval::constant(1.0 / v));
         range.scale(&self, &inverse.unwrap_or(other));
-        // Only a power of two divides without rounding.
+        // Only division by a power of two is exact.
         let divisor = other.single().unwrap_or(3.0).abs();
         let divides = is_power_of_two(divisor) && divisor <= 256.0;
         range.rounding = match (other.single(), range.rounding) {
             (Some(_), _) if divides => self.rounding,
-            // Multiples of the divisor are not rounded.
+            // The quotients of multiples of the divisor are exact.
             (Some(_), Rounding::Never) => Rounding::Unknown,
             (None, Rounding::Never) => Rounding::Always,
             (_, rounding) => rounding,
@@ -677,7 +680,7 @@ impl Div for Interval {
     }
 }
 
-/// The least and greatest of a function of the ends of two ranges.
+/// The least and greatest value of a function at the bounds of two intervals.
 fn ends(a: &Interval, b: &Interval, f: impl Fn(f64, f64) -> f64) -> (End, End) {
     let at = |a: End, b: End| bound(f(a.value, b.value), a.tightness.min(b.tightness));
     let corners = [
@@ -699,7 +702,7 @@ pub fn is_power_of_two(value: f64) -> bool {
     }
 }
 
-/// As messages say it: `-3.0..-1.0`, `-1.0 or more`.
+/// The form used in messages: `-3.0..=-1.0`, `-1.0 or more`.
 impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (lo, hi) = (self.lo.value, self.hi.value);
@@ -707,7 +710,7 @@ impl fmt::Display for Interval {
             _ if lo == hi => number(lo, f),
             (true, true) => {
                 number(lo, f)?;
-                f.write_str("..")?;
+                f.write_str("..=")?;
                 number(hi, f)
             }
             (true, false) => {
@@ -720,10 +723,10 @@ impl fmt::Display for Interval {
             }
             (false, false) if self.inner[0] <= self.inner[1] => {
                 if self.inner == BOTH_SIGNS {
-                    return f.write_str("less and more than 0.0");
+                    return f.write_str("negative or positive");
                 }
                 number(self.inner[0] as f64, f)?;
-                f.write_str("..")?;
+                f.write_str("..=")?;
                 number(self.inner[1] as f64, f)?;
                 f.write_str(" and beyond")
             }
@@ -733,18 +736,18 @@ impl fmt::Display for Interval {
 }
 
 impl Interval {
-    /// As messages say it of an integer: `-3..-1`, `4 or more`.
+    /// The form used in messages for integers: `-3..=-1`, `4 or more`.
     pub fn of_integer(&self) -> String {
         self.to_string().replace(".0", "")
     }
 
-    /// `may be` where some of it is at fault, `is` where all of it is.
+    /// `is` if all values satisfy the predicate, `may be` otherwise.
     pub fn may_or_is(&self, is_all: impl Fn(&Interval) -> bool) -> &'static str {
         if is_all(self) { "is" } else { "may be" }
     }
 }
 
-/// A number to four figures, as GLSL writes floats.
+/// Writes a number as a GLSL float with four significant digits.
 fn number(value: f64, f: &mut fmt::Formatter) -> fmt::Result {
     if value == 0.0 || value.abs() < 1e-30 {
         return f.write_str("0.0");
@@ -765,9 +768,9 @@ mod tests {
     fn arithmetic_of_ranges() {
         let unit = Interval::new(-1.0, 1.0, Tightness::Touched);
         let two = Interval::constant(2.0);
-        assert_eq!(unit.sub(two).to_string(), "-3.0..-1.0");
-        assert_eq!(unit.mul(two.neg()).to_string(), "-2.0..2.0");
-        assert_eq!(unit.square().to_string(), "0.0..1.0");
+        assert_eq!(unit.sub(two).to_string(), "-3.0..=-1.0");
+        assert_eq!(unit.mul(two.neg()).to_string(), "-2.0..=2.0");
+        assert_eq!(unit.square().to_string(), "0.0..=1.0");
         assert_eq!(two.div(unit).to_string(), "any number");
         assert_eq!(Interval::ANY.max(two).to_string(), "2.0 or more");
         assert_eq!(Interval::constant(0.1 + 0.2).to_string(), "0.3");

@@ -1,11 +1,12 @@
-//! Ranges of products of matrices and vectors.
+//! Ranges of matrix and vector products.
 
 use super::Query;
 use super::interval::Interval;
 use super::node::Node;
 use shaderlint_ir::{OpId, column_lanes};
 
-/// The terms of a lane of a product: the lanes of the left and right side that are multiplied.
+/// The terms of one component of a product: the first index and the stride of the factors on each
+/// side.
 #[derive(Clone, Copy, Debug)]
 struct Terms {
     count: u32,
@@ -14,7 +15,7 @@ struct Terms {
 }
 
 impl Query<'_> {
-    /// A lane of a product: a sum of products.
+    /// The range of a component of a product, which is a sum of products.
     pub(super) fn product(
         &self,
         op: OpId,
@@ -22,7 +23,7 @@ impl Query<'_> {
         lane: u32,
         get: &mut impl FnMut(Node) -> Option<Interval>,
     ) -> Option<Interval> {
-        // Rotated and mirrored: each component may be anything for itself.
+        // A matrix may rotate or mirror, so each component may take either sign.
         let unknown = Interval {
             sources: 1 << ((op.0 * 4 + lane) % 64),
             ..Interval::ANY
@@ -45,7 +46,7 @@ impl Query<'_> {
             };
             let term = x * y;
             sum = Some(sum.map_or(term, |sum| sum + term));
-            // Whatever the matrix, there are vectors on either side.
+            // For every matrix, there are vectors that give the component either sign.
             let vector = if self.module.ty(a).is_matrix() { y } else { x };
             let matrix = if self.module.ty(a).is_matrix() { x } else { y };
             is_turned &= vector.takes_both_signs() && vector.sources & sources == 0;

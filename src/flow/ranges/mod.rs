@@ -1,10 +1,11 @@
-//! What numbers the values of a shader may be: an interval analysis on definitions.
+//! Value ranges: an interval analysis on the SSA definitions.
 //!
-//! A value's range follows from those of its operands, a definition's from what was stored, and
-//! conditions narrow it down. Only what is asked for is computed, and each answer is kept. Values
-//! that hang on themselves, through the turns of a loop, are solved together (Rodrigues, Campos and
-//! Pereira, *A Fast and Low-Overhead Technique to Secure Programs Against Integer Overflows*, 2013):
-//! from below, with bounds that keep moving widened, and then narrowed by the conditions again.
+//! The range of a value is computed from those of its operands, the range of a definition from the
+//! stored value, and conditions narrow it. Ranges are computed on demand and cached. Values that
+//! depend on each other cyclically, through loops, are solved per strongly connected component
+//! (Rodrigues, Campos and Pereira, *A Fast and Low-Overhead Technique to Secure Programs Against
+//! Integer Overflows*, 2013): ascending iteration with widening up to a fixed point, followed by
+//! descending iteration (narrowing).
 
 mod back;
 mod builtin;
@@ -36,35 +37,35 @@ use shaderlint_syntax::ast::ExprId;
 use solve::Known;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// How many conditions around an operation are looked at.
+/// Maximum number of guards of an operation that are considered.
 const MAX_GUARDS: usize = 24;
 
-/// What is known of a shader's numbers so far.
+/// The cached value ranges of a shader.
 #[derive(Default, Debug)]
 pub struct Ranges {
     known: Mutex<Known>,
-    /// By variable: whether code that is not understood may write to it.
+    /// By variable: whether code that was not analysed may write to it.
     hidden_variables: Vec<bool>,
-    /// By function: whether nobody knows what it returns, and what it is given.
+    /// By function: whether its arguments and return value are unknown.
     hidden_functions: Vec<bool>,
 }
 
-/// Answers questions about the ranges of a shader.
+/// Range queries on a shader.
 #[derive(Clone, Copy)]
 pub struct Query<'x> {
-    /// The shader.
+    /// The checked program.
     pub program: &'x Program,
-    /// Its middle form.
+    /// Its IR.
     pub module: &'x Module,
-    /// Which write each read sees.
+    /// Its reaching definitions.
     pub defs: &'x Defs,
-    /// What is known already.
+    /// The cache of computed ranges.
     pub ranges: &'x Ranges,
 }
 
 impl Ranges {
-    /// Forgets what is known of globals, of parameters of functions and of what functions return,
-    /// where code that is not understood may name them.
+    /// Discards what is known about globals, parameters and return values that code that was not
+    /// analysed may access, as `is_named` reports.
     pub fn forget(&mut self, program: &Program, is_named: impl Fn(&str) -> bool) {
         let is_named = |name| is_named(program.names.text(name));
         let functions = program.functions.iter();
@@ -90,13 +91,13 @@ impl Ranges {
 }
 
 impl<'x> Query<'x> {
-    /// The range of a lane of an operation's value.
+    /// The range of a component of an operation's value.
     pub fn lane(&self, op: OpId, lane: u32) -> Interval {
         let Some(node) = Node::lane(self.defs, op, lane) else {
             return Interval::ANY;
         };
         let mut known = self.ranges.known();
-        // What never has a value is not looked into.
+        // Values that never exist (unreachable code) count as unbounded.
         known.solve(self, node).unwrap_or(Interval::ANY)
     }
 
@@ -107,8 +108,8 @@ impl<'x> Query<'x> {
         known.solve(self, node).unwrap_or(Interval::ANY)
     }
 
-    /// The ranges of the components of a number or vector. What the conditions around it tell of the
-    /// very same value counts too; where they contradict each other, nothing is known.
+    /// The ranges of the components of a scalar or vector, narrowed by the guards that test the
+    /// same value. Unbounded if the guards contradict each other.
     pub fn components(self, op: OpId) -> impl Iterator<Item = Interval> + use<'x> {
         let ty = self.module.ty(op);
         let count = if ty.is_matrix() { 0 } else { ty.components() };
@@ -141,7 +142,7 @@ impl<'x> Query<'x> {
         constants.chain(op.into_iter().flat_map(move |op| self.components(op)))
     }
 
-    /// Whether the conditions around an operation may all hold.
+    /// Whether all guards of an operation may hold.
     fn is_reached(&self, op: OpId) -> bool {
         let guards = self.defs.guards(op).take(MAX_GUARDS);
         let mut guards = guards.map(|(number, guard)| {
@@ -156,7 +157,7 @@ impl<'x> Query<'x> {
         guards.all(|is_met| is_met)
     }
 
-    /// Whether a condition may hold where it is looked at.
+    /// Whether a guard may hold where it is evaluated.
     fn is_met(&self, guard: Guard) -> bool {
         let mut is_met = true;
         let (module, defs) = (self.module, self.defs);
@@ -182,8 +183,8 @@ impl<'x> Query<'x> {
         })
     }
 
-    /// Narrows by the conditions around that speak of the same value, computed once more:
-    /// `f(x) > 0.0 ? log(f(x)) : 0.0`.
+    /// Narrows a range by guards that test the same expression, computed again: `f(x) > 0.0 ?
+    /// log(f(x)) : 0.0`.
     fn narrow_written(&self, op: OpId, lane: u32, range: &mut Interval) {
         let is_load = matches!(self.module.op(op).kind, OpKind::Load(_));
         let is_written = !is_load && self.module.ty(op).is_scalar();
@@ -250,7 +251,7 @@ impl<'x> Query<'x> {
         self.module.ty(op).scalar_kind() == Some(Scalar::Float)
     }
 
-    /// Integers are whole, and wrap round where they are too large.
+    /// Rounds an integer range to integers, and makes it unbounded if it may overflow.
     fn fit(&self, op: OpId, lane: u32, range: &mut Interval) {
         let ty = self.module.ty(op);
         let scalar = ty.element().scalar_kind();
@@ -290,7 +291,7 @@ pub(super) fn number(value: Value) -> f64 {
     }
 }
 
-/// The operator that is true where `op` is false.
+/// The comparison operator that is true where `op` is false.
 const fn negated(op: Binary) -> Binary {
     match op {
         Binary::Less => Binary::GreaterEqual,
@@ -301,7 +302,7 @@ const fn negated(op: Binary) -> Binary {
     }
 }
 
-/// The operator with its sides changed.
+/// The comparison operator with its operands swapped.
 const fn turned(op: Binary) -> Binary {
     match op {
         Binary::Less => Binary::Greater,

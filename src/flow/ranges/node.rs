@@ -1,38 +1,38 @@
-//! What ranges are asked of: lanes of operations, and definitions, under one number.
+//! Nodes of the range graph: components of operations and definitions, numbered together.
 
 use crate::defs::{DefId, Defs};
 use shaderlint_ir::OpId;
 
-/// A lane of an operation, or a definition.
+/// A component of an operation, or a definition.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Node(pub u32);
 
-/// What a number stands for.
+/// What a node represents.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Subject {
-    /// A lane of an operation's value.
+    /// A component of an operation's value.
     Lane(OpId, u32),
-    /// What a lane of a variable holds.
+    /// A definition.
     Def(DefId),
 }
 
 impl Node {
-    /// How many there are.
+    /// The number of nodes.
     pub(super) fn count(defs: &Defs) -> usize {
         (defs.lane_count() + defs.len()) as usize
     }
 
-    /// A lane of an operation's value, if it has as many.
+    /// The node of a component of an operation; `None` if the index is out of range.
     pub(super) fn lane(defs: &Defs, op: OpId, lane: u32) -> Option<Node> {
         (lane < defs.lanes_of(op)).then(|| Node(defs.first_lane(op) + lane))
     }
 
-    /// A definition.
+    /// The node of a definition.
     pub(super) fn def(defs: &Defs, id: DefId) -> Node {
         Node(defs.lane_count() + id.0)
     }
 
-    /// What it stands for.
+    /// What the node represents.
     pub(super) fn subject(self, defs: &Defs) -> Subject {
         match self.0.checked_sub(defs.lane_count()) {
             Some(def) => Subject::Def(DefId(def)),

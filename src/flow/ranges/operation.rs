@@ -1,4 +1,4 @@
-//! Ranges of operations, by kind.
+//! Transfer functions of IR operations.
 
 use super::builtin::of_function;
 use super::entry::{join, measure};
@@ -12,11 +12,11 @@ use shaderlint_semantic::builtins::{MAX_PARAMS, Transfer};
 use shaderlint_semantic::{BuiltinId, FunctionRef, Scalar, Type, VariableId};
 use shaderlint_syntax::ast::List;
 
-/// How far copies of a variable are followed.
+/// Maximum number of copies of a variable that are followed.
 const MAX_COPIES: u32 = 8;
 
 impl Query<'_> {
-    /// The range of a lane of an operation's value.
+    /// The range of a component of an operation's value.
     pub(super) fn operation(
         &self,
         op: OpId,
@@ -96,7 +96,7 @@ impl Query<'_> {
         }
     }
 
-    /// The range of a lane of a constant; `None` for any other node.
+    /// The range of a component of a constant; `None` for other nodes.
     pub(super) fn constant(&self, node: Node) -> Option<Interval> {
         let Subject::Lane(op, lane) = node.subject(self.defs) else {
             return None;
@@ -119,8 +119,8 @@ impl Query<'_> {
         value.map_or(Interval::ANY, |v| Interval::constant(number(*v)))
     }
 
-    /// The length of a vector, or of a column of a matrix: as a whole, or else from its components,
-    /// whose first lane is `first`.
+    /// The length of a vector or of a matrix column that starts at component `first`: from the
+    /// lengths of the operands if possible, else from the components.
     fn length(
         &self,
         op: OpId,
@@ -258,7 +258,7 @@ impl Query<'_> {
         }
     }
 
-    /// Whether two parameters are given the same value by every call.
+    /// Whether every call passes the same value to two parameters.
     fn is_passed_twice(&self, x: &Interval, y: &Interval, (a, b): (OpId, OpId), lane: u32) -> bool {
         let (module, defs) = (self.module, self.defs);
         if x.sources & y.sources == 0 {
@@ -283,7 +283,7 @@ impl Query<'_> {
             && left.zip(right).all(|(a, b)| is_same(module, defs, a, b))
     }
 
-    /// The value of another kind of scalar.
+    /// The range after a conversion to another scalar type.
     fn converted(&self, op: OpId, a: OpId, range: Interval) -> Interval {
         let is_float = self.module.ty(a).scalar_kind() == Some(Scalar::Float);
         match self.module.ty(op).scalar_kind() {
@@ -374,7 +374,8 @@ impl Query<'_> {
         })
     }
 
-    /// What a function returns. Where callers differ, the bounds are not those of one call.
+    /// The range of a function's return value. If the callers differ, the bounds may not be
+    /// attained in this call.
     fn call(
         &self,
         function: FunctionRef,
@@ -400,7 +401,7 @@ impl Query<'_> {
         Some(range)
     }
 
-    /// What comes out of a function, whoever calls it.
+    /// Makes the range of a result independent of individual callers.
     fn out_of(&self, function: FunctionRef, range: Interval) -> Interval {
         let mut range = match self.ranges.hides_function(function) {
             true => Interval {
@@ -416,7 +417,7 @@ impl Query<'_> {
         range
     }
 
-    /// What a call left in a parameter.
+    /// The range of what a call writes back to a parameter.
     fn returned(
         &self,
         call: OpId,
@@ -444,7 +445,7 @@ impl Query<'_> {
         Some(range)
     }
 
-    /// The variable that the host fills in, and its lane, that a value is a copy of.
+    /// The variable set by the host, and the component, that a value is a copy of.
     pub(super) fn copied_from(&self, mut op: OpId, mut lane: u32) -> Option<(VariableId, u32)> {
         let (module, defs) = (self.module, self.defs);
         for _ in 0..MAX_COPIES {
@@ -464,7 +465,7 @@ impl Query<'_> {
     }
 }
 
-/// Whether of two numbers one is positive and one negative, neither bounded.
+/// Whether one number is non-negative and the other is not, each unbounded on one side.
 fn may_cross(x: &Interval, y: &Interval) -> bool {
     let is_unbounded = |r: &Interval| r.lo.value.is_infinite() != r.hi.value.is_infinite();
     let is_positive = |r: &Interval| r.lo.value >= 0.0;
@@ -478,8 +479,8 @@ fn unknown(sources: u64) -> Interval {
     }
 }
 
-/// What a function gives that reads one lane of each argument. All are asked for, whatever comes of
-/// the first.
+/// The range of a built-in function that maps components individually. All arguments are requested,
+/// even if one never has a value.
 fn of_each(
     transfer: Transfer,
     args: impl ExactSizeIterator<Item = Option<Interval>>,
@@ -496,7 +497,7 @@ fn of_each(
     Some(of_function(transfer, known))
 }
 
-/// Any number, with where all of these come from and how they are rounded.
+/// An unbounded range with the combined sources and rounding of all operands.
 fn mixed(all: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
     let mut mixed = Some(Interval::ANY.exactly());
     for one in all {
@@ -509,19 +510,19 @@ fn mixed(all: impl Iterator<Item = Option<Interval>>) -> Option<Interval> {
     mixed
 }
 
-/// The first lane of the components, and how many these are, where a lane of a type is a length.
+/// The first component and the number of components of the vector whose length is at `lane`.
 fn measured(ty: Type, lane: u32) -> Option<(u32, u32)> {
     let (_, _, rows) = ty.element().numeric().filter(|(_, _, rows)| *rows > 1)?;
     let width = column_lanes(rows);
     (lane % width == rows as u32).then(|| (lane - rows as u32, rows as u32))
 }
 
-/// How many parts a computed number picks from, and how far apart they are.
+/// Count and stride of the candidates of a dynamic index.
 fn picked(ty: Type) -> (u32, u32) {
     match ty.numeric() {
         Some((_, 1, rows)) => (rows as u32, 1),
         Some((_, columns, rows)) => (columns as u32, column_lanes(rows)),
-        // An array, whose elements share their lanes.
+        // The elements of an array share their components.
         None => (1, 0),
     }
 }
@@ -530,7 +531,7 @@ fn is_unit(length: Interval) -> bool {
     length.single() == Some(1.0)
 }
 
-/// Whether each component of a result depends on all components of the arguments.
+/// Whether each component of the result depends on all components of the arguments.
 const fn mixes(transfer: Transfer) -> bool {
     matches!(
         transfer,
@@ -544,7 +545,7 @@ const fn mixes(transfer: Transfer) -> bool {
     )
 }
 
-/// `dot` of two vectors, each given by its length and by what it hangs on.
+/// The dot product of two vectors, each given by its length and its sources.
 fn dot((a, own): (Interval, u64), (b, other): (Interval, u64)) -> Interval {
     let most = (a * b).hi.value;
     let mut range = Interval::new(-most, most, Tightness::Touched);
@@ -570,7 +571,7 @@ fn direction(of: Interval) -> Interval {
     unit
 }
 
-/// `x % y` of a positive `y`.
+/// `x % y` for a positive `y`.
 fn remainder(x: Interval, y: Interval) -> Interval {
     let most = (y.hi.value - 1.0).min(x.hi.value.max(0.0));
     let least = match x.lo.value >= 0.0 {
@@ -581,7 +582,7 @@ fn remainder(x: Interval, y: Interval) -> Interval {
         .like(&x)
         .like(&y);
     if x.lo.value == 0.0 && x.holds(0.0) {
-        // Counted from zero: multiples of `y` come again and again.
+        // Counters from zero hit multiples of `y` repeatedly.
         range = range.loose();
         range.lo.tightness = Tightness::Held;
     } else if x.is_finite() || y.single().is_none() {

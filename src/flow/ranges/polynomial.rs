@@ -1,5 +1,5 @@
-//! Values as sums of products, to see what a condition tells of another expression of the same
-//! values: `dot(p, p) < 1.0` of `1.0 - p.x * p.x - p.y * p.y`.
+//! Values as polynomials, to apply a condition to a different expression of the same values:
+//! `dot(p, p) < 1.0` bounds `1.0 - p.x * p.x - p.y * p.y`.
 
 use super::Query;
 use super::interval::{Interval, above, below};
@@ -8,17 +8,17 @@ use crate::defs::Def;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::builtins::Transfer;
 
-/// Most factors of a term; a number stands for none.
+/// Maximum number of factors of a term.
 const FACTORS: usize = 4;
-/// Most terms.
+/// Maximum number of terms.
 const MAX_TERMS: usize = 12;
-/// How many operations are looked at for one question.
+/// Maximum number of operations expanded per query.
 const BUDGET: u32 = 40;
 
-/// The factors of a term, in order.
+/// The factors of a term as node numbers plus one, sorted, padded with 0 at the start.
 type Factors = [u32; FACTORS];
 
-/// A sum of products of values that are not looked into, each with a number before it.
+/// A sum of products of opaque values, with coefficients.
 #[derive(Clone, Default, Debug)]
 pub(super) struct Polynomial {
     terms: Vec<(Factors, f64)>,
@@ -73,7 +73,7 @@ impl Polynomial {
         (product.terms.len() <= MAX_TERMS).then_some(product)
     }
 
-    /// The number alone, and the rest.
+    /// The constant term, and the other terms.
     fn parted(&self) -> (f64, impl Iterator<Item = &(Factors, f64)>) {
         let is_rest = |term: &&(Factors, f64)| term.0 != [0; FACTORS] && term.1 != 0.0;
         let alone = self.terms.iter().find(|(f, _)| *f == [0; FACTORS]);
@@ -81,7 +81,7 @@ impl Polynomial {
         (alone.map_or(0.0, |(_, v)| *v), rest)
     }
 
-    /// `factor` and `rest`, so that this is `factor * other + rest`.
+    /// Returns `factor` and `rest` such that `self` is `factor * other + rest`.
     pub(super) fn in_terms_of(&self, other: &Polynomial) -> Option<(f64, f64)> {
         let (own, terms) = self.parted();
         let (with, others) = other.parted();
@@ -120,7 +120,7 @@ impl Query<'_> {
         if !is_less && !matches!(relation, Binary::Greater | Binary::GreaterEqual) {
             return;
         }
-        // The comparison is of the difference with zero.
+        // The comparison is equivalent to one of the difference with zero.
         let is_strict = matches!(relation, Binary::Less | Binary::Greater);
         match (is_less == (factor > 0.0), is_strict) {
             (true, true) => range.lower(below(rest)),
@@ -130,7 +130,7 @@ impl Query<'_> {
         }
     }
 
-    /// What two sides of a comparison differ by, or their squares where one is a length.
+    /// The difference of the two sides of a comparison, or of their squares if one is a length.
     fn difference(&self, left: OpId, right: OpId) -> Option<Polynomial> {
         if let Some(square) = self.squared_length(left) {
             return square.plus(&self.squared_number(right)?, -1.0);
@@ -176,7 +176,7 @@ impl Query<'_> {
         None
     }
 
-    /// A lane of a value as a sum of products.
+    /// A component of a value as a polynomial.
     pub(super) fn terms(&self, op: OpId, lane: u32) -> Option<Polynomial> {
         let mut left = BUDGET;
         self.polynomial(op, lane, &mut left)

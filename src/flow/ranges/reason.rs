@@ -1,4 +1,4 @@
-//! What gives an end of a range, so that messages can say where it comes from.
+//! Explains the bounds of a range: which operation determines a bound, for the notes of messages.
 
 use super::Query;
 use super::interval::Interval;
@@ -9,15 +9,15 @@ use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{BuiltinId, VariableId};
 use shaderlint_syntax::ast::List;
 
-/// How many steps back are followed.
+/// Maximum number of steps back.
 const MAX_STEPS: u32 = 64;
 
-/// An end of a range.
+/// A bound of a range.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Side {
-    /// The least number.
+    /// The lower bound.
     Low,
-    /// The greatest.
+    /// The upper bound.
     High,
 }
 
@@ -37,44 +37,44 @@ impl Side {
     }
 }
 
-/// What gives an end of a range.
+/// What determines a bound.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Giver {
     /// A built-in function.
     Builtin(BuiltinId),
-    /// A number in the text.
+    /// A literal or constant.
     Constant,
-    /// A comparison that holds, or does not.
+    /// A comparison that is true or false.
     Condition(bool),
-    /// A loop that counts.
+    /// The condition of a loop that counts.
     Loop,
-    /// The host, or the language, which fill in a variable.
+    /// A variable set by the host or the language.
     Host(VariableId),
     /// Arithmetic.
     Operation,
 }
 
-/// Where an end of a range comes from.
+/// The origin of a bound.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Reason {
-    /// The operation that stands for it in the text.
+    /// The operation to show in the source.
     pub op: OpId,
-    /// What it is.
+    /// The kind of origin.
     pub giver: Giver,
-    /// The range there.
+    /// The range of the value at the origin.
     pub range: Interval,
 }
 
-/// A step on the way back.
+/// A step back towards the origin.
 enum Back {
-    /// The end is that of another value.
+    /// The bound is that of another value.
     To(Node, Side),
-    /// This gives it.
+    /// The origin.
     Stop(OpId, Giver),
 }
 
 impl Query<'_> {
-    /// What gives an end of the range of a lane of a value.
+    /// The origin of a bound of a component of a value.
     pub fn reason(&self, op: OpId, lane: u32, side: Side) -> Option<Reason> {
         let (mut node, mut side) = (Node::lane(self.defs, op, lane)?, side);
         let mut named = op;
@@ -104,7 +104,7 @@ impl Query<'_> {
         }
     }
 
-    /// Of several values the one that has the end.
+    /// The first of several values that has the bound.
     fn with_end(&self, nodes: impl Iterator<Item = Node>, side: Side, end: f64) -> Option<Back> {
         let mut nodes = nodes.take(MAX_STEPS as usize);
         let found = nodes.find(|node| side.of(&self.at(*node)) == end)?;
@@ -143,11 +143,11 @@ impl Query<'_> {
         next.unwrap_or(stop)
     }
 
-    /// The operand that varies, where the other does not.
+    /// The operand that varies, if the other is constant.
     fn operand(&self, kind: Binary, (a, b): (OpId, OpId), lane: u32, side: Side) -> Option<Back> {
         let (x, y) = (self.lane(a, lane), self.lane(b, lane));
         if kind == Binary::Multiply {
-            // Zero comes from a factor that is zero.
+            // A zero bound comes from a factor that is zero.
             let factors = [(x, a), (y, b)];
             let zero = factors
                 .iter()

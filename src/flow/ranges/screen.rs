@@ -1,4 +1,4 @@
-//! Where a pixel lies in the picture: numbers made of its place and of the picture's size.
+//! Pixel coordinates: linear combinations of `gl_FragCoord` and `iResolution`.
 
 use super::interval::{Interval, Tightness, below};
 use super::{Query, number};
@@ -6,7 +6,7 @@ use crate::defs::Def;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::VariableId;
 
-/// How many operations are looked at for one question.
+/// Maximum number of operations expanded per query.
 const BUDGET: u32 = 32;
 
 /// `place * gl_FragCoord[axis] + size * iResolution[axis]`
@@ -28,8 +28,8 @@ impl Along {
 }
 
 impl Query<'_> {
-    /// What `gl_FragCoord.x / iResolution.x` may be, or `gl_FragCoord.x / iResolution.y`, and the
-    /// like with a part of the size taken away before.
+    /// The range of `gl_FragCoord.x / iResolution.x`, `gl_FragCoord.x / iResolution.y` and the
+    /// like, also with a multiple of the resolution subtracted first.
     pub(super) fn share(&self, a: OpId, b: OpId, lane: u32) -> Option<Interval> {
         let (size, along) = self.copied_from(b, lane)?;
         if !self.is_named(size, "iResolution") {
@@ -56,7 +56,7 @@ impl Query<'_> {
         }
     }
 
-    /// Whether `a + sign * b` is less than zero on one side of the picture and greater on the other.
+    /// Whether `a + sign * b` is negative on one side of the image and positive on the other.
     pub(super) fn is_centred(&self, a: OpId, b: OpId, lane: u32, sign: f64) -> bool {
         let mut left = BUDGET;
         let Some(first) = self.along(a, lane, &mut left) else {

@@ -1,4 +1,5 @@
-//! Solves for ranges: what hangs on nothing unknown at once, what hangs on itself together.
+//! The solver for ranges: evaluates acyclic nodes directly, and strongly connected components by
+//! fixed-point iteration.
 
 use super::Query;
 use super::interval::Interval;
@@ -6,73 +7,72 @@ use super::node::{Node, Subject};
 use crate::defs::{Def, Defs};
 use std::cell::Cell;
 
-/// Most rounds until what still moves is taken for anything.
+/// Maximum number of ascending rounds; ranges that still change become unbounded.
 const MAX_ROUNDS: usize = 12;
-/// From this round on moving bounds are widened.
+/// The first round with widening.
 const WIDENED: usize = 2;
-/// Where a moving bound may come to rest.
+/// Thresholds of widening.
 const STOPS: [f64; 3] = [-1.0, 0.0, 1.0];
-/// Most values that are solved together; of more nothing is known.
+/// Maximum size of a strongly connected component; the ranges of larger ones are unbounded.
 const MAX_TOGETHER: usize = 20_000;
 
-/// What is known, and the state of the search.
+/// The known ranges and the state of the search.
 #[derive(Default, Debug)]
 pub(super) struct Known {
-    /// By node: the number of its range, plus one; 0 where it is not known.
+    /// By node: the index of its range plus one; 0 if it is not known.
     slots: Vec<u32>,
-    /// `None` for what never has a value.
+    /// `None` for nodes that never have a value.
     ranges: Vec<Option<Interval>>,
-    /// By node: when the search came to it; 0 where it did not. While nodes are solved together:
-    /// when the range changed last.
+    /// By node: its number in the depth-first search; 0 if it was not visited. During fixed-point
+    /// iteration: the time at which its range changed last.
     numbers: Vec<u32>,
     count: u32,
-    /// By node: the number of the node whose value it has, plus one; 0 where it was not asked for.
+    /// By node: the node that it is a copy of, plus one; 0 if it was not requested.
     resolved: Vec<Cell<u32>>,
-    /// By guard: whether it may hold, if that is known.
+    /// By guard: whether it may hold; `None` if it is not known.
     met: Vec<Option<bool>>,
     search: TarjanState,
 }
 
-/// The lists of a search, kept for the next one.
+/// The lists of a search, reused by the next one.
 #[derive(Default, Debug)]
 struct TarjanState {
     frames: Vec<Frame>,
-    /// The operands that are not known, of the nodes of the frames and of those left.
+    /// The unknown operands of the nodes in `frames` and `left`.
     operands: Vec<Node>,
-    /// Nodes whose operands have been looked at, but that hang on one whose have not.
+    /// The stack of finished nodes whose strongly connected component is not complete.
     left: Vec<Left>,
 }
 
-/// A node that hangs on itself.
+/// A member of a strongly connected component.
 #[derive(Clone, Copy, Debug)]
 struct Left {
     node: Node,
-    /// Where its operands that were not known lie in the common list.
+    /// The range of its unknown operands in `TarjanState::operands`.
     start: usize,
     end: usize,
-    /// When it was computed last.
+    /// The time at which it was computed last.
     computed: u32,
     is_turn: bool,
 }
 
-/// A node whose operands are being looked at (Tarjan, *Depth-First Search and Linear Graph
-/// Algorithms*, 1972).
+/// A node on the search path (Tarjan, *Depth-First Search and Linear Graph Algorithms*, 1972).
 #[derive(Debug)]
 struct Frame {
     node: Node,
-    /// Its operands that are not known, in a common list.
+    /// The range of its unknown operands in `TarjanState::operands`.
     next: usize,
     end: usize,
     start: usize,
-    /// The first node that it leads back to.
+    /// The lowest number of a node reachable from it (low-link).
     low: u32,
-    /// How many nodes were left when the search came to it.
+    /// The length of `left` when it was first visited.
     left: usize,
     is_own: bool,
 }
 
 impl Known {
-    /// The range of a node.
+    /// The range of a node; `None` if it never has a value.
     pub(super) fn solve(&mut self, query: &Query, root: Node) -> Option<Interval> {
         if self.slots.is_empty() {
             self.slots = vec![0; Node::count(query.defs)];
@@ -89,7 +89,7 @@ impl Known {
         self.get(root).copied().flatten()
     }
 
-    /// The node whose value a node has.
+    /// The node that a node is a copy of, cached.
     #[inline]
     fn resolved(&self, query: &Query, node: Node) -> Node {
         let known = self.resolved.get(node.0 as usize).map_or(0, Cell::get);
@@ -155,12 +155,12 @@ impl Known {
         }
     }
 
-    /// Whether a condition may hold, if that is known.
+    /// Whether a guard may hold; `None` if it is not known.
     pub(super) fn is_met(&self, guard: u32) -> Option<bool> {
         self.met.get(guard as usize).copied().flatten()
     }
 
-    /// Notes whether a condition may hold.
+    /// Caches whether a guard may hold.
     pub(super) fn keep_met(&mut self, guard: u32, is_met: bool, defs: &Defs) {
         self.met.resize(defs.guard_count(), None);
         if let Some(slot) = self.met.get_mut(guard as usize) {
@@ -190,7 +190,8 @@ impl Known {
         }
     }
 
-    /// Comes to a node: computes it if all that it hangs on is known, and looks at that otherwise.
+    /// Visits a node: computes its range if all operands are known, else returns a frame for the
+    /// search.
     fn visit(
         &mut self,
         query: &Query,
@@ -225,7 +226,8 @@ impl Known {
         })
     }
 
-    /// The range of a constant that is met for the first time; what else is not known is noted.
+    /// Handles an operand without a known range: constants are evaluated, others are added to
+    /// `unknown`.
     #[inline(never)]
     fn meet(&mut self, query: &Query, node: Node, unknown: &mut Vec<Node>) -> Option<Interval> {
         let range = query.constant(node);
@@ -243,8 +245,8 @@ impl Known {
         })
     }
 
-    /// Solves for nodes that hang on each other, given with operands mostly before what they are
-    /// operands of.
+    /// Solves a strongly connected component, given in approximate topological order (operands
+    /// first).
     fn together(&mut self, query: &Query, nodes: &mut [Left], operands: &[Node]) {
         if nodes.len() > MAX_TOGETHER {
             nodes
@@ -273,7 +275,7 @@ impl Known {
                 break;
             }
         }
-        // From above the equations only narrow.
+        // Descending iteration: narrows from above.
         for _ in 0..2 {
             let mut is_changed = false;
             for left in nodes.iter().filter(|left| left.is_turn) {
@@ -293,8 +295,8 @@ impl Known {
         }
     }
 
-    /// Whether what a node is computed from has changed since: its operands, and where values come
-    /// round, itself.
+    /// Whether an operand changed after the node was computed; for a widening point also the node
+    /// itself.
     fn has_moved(&self, left: &Left, operands: &[Node]) -> bool {
         let has_changed = |node: &Node| {
             let changed = self.numbers.get(node.0 as usize);
@@ -304,7 +306,7 @@ impl Known {
         left.is_turn && has_changed(&left.node) || operands.iter().any(has_changed)
     }
 
-    /// Gives a node another range. Says whether it is another.
+    /// Replaces the range of a node. Returns whether it changed.
     fn change(&mut self, node: Node, range: Option<Interval>) -> bool {
         if self.get(node) == Some(&range) {
             return false;
@@ -317,7 +319,7 @@ impl Known {
         true
     }
 
-    /// Adds a range to what is known where values come round. Says whether that is more.
+    /// Joins a range into that of a widening point, with widening. Returns whether it changed.
     fn climb(&mut self, node: Node, range: Option<Interval>, round: usize) -> bool {
         let before = self.get(node).copied().flatten();
         let mut joined = match (before, range) {
@@ -343,7 +345,7 @@ fn is_within(inner: &Interval, outer: &Interval) -> bool {
     inner.lo.value >= outer.lo.value && inner.hi.value <= outer.hi.value
 }
 
-/// Moves bounds that are still moving to where they may stop.
+/// Widens the bounds that are still moving to the next threshold.
 fn widen(before: &Interval, after: &mut Interval) {
     if after.lo.value < before.lo.value {
         let stop = STOPS.iter().rev().find(|s| **s <= after.lo.value);
@@ -355,7 +357,7 @@ fn widen(before: &Interval, after: &mut Interval) {
     }
 }
 
-/// Whether values come round here: at the head of a loop, and where a function is entered.
+/// Whether a node is a widening point: a loop head or a function entry.
 fn is_turn(query: &Query, node: Node) -> bool {
     let Subject::Def(def) = node.subject(query.defs) else {
         return false;

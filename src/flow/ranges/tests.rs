@@ -1,4 +1,4 @@
-//! Ranges of expressions, as messages say them.
+//! Tests of value ranges, in the form used in messages.
 
 use super::{Interval, Query, Ranges, Rounding};
 use crate::calls::Calls;
@@ -7,12 +7,12 @@ use crate::sample::checked;
 use shaderlint_ir::lower;
 use shaderlint_syntax::ast::{ExprKind, StmtKind};
 
-/// The range of what `float test()` returns at its last `return`.
+/// The range of the value at the last `return` in `float test()`.
 fn interval(code: &str) -> Interval {
     returned(code, 0)
 }
 
-/// The same of a `return` before the last, by how many there are behind it.
+/// The range at an earlier `return`: the one with `skipped` others after it.
 fn returned(code: &str, skipped: usize) -> Interval {
     let analysis = checked(code);
     let program = &analysis.program;
@@ -64,36 +64,36 @@ fn check_body(body: &str, expected: &str) {
 #[test]
 fn built_in_functions_have_ranges() {
     check("x", "any number");
-    check("sin(x) - 2.0", "-3.0..-1.0");
-    check("sin(x) * 0.5 + 0.5", "0.0..1.0");
+    check("sin(x) - 2.0", "-3.0..=-1.0");
+    check("sin(x) * 0.5 + 0.5", "0.0..=1.0");
     check("sin(0.1)", "0.09983");
     check("abs(x)", "0.0 or more");
     check("x * x", "0.0 or more");
     check("dot(v, v)", "0.0 or more");
     check("length(v)", "0.0 or more");
     check("distance(v, vec3(1.0))", "0.0 or more");
-    check("dot(normalize(v), normalize(v.zxy))", "-1.0..1.0");
-    check("1.0 - dot(normalize(v), vec3(0.0, 1.0, 0.0))", "0.0..2.0");
-    check("normalize(v).y", "-1.0..1.0");
-    check("fract(x) * 4.0", "0.0..4.0");
-    check("mod(x, 3.0) + 1.0", "1.0..4.0");
-    check("clamp(x, -2.0, 3.0)", "-2.0..3.0");
+    check("dot(normalize(v), normalize(v.zxy))", "-1.0..=1.0");
+    check("1.0 - dot(normalize(v), vec3(0.0, 1.0, 0.0))", "0.0..=2.0");
+    check("normalize(v).y", "-1.0..=1.0");
+    check("fract(x) * 4.0", "0.0..=4.0");
+    check("mod(x, 3.0) + 1.0", "1.0..=4.0");
+    check("clamp(x, -2.0, 3.0)", "-2.0..=3.0");
     check("max(x, 0.25)", "0.25 or more");
     check("min(x, 0.25)", "0.25 or less");
-    check("smoothstep(0.1, 0.2, x) - 0.5", "-0.5..0.5");
-    check("mix(-2.0, 5.0, step(0.5, x))", "-2.0..5.0");
-    check("sqrt(clamp(x, 0.0, 4.0))", "0.0..2.0");
-    check("exp(-abs(x))", "0.0..1.0");
-    check("pow(clamp(x, 0.0, 2.0), 3.0)", "0.0..8.0");
-    check("vec3(1.0, sin(x), x).y", "-1.0..1.0");
-    check("float(n % 4)", "-3.0..3.0");
-    check("float(n & 7)", "0.0..7.0");
-    check("unknown(x)", "0.0..1.0 and beyond");
+    check("smoothstep(0.1, 0.2, x) - 0.5", "-0.5..=0.5");
+    check("mix(-2.0, 5.0, step(0.5, x))", "-2.0..=5.0");
+    check("sqrt(clamp(x, 0.0, 4.0))", "0.0..=2.0");
+    check("exp(-abs(x))", "0.0..=1.0");
+    check("pow(clamp(x, 0.0, 2.0), 3.0)", "0.0..=8.0");
+    check("vec3(1.0, sin(x), x).y", "-1.0..=1.0");
+    check("float(n % 4)", "-3.0..=3.0");
+    check("float(n & 7)", "0.0..=7.0");
+    check("unknown(x)", "0.0..=1.0 and beyond");
     check("exp(-x)", "0.0 or more");
-    check("atan(abs(x), v.y)", "0.0..3.142");
-    check("atan(x, abs(v.y))", "-1.571..1.571");
-    check("atan(abs(x), abs(v.y))", "0.0..1.571");
-    check("dot(clamp(v, 0.0, 1.0), vec3(0.3, 0.6, 0.1))", "0.0..1.0");
+    check("atan(abs(x), v.y)", "0.0..=3.142");
+    check("atan(x, abs(v.y))", "-1.571..=1.571");
+    check("atan(abs(x), abs(v.y))", "0.0..=1.571");
+    check("dot(clamp(v, 0.0, 1.0), vec3(0.3, 0.6, 0.1))", "0.0..=1.0");
     check("cross(v, v).x", "0.0");
 }
 
@@ -101,23 +101,26 @@ fn built_in_functions_have_ranges() {
 fn hosts_fill_in_known_ranges() {
     check("iTime", "0.0 or more");
     check("iResolution.y", "1.0 or more");
-    check("gl_FragCoord.x / iResolution.x", "0.0..1.0");
+    check("gl_FragCoord.x / iResolution.x", "0.0..=1.0");
     check("float(iFrame) * -1.0", "0.0 or less");
 }
 
 #[test]
 fn variables_hold_what_is_written_to_them() {
-    check_body("float a = 1.0; if (x > 0.0) a = 4.0; return a;", "1.0..4.0");
+    check_body(
+        "float a = 1.0; if (x > 0.0) a = 4.0; return a;",
+        "1.0..=4.0",
+    );
     check_body(
         "float a = 0.0; for (int i = 0; i < 3; i++) a += abs(x); return a;",
         "0.0 or more",
     );
     check_body(
         "vec2 a = vec2(0.0, 5.0); a.x = sin(x); return a.x;",
-        "-1.0..1.0",
+        "-1.0..=1.0",
     );
     check_body("vec2 a = vec2(0.0, 5.0); a.x = sin(x); return a.y;", "5.0");
-    check_body("float[2] a = float[2](1.0, 3.0); return a[n];", "1.0..3.0");
+    check_body("float[2] a = float[2](1.0, 3.0); return a[n];", "1.0..=3.0");
     check_body("float a; modf(x, a); return a;", "any number");
     check_body("float a = x; a = a + 1.0; return a;", "any number");
 }
@@ -131,8 +134,8 @@ fn conditions_narrow_ranges() {
     );
     check_body("if (x <= 2.0) return 0.0; return x;", "2.0 or more");
     check_body("if (x <= 2.0) return 0.0; x = v.y; return x;", "any number");
-    check_body("return x > 1.0 && x < 5.0 ? x : 2.0;", "1.0..5.0");
-    check_body("if (abs(x) > 1.0) discard; return x;", "-1.0..1.0");
+    check_body("return x > 1.0 && x < 5.0 ? x : 2.0;", "1.0..=5.0");
+    check_body("if (abs(x) > 1.0) discard; return x;", "-1.0..=1.0");
     check_body(
         "float a[5]; for (int i = 0; i < 5; i++) { n += i; } return 1.0;",
         "1.0",
@@ -147,25 +150,28 @@ fn conditions_narrow_ranges() {
 fn the_last_write_before_a_use_counts() {
     check_body(
         "x = clamp(x, 0.0, 1.0); x = x * 2.0; x -= 1.0; return x;",
-        "-1.0..1.0",
+        "-1.0..=1.0",
     );
-    check_body("v.x = 3.0; v.y = sin(x); v.z = x; return v.y;", "-1.0..1.0");
+    check_body(
+        "v.x = 3.0; v.y = sin(x); v.z = x; return v.y;",
+        "-1.0..=1.0",
+    );
     check_body(
         "x = 3.0; for (int i = 0; i < n; i++) { v.x = x; x = v.y; } return v.x;",
         "any number",
     );
-    check_body("x = 3.0; if (n > 0) x = 5.0; return x;", "3.0..5.0");
+    check_body("x = 3.0; if (n > 0) x = 5.0; return x;", "3.0..=5.0");
 }
 
 #[test]
 fn what_is_made_of_a_value_narrows_it() {
     check_body(
         "if (length(v) > 1.0) return 0.5; return dot(v, v);",
-        "0.0..1.0",
+        "0.0..=1.0",
     );
     check_body(
         "float d = dot(v, v); if (d > 4.0) discard; return length(v);",
-        "0.0..2.0",
+        "0.0..=2.0",
     );
     check_body(
         "bool ok = x > 0.5; if (ok) { return min(x, 1.0); } return 0.75;",
@@ -173,7 +179,7 @@ fn what_is_made_of_a_value_narrows_it() {
     );
     check_body(
         "bool ok = x > 0.5; if (!ok) return 0.75; return min(x, 1.0);",
-        "0.5..1.0",
+        "0.5..=1.0",
     );
     check_body(
         "if (2.0 * x + 1.0 > 5.0) return 1.0; return x;",
@@ -181,11 +187,11 @@ fn what_is_made_of_a_value_narrows_it() {
     );
     check_body(
         "if (v != clamp(v, 0.0, 1.0)) return 0.0; return v.y;",
-        "0.0..1.0",
+        "0.0..=1.0",
     );
     check_body(
         "if (n < 0 || n > 3) return 0.0; return float(n);",
-        "0.0..3.0",
+        "0.0..=3.0",
     );
 }
 
@@ -193,11 +199,11 @@ fn what_is_made_of_a_value_narrows_it() {
 fn what_comes_round_in_a_loop_is_bounded() {
     check_body(
         "float a = 1.0; for (int i = 0; i < n; i++) a *= 0.5; return a;",
-        "0.0..1.0",
+        "0.0..=1.0",
     );
     check_body(
         "float a = 5.0; while (a > 0.5) { a = max(a - x * x, 0.0); } return a;",
-        "0.0..0.5",
+        "0.0..=0.5",
     );
     check_body(
         "int i = 0; for (; i < 7; i += 2) { } return float(i);",
@@ -205,7 +211,7 @@ fn what_comes_round_in_a_loop_is_bounded() {
     );
     check_body(
         "float a = 3.0; for (int i = 0; i < 4; i++) { if (x > v.x) break; a = min(a, 2.0); } return a;",
-        "2.0..3.0",
+        "2.0..=3.0",
     );
 }
 
@@ -221,7 +227,7 @@ fn members_are_told_apart() {
 fn a_loop_counter_stays_below_its_limit() {
     let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         float test() { for (int i = 2; i < 9; i++) { if (iTime > 1.0) return float(i); } }";
-    assert_eq!(range(code), "2.0..8.0");
+    assert_eq!(range(code), "2.0..=8.0");
 }
 
 #[test]
@@ -231,7 +237,7 @@ fn parameters_take_what_callers_pass() {
         float test() { return f(2.0); }";
     let range = interval(code);
     let reached = range.lo.is_reached() && range.hi.is_reached();
-    assert_eq!((range.to_string().as_str(), reached), ("1.0..3.0", false));
+    assert_eq!((range.to_string().as_str(), reached), ("1.0..=3.0", false));
 }
 
 #[test]
@@ -287,7 +293,7 @@ fn rounding_is_told_from_exact_arithmetic() {
     );
 }
 
-/// Whether what `body` returns is for certain below zero somewhere.
+/// Checks whether the value that `body` returns is known to be negative somewhere.
 #[track_caller]
 fn check_negative(body: &str, expected: bool) {
     let code = format!(
@@ -348,7 +354,7 @@ fn colours_may_be_darker_than_black() {
     check("0.5 - 0.8 * c.x", true);
     check("c.x", false);
     check("c.x * 0.5", false);
-    // No colour, but something else that was put there.
+    // Not a colour, but another value stored there.
     check("c.x - 20.0", false);
 }
 
@@ -395,12 +401,12 @@ fn conditions_tell_of_magnitudes_and_products() {
     narrowed(
         "dot(v, v) < 1.0",
         "1.0 - v.x * v.x - v.y * v.y - v.z * v.z",
-        "0.0..1.0",
+        "0.0..=1.0",
     );
     narrowed(
         "length(v) < 2.0",
         "2.0 * (v.x * v.x + v.y * v.y + v.z * v.z)",
-        "0.0..8.0",
+        "0.0..=8.0",
     );
     let waves = |condition: &str, expected: &str| {
         let body = format!(
@@ -409,8 +415,8 @@ fn conditions_tell_of_magnitudes_and_products() {
         );
         check_body(&body, expected);
     };
-    waves("a * a + b > 0.5", "-0.5..1.0");
-    waves("a * a + c > 0.5", "-2.0..1.0");
+    waves("a * a + b > 0.5", "-0.5..=1.0");
+    waves("a * a + c > 0.5", "-2.0..=1.0");
 }
 
 #[test]
@@ -418,7 +424,7 @@ fn functions_may_be_conditions() {
     let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         bool within(vec2 p, float r) { float l = length(p); return l < r && r > 0.0; }
         float test(vec2 v) { if (!within(v, 2.0)) return 0.0; return dot(v, v); }";
-    assert_eq!(range(code), "0.0..4.0");
+    assert_eq!(range(code), "0.0..=4.0");
 }
 
 #[test]
@@ -435,10 +441,10 @@ fn float_counters_stop_at_their_last_turn() {
             "{head}"
         );
     };
-    last("float i = 0.0; i < 1.0; i += 0.25", true, "0.0..0.75");
-    last("float i = 0.0; i < 0.95; i += 0.1", true, "0.0..0.9");
-    // Rounding decides whether there is one more.
-    last("float i = 0.0; i < 1.0; i += 0.1", false, "0.0..1.0");
+    last("float i = 0.0; i < 1.0; i += 0.25", true, "0.0..=0.75");
+    last("float i = 0.0; i < 0.95; i += 0.1", true, "0.0..=0.9");
+    // Rounding decides whether there is one more iteration.
+    last("float i = 0.0; i < 1.0; i += 0.1", false, "0.0..=1.0");
 }
 
 #[test]

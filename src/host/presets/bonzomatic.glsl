@@ -1,9 +1,11 @@
 // Bonzomatic
 //
-// The live coding tool of demo parties. A text is `#version 410 core` and declares all that it
-// uses; its output is an `out vec4` of any name. The spectra are textures of one dimension, which
-// WebGL does not have: they become rows of textures of two. `texFFTIntegrated` grows with the
-// loudness. Images that shaders write to are zeros.
+// The live coding tool of demo parties. Shaders start with `#version 410 core`, declare everything
+// that they use, and write to an `out vec4` of any name.
+//
+// The spectra are one-dimensional textures, which WebGL does not support: they become rows of
+// two-dimensional textures. `texFFTIntegrated` grows with the loudness. Images that shaders write
+// to read as zero.
 //
 // source: the default shader of Gargaj/Bonzomatic and its README
 // version: desktop

@@ -1,13 +1,17 @@
 // The Book of Shaders
 //
-// GlslCanvas, the host of The Book of Shaders, and its kin (glslViewer, the extension glsl-canvas of
-// VS Code) put one macro before a fragment shader and compile it as GLSL ES 1.00. No uniforms are
-// declared: the text declares those that it uses, under the names below, which the host then sets
-// (in a vertex shader also `attribute vec2 a_position` and `a_texcoord`). The precision of float is
-// not added. The mouse is in pixels from below. A line `#include "lygia/..."` is replaced by the
-// file of that name from lygia.xyz; with macros such as `BUFFER_0` before it, the same text is
-// compiled once more for each `#ifdef BUFFER_0` or `defined(BUFFER_0)` in it, and what that draws is
-// `u_buffer0`. Such a macro is not defined in the main pass.
+// GlslCanvas, the host of The Book of Shaders, and related tools (glslViewer, the VS Code extension
+// glsl-canvas) put one macro before a fragment shader and compile it as GLSL ES 1.00. No float
+// precision is added.
+//
+// The host declares no uniforms. The shader declares the ones that it uses, with the names below,
+// and the host sets them (in a vertex shader also `attribute vec2 a_position` and `a_texcoord`).
+// The mouse is in pixels from the bottom left. A line `#include "lygia/..."` is replaced by that
+// file from lygia.xyz.
+//
+// For each `#ifdef BUFFER_0` or `defined(BUFFER_0)`, the shader is compiled once more with that
+// macro defined, and the result is available as `u_buffer0`. The macro is not defined in the main
+// pass.
 //
 // alias: glslcanvas
 // source: glslCanvas 0.2.6, src/GlslCanvas.js; the pages on uniforms and defines of the wiki of glslViewer

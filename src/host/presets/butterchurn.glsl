@@ -1,14 +1,17 @@
 // Butterchurn
 //
-// A Milkdrop preset for Butterchurn has two fragment texts, `warp` and `comp`. What stands before
-// the word shader_body goes before main(), and what stands between its braces goes into main(),
-// compiled as GLSL ES 3.00; texture2D and texture3D are replaced by texture. The result is the
-// local `ret`. The two texts have mostly the same names; only `warp` has `decay`, only `comp` has
-// gammaAdj, echo_zoom, echo_alpha, echo_orientation, invert, brighten, darken, solarize, fShader,
-// lum() and hue_shader. In `warp` uv and uv_orig are inputs that cannot be written to. The locals
-// of main() (ret, rad, ang, in `comp` also uv, uv_orig, hue_shader) are written below as variables,
-// and shader_body as a macro for main(). Samplers that a preset adds are declared by its text:
-// `uniform sampler2D sampler_NAME;`. The vertex shader is the host's.
+// A Milkdrop preset for Butterchurn has two fragment shaders, `warp` and `comp`. The text before
+// shader_body goes before main(), the text between its braces becomes the body of main(). Both are
+// compiled as GLSL ES 3.00, texture2D and texture3D are replaced by texture, and the result is the
+// local `ret`. The host provides the vertex shader.
+//
+// The two shaders have mostly the same names. Only `warp` has `decay`. Only `comp` has gammaAdj,
+// echo_zoom, echo_alpha, echo_orientation, invert, brighten, darken, solarize, fShader, lum() and
+// hue_shader. In `warp`, uv and uv_orig are read-only inputs.
+//
+// The locals of main() (ret, rad, ang, in `comp` also uv, uv_orig, hue_shader) are declared below
+// as variables, and shader_body as a macro for main(). A preset declares the samplers that it adds:
+// `uniform sampler2D sampler_NAME;`.
 //
 // source: butterchurn 2.6.7, lib/butterchurn.js (createShader of the warp and comp shaders, ShaderUtils)
 // package: butterchurn butterchurn-presets

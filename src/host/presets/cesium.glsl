@@ -1,23 +1,27 @@
 // Cesium
 //
-// ShaderSource of CesiumJS puts `#version 300 es` before every shader (materials, post-process
-// stages, custom shaders of models and its own ones), a precision for float and int in fragment
-// shaders, one for sampler3D in both stages, and then of the names that begin with czm_ those that
-// the text uses, with all that they need: automatic uniforms, constants, structures and functions.
-// So every czm_ name below may be used undeclared, and no other. A `#version` of the text is taken
-// away and put first, `#extension` lines go to the top, and the first `precision ... float;` or
-// `int;` line is removed. The output out_FragColor is declared when the text uses it. Written for
-// WebGL 2; with WebGL 1 the text is turned back into GLSL ES 1.00. A post-process stage declares
-// `uniform sampler2D colorTexture`, `depthTexture` and `in vec2 v_textureCoordinates` itself. A
+// ShaderSource of CesiumJS puts `#version 300 es` before every shader: materials, post-process
+// stages, custom shaders of models and its own shaders. It adds a precision for float and int in
+// fragment shaders and one for sampler3D in both stages. Then it adds the names with the prefix
+// czm_ that the shader uses, with their dependencies: automatic uniforms, constants, structures and
+// functions. So every czm_ name below may be used without a declaration, and no others.
+//
+// A `#version` in the shader is moved to the top, as are `#extension` lines, and the first
+// `precision ... float;` or `int;` line is removed. The output out_FragColor is declared if the
+// shader uses it. This applies to WebGL 2; for WebGL 1 the shader is converted back to GLSL ES
+// 1.00.
+//
+// A post-process stage declares `uniform sampler2D colorTexture`, `depthTexture` and `in vec2
+// v_textureCoordinates` itself. czm_selected() exists in post-process stages with a selection. A
 // material (Fabric) defines `czm_material czm_getMaterial(czm_materialInput materialInput)`; its
 // uniforms come from a JavaScript object and are not declared here, and a word such as `channels`
-// in it is replaced by the value given there. A custom shader of a model defines `void
-// vertexMain(VertexInput vsInput, inout czm_modelVertexOutput vsOutput)` and/or `void
-// fragmentMain(FragmentInput fsInput, inout czm_modelMaterial material)`; the structures
-// VertexInput and FragmentInput, the uniforms (u_*) and varyings (v_*) are made for the model and
-// are not declared here. Members that czm_modelMaterial has only with USE_SPECULAR, USE_ANISOTROPY
-// and USE_CLEARCOAT are written here too. czm_selected() exists in post-process stages with a
-// selection.
+// is replaced by the value in that object.
+//
+// A custom shader of a model defines `void vertexMain(VertexInput vsInput, inout
+// czm_modelVertexOutput vsOutput)` and/or `void fragmentMain(FragmentInput fsInput, inout
+// czm_modelMaterial material)`. Not declared here: the structures VertexInput and FragmentInput,
+// the uniforms (u_*) and the varyings (v_*), which are generated for the model. czm_modelMaterial
+// is declared with the members that depend on USE_SPECULAR, USE_ANISOTROPY and USE_CLEARCOAT.
 //
 // source: @cesium/engine 26.3.0, Source/Renderer/ShaderSource.js, Source/Renderer/AutomaticUniforms.js, Source/Shaders/Builtin, Source/Scene/Model/CustomShader.js
 // package: @cesium/ cesium resium

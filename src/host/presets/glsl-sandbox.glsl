@@ -1,9 +1,10 @@
 // GLSL Sandbox
 //
-// glslsandbox.com, once glsl.heroku.com, compiles a text as it is written, as GLSL ES 1.00 with
-// derivatives. The mouse goes from 0 to 1 from below and is in the middle at first.
-// `surfacePosition` is a position on a surface whose height is 1, with the middle at (0, 0).
-// `backbuffer` is the last frame, in bytes.
+// glslsandbox.com, formerly glsl.heroku.com, compiles a shader unchanged, as GLSL ES 1.00 with
+// derivatives.
+//
+// The mouse ranges from 0 to 1, y up, and starts in the centre. `surfacePosition` is a position on
+// a surface of height 1 with its centre at (0, 0). `backbuffer` is the previous frame, in bytes.
 //
 // source: static/index.html of mrdoob/glsl-sandbox
 // version: 100

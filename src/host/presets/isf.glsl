@@ -1,16 +1,19 @@
 // ISF
 //
-// A text in the Interactive Shader Format begins with a comment that holds a JSON object. The host
-// compiles it as GLSL ES 1.00 with the declarations below before it. Not declared here: the
-// uniforms that the JSON object makes: one for each of INPUTS (float: float; image: sampler2D; bool
-// and event: bool; long: int; color: vec4; point2D: vec2), and a sampler2D for each PASSES target
-// and each name in IMPORTED; for an image NAME also _NAME_imgRect (vec4), _NAME_imgSize (vec2),
-// _NAME_flip (bool) and the varyings _NAME_normTexCoord and _NAME_texCoord. IMG_PIXEL and its like
-// are replaced in the text and so are written here as functions; their first argument is the name
-// of an image. A vertex text calls isf_vertShaderInit(). The names of ISF 1, vv_FragNormCoord and
-// vv_vertShaderInit, are renamed when an old text is upgraded. Types of images other than 2D, audio
-// and audioFFT inputs, and hosts on desktop OpenGL are not covered: the JavaScript package does not
-// know them.
+// A shader in the Interactive Shader Format starts with a comment that contains a JSON object. The
+// host compiles it as GLSL ES 1.00, after the declarations below. A vertex shader calls
+// isf_vertShaderInit(). IMG_PIXEL and similar are replaced in the text and are therefore declared
+// here as functions; their first argument is the name of an image. When an old shader is upgraded,
+// the ISF 1 names vv_FragNormCoord and vv_vertShaderInit are renamed.
+//
+// Not declared here: the uniforms that the JSON object defines. These are one for each of INPUTS
+// (float: float; image: sampler2D; bool and event: bool; long: int; color: vec4; point2D: vec2),
+// and a sampler2D for each PASSES target and each name in IMPORTED. For an image NAME there are
+// also _NAME_imgRect (vec4), _NAME_imgSize (vec2), _NAME_flip (bool) and the varyings
+// _NAME_normTexCoord and _NAME_texCoord.
+//
+// Not supported: images other than 2D, audio and audioFFT inputs, and hosts on desktop OpenGL,
+// since the JavaScript package does not support them.
 //
 // source: interactive-shader-format 2.9.0, src/ISFParser.js, src/ISFUpgrader.js
 // package: interactive-shader-format

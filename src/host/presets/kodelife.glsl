@@ -1,10 +1,12 @@
 // KodeLife
 //
-// A live coding tool. Texts for desktops are `#version 150` and take the block `VertexData` from
-// the vertex shader; those for devices are GLSL ES. `spectrum` tells how loud low, middle and high
-// sounds are; `prevFrame` is the last frame.
+// A live coding tool. Desktop shaders are `#version 150` and read the block `VertexData` from the
+// vertex shader; mobile shaders are GLSL ES.
 //
-// source: its templates, as projects of its users hold them
+// `spectrum` holds the levels of low, middle and high frequencies; `prevFrame` is the previous
+// frame.
+//
+// source: its templates, from user projects
 // shows: own inData VertexData
 // version: own
 // names: some

@@ -1,14 +1,17 @@
 // Kodi
 //
-// The add-on visualization.shadertoy of Kodi puts the names of ShaderToy, as they were in its first
-// years, before a fragment text and calls its mainImage(color, gl_FragCoord.xy) from its own
-// main(); what mainImage leaves in alpha is not used. On devices with OpenGL ES the text is GLSL ES
-// 1.00 with mediump float and int; on desktop it is old GLSL without a precision. The extension
-// GL_OES_standard_derivatives is on. The vertex shader is the host's. Newer versions of the add-on
-// may have more names (iTime in place of iGlobalTime); these are not declared here. Kodi's own
-// shaders (m_samp0, m_cord0, m_unicol) declare all their names themselves.
+// The Kodi add-on visualization.shadertoy puts the early names of ShaderToy before a fragment
+// shader and calls its mainImage(color, gl_FragCoord.xy) from its own main(). The alpha value from
+// mainImage is not used. The host provides the vertex shader.
 //
-// source: src/main.cpp of xbmc/visualization.shadertoy, one stored version (no npm package)
+// With OpenGL ES the shader is GLSL ES 1.00 with mediump float and int; on desktop it is old GLSL
+// without a precision. The extension GL_OES_standard_derivatives is enabled.
+//
+// Newer versions of the add-on may have more names (iTime instead of iGlobalTime), which are not
+// declared here. Kodi's own shaders (m_samp0, m_cord0, m_unicol) declare all their names
+// themselves.
+//
+// source: src/main.cpp of xbmc/visualization.shadertoy (no npm package)
 // version: 100
 // names: some
 // entry: mainImage

@@ -1,13 +1,16 @@
 // lamina
 //
-// A layer of lamina (a class that extends Abstract) has a fragment and/or a vertex text. What
-// stands before main() and the body of main() are put into a three-custom-shader-material, so its
-// csm_ variables and all of three.js are there. main() is declared `void` in the text and yet
-// returns a value: the line `return vec4(...)` of a fragment text is taken for the colour of the
-// layer, which is blended into lamina_finalColor, and `return vec3(...)` of a vertex text for
-// lamina_finalPosition. Names that begin with u_, v_ or f_ are renamed for each layer: uniforms
-// must begin with u_ and are static properties of the class, varyings with v_, locals with f_. The
-// text declares its uniforms itself. Built-in layers have the holes lamina_mapping_template,
+// A lamina layer (a class that extends Abstract) has a fragment shader, a vertex shader, or both.
+// The text before main() and the body of main() are inserted into a three-custom-shader-material,
+// so its csm_ variables and everything from three.js are available.
+//
+// main() is declared `void` but returns a value. `return vec4(...)` in a fragment shader is the
+// colour of the layer and is blended into lamina_finalColor; `return vec3(...)` in a vertex shader
+// is lamina_finalPosition.
+//
+// Names with the prefix u_, v_ or f_ are renamed for each layer. Uniforms must start with u_ and
+// are static properties of the class, varyings start with v_, locals with f_. The shader declares
+// its uniforms itself. Built-in layers have the placeholders lamina_mapping_template,
 // lamina_noise_template and axes_template.
 //
 // base: three-custom-shader-material

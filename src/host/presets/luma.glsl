@@ -1,18 +1,24 @@
 // luma.gl and deck.gl
 //
-// luma.gl keeps the `#version` line of the text (it must be the first line; without one the text is
-// taken as GLSL ES 1.00 and turned into GLSL ES 3.00) and puts behind it a prologue, the shader
-// modules that the model asks for, and the hooks. deck.gl adds the module `geometry` to every layer
-// and `layer` too; nearly all layers ask for `project32` (which brings `project`) and `picking`.
-// Modules have their text per stage: `project` and the picking functions to set are of vertex
-// shaders only, the picking filters of fragment shaders only. Only fragment shaders get a
-// precision. Not declared here: other modules, each of which gives a uniform block with an own
-// instance name (`scatterplot`, `lighting`, `material`, `shadow`, and those that users write), the
-// defines of the model, and injected declarations. The hooks may be written in JavaScript, as parts
-// of shaders with the keys 'vs:#decl', 'vs:#main-start', 'vs:#main-end', 'vs:DECKGL_FILTER_COLOR',
-// 'fs:#decl', 'fs:#main-start', 'fs:#main-end', 'fs:DECKGL_FILTER_COLOR'; such a part sees `color`,
-// `size`, `position` and `geometry`. The module `project` of luma.gl without deck.gl is another
-// one: its block has viewMatrix, projectionMatrix, viewProjectionMatrix and cameraPositionWorld.
+// luma.gl keeps the `#version` line of the shader and inserts after it a prologue, the shader
+// modules that the model requests, and the hooks. `#version` must be the first line; a shader
+// without one is treated as GLSL ES 1.00 and converted to GLSL ES 3.00. Only fragment shaders get a
+// precision.
+//
+// deck.gl adds the modules `geometry` and `layer` to every layer; nearly all layers request
+// `project32` (which includes `project`) and `picking`. Modules have separate text for each stage:
+// `project` and the picking setters exist in vertex shaders only, the picking filters in fragment
+// shaders only. Without deck.gl, the module `project` of luma.gl is a different one: its block has
+// viewMatrix, projectionMatrix, viewProjectionMatrix and cameraPositionWorld.
+//
+// Hooks may be written in JavaScript, as shader fragments with the keys 'vs:#decl',
+// 'vs:#main-start', 'vs:#main-end', 'vs:DECKGL_FILTER_COLOR', 'fs:#decl', 'fs:#main-start',
+// 'fs:#main-end', 'fs:DECKGL_FILTER_COLOR'. Such a fragment can use `color`, `size`, `position` and
+// `geometry`.
+//
+// Not declared here: other modules, each of which has a uniform block with its own instance name
+// (`scatterplot`, `lighting`, `material`, `shadow`, and those that users write), the defines of the
+// model, and injected declarations.
 //
 // source: @luma.gl/shadertools 9.4.2, src/lib/shader-assembly/assemble-shaders.ts, src/modules/engine/picking/picking.ts, src/modules/math/fp32/fp32.ts; @deck.gl/core 9.4.0, src/shaderlib
 // package: @luma.gl/ @deck.gl/ deck.gl

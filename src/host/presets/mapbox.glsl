@@ -1,12 +1,14 @@
 // Mapbox GL
 //
 // Mapbox puts `#version 300 es`, macros and this prelude before the shaders of its own layers.
+// Vertex shaders have highp float, fragment shaders mediump. A custom layer gets nothing: its
+// shader is compiled as written.
+//
 // Pragmas declare the values of a style: `#pragma mapbox: define highp vec4 color` and `#pragma
-// mapbox: initialize highp vec4 color` make a uniform u_color, an attribute a_color or a varying,
-// and the local `color`. `#include "_prelude_fog.fragment.glsl"` and the like bring more names. A
-// custom layer of a user gets nothing: its text stands for itself. Vertex shaders have highp float,
-// fragment shaders mediump. Not declared here: what depends on macros such as RENDER_CUTOFF and
-// PROJECTION_GLOBE_VIEW.
+// mapbox: initialize highp vec4 color` create a uniform u_color, an attribute a_color or a varying,
+// and the local `color`. `#include "_prelude_fog.fragment.glsl"` and similar add more names.
+//
+// Not declared here: names that depend on macros such as RENDER_CUTOFF and PROJECTION_GLOBE_VIEW.
 //
 // source: mapbox-gl 3.32.0, dist/mapbox-gl-dev.js (FRAGMENT_PRELUDE_BLOCK, VERTEX_PRELUDE_BLOCK, class Program)
 // package: mapbox-gl

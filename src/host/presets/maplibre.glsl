@@ -1,17 +1,20 @@
 // MapLibre GL
 //
 // MapLibre puts this before the shaders of its own layers, with `#version 300 es`, macros and the
-// prelude of the projection (mercator or globe; the functions have the same names). `#pragma
-// maplibre: define highp vec4 color` makes, by the macro HAS_UNIFORM_u_color, either a uniform
-// u_color or in the vertex shader an attribute a_color, a uniform u_color_t and, if the fragment
-// shader has the same pragma, a varying `color`; `#pragma maplibre: initialize highp vec4 color`
-// makes or sets the local `color` at this place. The name and type in a pragma are thus a
-// declaration, which is not written here. A custom layer of a user gets nothing by itself: its text
-// begins with its own `#version 300 es` and takes `shaderData.vertexShaderPrelude` and
-// `shaderData.define` by holes of the JavaScript template; the vertex names below hold there too,
-// but there is no prelude for its fragment shader. Vertex shaders have highp float, fragment
-// shaders mediump. With the macro TERRAIN3D there are also u_terrain, u_depth and the members of
-// TerrainUBO.
+// prelude of the projection (mercator or globe; the functions have the same names). Vertex shaders
+// have highp float, fragment shaders mediump. With the macro TERRAIN3D there are also u_terrain,
+// u_depth and the members of TerrainUBO.
+//
+// `#pragma maplibre: define highp vec4 color` creates, depending on the macro HAS_UNIFORM_u_color,
+// either a uniform u_color or, in the vertex shader, an attribute a_color, a uniform u_color_t and,
+// if the fragment shader has the same pragma, a varying `color`. `#pragma maplibre: initialize
+// highp vec4 color` creates or sets the local `color` at that point. The name and type in a pragma
+// are thus a declaration, which is not listed here.
+//
+// A custom layer gets nothing implicitly. Its shader starts with its own `#version 300 es` and
+// inserts `shaderData.vertexShaderPrelude` and `shaderData.define` through placeholders of the
+// JavaScript template. The vertex names below are available there too, but there is no prelude for
+// its fragment shader.
 //
 // source: maplibre-gl 6.17.0, src/webgl/program.ts, src/shaders/shaders.ts, src/shaders/glsl/_prelude.vertex.glsl, _prelude.fragment.glsl, _projection_mercator.vertex.glsl
 // package: maplibre-gl

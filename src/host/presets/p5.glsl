@@ -1,16 +1,19 @@
 // p5.js
 //
-// A text for createShader() or createFilterShader() is compiled as it is, with its own `#version`
-// or as GLSL ES 1.00 without one; nothing is put before it, and it declares uModelViewMatrix,
-// uProjectionMatrix, aPosition, aTexCoord, vTexCoord or tex0 itself. What stands below is put
-// before the shaders of p5.js itself (written with IN, OUT, TEXTURE and OUT_COLOR), and before the
-// functions that users give to `modify()` of baseMaterialShader(), baseFilterShader() and their
-// like: the hooks getObjectInputs, getWorldInputs, getCameraInputs, getPixelInputs, combineColors,
-// getFinalColor, getColor and shouldDiscard. These are compiled as GLSL ES 3.00 unless the sketch
-// asked for WebGL 1. The structures differ by shader: Inputs of a line has `color`, `tangent`,
-// `center`, `position` and `strokeWeight` in place of what stands below. Not declared here: the
-// uniforms made by `modify()`, the attributes and varyings of the shader that the hook goes into,
-// and the lights of the fragment shader.
+// A shader for createShader() or createFilterShader() is compiled unchanged, with its own
+// `#version`, or as GLSL ES 1.00 without one. Nothing is added, so it declares uModelViewMatrix,
+// uProjectionMatrix, aPosition, aTexCoord, vTexCoord or tex0 itself.
+//
+// The declarations below are added to the shaders of p5.js itself (written with IN, OUT, TEXTURE
+// and OUT_COLOR), and to the functions that users pass to `modify()` of baseMaterialShader(),
+// baseFilterShader() and similar: the hooks getObjectInputs, getWorldInputs, getCameraInputs,
+// getPixelInputs, combineColors, getFinalColor, getColor and shouldDiscard. These are compiled as
+// GLSL ES 3.00 unless the sketch uses WebGL 1. The structures differ between shaders: Inputs of a
+// line has `color`, `tangent`, `center`, `position` and `strokeWeight` instead of the members
+// below.
+//
+// Not declared here: the uniforms created by `modify()`, the attributes and varyings of the shader
+// that the hook is inserted into, and the lights of the fragment shader.
 //
 // source: p5 2.3.4, dist/webgl/p5.RendererGL.js (_webGL2CompatibilityPrefix, phongVert, phongFrag, lineVert, lineFrag), dist/webgl2Compatibility-DA7DLMuq.js
 // package: p5

@@ -1,16 +1,18 @@
 // PlayCanvas
 //
 // The engine puts this before every GLSL shader (ShaderMaterial, Shader, and its own materials).
-// The text is always compiled as GLSL ES 3.00, with macros for the words of GLSL ES 1.00.
-// PlayCanvas preprocesses the text itself: `#include "name"` and `#include "name, COUNT"` bring
-// chunks (in the latter `{i}` is the index), `{NAME}` is replaced by the value of `#define {NAME}
-// value`, and comments are removed first. Precisions for float, int and the samplers are set in
-// both stages. pcFragColor1 to pcFragColor7 are there only as far as the device has colour
-// attachments. The text declares uniforms such as `matrix_model`, `matrix_viewProjection` and
-// attributes such as `vertex_position` itself. Not declared here: what included chunks bring, and
-// what a chunk that takes the place of one of the engine's may use (`matrix_viewProjection`,
-// `dNormalW`, `dAlbedo`, `litArgs_*`), the macros CAPS_* of the device and the macros of the
-// material.
+// Shaders are always compiled as GLSL ES 3.00, with macros for GLSL ES 1.00 syntax and a precision
+// for float, int and the samplers in both stages. pcFragColor1 to pcFragColor7 exist only if the
+// device has that many colour attachments. The shader declares uniforms such as `matrix_model` and
+// `matrix_viewProjection` and attributes such as `vertex_position` itself.
+//
+// PlayCanvas preprocesses the text: comments are removed first, `#include "name"` and `#include
+// "name, COUNT"` insert chunks (in the latter `{i}` is the index), and `{NAME}` is replaced by the
+// value of `#define {NAME} value`.
+//
+// Not declared here: the contents of included chunks, the names that a chunk may use if it replaces
+// one of the engine's (`matrix_viewProjection`, `dNormalW`, `dAlbedo`, `litArgs_*`), the macros
+// CAPS_* of the device, and the macros of the material.
 //
 // source: playcanvas 2.23.3, src/platform/graphics/shader-definition-utils.js, src/platform/graphics/shader-chunks/frag/gles3.js, vert/gles3.js and frag/shared.js, src/core/preprocessor.js
 // package: playcanvas @playcanvas/react

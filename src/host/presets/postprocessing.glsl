@@ -1,16 +1,19 @@
 // postprocessing
 //
-// An Effect of the package `postprocessing` has a fragment text without main(): it defines
-// mainImage() and/or mainUv(), and EffectPass puts it into a ShaderMaterial of three.js, so all
-// that three.js gives is there too, and the chunks <common>, <packing> and
-// <dithering_pars_fragment> are included. The whole is compiled as GLSL ES 3.00. Signatures: `void
-// mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor)`, with `const in
-// float depth` between uv and outputColor when the effect asks for depth (EffectAttribute.DEPTH),
-// and `void mainUv(inout vec2 uv)`. A vertex text defines `void mainSupport()` or `void
-// mainSupport(const in vec2 uv)`. Functions, varyings, uniforms and macros of the effect get a
-// prefix such as `e0`, so names do not collide between effects. Not declared here: what the
-// JavaScript part gives in the Map objects `uniforms` and `defines`; the text declares its uniforms
-// itself, macros it does not. Passes with an own ShaderMaterial are three.js.
+// An Effect of the package `postprocessing` has a fragment shader without main(). It defines
+// mainImage(), mainUv() or both, and EffectPass inserts it into a ShaderMaterial of three.js.
+// Everything that three.js provides is available, and the chunks `<common>`, `<packing>` and
+// <dithering_pars_fragment> are included. The result is compiled as GLSL ES 3.00. Passes with their
+// own ShaderMaterial belong to the host three.js.
+//
+// Signatures: `void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor)`,
+// with `const in float depth` between uv and outputColor if the effect requests depth
+// (EffectAttribute.DEPTH), and `void mainUv(inout vec2 uv)`. A vertex shader defines `void
+// mainSupport()` or `void mainSupport(const in vec2 uv)`.
+//
+// Functions, varyings, uniforms and macros of the effect get a prefix such as `e0`, so names of
+// different effects do not collide. The shader declares its uniforms itself. Not declared here: the
+// macros in the Map object `defines` of the JavaScript class.
 //
 // base: three
 // source: postprocessing 6.39.6, build/index.js (effect.frag, effect.vert, EffectPass); three 0.187.0, src/renderers/webgl/WebGLProgram.js, ShaderChunk/common.glsl.js, packing.glsl.js
@@ -74,7 +77,7 @@ float viewZToOrthographicDepth(const in float viewZ, const in float near, const 
 float orthographicDepthToViewZ(const in float depth, const in float near, const in float far);
 float viewZToPerspectiveDepth(const in float viewZ, const in float near, const in float far);
 float perspectiveDepthToViewZ(const in float depth, const in float near, const in float far);
-// of the package
+// declared by the package
 #define packFloatToRGBA(v) packDepthToRGBA(v)
 #define unpackRGBAToFloat(v) unpackRGBAToDepth(v)
 uniform sampler2D inputBuffer;

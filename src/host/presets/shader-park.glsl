@@ -1,13 +1,17 @@
 // Shader Park
 //
-// A GLSL text for Shader Park (glslToThreeJSMaterial, glslToMinimalRenderer and their like) has no
-// main(): it defines `float surfaceDistance(vec3 p)` and `vec3 shade(vec3 p, vec3 normal)`, and the
-// host puts its library before it and its own main() behind it. It is compiled as GLSL ES 3.00, in
-// three.js as the fragment shader of a ShaderMaterial, with all that three.js gives a fragment
-// shader (of it cameraPosition, viewMatrix and the macros stand below), else with macros for
-// cameraPosition and worldPos. Highp float. Not declared here: uniforms that a JavaScript sculpture
-// makes with input(). Functions that JavaScript gives by glslSDF() and glslFunc() are whole
-// functions that may use the same names. The vertex shader is the host's.
+// A GLSL shader for Shader Park (glslToThreeJSMaterial, glslToMinimalRenderer and similar) has no
+// main(). It defines `float surfaceDistance(vec3 p)` and `vec3 shade(vec3 p, vec3 normal)`; the
+// host puts its library before it and its own main() after it. The host provides the vertex shader.
+//
+// The result is compiled as GLSL ES 3.00 with highp float. With three.js it is the fragment shader
+// of a ShaderMaterial and has everything that three.js provides (of these, cameraPosition,
+// viewMatrix and the macros are declared below); otherwise there are macros for cameraPosition and
+// worldPos.
+//
+// Not declared here: the uniforms that a JavaScript sculpture creates with input(). Functions
+// passed to glslSDF() and glslFunc() in JavaScript are complete functions that may use the same
+// names.
 //
 // source: shader-park-core 0.2.8, dist/shader-park-core.esm.js (threeHeader, minimalHeader, sculptureStarterCode, glslFragFooter, baseUniforms)
 // package: shader-park-core

@@ -1,8 +1,8 @@
 // SHADERed
 //
-// An editor of shader projects: an XML file lists passes, whose shaders are files beside it, and
-// says what each uniform holds. `shaderport` gives a uniform that holds a value of the system the
-// names below. The texts declare all that they use.
+// An editor for shader projects. An XML file lists the passes, whose shaders are separate files,
+// and defines the value of each uniform. The shaders declare everything that they use. `shaderport`
+// renames uniforms with a system value to the names below.
 //
 // source: files of the ShaderToy import (dfranx/PluginShadertoy); Names.cpp and SystemVariableManager.cpp of dfranx/SHADERed
 // version: own

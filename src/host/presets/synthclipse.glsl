@@ -1,8 +1,8 @@
 // Synthclipse
 //
-// A tool that runs complete fragment shaders of desktops and of GLSL ES. Comments such as `//!
-// slider[min, value, max]` behind the declaration of a uniform say how the user sets it; other
-// comments name presets, groups and post-processing.
+// A tool that runs complete fragment shaders, in desktop GLSL and GLSL ES. Comments such as `//!
+// slider[min, value, max]` after a uniform declaration define its control; other comments define
+// presets, groups and post-processing.
 //
 // source: the user guide of Synthclipse, fragx: commands, uniform_controls, build_in_uniforms, file_types
 // version: own

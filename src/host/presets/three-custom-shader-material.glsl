@@ -1,16 +1,19 @@
 // three-custom-shader-material
 //
-// CustomShaderMaterial puts the text of a user into a built-in material of three.js, in
-// onBeforeCompile: what stands before main() goes in front of the material's main(), the body of
-// main() to its begin, and comments are removed. The text writes to the csm_ variables below, which
-// have their values before it begins. It is compiled as GLSL ES 3.00 with all that three.js gives;
-// it may also use whatever the chunks of that material declare (the uniforms `diffuse`, `opacity`,
-// `roughness`, `map`, the varyings `vNormal`, `vViewPosition`, the functions of <common>), which is
-// not declared here. Some variables are there only in some materials: csm_PointSize in
-// PointsMaterial; csm_Emissive, csm_Roughness, csm_Metalness and csm_Iridescence in
-// MeshStandardMaterial and MeshPhysicalMaterial; csm_Clearcoat, csm_ClearcoatRoughness,
-// csm_ClearcoatNormal, csm_Transmission and csm_Thickness in MeshPhysicalMaterial. The text
-// declares its uniforms itself. A text without main() is all put before main().
+// CustomShaderMaterial inserts the user's shader into a built-in material of three.js, in
+// onBeforeCompile. The text before main() goes before the material's main(), the body of main() to
+// its start, and comments are removed. A shader without main() is inserted entirely before main().
+// It assigns to the csm_ variables below, which have default values. It is compiled as GLSL ES 3.00
+// with everything that three.js provides, and declares its uniforms itself.
+//
+// Some variables exist only in some materials: csm_PointSize in PointsMaterial; csm_Emissive,
+// csm_Roughness, csm_Metalness and csm_Iridescence in MeshStandardMaterial and
+// MeshPhysicalMaterial; csm_Clearcoat, csm_ClearcoatRoughness, csm_ClearcoatNormal,
+// csm_Transmission and csm_Thickness in MeshPhysicalMaterial.
+//
+// Not declared here: the names that the chunks of that material declare, which the shader may use
+// (the uniforms `diffuse`, `opacity`, `roughness`, `map`, the varyings `vNormal`, `vViewPosition`,
+// the functions of `<common>`).
 //
 // base: three
 // source: three-custom-shader-material 6.4.0, vanilla/three-custom-shader-material.es.js; three 0.187.0, src/renderers/webgl/WebGLProgram.js

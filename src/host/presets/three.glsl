@@ -1,23 +1,26 @@
 // three.js
 //
-// WebGLRenderer puts this before the shaders of ShaderMaterial and of its own materials; a
-// RawShaderMaterial gets nothing but the macros SHADER_TYPE and SHADER_NAME and the material's
-// `defines`. The text is always compiled as GLSL ES 3.00: macros turn the words of GLSL ES 1.00
-// into it, so both manners of writing work. An `attribute` is no word of a fragment shader. The
-// default precision of float, int and all samplers is set in both stages. The output `pc_fragColor`
-// and the macro gl_FragColor are left out when the material says `glslVersion: THREE.GLSL3`; the
-// shader then declares its own output. Lines `#include <name>` are replaced by the chunks of
-// three.js, and text for `onBeforeCompile` is a part of such chunks, so it may use any of their
-// names (`transformed`, `diffuseColor`, `vViewPosition`). Not declared here, as it depends on the
-// mesh or the material: the attribute `color` (vec3 or vec4, with vertexColors), `tangent`, `uv1`,
-// `uv2`, `uv3`, `morphTexture`, the macros USE_*, the tone mapping functions with toneMapping()
-// (only when the renderer or the material has tone mapping on), and everything in the material's
-// `defines`. The words NUM_DIR_LIGHTS, NUM_POINT_LIGHTS and the like are replaced by numbers before
-// the compiler sees the text; the numbers below only stand in for them. `#pragma unroll_loop_start`
-// and `#pragma unroll_loop_end` around a `for ( int i = 0; i < 4; i ++ )` make copies of its body,
-// in which UNROLLED_LOOP_INDEX is the number of the copy.
+// WebGLRenderer puts this before the shaders of ShaderMaterial and of its own materials. A
+// RawShaderMaterial gets only the macros SHADER_TYPE and SHADER_NAME and the material's `defines`.
 //
-// reads: a ShaderMaterial of three.js
+// The shader is always compiled as GLSL ES 3.00. Macros map GLSL ES 1.00 syntax to it, so both
+// styles work, except `attribute` in a fragment shader. The default precision of float, int and all
+// samplers is set in both stages. With `glslVersion: THREE.GLSL3` the output `pc_fragColor` and the
+// macro gl_FragColor are omitted, and the shader declares its own output.
+//
+// `#include <name>` lines are replaced by the chunks of three.js. Text for `onBeforeCompile` is
+// part of such chunks, so it may use any of their names (`transformed`, `diffuseColor`,
+// `vViewPosition`). NUM_DIR_LIGHTS, NUM_POINT_LIGHTS and similar words are replaced by numbers
+// before the shader is compiled; the numbers below are stand-ins. `#pragma unroll_loop_start` and
+// `#pragma unroll_loop_end` around a `for ( int i = 0; i < 4; i ++ )` unroll the loop, and
+// UNROLLED_LOOP_INDEX is the number of the copy.
+//
+// Not declared here, since they depend on the mesh or the material: the attribute `color` (vec3 or
+// vec4, with vertexColors), `tangent`, `uv1`, `uv2`, `uv3`, `morphTexture`, the macros USE_*, the
+// tone mapping functions with toneMapping() (only if the renderer or the material has tone mapping
+// enabled), and everything in the material's `defines`.
+//
+// reads: three.js ShaderMaterial
 // source: three 0.187.0, src/renderers/webgl/WebGLProgram.js, src/renderers/webgl/WebGLPrograms.js, src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js
 // package: three @react-three/fiber @react-three/drei three-stdlib @threlte/core @tresjs/core angular-three
 // word: modelViewMatrix projectionMatrix cameraPosition normalMatrix isOrthographic instanceMatrix linearToOutputTexel sRGBTransferOETF sRGBTransferEOTF LinearTransferOETF pc_fragColor skinWeight skinIndex
@@ -50,7 +53,7 @@ precision highp usampler2DArray;
 #define SHADER_TYPE ShaderMaterial
 #define SHADER_NAME ShaderMaterial
 #define texture2D texture
-// stand-ins for words that are replaced by numbers
+// stand-ins for words that three.js replaces by numbers
 #define NUM_SUN_LIGHTS 1
 #define NUM_DIR_LIGHTS 1
 #define NUM_SPOT_LIGHTS 1
@@ -90,7 +93,7 @@ attribute vec4 skinWeight;
 #endif
 #ifdef FRAGMENT_SHADER
 #define varying in
-// not with glslVersion GLSL3; then the shader declares its own output
+// omitted with glslVersion GLSL3: the shader declares its own output
 #ifndef OWN_OUTPUT
 layout(location = 0) out highp vec4 pc_fragColor;
 #define gl_FragColor pc_fragColor
@@ -111,7 +114,7 @@ vec4 linearToOutputTexel(vec4 value);
 float luminance(const in vec3 rgb);
 #endif
 #ifdef SHADER_DECLARES
-// what pages set under these names, and what their vertex shaders hand on of a plane
+// names that pages often set, and varyings of their vertex shaders for a plane
 uniform float uTime; // = time, usual
 uniform vec2 uMouse; // = pointer-unit
 uniform vec2 uResolution; // = resolution

@@ -1,8 +1,8 @@
 // TWGL
 //
-// TWGL compiles a text as it is written, or as it stands in a <script> element; only blank lines
-// before `#version 300 es` are taken away. Nothing is put before it: it declares all uniforms,
-// attributes and the precision of float itself.
+// TWGL compiles a shader unchanged, from a string or from a `<script>` element; only blank lines
+// before `#version 300 es` are removed. Nothing is added: the shader declares all uniforms,
+// attributes and the float precision itself.
 //
 // source: twgl.js 7.0.0, dist/7.x/twgl-full.module.js (createProgramNoCheck, prepShaderSource)
 // package: twgl.js

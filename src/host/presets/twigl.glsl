@@ -1,11 +1,12 @@
 // twigl
 //
-// twigl.app runs shaders as short as a message, in modes of which each leaves more away: `classic`
-// is like GLSL Sandbox; `geek` calls the uniforms `r`, `m`, `t`, `f`, `s` and `b`; `geeker` has
-// them declared; `geekest` has `FC` for `gl_FragCoord`, noise and rotations, and may leave `main`
-// away. Modes of GLSL ES 3.00 write to `o`, those with several targets to `o0` and `o1`, of which
-// the first is shown; `b0` and `b1` are the targets a frame ago. The frame counts from 1; the mouse
-// is in the corner at first.
+// twigl.app runs very short shaders, in modes that each allow a shader to omit more. `classic` is
+// like GLSL Sandbox. `geek` names the uniforms `r`, `m`, `t`, `f`, `s` and `b`. `geeker` declares
+// them. `geekest` adds `FC` for `gl_FragCoord`, noise and rotations, and makes `main` optional.
+//
+// GLSL ES 3.00 modes write to `o`. Modes with several targets write to `o0` and `o1`, of which the
+// first is shown; `b0` and `b1` are the targets of the previous frame. Frames are counted from 1;
+// the mouse starts in the corner.
 //
 // source: src/fragmen.js of doxas/twigl
 // version: any

@@ -1,10 +1,11 @@
 // VertexShaderArt
 //
 // vertexshaderart.com runs a vertex shader for numbered vertices and draws them as points, lines or
-// triangles. It puts its declarations before the text, and `gl_PointSize = 1.0` first into `main`.
-// The mouse goes from -1 to 1 from below; `sound` holds the spectra of the last 240 frames, the
-// newest at v = 0. A head in JSON may say how many vertices there are, as VEDA and ossia score have
-// it.
+// triangles. It puts its declarations before the shader and `gl_PointSize = 1.0` at the start of
+// `main`.
+//
+// The mouse ranges from -1 to 1, y up. `sound` holds the spectra of the last 240 frames, the newest
+// at v = 0. A JSON header, as in VEDA and ossia score, may set the number of vertices.
 //
 // source: src/js/shaders.js and src/js/main.js of greggman/vertexshaderart; the manuals of VEDA and ossia score
 // version: 100

@@ -1,9 +1,11 @@
 // VS Code Shader Toy
 //
-// An extension of VS Code that runs ShaderToy code: its names, ten channels, and directives such as
-// `#iChannel0 "file"` and `#iUniform` that say what channels read and which uniforms there are. A
-// text may have `main` in place of `mainImage`. It compiles for WebGL2 with the functions of both
-// versions. A channel may be a cube map.
+// A VS Code extension that runs ShaderToy code. It has ShaderToy's names, ten channels, and
+// directives such as `#iChannel0 "file"` and `#iUniform` that define the inputs of the channels and
+// additional uniforms. A channel may be a cube map.
+//
+// A shader may have `main` instead of `mainImage`. It is compiled for WebGL2 with the functions of
+// both versions.
 //
 // source: README.md, src/bufferprovider.ts, src/glsl_extension_grammar.txt, src/extensions/preamble_extension.ts of stevensona/shader-toy
 // version: 300 es

@@ -1,14 +1,15 @@
 // vtk.js
 //
-// The shader texts of vtk.js are templates: comment lines such as //VTK::System::Dec and
-// //VTK::Color::Impl are replaced by code that is made for the scene. //VTK::System::Dec, the first
-// line, becomes `#version 300 es`, macros and the precisions; the word `varying` is replaced by
-// `out` in the vertex shader and `in` in the fragment shader; gl_FragData[N] is replaced by the
-// output fragOutputN, which stands at //VTK::Output::Dec (the array below stands for these
-// outputs). All this holds only for a text that has these places. Not declared here: all that the
-// other places bring, for example vertexVCVSOutput, normalVCVSOutput, tcoordVCVSOutput, MCPCMatrix,
-// MCVCMatrix, ambientColor, diffuseColor, opacity. Replacement text given by users
-// (ShaderReplacements) may use these names.
+// The shaders of vtk.js are templates: comment lines such as //VTK::System::Dec and
+// //VTK::Color::Impl are replaced by generated code. //VTK::System::Dec, the first line, becomes
+// `#version 300 es`, macros and the precisions. `varying` is replaced by `out` in the vertex shader
+// and `in` in the fragment shader. gl_FragData[N] is replaced by the output fragOutputN, declared
+// at //VTK::Output::Dec (the array below stands for these outputs). All this applies only to
+// shaders with these placeholders.
+//
+// Not declared here: the names that the other placeholders provide, for example vertexVCVSOutput,
+// normalVCVSOutput, tcoordVCVSOutput, MCPCMatrix, MCVCMatrix, ambientColor, diffuseColor, opacity.
+// User-defined replacements (ShaderReplacements) may use these names.
 //
 // source: vtk.js 37.3.1, Sources/Rendering/OpenGL/ShaderCache/index.js, Sources/Rendering/OpenGL/glsl
 // package: vtk.js @kitware/vtk.js

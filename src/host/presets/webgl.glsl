@@ -1,11 +1,10 @@
 // WebGL page
 //
-// A page, an engine or a tutorial that compiles a shader as it is written and that no other file
-// here describes. The shader declares all its names; those below mean nearly the same wherever they
-// occur.
+// A page, an engine or a tutorial that compiles a shader unchanged and has no host of its own here.
+// The shader declares all its names. The names below have nearly the same meaning in most shaders.
 //
-// reads: a whole shader
-// source: what the shaders of public repositories have in common
+// reads: complete shader
+// source: conventions in the shaders of public repositories
 // version: own
 // names: all
 // entry: main

@@ -1,4 +1,5 @@
-//! Calls: arguments from left to right, values in by copy, values back by copy.
+//! Lowering of calls: arguments are evaluated left to right and passed by value; `out` arguments
+//! are copied back after the call (copy-in, copy-out).
 
 use super::super::form::*;
 use super::Lowerer;
@@ -8,7 +9,7 @@ use shaderlint_semantic::{Direction, FunctionRef, Type};
 use shaderlint_syntax::ast::List;
 
 impl Lowerer<'_> {
-    /// A call of a function of the shader.
+    /// Lowers a call of a user-defined function.
     pub(super) fn call(&mut self, function: FunctionRef, args: List, ty: Type) -> OpId {
         let program = self.program;
         let params = program.function(function).map_or(&[][..], |f| &f.params);
@@ -34,7 +35,7 @@ impl Lowerer<'_> {
         call
     }
 
-    /// A call of a built-in function.
+    /// Lowers a call of a built-in function.
     pub(super) fn builtin(&mut self, overload: u32, args: List, ty: Type) -> OpId {
         let program = self.program;
         let found = Builtins::of(program.version, program.stage).overload(overload);
@@ -57,7 +58,7 @@ impl Lowerer<'_> {
         call
     }
 
-    /// Copies what a call left in its parameters to the arguments.
+    /// Copies the `out` and `inout` parameters of a call back to the arguments.
     fn take_back(&mut self, call: OpId, back: &[(u32, Target, Type)]) {
         for &(number, target, ty) in back {
             let value = self.op(OpKind::Returned(call, number), ty);

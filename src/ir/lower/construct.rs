@@ -1,11 +1,11 @@
-//! Constructors (GLSL ES 3.00 section 5.4), down to the components.
+//! Lowering of constructors (GLSL ES 3.00 section 5.4) to components.
 
 use super::super::form::*;
 use super::Lowerer;
 use shaderlint_semantic::{Scalar, Type};
 use shaderlint_syntax::ast::List;
 
-/// A component of a value: of a matrix, column by column.
+/// A component of a value; those of a matrix are in column-major order.
 #[derive(Clone, Copy)]
 struct Component {
     of: OpId,
@@ -13,13 +13,13 @@ struct Component {
 }
 
 impl Lowerer<'_> {
-    /// The constructor of a struct: its members in order.
+    /// Lowers the constructor of a struct, one argument per member.
     pub(super) fn record(&mut self, args: List, ty: Type) -> OpId {
         let members = self.values(args);
         self.compose(&members, ty)
     }
 
-    /// The constructor of a type of the language or of an array.
+    /// Lowers the constructor of a built-in type or array.
     pub(super) fn construct(&mut self, args: List, ty: Type) -> OpId {
         let values = self.values(args);
         if ty.is_array() {
@@ -45,7 +45,7 @@ impl Lowerer<'_> {
             [one] if self.module.ty(one).is_matrix() && columns > 1 => {
                 self.resized(one, columns, rows)
             }
-            // Mostly each component is given by itself.
+            // The common case: one scalar argument per component.
             _ if columns == 1 && self.are_scalars(&values, rows) => self.compose(&values, ty),
             _ if columns == 1 => {
                 let components = self.components(&values, rows as usize);
@@ -71,7 +71,7 @@ impl Lowerer<'_> {
         self.op(OpKind::Compose(parts), ty)
     }
 
-    /// The same shape made of another kind of scalar.
+    /// Converts a value to another scalar type, with the same shape.
     fn converted(&mut self, value: OpId, scalar: Scalar) -> OpId {
         let ty = self.module.ty(value);
         match ty.scalar_kind() == Some(scalar) {
@@ -80,7 +80,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The first `wanted` components of values in a row.
+    /// The first `wanted` components of a sequence of values.
     fn components(&self, values: &[OpId], wanted: usize) -> Vec<Component> {
         let each = |of: &OpId| {
             let of = *of;
@@ -89,8 +89,8 @@ impl Lowerer<'_> {
         values.iter().flat_map(each).take(wanted).collect()
     }
 
-    /// A scalar or vector made of components; neighbours that come from one vector are taken from it
-    /// together.
+    /// Composes a scalar or vector from components; adjacent components of one vector become one
+    /// swizzle.
     fn gather(&mut self, components: &[Component], ty: Type) -> OpId {
         let mut parts = Vec::with_capacity(components.len());
         let mut rest = components;
@@ -113,8 +113,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The vector that a component lies in, which is a column where it is one of a matrix, and its
-    /// number there.
+    /// The vector that contains a component (for a matrix, the column), and its index there.
     fn vector_of(&mut self, component: Component) -> (OpId, u32) {
         let ty = self.module.ty(component.of);
         match ty.numeric() {
@@ -130,7 +129,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Components of a vector from one on; the whole where these are all.
+    /// Consecutive components of a vector; the vector itself if these are all.
     fn picked_components(&mut self, of: OpId, from: u32, len: u32) -> OpId {
         let ty = self.module.ty(of);
         if from == 0 && len == ty.components() {
@@ -155,7 +154,8 @@ impl Lowerer<'_> {
         self.compose(&made, Type::matrix(columns, rows))
     }
 
-    /// A matrix of another size: what is missing is as in the identity.
+    /// A matrix constructed from a matrix of another size; missing cells are those of the identity
+    /// matrix.
     fn resized(&mut self, matrix: OpId, columns: u8, rows: u8) -> OpId {
         let Some((_, known, height)) = self.module.ty(matrix).numeric() else {
             return matrix;

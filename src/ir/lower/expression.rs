@@ -1,4 +1,4 @@
-//! Expressions.
+//! Lowering of expressions.
 
 use super::super::form::*;
 use super::Lowerer;
@@ -6,11 +6,11 @@ use super::place::{Picked, element_of};
 use shaderlint_semantic::{Resolution, Scalar, Type, Value};
 use shaderlint_syntax::ast::*;
 
-/// How many nodes of a right side are looked at before it is taken for more than a few operations.
+/// Maximum number of nodes of a right operand that may be evaluated unconditionally.
 const FEW: u32 = 12;
 
 impl Lowerer<'_> {
-    /// Lowers an expression; gives its value.
+    /// Lowers an expression. Returns its value.
     pub(super) fn value(&mut self, id: ExprId) -> OpId {
         let outer = std::mem::replace(&mut self.origin, Provenance::Expr(id));
         let made = self.deeper(|l| l.value_at(id));
@@ -28,7 +28,8 @@ impl Lowerer<'_> {
     fn value_at(&mut self, id: ExprId) -> OpId {
         let program = self.program;
         let ty = program.ty(id);
-        // An array that is known stays where it is declared: it may be mentioned often.
+        // A constant array is not copied to each use, since there may be many: it stays in its
+        // variable.
         if ty.components() > 0 && program.expr(id).constant.is_known() {
             return self.constant(program.values(id).iter().copied(), ty);
         }
@@ -63,7 +64,7 @@ impl Lowerer<'_> {
                 }
             },
             ExprKind::Construct(_, args) => self.construct(args, ty),
-            // The length of an array is known, unless the array is not.
+            // The length of an array is a constant, unless the array type has an error.
             ExprKind::Method(object, ..) => {
                 self.value(object);
                 self.unknown(id)
@@ -77,7 +78,7 @@ impl Lowerer<'_> {
         args.iter().map(|a| self.value(*a)).collect()
     }
 
-    /// A variable or a part of something.
+    /// Lowers a variable or a part of a value.
     fn part(&mut self, id: ExprId) -> OpId {
         if let Some(way) = self.way(id) {
             let place = self.keep(&way);
@@ -112,7 +113,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The element, column or component with this number.
+    /// The element, column or component at a constant index.
     pub(super) fn element(&mut self, base: OpId, number: u32, ty: Type) -> OpId {
         match self.module.ty(base).is_vector() {
             true => self.op(OpKind::Swizzle(base, Lanes::new([number.min(3) as u8])), ty),
@@ -133,7 +134,7 @@ impl Lowerer<'_> {
         self.op(OpKind::Unary(kind, operand), ty)
     }
 
-    /// One more or one less: the value before and the value behind.
+    /// Lowers `++` or `--`. Returns the values before and after.
     fn counted(&mut self, is_more: bool, operand: ExprId) -> (OpId, OpId) {
         let ty = self.program.ty(operand);
         let target = self.target(operand);
@@ -148,7 +149,8 @@ impl Lowerer<'_> {
         (before, behind)
     }
 
-    /// `target = value` and `target op= value`: where to, then the value, then what is there.
+    /// Lowers `target = value` and `target op= value`: first the destination, then the value, then
+    /// the load of the destination.
     fn assign(&mut self, op: Option<BinaryOp>, target: ExprId, value: ExprId) -> OpId {
         let ty = self.program.ty(target);
         let place = self.target(target);
@@ -171,7 +173,7 @@ impl Lowerer<'_> {
         self.operate(op, left, right, ty)
     }
 
-    /// `&&` and `||` whose right side runs only where the left one does not settle it.
+    /// Lowers `&&` or `||` with short-circuit evaluation.
     fn cut_short(&mut self, is_and: bool, left: OpId, right: ExprId) -> OpId {
         let place = self.temporary(Type::BOOL);
         self.store(place, left);
@@ -228,8 +230,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Whether an expression is a few operations that may as well run where their value is not used:
-    /// nothing is called, divided, shifted or looked up by a computed number, and nothing changes.
+    /// Whether an expression is cheap and safe to evaluate unconditionally: few operations, no
+    /// calls, divisions, shifts, dynamic indices or side effects.
     fn is_simple(&self, id: ExprId) -> bool {
         let mut left = FEW;
         self.is_simple_within(id, &mut left)
@@ -262,7 +264,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// An operator between two values. Scalars beside vectors and matrices are spread out first.
+    /// Lowers a binary operator. A scalar operand is first splatted to the shape of the other.
     pub(super) fn operate(&mut self, op: BinaryOp, left: OpId, right: OpId, ty: Type) -> OpId {
         let kind = match op {
             BinaryOp::Equal | BinaryOp::NotEqual => {
@@ -300,13 +302,13 @@ impl Lowerer<'_> {
         self.op(OpKind::Binary(kind, left, right), ty)
     }
 
-    /// Whether a product is one of linear algebra.
+    /// Whether a product is a matrix product.
     fn is_product(&self, left: OpId, right: OpId) -> bool {
         let (left, right) = (self.module.ty(left), self.module.ty(right));
         left.is_matrix() && !right.is_scalar() || right.is_matrix() && !left.is_scalar()
     }
 
-    /// A scalar in all components of the other operand's shape; anything else as it is.
+    /// Splats a scalar to the shape of the other operand; other values are returned unchanged.
     fn spread(&mut self, value: OpId, other: OpId) -> OpId {
         let (own, shape) = (self.module.ty(value), self.module.ty(other));
         let scalar = own.scalar_kind().unwrap_or(Scalar::Float);

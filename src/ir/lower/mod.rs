@@ -1,7 +1,8 @@
-//! From the checked syntax tree to the [form](super::form).
+//! Lowers the checked syntax tree to the [IR](super::form).
 //!
-//! Everything is lowered, what nobody calls and what has errors too: an expression that was reported
-//! is an [`OpKind::Unknown`], so that what stands around it can still be asked about.
+//! Everything is lowered, including functions that are never called and code with errors: an
+//! expression with a reported error becomes [`OpKind::Unknown`], so that the code around it can
+//! still be analysed.
 
 mod call;
 mod construct;
@@ -17,11 +18,11 @@ use shaderlint_semantic::{
 };
 use shaderlint_syntax::ast::{DeclId, DeclKind, ExprId, FunctionId, Item, List, TokenId};
 
-/// How deep expressions and statements may nest; what lies deeper is unknown. The browser refuses
-/// trees deeper than 256.
+/// Maximum nesting of expressions and statements; deeper ones become unknown. Browsers reject trees
+/// deeper than 256.
 const MAX_DEPTH: u32 = 600;
 
-/// Lowers a shader, in time linear in its size.
+/// Lowers a shader, in linear time.
 pub fn lower(program: &Program) -> Module {
     let exprs = program.tree.exprs.len();
     let mut lowerer = Lowerer {
@@ -50,24 +51,24 @@ pub fn lower(program: &Program) -> Module {
     lowerer.module
 }
 
-/// A module that is being made.
+/// The state of lowering.
 struct Lowerer<'p> {
     program: &'p Program,
     module: Module,
     precisions: Precisions,
     returned: Returned,
-    /// The steps of the regions that are being made, the innermost last.
+    /// The steps of the regions under construction, the innermost last.
     open: Vec<Step>,
-    /// How many operations are in a run, or in a region already.
+    /// The number of operations already covered by a run or region.
     covered: u32,
-    /// What is being lowered.
+    /// The provenance of new operations.
     origin: Provenance,
     function: Option<FunctionRef>,
     depth: u32,
 }
 
 impl Lowerer<'_> {
-    /// Takes over the shader's variables.
+    /// Declares the variables of the program.
     fn variables(&mut self) {
         let program = self.program;
         let root = |storage| match storage {
@@ -103,8 +104,8 @@ impl Lowerer<'_> {
             .collect();
     }
 
-    /// Lowers what stands at global scope: all initial values first, so that their operations are
-    /// one range, then the functions.
+    /// Lowers global scope: first all global initialisers, so that their operations form one range,
+    /// then the functions.
     fn items(&mut self) {
         let tree = &self.program.tree;
         let mut defined = Vec::new();
@@ -112,7 +113,8 @@ impl Lowerer<'_> {
             for item in &tree.items {
                 match item {
                     Item::Decl(id) => l.global(*id),
-                    // Precisions hold from where they stand, so each function keeps its own.
+                    // A `precision` statement applies from its position on, so each function
+                    // records the defaults at its own.
                     Item::Function(id) => defined.push((*id, l.precisions.clone())),
                 }
             }
@@ -127,7 +129,7 @@ impl Lowerer<'_> {
             let at = by_definition.binary_search_by_key(&id, |(definition, _)| *definition);
             Some(by_definition.get(at.ok()?)?.1)
         };
-        // A call may stand before the definition.
+        // A call may precede the definition of its function.
         for (id, precisions) in &defined {
             if let Some(function) = function_of(*id) {
                 self.precisions = precisions.clone();
@@ -150,7 +152,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Makes an operation for what is being lowered.
+    /// Adds an operation with the current provenance.
     fn op(&mut self, kind: OpKind, ty: Type) -> OpId {
         let id = OpId(self.module.ops.len() as u32);
         let precision = match ty.scalar_kind() {
@@ -166,12 +168,12 @@ impl Lowerer<'_> {
         id
     }
 
-    /// The number of the next operation.
+    /// The id of the next operation.
     fn next_op(&self) -> OpId {
         OpId(self.module.ops.len() as u32)
     }
 
-    /// The operations from one on.
+    /// All operations from `first` on.
     fn run_from(&self, first: OpId) -> Run {
         Run {
             first,
@@ -179,7 +181,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A list of operands.
+    /// Adds an operand list.
     fn operands(&mut self, operands: &[OpId]) -> List {
         let start = self.module.operand_lists.len() as u32;
         self.module.operand_lists.extend_from_slice(operands);
@@ -197,14 +199,14 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A number of a type's kind in all of its components.
+    /// A constant with the same number in all components of a type.
     fn number(&mut self, number: i32, ty: Type) -> OpId {
         let scalar = ty.scalar_kind().unwrap_or(Scalar::Int);
         let value = Value::Int(number).to(scalar);
         self.constant((0..ty.components()).map(|_| value), ty)
     }
 
-    /// Closes the run of operations that no step holds yet.
+    /// Adds a run for the operations that no step covers yet.
     fn close_run(&mut self) {
         let end = self.module.ops.len() as u32;
         if end > self.covered {
@@ -216,13 +218,13 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Adds a step behind all operations so far.
+    /// Adds a step after all operations so far.
     fn step(&mut self, step: Step) {
         self.close_run();
         self.open.push(step);
     }
 
-    /// What `fill` lowers, as a region of its own.
+    /// Lowers code into a region of its own.
     fn region(&mut self, fill: impl FnOnce(&mut Self)) -> Region {
         self.close_run();
         let mark = self.open.len();
@@ -236,7 +238,7 @@ impl Lowerer<'_> {
         })
     }
 
-    /// Lowers what lies one level deeper; `None` where that is too deep.
+    /// Lowers code at one more level of nesting; `None` if that is too deep.
     fn deeper<T>(&mut self, lower: impl FnOnce(&mut Self) -> T) -> Option<T> {
         if self.depth >= MAX_DEPTH {
             return None;
@@ -247,7 +249,7 @@ impl Lowerer<'_> {
         Some(made)
     }
 
-    /// Storage for a value that control flow brings together.
+    /// A new temporary variable, for a value merged by control flow.
     fn temporary(&mut self, ty: Type) -> PlaceId {
         let variable = self.new_variable(ty, Root::Temporary);
         self.place_of(variable, ty)
@@ -265,7 +267,7 @@ impl Lowerer<'_> {
         id
     }
 
-    /// A whole variable.
+    /// The place of a whole variable.
     fn place_of(&mut self, variable: VariableId, ty: Type) -> PlaceId {
         self.add_place(variable, &[], ty)
     }
@@ -276,7 +278,7 @@ impl Lowerer<'_> {
         self.add_place_along(variable, start, ty)
     }
 
-    /// A place whose way is the last of the list, from `start` on.
+    /// Adds a place whose path is the end of the access list, from `start` on.
     fn add_place_along(&mut self, variable: VariableId, start: u32, ty: Type) -> PlaceId {
         let id = PlaceId(self.module.places.len() as u32);
         let len = self.module.access_lists.len() as u32 - start;
@@ -294,12 +296,12 @@ impl Lowerer<'_> {
         self.op(OpKind::Store(place, value), Type::VOID);
     }
 
-    /// Lowers for the declaration of a name.
+    /// Sets the provenance to the declaration of a name.
     fn at_declaration(&mut self, token: TokenId) {
         self.origin = Provenance::Declaration(token);
     }
 
-    /// Notes which operation gives the value of an expression.
+    /// Records the operation that computes an expression.
     fn note(&mut self, expr: ExprId, op: OpId) {
         if let Some(slot) = self.module.by_expr.get_mut(expr.0 as usize) {
             *slot = Some(op);

@@ -1,4 +1,4 @@
-//! Places: variables and parts of them, read and written.
+//! Lowering of places: loads and stores of variables and their parts.
 
 use super::super::form::*;
 use super::Lowerer;
@@ -6,43 +6,43 @@ use shaderlint_semantic::{Base, Scalar, Type, VariableId};
 use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::*;
 
-/// A place, before it is kept: what its way leads through.
+/// A place under construction, before it is added to the module.
 pub(super) struct Way {
     variable: VariableId,
     path: Vec<Access>,
-    /// The components that are picked at its end.
+    /// The components of a swizzle at its end.
     lanes: Option<Lanes>,
     pub ty: Type,
 }
 
-/// Where an assignment writes to.
+/// The destination of an assignment.
 #[derive(Clone, Copy)]
 pub(super) enum Target {
     /// A place.
     Place(PlaceId),
-    /// The component, whose number is computed, of some components of a vector: `v.zx[i]`.
+    /// A dynamically indexed component of a swizzle: `v.zx[i]`.
     Component {
-        /// The components.
+        /// The swizzle.
         of: PlaceId,
-        /// Which of them.
+        /// The index into the swizzle.
         index: OpId,
     },
-    /// What cannot be written to was reported.
+    /// Not assignable; this was already reported.
     Nothing,
 }
 
-/// What a `.name` picks.
+/// What a `.name` selects.
 pub(super) enum Picked {
-    /// The member with this number, and its type.
+    /// The index and type of a member.
     Member(u32, Type),
-    /// These components.
+    /// A swizzle.
     Lanes(Lanes),
-    /// Nothing that there is.
+    /// There is no such member or component.
     Nothing,
 }
 
 impl Lowerer<'_> {
-    /// What `.name` picks of a value of this type.
+    /// What `.name` selects from a value of this type.
     pub(super) fn picked(&self, ty: Type, name: Name) -> Picked {
         if Self::is_record(ty) {
             let fields = self.program.struct_of(ty).map_or(&[][..], |s| &s.fields);
@@ -61,8 +61,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The way to what an expression names, where it is a variable or a part of one. Indices on the
-    /// way are computed here, in order.
+    /// The place that an expression denotes; `None` if it is not a variable or part of one. Indices
+    /// are evaluated here, in order.
     pub(super) fn way(&mut self, id: ExprId) -> Option<Way> {
         let program = self.program;
         match program.tree.expr(id).kind {
@@ -89,7 +89,7 @@ impl Lowerer<'_> {
                 Some(way)
             }
             ExprKind::Index(object, index) => {
-                // Looked at before anything is computed, since the way is then another.
+                // Checked before anything is evaluated, since this case needs a different place.
                 if self.is_swizzle(object) && program.scalar(index).is_none() {
                     return None;
                 }
@@ -101,7 +101,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Whether an expression picks components of a vector by name.
+    /// Whether an expression is a swizzle.
     fn is_swizzle(&self, id: ExprId) -> bool {
         let program = self.program;
         match program.tree.expr(program.tree.unparen(id)).kind {
@@ -110,7 +110,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// One element further on the way.
+    /// Appends an index to a place.
     fn take_element(&mut self, way: &mut Way, index: ExprId) -> Option<()> {
         let element = element_of(way.ty)?;
         let known = self.program.scalar(index).map(|v| v.as_int().max(0) as u32);
@@ -129,7 +129,7 @@ impl Lowerer<'_> {
         Some(())
     }
 
-    /// Keeps a way as a place.
+    /// Adds a place to the module.
     pub(super) fn keep(&mut self, way: &Way) -> PlaceId {
         let start = self.module.access_lists.len() as u32;
         self.module.access_lists.extend_from_slice(&way.path);
@@ -138,7 +138,7 @@ impl Lowerer<'_> {
         self.add_place_along(way.variable, start, way.ty)
     }
 
-    /// Where an assignment to an expression writes to.
+    /// The destination of an assignment to an expression.
     pub(super) fn target(&mut self, id: ExprId) -> Target {
         if let Some(way) = self.way(id) {
             return Target::Place(self.keep(&way));
@@ -154,7 +154,7 @@ impl Lowerer<'_> {
         Target::Nothing
     }
 
-    /// What stands where an assignment writes to.
+    /// Loads the current value of an assignment's destination.
     pub(super) fn read(&mut self, target: Target, ty: Type) -> OpId {
         match target {
             Target::Place(place) => self.load(place),
@@ -166,7 +166,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Writes a value to where an assignment writes to.
+    /// Stores a value to an assignment's destination.
     pub(super) fn write(&mut self, target: Target, value: OpId) {
         match target {
             Target::Place(place) => self.store(place, value),
@@ -188,7 +188,7 @@ impl Lowerer<'_> {
 }
 
 impl Way {
-    /// Some components further on the way.
+    /// Appends a swizzle to a place.
     fn take_lanes(&mut self, inner: Lanes) {
         let lanes = self.lanes.map_or(inner, |lanes| lanes.pick(inner));
         self.lanes = Some(lanes);
@@ -197,7 +197,7 @@ impl Way {
     }
 }
 
-/// The type of an element of an array, of a column of a matrix, of a component of a vector.
+/// The type of an element of an array, a column of a matrix or a component of a vector.
 pub(super) fn element_of(ty: Type) -> Option<Type> {
     if ty.is_array() {
         return Some(ty.element());

@@ -1,4 +1,4 @@
-//! How exact values are (GLSL ES 3.00 section 4.5).
+//! Precision qualifiers (GLSL ES 3.00 section 4.5).
 
 use super::super::form::*;
 use rustc_hash::FxHashMap;
@@ -6,17 +6,17 @@ use shaderlint_semantic::{Base, Program, Sampler, Scalar, Stage, Type, Variable 
 use shaderlint_syntax::ast::{List, QualifierKind};
 use std::rc::Rc;
 
-/// The default precisions in the scope at hand.
+/// The default precisions in the current scope.
 #[derive(Clone)]
 pub(super) struct Precisions {
     float: Precision,
     int: Precision,
-    /// Of samplers, where they are not what the language says.
+    /// Default precisions set for samplers, the latest last; otherwise `lowp`.
     samplers: Rc<Vec<(Sampler, Precision)>>,
 }
 
 impl Precisions {
-    /// What the language says of a stage (section 4.5.4).
+    /// The predefined default precisions of a stage (section 4.5.4).
     pub fn new(stage: Stage) -> Precisions {
         let (float, int) = match stage {
             Stage::Vertex => (Precision::High, Precision::High),
@@ -29,7 +29,7 @@ impl Precisions {
         }
     }
 
-    /// The precision of a type that is declared without one.
+    /// The default precision of a type.
     pub fn default_of(&self, ty: Type) -> Precision {
         match ty.base {
             Base::Numeric { scalar, .. } => match scalar {
@@ -45,14 +45,14 @@ impl Precisions {
         }
     }
 
-    /// The precision that qualifiers give, or else that of the type.
+    /// The precision given by qualifiers, or else the default of the type.
     pub fn declared(&self, program: &Program, qualifiers: List, ty: Type) -> Precision {
         let given = program.tree.qualifiers(qualifiers).iter();
         let given = given.rev().find_map(|q| of_qualifier(q.kind));
         given.unwrap_or_else(|| self.default_of(ty))
     }
 
-    /// Takes a `precision` statement.
+    /// Applies a `precision` statement.
     pub fn set(&mut self, ty: Type, precision: Precision) {
         match ty.base {
             Base::Sampler(sampler) => Rc::make_mut(&mut self.samplers).push((sampler, precision)),
@@ -65,7 +65,7 @@ impl Precisions {
     }
 }
 
-/// The precision that a qualifier gives.
+/// The precision that a qualifier specifies.
 pub(super) fn of_qualifier(kind: QualifierKind) -> Option<Precision> {
     match kind {
         QualifierKind::Lowp => Some(Precision::Low),
@@ -75,7 +75,7 @@ pub(super) fn of_qualifier(kind: QualifierKind) -> Option<Precision> {
     }
 }
 
-/// The precision of a variable of the language, which nothing in the text declares.
+/// The precision of a built-in variable.
 pub(super) fn of_language(variable: &Declared, program: &Program) -> Precision {
     let is_number = matches!(
         variable.ty.element().scalar_kind(),
@@ -91,10 +91,10 @@ pub(super) fn of_language(variable: &Declared, program: &Program) -> Precision {
         })
 }
 
-/// By function: how exact what it returns is.
+/// By function: the precision of its return value.
 pub(super) type Returned = FxHashMap<shaderlint_semantic::FunctionRef, Precision>;
 
-/// How exact the value of an operation is: as its most exact operand.
+/// The precision of an operation's value: the highest precision of its operands.
 pub(super) fn of_operation(module: &Module, returned: &Returned, kind: OpKind) -> Precision {
     let of = |id: OpId| module.op(id).precision;
     match kind {

@@ -1,4 +1,4 @@
-//! Functions, declarations and statements.
+//! Lowering of functions, declarations and statements.
 
 use super::super::form::*;
 use super::{Lowerer, precision};
@@ -6,7 +6,7 @@ use shaderlint_semantic::{Base, FunctionRef, Type, VariableId};
 use shaderlint_syntax::ast::*;
 
 impl Lowerer<'_> {
-    /// The parameters of all functions: what calls need to know.
+    /// Declares the parameters of a function, which calls need before any body is lowered.
     pub(super) fn parameters(&mut self, function: FunctionRef, id: FunctionId) {
         let (program, tree) = (self.program, &self.program.tree);
         let (Some(decl), Some(known)) = (tree.function(id), program.function(function)) else {
@@ -47,7 +47,7 @@ impl Lowerer<'_> {
         self.function = None;
     }
 
-    /// The body of a function.
+    /// Lowers the body of a function.
     pub(super) fn body(&mut self, function: FunctionRef, id: FunctionId) {
         let Some(body) = self.program.tree.function(id).and_then(|d| d.body) else {
             return;
@@ -69,7 +69,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A declaration, at global scope or in a function.
+    /// Lowers a declaration, at global scope or in a function.
     pub(super) fn declaration(&mut self, id: DeclId) {
         let tree = &self.program.tree;
         match tree.decl(id).map(|d| d.kind) {
@@ -96,7 +96,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// One name of a declaration: what has no first value is undefined from here on.
+    /// Lowers one declarator; without an initialiser, the variable is undefined from here on.
     fn declarator(&mut self, at: u32, qualifiers: List, declarator: &Declarator) {
         let declared = self.program.declared.get(at as usize).copied().flatten();
         let Some(variable) = declared else {
@@ -126,7 +126,7 @@ impl Lowerer<'_> {
         self.store(place, value);
     }
 
-    /// The members of a block without a name of its own are variables.
+    /// Declares the members of an interface block without an instance name as variables.
     pub(super) fn block(&mut self, members: StructId) {
         let program = self.program;
         let Some(members) = program.tree.structure(members) else {
@@ -147,7 +147,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Lowers a statement; one too deep does nobody knows what.
+    /// Lowers a statement; one that is nested too deeply becomes unknown.
     pub(super) fn statement(&mut self, id: StmtId) {
         if self.deeper(|l| l.statement_at(id)).is_none() {
             self.origin = Provenance::Stmt(id);
@@ -257,7 +257,7 @@ impl Lowerer<'_> {
         self.step(Step::Loop(at));
     }
 
-    /// The condition of a loop: an expression, or a declaration whose value it is.
+    /// Lowers the condition of a loop: an expression, or a declaration with an initialiser.
     fn condition(&mut self, id: StmtId) -> Option<OpId> {
         let (program, tree) = (self.program, &self.program.tree);
         self.origin = Provenance::Stmt(id);
@@ -284,7 +284,7 @@ impl Lowerer<'_> {
         let statements = tree.block(body);
         let is_label =
             |s: &StmtId| matches!(tree.stmt(*s).kind, StmtKind::Case(_) | StmtKind::Default);
-        // What stands before the first label never runs.
+        // Statements before the first label are unreachable.
         let first = statements.iter().position(is_label);
         let mut rest = first.and_then(|f| statements.get(f..)).unwrap_or(&[]);
         let mut cases = Vec::new();
@@ -332,7 +332,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Whether a type is one of structs or blocks.
+    /// Whether a type is a struct or block.
     pub(super) fn is_record(ty: Type) -> bool {
         matches!(ty.base, Base::Struct(_) | Base::Block(_))
     }

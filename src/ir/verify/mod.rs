@@ -1,5 +1,5 @@
-//! What a well-formed module is. Lowering is held to it in tests and by the fuzzers; whoever reads a
-//! module relies on it.
+//! The verifier: what makes a module well-formed. Tests and fuzzers check lowering against it; all
+//! users of the IR rely on it.
 
 mod op;
 mod place;
@@ -16,7 +16,7 @@ use crate::layout::Layout;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
 
-/// What is wrong with the module that a shader was lowered to; nothing, if lowering is right.
+/// All violations in the module that a program was lowered to; none if lowering is correct.
 pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
     let mut verifier = Verifier {
         program,
@@ -33,16 +33,17 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
     verifier.tables();
     verifier.places();
     verifier.walk(None, module.globals);
-    // They stand in the order of the text, which is not that of their numbers.
+    // They are in source order, which may differ from the order of their ids.
     let mut functions: Vec<_> = (0..).map(FunctionRef).zip(&module.functions).collect();
-    functions.sort_by_key(|(_, function)| function.ops.first);
+    // A function without operations starts where the next one does.
+    functions.sort_by_key(|(_, function)| (function.ops.first, function.ops.len));
     for (id, function) in functions {
         verifier.function(id, function);
     }
     let ops = module.ops.len() as u32;
     if verifier.next != ops {
         verifier.tell(format!(
-            "{} of {ops} operations stand in runs",
+            "runs contain {} of {ops} operations",
             verifier.next
         ));
     }
@@ -51,20 +52,20 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
 }
 
 impl Verifier<'_> {
-    /// The tables that go by the program's numbers.
+    /// Verifies the tables indexed by ids of the program.
     fn tables(&mut self) {
         let (program, module) = (self.program, self.module);
         if module.provenances.len() != module.ops.len() {
-            self.tell("not every operation has an origin");
+            self.tell("expected one provenance per operation");
         }
         if module.functions.len() != program.functions.len() {
-            self.tell("the functions are not those of the program");
+            self.tell("the functions differ from those of the program");
         }
         if module.stage != Some(program.stage) {
-            self.tell("the stage is not that of the program");
+            self.tell("the stage differs from that of the program");
         }
         if module.variables.len() < program.variables.len() {
-            self.tell("there are fewer variables than in the program");
+            self.tell("the module has fewer variables than the program");
         }
         for (i, variable) in module.variables.iter().enumerate() {
             let Some(declared) = program.variables.get(i) else {
@@ -76,13 +77,11 @@ impl Verifier<'_> {
             };
             if variable.ty != declared.ty {
                 let (a, b) = (self.name(variable.ty), self.name(declared.ty));
-                self.tell(format!("variable {i} is {a} and was declared as {b}"));
+                self.tell(format!("variable {i} has type {a}, declared as {b}"));
             }
             let (is, was) = (variable.root, declared.storage);
             if is != root_of(was) {
-                self.tell(format!(
-                    "variable {i} is {is:?} and was declared as {was:?}"
-                ));
+                self.tell(format!("variable {i} is {is:?}, declared as {was:?}"));
             }
         }
         if let Some(entry) = module.entry
@@ -107,14 +106,14 @@ impl Verifier<'_> {
         match function.body {
             Some(body) => {
                 if function.ops.first.0 != first {
-                    self.tell(format!("its operations start with %{first}"));
+                    self.tell(format!("the operations must start with %{first}"));
                 }
                 self.walk(Some(id), body);
                 if function.ops.first.0 + function.ops.len != self.next {
-                    self.tell(format!("its operations end before %{}", self.next));
+                    self.tell(format!("the operations must end before %{}", self.next));
                 }
             }
-            None if function.ops.len > 0 => self.tell("it has operations and no body"),
+            None if function.ops.len > 0 => self.tell("operations without a body"),
             None => {}
         }
         self.at = StepContext::default();
@@ -125,14 +124,14 @@ impl Verifier<'_> {
             return;
         };
         if function.returns != declared.returns {
-            self.tell("it returns what it does not");
+            self.tell("the return type differs from the declaration");
         }
         let parameters = self.module.parameters(function);
         if function.body.is_none() && parameters.is_empty() {
             return;
         }
         if parameters.len() != declared.params.len() {
-            self.tell("its parameters are not those of the program");
+            self.tell("the parameters differ from those of the program");
         }
         for (parameter, declared) in parameters.iter().zip(&declared.params) {
             let root = root_of(Storage::Param(declared.direction));
@@ -140,12 +139,15 @@ impl Verifier<'_> {
             let is_right = variable
                 .is_some_and(|v| v.ty == declared.ty && v.root == root && v.function == Some(id));
             if !is_right {
-                self.tell(format!("parameter {} is not as declared", parameter.0));
+                self.tell(format!(
+                    "parameter {} differs from its declaration",
+                    parameter.0
+                ));
             }
         }
     }
 
-    /// Looks at everything that runs in a function, or before the entry.
+    /// Verifies the code of a function, or of the global initialisers.
     fn walk(&mut self, function: Option<FunctionRef>, body: Region) {
         self.at = StepContext {
             function,
@@ -155,7 +157,7 @@ impl Verifier<'_> {
         self.undefine(0);
     }
 
-    /// What is defined in a region is there up to its end.
+    /// Values defined in a region are visible until its end.
     fn region(&mut self, region: Region) {
         let mark = self.trail.len();
         self.steps(region);
@@ -178,12 +180,12 @@ impl Verifier<'_> {
         let module = self.module;
         let steps = module.steps(region);
         if steps.len() != region.0.len as usize {
-            return self.tell("a region reaches past the steps");
+            return self.tell("a region exceeds the list of steps");
         }
         for (i, step) in (region.0.start as usize..).zip(steps) {
             match self.seen.get_mut(i) {
                 Some(slot) if !*slot => *slot = true,
-                _ => return self.tell(format!("step {i} stands in two regions")),
+                _ => return self.tell(format!("step {i} is in two regions")),
             }
             self.step(step);
         }
@@ -204,14 +206,16 @@ impl Verifier<'_> {
             }
             Step::Loop(id) => match self.module.looped(id) {
                 Some(found) => self.looped(found),
-                None => self.tell(format!("there is no loop {}", id.0)),
+                None => self.tell(format!("unknown loop {}", id.0)),
             },
             Step::Switch(id) => match self.module.switch(id) {
                 Some(found) => self.switch(found),
-                None => self.tell(format!("there is no switch {}", id.0)),
+                None => self.tell(format!("unknown switch {}", id.0)),
             },
-            Step::Break(_) if self.at.breakable == 0 => self.tell("a `break` leaves nothing"),
-            Step::Continue(_) if self.at.loops == 0 => self.tell("a `continue` is in no loop"),
+            Step::Break(_) if self.at.breakable == 0 => {
+                self.tell("a `break` outside any loop or switch")
+            }
+            Step::Continue(_) if self.at.loops == 0 => self.tell("a `continue` outside any loop"),
             Step::Break(_) | Step::Continue(_) => {}
             Step::Return(value, _) => self.returned(value),
             Step::Discard(_) if self.module.stage != Some(Stage::Fragment) => {
@@ -225,12 +229,12 @@ impl Verifier<'_> {
         if run.first.0 != self.next || run.len == 0 {
             let (first, len, next) = (run.first.0, run.len, self.next);
             self.tell(format!(
-                "a run of {len} starts with %{first} and not %{next}"
+                "a run of {len} starts with %{first}, expected %{next}"
             ));
         }
         self.next = run.first.0.saturating_add(run.len);
         if self.next as usize > self.module.ops.len() {
-            return self.tell("a run reaches past the operations");
+            return self.tell("a run exceeds the list of operations");
         }
         for id in run.ops() {
             let module = self.module;
@@ -249,7 +253,7 @@ impl Verifier<'_> {
         }
     }
 
-    /// A value that a construct works on.
+    /// Checks the operand of a control-flow construct.
     fn needs(&mut self, op: OpId, ty: Type, what: &str) {
         if !self.is_defined(op) {
             self.tell(format!("{what}, %{}, is not defined here", op.0));
@@ -257,7 +261,10 @@ impl Verifier<'_> {
         let found = self.module.ty(op);
         if !op::fits(found, ty) {
             let (found, ty) = (self.name(found), self.name(ty));
-            self.tell(format!("{what}, %{}, is {found} and not {ty}", op.0));
+            self.tell(format!(
+                "{what}, %{}, has type {found}, expected {ty}",
+                op.0
+            ));
         }
     }
 
@@ -266,9 +273,9 @@ impl Verifier<'_> {
             return self.tell("a `return` outside any function");
         };
         match value {
-            Some(value) => self.needs(value, function.returns, "what is returned"),
+            Some(value) => self.needs(value, function.returns, "the returned value"),
             None if op::fits(function.returns, Type::VOID) => {}
-            None => self.tell("a `return` gives nothing"),
+            None => self.tell("a `return` without a value"),
         }
     }
 
@@ -291,10 +298,10 @@ impl Verifier<'_> {
         }
     }
 
-    /// The value of the condition is needed where it was computed, and nowhere else.
+    /// Verifies the test region of a loop; the value of the condition is only used there.
     fn test(&mut self, found: &Loop) {
         let mark = self.trail.len();
-        // Nothing leaves the loop from its condition but the condition.
+        // The test region contains no jumps.
         let outer = self.at;
         self.at = StepContext {
             function: outer.function,
@@ -316,7 +323,7 @@ impl Verifier<'_> {
         let selector = self.module.ty(found.selector);
         self.needs(found.selector, selector, "the selector of a `switch`");
         if !is_integer || !(selector.is_scalar() || selector.is_error()) {
-            self.tell("the selector of a `switch` is no integer");
+            self.tell("the selector of a `switch` is not an integer");
         }
         let module = self.module;
         let cases = module.cases(found);
@@ -334,7 +341,7 @@ impl Verifier<'_> {
         for case in cases {
             let labels = self.module.labels(case);
             if labels.is_empty() {
-                self.tell("a case has no label");
+                self.tell("a case without a label");
             }
             for &label in labels {
                 if seen.contains(&label) {
@@ -345,17 +352,20 @@ impl Verifier<'_> {
         }
     }
 
-    /// The operations that stand for expressions have the expressions' types.
+    /// Operations that compute expressions have the types of these expressions.
     fn expressions(&mut self) {
         let (program, module) = (self.program, self.module);
         for (i, op) in module.by_expr.iter().enumerate() {
             let Some(op) = *op else { continue };
             let id = shaderlint_syntax::ast::ExprId(i as u32);
             if op.0 as usize >= module.ops.len() {
-                self.tell(format!("expression {i} is no operation"));
+                self.tell(format!("expression {i} has no valid operation"));
             } else if !op::fits(module.ty(op), program.ty(id)) {
                 let (is, was) = (self.name(module.ty(op)), self.name(program.ty(id)));
-                self.tell_op(op, format!("it is {is}, and its expression is {was}"));
+                self.tell_op(
+                    op,
+                    format!("the operation has type {is}, its expression {was}"),
+                );
             }
         }
         for (i, origin) in module.provenances.iter().enumerate() {
@@ -366,13 +376,13 @@ impl Verifier<'_> {
                 Provenance::Language => true,
             };
             if !exists {
-                self.tell_op(OpId(i as u32), "its origin is not in the program");
+                self.tell_op(OpId(i as u32), "the provenance is not in the program");
             }
         }
     }
 }
 
-/// Where lives what was declared as `storage`.
+/// The storage class that corresponds to a declared `storage`.
 fn root_of(storage: Storage) -> Root {
     match storage {
         Storage::Local => Root::Local,

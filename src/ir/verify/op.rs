@@ -1,4 +1,4 @@
-//! Operations: what they may work on and what they give.
+//! Verifies the operand and result types of operations.
 
 use super::place;
 use super::verifier::Verifier;
@@ -9,13 +9,13 @@ use shaderlint_syntax::ast::List;
 
 type OpResult = Result<(), String>;
 
-/// Whether a value of one type may stand where the other is asked for. What is wrong in the text
-/// fits everywhere.
+/// Whether a value of one type may be used where the other is expected. Error types are compatible
+/// with everything.
 pub(super) fn fits(a: Type, b: Type) -> bool {
     a == b || a.is_error() || b.is_error()
 }
 
-/// Whether an operation is well-formed, its operands being there.
+/// Whether an operation is well-formed, given that its operands are defined.
 pub(super) fn check(v: &Verifier<'_>, id: OpId) -> OpResult {
     let module = v.module;
     let op = *module.op(id);
@@ -87,7 +87,7 @@ pub(super) fn check(v: &Verifier<'_>, id: OpId) -> OpResult {
     }
 }
 
-/// Whether an operator with one operand works on it.
+/// Whether a unary operator accepts its operand.
 fn takes_one(v: &Verifier<'_>, unary: Unary, operand: OpId) -> OpResult {
     let ty = v.module.ty(operand);
     let scalar = v.module.scalar(operand);
@@ -105,19 +105,27 @@ fn holds(what: bool, otherwise: impl FnOnce() -> String) -> OpResult {
 
 fn gives(v: &Verifier<'_>, said: Type, found: Type) -> OpResult {
     holds(fits(said, found), || {
-        format!("it gives {} and not {}", v.name(found), v.name(said))
+        format!(
+            "the result has type {}, expected {}",
+            v.name(found),
+            v.name(said)
+        )
     })
 }
 
 fn takes(v: &Verifier<'_>, found: Type, needed: Type) -> OpResult {
     holds(fits(found, needed), || {
-        format!("it takes {} and not {}", v.name(needed), v.name(found))
+        format!(
+            "expected an operand of type {}, found {}",
+            v.name(needed),
+            v.name(found)
+        )
     })
 }
 
 fn computed(v: &Verifier<'_>, ty: Type, base: Type, index: Type) -> OpResult {
     holds(place::is_index(index), || {
-        format!("{} is no index", v.name(index))
+        format!("{} is not an index type", v.name(index))
     })?;
     match place::computed(base) {
         Some(found) => gives(v, ty, found),
@@ -133,11 +141,11 @@ fn scalar_of(ty: Type) -> Type {
 fn constant_fits(v: &Verifier<'_>, ty: Type, len: usize) -> OpResult {
     let scalars = v.layout.scalars(ty);
     holds(scalars == Some(len as u32) || ty.is_error(), || {
-        format!("a constant of {len} scalars is no {}", v.name(ty))
+        format!("a constant of {len} scalars is not a {}", v.name(ty))
     })
 }
 
-/// A place is read and written where its variable is.
+/// A place must belong to a variable of the current function or to a global.
 fn inside(v: &Verifier<'_>, place: PlaceId) -> OpResult {
     let variable = v.module.variable(v.module.place(place).variable);
     let owner = variable.and_then(|v| v.function);
@@ -151,10 +159,10 @@ fn writable(module: &Module, place: PlaceId) -> OpResult {
     let root = variable.map(|v| v.root);
     holds(
         !matches!(root, None | Some(Root::Uniform | Root::Input)),
-        || "it writes to what cannot be written".into(),
+        || "a write to a read-only variable".into(),
     )?;
     holds(!place::repeats(module, place), || {
-        "it writes to a component twice".into()
+        "two writes to the same component".into()
     })
 }
 
@@ -182,11 +190,11 @@ fn takes_both(v: &Verifier<'_>, binary: Binary, a: Type, b: Type) -> OpResult {
     })
 }
 
-/// The shape of a matrix, or of a vector as the matrix that it is on its side of a product.
+/// Checks a matrix product; a vector counts as a row on the left and as a column on the right.
 fn product(v: &Verifier<'_>, ty: Type, a: Type, b: Type) -> OpResult {
     let (Some((_, ac, ar)), Some((_, bc, br))) = (a.numeric(), b.numeric()) else {
         return holds(a.is_error() || b.is_error(), || {
-            "a product of no matrices".into()
+            "a matrix product of operands that are not numeric".into()
         });
     };
     let found = match (a.is_matrix(), b.is_matrix()) {
@@ -243,7 +251,7 @@ fn composes(v: &Verifier<'_>, ty: Type, list: List) -> OpResult {
     };
     holds(is_right, || {
         let parts: Vec<String> = parts.iter().map(|p| v.name(*p)).collect();
-        format!("{} put together from {}", v.name(ty), parts.join(", "))
+        format!("{} constructed from {}", v.name(ty), parts.join(", "))
     })
 }
 
@@ -251,13 +259,13 @@ fn each_takes(v: &Verifier<'_>, list: List, needed: impl Iterator<Item = Type>) 
     let arguments = v.module.operands(list);
     let needed: Vec<Type> = needed.collect();
     holds(arguments.len() == needed.len(), || {
-        format!("{} arguments instead of {}", arguments.len(), needed.len())
+        format!("{} arguments, expected {}", arguments.len(), needed.len())
     })?;
     let mut pairs = arguments.iter().zip(needed);
     pairs.try_for_each(|(&argument, needed)| takes(v, v.module.ty(argument), needed))
 }
 
-/// The form of a built-in function that takes these operands.
+/// The overload of a built-in function that accepts these operands.
 fn form<'v>(v: &'v Verifier<'_>, function: BuiltinId, arguments: List) -> Option<&'v Overload> {
     let arguments = v.module.operands(arguments);
     let takes_them = |overload: &&Overload| {
@@ -272,25 +280,28 @@ fn form<'v>(v: &'v Verifier<'_>, function: BuiltinId, arguments: List) -> Option
 fn builtin(v: &Verifier<'_>, ty: Type, function: BuiltinId, arguments: List) -> OpResult {
     match form(v, function, arguments) {
         Some(overload) => gives(v, ty, overload.returns),
-        None => Err(format!("`{}` does not take its operands", function.name())),
+        None => Err(format!(
+            "`{}` has no overload for its operands",
+            function.name()
+        )),
     }
 }
 
 fn call(v: &Verifier<'_>, ty: Type, callee: FunctionRef, arguments: List) -> OpResult {
     let Some(function) = v.program.function(callee) else {
-        return Err(format!("there is no function {}", callee.0));
+        return Err(format!("unknown function {}", callee.0));
     };
     each_takes(v, arguments, function.params.iter().map(|p| p.ty))?;
     for (&argument, param) in v.module.operands(arguments).iter().zip(&function.params) {
         let is_undefined = v.module.op(argument).kind == OpKind::Undef;
         holds(param.direction != Direction::Out || is_undefined, || {
-            format!("%{} is given to an `out` parameter", argument.0)
+            format!("%{} is passed to an `out` parameter", argument.0)
         })?;
     }
     gives(v, ty, function.returns)
 }
 
-/// What comes back is that of a parameter which the callee writes to.
+/// The value must come from an `out` or `inout` parameter of the call.
 fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> OpResult {
     let found = match v.module.op(call).kind {
         OpKind::Call(callee, _) => {
@@ -307,6 +318,6 @@ fn returned(v: &Verifier<'_>, ty: Type, call: OpId, number: u32) -> OpResult {
     };
     match found {
         Some(found) => gives(v, ty, found),
-        None => Err(format!("%{} leaves nothing in parameter {number}", call.0)),
+        None => Err(format!("%{} does not write parameter {number}", call.0)),
     }
 }

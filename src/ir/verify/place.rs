@@ -1,33 +1,33 @@
-//! Places: ways into variables, and the types of what stands at their ends.
+//! Verifies places: paths into variables and their types.
 
 use crate::form::{Access, Lanes, Module, PlaceId};
 use shaderlint_semantic::{Program, Scalar, Type};
 
-/// Whether the way into a place fits the variable, and its type what stands at its end.
+/// Whether the path of a place fits its variable, and the place has the resulting type.
 pub(super) fn check(program: &Program, module: &Module, id: PlaceId) -> Result<(), String> {
     let place = module.place(id);
     let Some(variable) = module.variable(place.variable) else {
-        return Err(format!("there is no variable {}", place.variable.0));
+        return Err(format!("unknown variable {}", place.variable.0));
     };
     let path = module.path(place);
     if path.len() != place.path.len as usize {
-        return Err("its way reaches past the lists".into());
+        return Err("the path exceeds the list of accesses".into());
     }
     let mut ty = variable.ty;
     for (i, access) in path.iter().enumerate() {
         if matches!(access, Access::Lanes(_)) && i + 1 != path.len() {
-            return Err("components are picked before the end of the way".into());
+            return Err("components are selected before the end of the path".into());
         }
         ty = step(program, module, ty, access)?;
     }
     if ty != place.ty && !ty.is_error() {
         let (end, said) = (program.type_name(ty), program.type_name(place.ty));
-        return Err(format!("at its end is {end} and not {said}"));
+        return Err(format!("the path ends at type {end}, expected {said}"));
     }
     Ok(())
 }
 
-/// The type behind a step into something.
+/// The type after one step of a path.
 fn step(program: &Program, module: &Module, ty: Type, access: &Access) -> Result<Type, String> {
     if ty.is_error() {
         return Ok(ty);
@@ -45,7 +45,7 @@ fn step(program: &Program, module: &Module, ty: Type, access: &Access) -> Result
         Access::Computed(index) => {
             let index = module.ty(index);
             if !is_index(index) {
-                return Err(format!("{} is no index", program.type_name(index)));
+                return Err(format!("{} is not an index type", program.type_name(index)));
             }
             match computed(ty) {
                 Some(ty) => Ok(ty),
@@ -59,7 +59,7 @@ fn step(program: &Program, module: &Module, ty: Type, access: &Access) -> Result
     }
 }
 
-/// Whether a value of a type may be the number of an element.
+/// Whether a type may be an index.
 pub(super) fn is_index(ty: Type) -> bool {
     let is_integer = ty.scalar_kind().is_some_and(Scalar::is_integer);
     ty.is_error() || ty.is_scalar() && is_integer
@@ -71,7 +71,7 @@ pub(super) fn member(program: &Program, ty: Type, number: u32) -> Option<Type> {
     Some(fields.get(number as usize)?.ty)
 }
 
-/// The type of an element of an array, or a column of a matrix.
+/// The type of an element of an array or a column of a matrix.
 pub(super) fn element(ty: Type, number: u32) -> Option<Type> {
     if ty.is_array() {
         let size = ty.array;
@@ -81,7 +81,7 @@ pub(super) fn element(ty: Type, number: u32) -> Option<Type> {
     (columns > 1 && number < columns as u32).then(|| Type::vector(scalar, rows))
 }
 
-/// The type of what is reached by a computed number: an element, column or component.
+/// The type at a dynamic index: an element, column or component.
 pub(super) fn computed(ty: Type) -> Option<Type> {
     if ty.is_vector() {
         return ty.scalar_kind().map(Type::scalar);
@@ -89,7 +89,7 @@ pub(super) fn computed(ty: Type) -> Option<Type> {
     element(ty, 0)
 }
 
-/// The type of some components of a vector.
+/// The type of a swizzle.
 pub(super) fn picked(ty: Type, lanes: Lanes) -> Option<Type> {
     let (scalar, 1, rows @ 2..) = ty.numeric()? else {
         return None;
@@ -98,7 +98,7 @@ pub(super) fn picked(ty: Type, lanes: Lanes) -> Option<Type> {
     is_inside.then(|| Type::vector(scalar, lanes.count()))
 }
 
-/// Whether some component is picked twice, so that nothing can be written there.
+/// Whether a swizzle repeats a component, so that it is not assignable.
 pub(super) fn repeats(module: &Module, id: PlaceId) -> bool {
     let last = module.path(module.place(id)).last();
     let Some(Access::Lanes(lanes)) = last else {

@@ -1,4 +1,4 @@
-//! What is known of a module while it is looked at, and what is wrong with it.
+//! The state of the verifier, and its findings.
 
 use crate::form::{Module, OpId};
 use crate::layout::Layout;
@@ -6,12 +6,12 @@ use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{FunctionRef, Program, Type};
 use std::fmt;
 
-/// Something that a module must not have.
+/// A violation of the rules of the IR.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Problem {
-    /// The operation; `None` where it is of no single one.
+    /// The operation; `None` if it concerns several or none.
     pub op: Option<OpId>,
-    /// What is wrong.
+    /// The description of the violation.
     pub text: String,
 }
 
@@ -24,13 +24,13 @@ impl fmt::Display for Problem {
     }
 }
 
-/// What is around the step that is looked at.
+/// The context of the current step.
 #[derive(Clone, Copy, Default)]
 pub(super) struct StepContext {
     pub function: Option<FunctionRef>,
-    /// Inside how many loops.
+    /// The number of enclosing loops.
     pub loops: u32,
-    /// Inside how many loops and `switch` statements.
+    /// The number of enclosing loops and `switch` statements.
     pub breakable: u32,
 }
 
@@ -41,19 +41,19 @@ pub(super) struct Verifier<'a> {
     pub module: &'a Module,
     pub builtins: &'static Builtins,
     pub at: StepContext,
-    /// The operation that the next run must start with: all of them stand in runs, in order.
+    /// The operation with which the next run must start: runs cover all operations in order.
     pub next: u32,
-    /// By operation: whether its value is there on every path to here.
+    /// By operation: whether it dominates the current point, i.e. its value is defined.
     pub defined: Vec<bool>,
-    /// The operations that are defined, in order.
+    /// The defined operations, in order.
     pub trail: Vec<OpId>,
-    /// By step: whether a region that was looked at has it.
+    /// By step: whether a region contains it.
     pub seen: Vec<bool>,
     pub problems: Vec<Problem>,
 }
 
 impl Verifier<'_> {
-    /// A problem of no single operation.
+    /// Records a violation that concerns no single operation.
     pub fn tell(&mut self, text: impl Into<String>) {
         let text = match self.at.function.and_then(|f| self.program.function(f)) {
             Some(f) => format!("`{}`: {}", self.program.names.text(f.name), text.into()),

@@ -1,5 +1,5 @@
-//! How a shader is run for a trial, and how much of it: what a run costs is counted in operations, so
-//! that every machine gives the same answer.
+//! Setup and budget of sample runs. Cost is counted in instructions, so that every machine gives the same
+//! result.
 
 use super::{INSTANTS, Instant, Supplier, Trial, TrialShot};
 use crate::facts::Facts;
@@ -8,20 +8,20 @@ use shaderlint_exec::{
 };
 use shaderlint_semantic::Stage;
 
-/// The size of the picture whose pixels are run.
+/// Width and height of the sampled frame, in pixels.
 pub const SIZE: [u32; 2] = [1280, 720];
 
-/// How much of a shader is run.
+/// How much of a shader is sampled.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TrialLimit {
-    /// How many pixels; none where this is zero.
+    /// Number of pixels; 0 turns sampling off.
     pub pixels: u32,
-    /// Whether they are run whatever that takes.
+    /// Whether to sample all of them, whatever the cost.
     pub insists: bool,
 }
 
 impl Default for TrialLimit {
-    /// A defect on one of 2,000 pixels is missed less than once in a hundred times.
+    /// With 9,216 pixels, a defect on one of 2,000 pixels is missed in less than 1 % of runs.
     fn default() -> TrialLimit {
         TrialLimit {
             pixels: 9216,
@@ -31,7 +31,7 @@ impl Default for TrialLimit {
 }
 
 impl TrialLimit {
-    /// So many pixels as a user asks for, whatever they take.
+    /// The number of pixels that a user asks for, whatever the cost.
     pub fn of(pixels: u32) -> TrialLimit {
         TrialLimit {
             pixels,
@@ -39,39 +39,39 @@ impl TrialLimit {
         }
     }
 
-    /// How many instructions a shader may become.
+    /// Most instructions of the bytecode; `None` without a limit.
     pub fn instructions(self) -> Option<usize> {
         (!self.insists).then_some(MOST_INSTRUCTIONS)
     }
 }
 
-/// Instructions, times 32 lanes, that a trial may take: some 10 ms on a core of 2020.
+/// Budget of a sample run in instructions times 32 lanes: about 10 ms on a core of 2020.
 const BUDGET: u64 = 40_000_000;
-/// Fewer pixels than these tell nothing.
+/// Fewest pixels that are worth sampling.
 const LEAST_PIXELS: u64 = 512;
-/// Operations in a shader's text, calls replaced by what they call, that are compiled unasked.
+/// Most operations of a shader, with calls inlined, that is compiled by default.
 const MOST_CODE: f64 = 40_000.0;
-/// Instructions that they may become.
+/// Most instructions of its bytecode.
 const MOST_INSTRUCTIONS: usize = 60_000;
-/// Quads whose cost tells what all will cost: as many as fill the lanes three times.
+/// Number of quads for the cost estimate: enough to fill the lanes three times.
 const PRICED: usize = 24;
-/// Instructions that 32 pixels may take where a user insists.
+/// Most instructions of 32 pixels if the user sets the number of pixels.
 const MOST_FUEL: u64 = 20_000_000;
 
-/// How a shader is run.
+/// A shader that is ready for sample runs.
 pub struct Bench {
-    /// Watched for faults.
+    /// Bytecode that watches for faults.
     code: Code,
-    /// How many quads are run at each instant.
+    /// Number of quads per instant.
     pub quads: usize,
-    /// Instructions that 32 pixels may take.
+    /// Most instructions of 32 pixels.
     fuel: u64,
-    /// Instructions that the pixels of an instant may take together.
+    /// Most instructions of all pixels of an instant.
     budget: u64,
 }
 
 impl Bench {
-    /// Makes a shader ready, and finds out how much of it may be run.
+    /// Compiles a shader, and estimates how many pixels fit into the budget.
     pub(super) fn of(facts: &Facts, supplier: &dyn Supplier) -> Option<Bench> {
         let limit = facts.tried.limit;
         let program = facts.program();
@@ -95,7 +95,7 @@ impl Bench {
         };
         if !limit.insists {
             bench.fuel = BUDGET / LEAST_PIXELS;
-            // Twice the share of an instant: it may cost more than another.
+            // Twice the share of an instant, since one may cost more than another.
             bench.budget = BUDGET / LANES as u64 / 2;
         }
         let affordable = match limit.insists {
@@ -107,12 +107,12 @@ impl Bench {
         (limit.insists || affordable >= LEAST_PIXELS.min(pixels)).then_some(bench)
     }
 
-    /// What it is run as.
+    /// The bytecode that watches for faults.
     pub fn watched(&self) -> &Code {
         &self.code
     }
 
-    /// Instructions of a pixel, by a few quads from all over the picture.
+    /// Instructions per pixel, estimated from a few quads all over the frame.
     fn price(&self, supplier: &dyn Supplier) -> Option<u64> {
         let few = quads_all_over(SIZE, PRICED, 0);
         let (mut spent, mut pixels) = (0, 0);
@@ -124,7 +124,7 @@ impl Bench {
         spent.checked_div(pixels)
     }
 
-    /// Runs some quads at an instant; `None` where they take too long.
+    /// Runs some quads at an instant; `None` if they exceed the budget.
     pub fn sample(
         &self,
         code: &Code,
@@ -135,13 +135,13 @@ impl Bench {
         self.sample_draw(supplier.draw(code, SIZE, instant), quads)
     }
 
-    /// Runs some quads of a draw; `None` where they take too long.
+    /// Runs some quads of a draw; `None` if they exceed the budget.
     pub fn sample_draw(&self, mut draw: Draw<'_>, quads: &[[u32; 2]]) -> Option<Sampled> {
         (draw.fuel, draw.budget) = (self.fuel, self.budget);
         sample(&draw, quads).ok()
     }
 
-    /// Runs so many quads at every instant; `None` where they take too long.
+    /// Runs this number of quads at every instant; `None` if they exceed the budget.
     pub fn run(&self, code: &Code, supplier: &dyn Supplier, quads: usize) -> Option<Trial> {
         let mut trial = Trial {
             pixels: 0,
@@ -167,14 +167,14 @@ impl Bench {
     }
 }
 
-/// By pixel: what the first output holds, as far as it is shown.
+/// By pixel: the red, green and blue channels of the first output.
 pub fn colors(code: &Code, sampled: &Sampled) -> Vec<[f32; 3]> {
     let (Some(slot), Some(bits)) = (code.outputs.first(), sampled.outputs.first()) else {
         return Vec::new();
     };
     let colors = bits.iter().map(|[r, g, b, _]| {
         let mut color = [*r, *g, *b].map(|bits| slot.number(bits));
-        // What an output has not is black.
+        // Missing channels are 0.
         let absent = color.iter_mut().skip(slot.lanes());
         absent.for_each(|lane| *lane = 0.0);
         color

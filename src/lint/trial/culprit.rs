@@ -1,4 +1,4 @@
-//! Which operation broke a pixel.
+//! The operation that made a pixel NaN or infinite.
 
 use super::Trial;
 use super::bench::colors;
@@ -6,21 +6,21 @@ use crate::context::Context;
 use crate::facts::Facts;
 use shaderlint_exec::{CompileOptions, Kind, NumberSeen, Watch};
 
-/// A pixel whose colour is no number that a screen could show, and what made it so.
+/// A pixel with an invalid colour, and the operation that caused it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Culprit {
-    /// The share of the pixels that are like it.
+    /// The share of sampled pixels with such a colour, from 0 to 1.
     pub share: f64,
-    /// The pixel.
+    /// The first such pixel, as `gl_FragCoord.xy - 0.5`.
     pub pixel: [u32; 2],
-    /// When it was drawn, in seconds.
+    /// Time of its frame, in seconds.
     pub time: f64,
-    /// The first operation of the shader that made such a number in it, with what it worked on.
+    /// The first operation that produced such a number in it, with its operands.
     pub number: Option<NumberSeen>,
 }
 
 impl Facts<'_> {
-    /// The first pixel of the picture that has a channel like this, looked at number by number.
+    /// The first sampled pixel with such a channel, run again while watching every number.
     pub fn culprit(&self, kind: Kind, is_broken: fn(f32) -> bool) -> Option<Culprit> {
         let is_hit = |color: &[f32; 3]| color.iter().any(|lane| is_broken(*lane));
         let has_one = |trial: &Trial| trial.drawn().any(|pixel| is_hit(&pixel.color));
@@ -56,7 +56,7 @@ impl Facts<'_> {
 }
 
 impl Culprit {
-    /// Where and when it was seen, and with which numbers, as a note.
+    /// The pixel, time and operands, as a note.
     pub fn told(&self) -> String {
         let [x, y] = self.pixel;
         let time = self.time;
@@ -71,14 +71,14 @@ impl Culprit {
             .collect();
         let of = match numbers.as_slice() {
             [] => String::new(),
-            numbers => format!(", of {}", numbers.join(" and ")),
+            numbers => format!(", with operands {}", numbers.join(" and ")),
         };
-        format!("at the pixel ({x}, {y}) at {time} s{of}")
+        format!("first at pixel ({x}, {y}) at {time} s{of}")
     }
 }
 
-/// Reports the share of the picture that is broken in a way, where the first operation stands that
-/// made it so; nothing where another rule tells of that.
+/// Reports the share of pixels with an invalid colour at the operation that caused the first one, unless
+/// another rule has reported that operation.
 pub fn report_broken(cx: &mut Context, kind: Kind, is_broken: fn(f32) -> bool, what: &str) {
     let Some(culprit) = cx.facts.culprit(kind, is_broken) else {
         return;
@@ -88,15 +88,15 @@ pub fn report_broken(cx: &mut Context, kind: Kind, is_broken: fn(f32) -> bool, w
         return;
     }
     let told = cx.facts.trial().map_or(String::new(), Trial::told);
-    let message = format!("{} of the picture is {what}", percent(culprit.share));
+    let message = format!("{} of the pixels are {what}", percent(culprit.share));
     let finding = match op {
-        Some(op) => cx.report_op(op, message).mark("it begins here"),
+        Some(op) => cx.report_op(op, message).mark("first occurs here"),
         None => cx.report_picture(message),
     };
     finding.note(culprit.told()).note(told);
 }
 
-/// Without zeros at the end.
+/// Removes trailing zeros.
 fn short(number: String) -> String {
     match number.contains('.') {
         true => number
@@ -107,7 +107,20 @@ fn short(number: String) -> String {
     }
 }
 
-/// A share in percent, as a person would say it.
+/// An integer with a comma between groups of three digits: `9,216`.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A share in percent, rounded for a message.
 pub fn percent(share: f64) -> String {
     match share * 100.0 {
         p if p < 0.01 => "less than 0.01 %".to_string(),

@@ -1,5 +1,5 @@
-//! Where a shader that marches decides whether a ray has hit something: the condition behind the loop
-//! that hangs on what the loop found, and on whose one side the shader does most.
+//! Conditions that test whether a marched ray has hit something: the condition after the loop that
+//! depends on the result of the loop, with most of the work on one side.
 
 use crate::facts::Facts;
 use crate::march::{March, MarchGoal};
@@ -8,19 +8,19 @@ use shaderlint_flow::{Uniformity, Varying};
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Region, Step};
 use shaderlint_syntax::ast::StmtId;
 
-/// A condition that tells rays that hit something from those that do not.
+/// A condition that separates rays that hit something from those that miss.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Hit {
-    /// The condition.
+    /// The operation that computes the condition.
     pub condition: OpId,
     /// The `if` or `?:`.
     pub origin: Provenance,
-    /// What the condition is for rays that hit.
+    /// The value of the condition for rays that hit.
     pub when: bool,
 }
 
 impl Hit {
-    /// How often rays were seen to hit, and to miss, where the condition stands in what ran.
+    /// Number of sampled hits and misses; `None` if the condition did not run.
     pub fn seen(&self, seen: &Seen) -> Option<(u64, u64)> {
         let branch = seen.branches.iter().find(|b| b.at == self.origin)?;
         Some(match self.when {
@@ -30,7 +30,7 @@ impl Hit {
     }
 }
 
-/// The conditions of a shader that tell rays that hit something from others.
+/// The hit conditions of a shader.
 pub(super) fn hits(facts: &Facts) -> Vec<Hit> {
     let module = facts.module();
     let marches = facts.marches().iter();
@@ -44,7 +44,7 @@ pub(super) fn hits(facts: &Facts) -> Vec<Hit> {
         let ops = marching.flat_map(|l| l.ops.ops());
         ops.map(Varying::Value).collect()
     });
-    // Whoever calls the march decides, or whoever holds the loop, behind it.
+    // The condition is in the function of the loop, or in a caller.
     let holds = |function| {
         marches
             .iter()
@@ -62,7 +62,7 @@ pub(super) fn hits(facts: &Facts) -> Vec<Hit> {
     hits
 }
 
-/// The conditions of a region that hang on what a march found, those inside of loops left out.
+/// The conditions of a region that depend on the result of a march, without those in loops.
 fn conditions(facts: &Facts, found: &Uniformity, region: Region, hits: &mut Vec<Hit>) {
     let steps = facts.module().steps(region);
     for (at, step) in steps.iter().enumerate() {
@@ -75,7 +75,7 @@ fn conditions(facts: &Facts, found: &Uniformity, region: Region, hits: &mut Vec<
         else {
             continue;
         };
-        // Behind a side that returns only the other goes on.
+        // If one side returns, only the other continues.
         let behind = || work_of(facts, steps.get(at + 1..).unwrap_or(&[]));
         let does = |side: Region, other: Region| match returns(facts, other) {
             true => work(facts, side) + behind(),
@@ -100,10 +100,10 @@ fn returns(facts: &Facts, region: Region) -> bool {
     matches!(last, Some(Step::Return(..)))
 }
 
-/// A side that does less shows no surface.
+/// Least cost of the side that shades a surface.
 const LEAST_WORK: f64 = 8.0;
 
-/// How much a region does.
+/// Cost of a region, in operations.
 fn work(facts: &Facts, region: Region) -> f64 {
     work_of(facts, facts.module().steps(region))
 }
@@ -126,12 +126,12 @@ fn operation(facts: &Facts, module: &Module, op: OpId) -> f64 {
     }
 }
 
-/// The share of the pixels whose rays have to end at once.
+/// Smallest share of pixels whose rays end in the first iteration.
 const STUCK: f64 = 0.98;
 
 impl Facts<'_> {
-    /// The marching loops that nearly all rays leave in their first turn, at every instant, and not
-    /// since they go past everything.
+    /// The marching loops that nearly all rays leave in the first iteration, at every instant, and not
+    /// because they miss everything.
     pub fn stuck_marches(&self) -> Vec<StmtId> {
         let marches = self.marches().iter();
         let picture = marches.filter(|m| m.goal == MarchGoal::Picture && m.looped.ends_early);
@@ -148,13 +148,13 @@ impl Facts<'_> {
         loops.filter(is_stuck).collect()
     }
 
-    /// Whether a condition that tells rays that hit something says that most do not.
+    /// Whether a hit condition shows more misses than hits.
     fn misses(&self, seen: &Seen) -> bool {
         let mut told = self.hits().iter().filter_map(|hit| hit.seen(seen));
         told.any(|(hits, misses)| misses > hits)
     }
 
-    /// Whether nearly all pixels came to a loop, and left it in its first turn.
+    /// Whether nearly all pixels reached a loop and left it in the first iteration.
     fn stays(&self, stmt: StmtId, seen: &Seen) -> bool {
         let Some(looped) = self.loop_seen(seen, stmt) else {
             return false;

@@ -1,4 +1,4 @@
-//! What a picture looks like if a loop may turn more often.
+//! Change of the image if a loop may run more iterations.
 
 use super::bench::colors;
 use super::{INSTANTS, SIZE, SampledPixel};
@@ -8,12 +8,12 @@ use shaderlint_flow::LoopFacts;
 use shaderlint_ir::{Module, OpKind};
 use shaderlint_semantic::Value;
 
-/// Channels further apart than this are told apart at a glance.
+/// Smallest visible difference of a channel.
 pub const APART: f32 = 8.0 / 255.0;
 
 impl Facts<'_> {
-    /// The share of the picture's pixels that look otherwise if a loop may turn twice as often; `None`
-    /// where the number of turns is not written down.
+    /// The share of sampled pixels that change visibly if a loop may run twice as many iterations; `None`
+    /// where the limit is not a constant.
     pub fn change_by_longer(&self, looped: &LoopFacts) -> Option<f64> {
         let (bench, _) = self.bench()?;
         let longer = self.with_twice_the_turns(looped)?;
@@ -21,7 +21,7 @@ impl Facts<'_> {
         self.difference([self.unwatched()?, &after], bench.quads.div_ceil(4))
     }
 
-    /// The share of the pixels that two codes of the shader draw visibly otherwise.
+    /// The share of sampled pixels that differ visibly between two versions of the bytecode.
     pub fn difference(&self, codes: [&Code; 2], quads: usize) -> Option<f64> {
         let (bench, supplier) = self.bench()?;
         let (mut all, mut other) = (0_u64, 0_u64);
@@ -39,7 +39,7 @@ impl Facts<'_> {
         Some(other as f64 / all.max(1) as f64)
     }
 
-    /// The shader with the number doubled to which a loop runs.
+    /// The shader with a doubled iteration limit of a loop.
     fn with_twice_the_turns(&self, looped: &LoopFacts) -> Option<Module> {
         let op = self.module().op_of(looped.given?)?;
         let doubled = match self.module().constant(op) {
@@ -56,7 +56,7 @@ impl Facts<'_> {
     }
 }
 
-/// Whether two colours are told apart at a glance.
+/// Whether two colours differ visibly.
 pub fn is_apart(a: [f32; 3], b: [f32; 3]) -> bool {
     let shown = |color| SampledPixel { at: [0; 2], color }.shown();
     let mut lanes = shown(a).into_iter().zip(shown(b));

@@ -1,5 +1,4 @@
-//! What runs of a shader show: some pixels of its picture, at a few instants. It tells what was seen,
-//! and of no other pixels.
+//! Sample runs of a shader: some pixels of the frame, at a few times.
 
 mod bench;
 mod culprit;
@@ -17,7 +16,7 @@ use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
 use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, SIZE, TrialLimit, colors};
-pub use culprit::{Culprit, percent, report_broken};
+pub use culprit::{Culprit, grouped, percent, report_broken};
 pub use hit::Hit;
 pub use longer::is_apart;
 pub use picture::{SampledPixel, is_too_bright, luminance, share};
@@ -25,25 +24,25 @@ pub use verdict::{Untold, Verdict};
 
 use shaderlint_exec::{Code, Draw};
 
-/// When a picture is looked at.
+/// The time and mouse state of a sampled frame.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Instant {
     /// Seconds since the start.
     pub time: f64,
-    /// The mouse, where it has come.
+    /// The mouse, if it was pressed.
     pub mouse: Option<Press>,
 }
 
-/// The mouse over the picture.
+/// State of the mouse.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Press {
-    /// Where it is, in pixels from the left and from below.
+    /// Position in pixels from the lower left corner.
     pub at: [f64; 2],
-    /// Whether its button is held down still.
+    /// Whether the button is still down.
     pub is_down: bool,
 }
 
-/// The instants of a trial: the first frame, one soon after it, and later ones with a mouse.
+/// The instants of a sample run: two without a mouse, and two later ones with it.
 pub const INSTANTS: [Instant; 4] = [
     Instant::at(0.0),
     Instant::at(2.3),
@@ -64,45 +63,45 @@ pub const INSTANTS: [Instant; 4] = [
 ];
 
 impl Instant {
-    /// A time, no mouse near.
+    /// A time in seconds, without a mouse.
     pub const fn at(time: f64) -> Instant {
         Instant { time, mouse: None }
     }
 }
 
-/// Who knows what a shader is given when it runs.
+/// Supplies the inputs of a shader for a sample run.
 pub trait Supplier {
-    /// A draw with all that is known; textures are empty, and what is not known is zero.
+    /// A draw with all known inputs; textures are empty, and unknown inputs are zero.
     fn draw<'c>(&self, code: &'c Code, size: [u32; 2], instant: &Instant) -> Draw<'c>;
 
-    /// Whether a uniform or an input holds the same wherever the shader is drawn.
+    /// Whether the value of a uniform or input is known.
     fn knows(&self, name: &str) -> bool;
 }
 
-/// What was seen of a shader.
+/// The result of a sample run.
 #[derive(Clone, Debug)]
 pub struct Trial {
-    /// How many pixels ran.
+    /// Number of sampled pixels, over all instants.
     pub pixels: u64,
-    /// What was seen in all of them.
+    /// The events of all pixels.
     pub seen: Seen,
     /// By instant of [`INSTANTS`].
     pub shots: Vec<TrialShot>,
 }
 
-/// What was seen at an instant.
+/// The samples of one instant.
 #[derive(Clone, Debug)]
 pub struct TrialShot {
-    /// The instant.
+    /// Time and mouse state.
     pub instant: Instant,
-    /// The pixels.
+    /// The sampled pixels.
     pub sampled: Sampled,
-    /// By pixel: what the shader gives, as far as it is shown.
+    /// By pixel: the red, green and blue channels of the first output.
     pub colors: Vec<[f32; 3]>,
 }
 
 impl Trial {
-    /// What was run, as a note of a finding: findings say no more than that.
+    /// What was sampled, as a note of a finding.
     pub fn told(&self) -> String {
         let times = self.shots.iter().map(|s| s.instant.time.to_string());
         let times: Vec<String> = times.collect();
@@ -111,19 +110,19 @@ impl Trial {
             other => other.join(", "),
         };
         let [width, height] = SIZE;
-        let pixels = self.pixels;
-        format!("seen in a run of {pixels} pixels of {width}x{height}, at {times} s")
+        let pixels = grouped(self.pixels);
+        format!("sampled {pixels} pixels of a {width}x{height} frame at {times} s")
     }
 }
 
-/// The GPUs that a finding has to hold on: as inexact as they may be, to both sides.
+/// The GPU profiles on which a finding must hold: with the largest rounding error in both directions.
 const PERSONAS: [Persona; 3] = [
     Persona::Inexact(Lean::Out),
     Persona::Inexact(Lean::In),
     Persona::Mobile,
 ];
 
-/// What is kept of the trials of a shader.
+/// Cached results of the sample runs of a shader.
 #[derive(Default)]
 pub(crate) struct Tried<'a> {
     pub supplier: Option<&'a dyn Supplier>,
@@ -134,22 +133,22 @@ pub(crate) struct Tried<'a> {
     personas: [OnceCell<Option<Trial>>; PERSONAS.len()],
     unknown: OnceCell<Uniformity>,
     hits: OnceCell<Vec<Hit>>,
-    /// Operations of which other rules have told.
+    /// Operations that other rules have reported.
     told: RefCell<FxHashSet<OpId>>,
-    /// Whether a rule has told why nothing can be seen.
+    /// Whether a rule has reported that nothing is visible.
     is_blank: Cell<bool>,
 }
 
 impl<'a> Facts<'a> {
-    /// How the shader is run; `None` where it is not: nobody knows what it is given, it would take
-    /// too long, or nobody wants it.
+    /// How the shader is sampled; `None` if its inputs are unknown, it would take too long, or sampling is
+    /// off.
     pub fn bench(&self) -> Option<(&Bench, &'a dyn Supplier)> {
         let supplier = self.tried.supplier?;
         let bench = self.tried.bench.get_or_init(|| Bench::of(self, supplier));
         bench.as_ref().map(|bench| (bench, supplier))
     }
 
-    /// What a run of the shader showed.
+    /// The sample run of the shader.
     pub fn trial(&self) -> Option<&Trial> {
         let run = || {
             let (bench, supplier) = self.bench()?;
@@ -158,7 +157,7 @@ impl<'a> Facts<'a> {
         self.tried.usual.get_or_init(run).as_ref()
     }
 
-    /// Whether something was seen, and would be on every other GPU.
+    /// Whether a test holds for the sample run, and on all GPU profiles.
     pub fn is_seen(&self, mut test: impl FnMut(&Trial) -> bool) -> bool {
         if !self.trial().is_some_and(&mut test) {
             return false;
@@ -170,8 +169,8 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// What smaller runs of the shader show, here and on every other GPU, where this is watched;
-    /// `None` of those that take too long.
+    /// Smaller sample runs that watch for these events, exact and on each GPU profile; `None` for those that
+    /// take too long.
     pub fn smaller_runs(&self, watch: Watch) -> impl Iterator<Item = Option<Trial>> {
         let others = PERSONAS.into_iter();
         let all = std::iter::once(Persona::Exact).chain(others);
@@ -189,13 +188,13 @@ impl<'a> Facts<'a> {
         bench.run(&code, supplier, bench.quads.div_ceil(4))
     }
 
-    /// The shader as register code that watches nothing.
+    /// The bytecode of the shader, without watching for events.
     pub fn unwatched(&self) -> Option<&Code> {
         let compile = || self.compiled(&CompileOptions::default());
         self.tried.unwatched.get_or_init(compile).as_ref()
     }
 
-    /// The shader as register code; `None` where it cannot be run, or grows too large.
+    /// The bytecode of the shader; `None` if it cannot be run, or is too large.
     pub fn compiled(&self, options: &CompileOptions) -> Option<Code> {
         let options = CompileOptions {
             most: self.tried.limit.instructions(),
@@ -204,7 +203,7 @@ impl<'a> Facts<'a> {
         shaderlint_exec::compile(self.program(), self.module(), &options).ok()
     }
 
-    /// What hangs on textures, and on other things that nobody knows.
+    /// What depends on textures and other unknown inputs.
     fn unknown(&self) -> &Uniformity {
         self.tried.unknown.get_or_init(|| {
             let (program, module) = (self.program(), self.module());
@@ -218,14 +217,13 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// Whether the value of an operation, and whether it runs at all, hangs on nothing that nobody
-    /// knows.
+    /// Whether neither the value of an operation nor its execution depends on unknown inputs.
     pub fn is_known(&self, op: OpId) -> bool {
         let unknown = self.unknown();
         !unknown.varies(Varying::Value(op)) && !unknown.is_divergent(op)
     }
 
-    /// The trial, where its colours are a picture, which hangs on nothing that nobody knows.
+    /// The sample run, if its colours are shown as an image and do not depend on unknown inputs.
     pub fn picture(&self) -> Option<&Trial> {
         let trial = self.trial()?;
         let is_shown = match self.program().dialect {
@@ -239,14 +237,14 @@ impl<'a> Facts<'a> {
         is_known.then_some(trial)
     }
 
-    /// Whether the picture hangs on the place of the pixel.
+    /// Whether the image depends on the pixel coordinates.
     pub fn is_computed(&self) -> bool {
         let uniformity = self.uniformity();
         let mut outputs = self.outputs().into_iter();
         outputs.any(|v| uniformity.varies(Varying::Variable(v)))
     }
 
-    /// What the shader gives: what its entry hands back to the player, or the outputs of the stage.
+    /// The outputs: the `out` parameters of the entry function, or the written outputs of the stage.
     pub fn outputs(&self) -> Vec<VariableId> {
         let module = self.module();
         let entry = self.entry();
@@ -262,39 +260,39 @@ impl<'a> Facts<'a> {
         }
         let variables = module.variables.iter().zip(0..);
         let given = variables.filter(|(v, _)| v.root == Root::Output);
-        // The language has more outputs than a shader writes to.
+        // Built-in outputs count only if the shader writes to them.
         let ids = given.map(|(_, id)| VariableId(id));
         let written = |id: &VariableId| self.program().variable(*id).is_some_and(|v| v.written);
         ids.filter(written).collect()
     }
 
-    /// Where the shader decides whether a ray has hit something.
+    /// The conditions that test whether a ray has hit something.
     pub fn hits(&self) -> &[Hit] {
         self.tried.hits.get_or_init(|| hit::hits(self))
     }
 
-    /// Notes that a rule tells of what an operation does.
+    /// Records that a rule has reported an operation.
     pub fn tell(&self, op: Option<OpId>) {
         self.tried.told.borrow_mut().extend(op);
     }
 
-    /// Notes that a rule tells why nothing can be seen.
+    /// Records that a rule has reported that nothing is visible.
     pub fn tell_blank(&self) {
         self.tried.is_blank.set(true);
     }
 
-    /// Whether a rule has told why nothing can be seen, so that no other need wonder.
+    /// Whether a rule has reported that nothing is visible, so that others need not.
     pub fn is_blank(&self) -> bool {
         self.tried.is_blank.get()
     }
 
-    /// Whether a rule has told of an operation.
+    /// Whether a rule has reported an operation.
     pub fn is_told(&self, op: OpId) -> bool {
         self.tried.told.borrow().contains(&op)
     }
 }
 
-/// The uniforms, textures and inputs that nobody knows.
+/// The uniforms, textures and inputs with unknown values.
 fn unknown<'m>(
     program: &'m Program,
     module: &'m Module,

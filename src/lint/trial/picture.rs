@@ -1,24 +1,24 @@
-//! What the pixels of a trial are like.
+//! Colours of sampled pixels.
 
 use super::{Trial, TrialShot};
 
-/// A pixel that was drawn.
+/// A sampled pixel that was not discarded.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SampledPixel {
-    /// `gl_FragCoord.xy`, less the half.
+    /// `gl_FragCoord.xy - 0.5`.
     pub at: [u32; 2],
-    /// Red, green and blue as the shader gives them.
+    /// Red, green and blue as the shader writes them.
     pub color: [f32; 3],
 }
 
 impl SampledPixel {
-    /// Whether all channels hold the same number.
+    /// Whether all channels are equal.
     pub fn is_even(&self) -> bool {
         let [r, g, b] = self.color;
         r == g && g == b
     }
 
-    /// What the screen shows, from 0 to 1; a NaN is black.
+    /// The displayed colour, from 0 to 1; NaN counts as 0.
     pub fn shown(&self) -> [f32; 3] {
         self.color.map(|lane| {
             if lane.is_nan() {
@@ -31,7 +31,7 @@ impl SampledPixel {
 }
 
 impl TrialShot {
-    /// The pixels that were drawn.
+    /// The pixels that were not discarded.
     pub fn drawn(&self) -> impl Iterator<Item = SampledPixel> {
         let all = self.sampled.pixels.iter().zip(&self.colors);
         let drawn = all
@@ -45,7 +45,7 @@ impl TrialShot {
 }
 
 impl Trial {
-    /// Whether every instant that drew anything is like this, and one did.
+    /// Whether the test holds for every instant with drawn pixels, and there is one.
     pub fn all(&self, mut test: impl FnMut(&TrialShot) -> bool) -> bool {
         let mut drawn = self
             .shots
@@ -55,20 +55,20 @@ impl Trial {
         drawn.peek().is_some() && drawn.all(&mut test)
     }
 
-    /// Whether all channels hold the same number everywhere, and not always zero: a number that is
-    /// looked at, and no picture.
+    /// Whether all channels are equal everywhere, and not always zero: the output is a visualised number,
+    /// not an image.
     pub fn shows_a_number(&self) -> bool {
         let is_lit = |pixel: &SampledPixel| pixel.color != [0.0; 3];
         self.drawn().all(|pixel| pixel.is_even()) && self.drawn().any(|pixel| is_lit(&pixel))
     }
 
-    /// The pixels of all instants that were drawn.
+    /// The drawn pixels of all instants.
     pub fn drawn(&self) -> impl Iterator<Item = SampledPixel> {
         self.shots.iter().flat_map(TrialShot::drawn)
     }
 }
 
-/// How large a share of the pixels is like this.
+/// The share of pixels for which the test holds, from 0 to 1.
 pub fn share(
     pixels: impl Iterator<Item = SampledPixel>,
     mut test: impl FnMut(&SampledPixel) -> bool,
@@ -81,15 +81,15 @@ pub fn share(
     f64::from(like) / f64::from(all.max(1))
 }
 
-/// How bright a colour on the screen looks, from 0 to 1 (weights of Rec. 709).
+/// Luminance of a displayed colour, from 0 to 1 (weights of Rec. 709).
 pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// What rounding may add to white.
+/// White, with a tolerance for rounding.
 const WHITE: f32 = 1.02;
 
-/// Whether every channel is past what the screen shows.
+/// Whether every channel is brighter than white.
 pub fn is_too_bright(pixel: &SampledPixel) -> bool {
     pixel.color.iter().all(|lane| *lane > WHITE)
 }

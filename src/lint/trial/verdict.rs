@@ -1,26 +1,26 @@
-//! What a run says of a finding that was made by reading.
+//! Evidence from a sample run for findings of the static analysis.
 
-use super::{Trial, percent};
+use super::{Trial, grouped, percent};
 use crate::facts::Facts;
 use shaderlint_exec::{Kind, LoopSeen, NumberSeen, Seen};
 use shaderlint_ir::OpId;
 use shaderlint_syntax::ast::StmtId;
 
-/// What a run says of a finding.
+/// Evidence from a sample run for a finding.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Verdict {
-    /// Whether it was seen; else it never was, although pixels came there.
+    /// Whether the fault occurred; if not, the operation ran often without it.
     pub is_confirmed: bool,
-    /// What was seen.
+    /// The evidence, as a note.
     pub words: String,
 }
 
-/// How often pixels have to come somewhere before it means something that nothing was seen.
+/// Fewest evaluations without a fault that count as evidence.
 const LEAST_VISITS: u64 = 1000;
 
 impl Facts<'_> {
-    /// What a run says of numbers that go wrong at an operation; nothing where hardly any pixel came
-    /// there, or what happens there hangs on what nobody knows.
+    /// Evidence from a sample run for faults of an operation; `None` if it ran rarely, or depends on
+    /// unknown inputs.
     pub(crate) fn verdict(&self, op: OpId, kinds: &[Kind]) -> Option<Verdict> {
         let trial = self.trial().filter(|_| self.is_known(op))?;
         let is_one = |kind: Kind, other: OpId| other == op && kinds.contains(&kind);
@@ -42,24 +42,28 @@ impl Facts<'_> {
             let place = place(trial, number);
             return Some(Verdict {
                 is_confirmed: true,
-                words: format!("a run met this {seen} of {visits} times, first {place}"),
+                words: format!(
+                    "occurred in {} of {} sampled evaluations, first {place}",
+                    grouped(seen),
+                    grouped(visits)
+                ),
             });
         }
         (visits >= LEAST_VISITS && self.is_seen(|trial| times(trial) == 0)).then(|| Verdict {
             is_confirmed: false,
-            words: format!("a run came here {visits} times and never met this"),
+            words: format!("did not occur in {} sampled evaluations", grouped(visits)),
         })
     }
 }
 
 impl Facts<'_> {
-    /// What was seen of a loop.
+    /// The sampled iteration counts of a loop.
     pub fn loop_seen<'s>(&self, seen: &'s Seen, stmt: StmtId) -> Option<&'s LoopSeen> {
         let is_this = |id| self.module().looped(id).is_some_and(|l| l.stmt == stmt);
         seen.loops.iter().find(|l| is_this(l.id))
     }
 
-    /// How often a loop was seen to turn, as a note; nothing where that hangs on what nobody knows.
+    /// The sampled iteration counts of a loop, as a note; `None` if they depend on unknown inputs.
     pub fn turns_seen(&self, stmt: StmtId) -> Option<String> {
         let trial = self.trial()?;
         let seen = self.loop_seen(&trial.seen, stmt)?;
@@ -70,32 +74,33 @@ impl Facts<'_> {
         let (pixels, most) = (trial.pixels, seen.most);
         let mean = seen.turns as f64 / seen.entries as f64;
         let out = match seen.exhausted_pixels {
-            0 => "none of them ran out".to_string(),
+            0 => "no pixel reached the limit".to_string(),
             n => format!(
-                "{} of them ran out",
+                "{} of the pixels in the loop reached the limit",
                 percent(n as f64 / seen.pixels.max(1) as f64)
             ),
         };
         Some(format!(
-            "a run of {pixels} pixels took {most} at most, {mean:.1} in the mean; {out}"
+            "sampled {} pixels: at most {most} iterations, {mean:.1} on average; {out}",
+            grouped(pixels)
         ))
     }
 }
 
-/// A number that went wrong and of which no rule has told.
+/// A sampled fault that no other rule has reported.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Untold {
-    /// What was seen.
+    /// The operation, and the first sample of the fault.
     pub number: NumberSeen,
-    /// How often pixels came there.
+    /// Number of sampled evaluations of the operation.
     pub visits: u64,
-    /// How often it happened and where first, as a note.
+    /// How often the fault occurred and where first, as a note.
     pub words: String,
 }
 
 impl Facts<'_> {
-    /// The numbers that go wrong in this way on every GPU, whatever nobody knows, and of which no rule
-    /// has told.
+    /// The faults of this kind that occur on every GPU, do not depend on unknown inputs, and have not been
+    /// reported by another rule.
     pub fn untold(&self, kind: Kind) -> Vec<Untold> {
         let Some(trial) = self.trial() else {
             return Vec::new();
@@ -114,14 +119,18 @@ impl Facts<'_> {
             Untold {
                 number: number.clone(),
                 visits,
-                words: format!("{times} of {visits} times, first {place}"),
+                words: format!(
+                    "occurred in {} of {} sampled evaluations, first {place}",
+                    grouped(times),
+                    grouped(visits)
+                ),
             }
         });
         told.collect()
     }
 }
 
-/// Where and when a number first went wrong: at the pixel (3, 4), at 2.3 s.
+/// Where a fault first occurred: `at pixel (3, 4) at 2.3 s`.
 fn place(trial: &Trial, number: &NumberSeen) -> String {
     let is_same = |n: &NumberSeen| n.op == number.op && n.kind == number.kind;
     let mut shots = trial.shots.iter();
@@ -133,5 +142,5 @@ fn place(trial: &Trial, number: &NumberSeen) -> String {
         ))
     });
     let (time, [x, y]) = first.unwrap_or((0.0, number.witness.pixel));
-    format!("at the pixel ({x}, {y}) at {time} s")
+    format!("at pixel ({x}, {y}) at {time} s")
 }

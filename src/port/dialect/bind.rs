@@ -1,4 +1,4 @@
-//! What the uniforms, samplers and varyings of a whole shader are given.
+//! Binds the uniforms, samplers and varyings of a complete shader to values.
 
 use super::vertex::{VaryingValue, Vertex, vertex};
 use super::with_usual;
@@ -13,43 +13,43 @@ use shaderlint_semantic::{
 /// A uniform that the player sets.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct UniformData {
-    /// Its name in the shader.
+    /// The name in the shader.
     pub name: String,
-    /// Its type.
+    /// The GLSL type.
     #[serde(rename = "type")]
     pub ty: String,
-    /// What it is given.
+    /// The value that the player sets.
     pub source: Feed,
-    /// The sampler whose texture it tells of.
+    /// For [`Feed::TextureSize`]: the sampler of the texture.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub of: Option<String>,
 }
 
-/// What a whole shader is given.
+/// The values of all uniforms, samplers and varyings of a complete shader.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Bindings {
-    /// Its uniforms, samplers aside.
+    /// The uniforms, without samplers.
     pub uniforms: Vec<UniformData>,
-    /// Its samplers, as channels with their names.
+    /// The samplers, as channels with names.
     pub inputs: Vec<Input>,
-    /// What the user sets.
+    /// The uniforms that the user sets.
     pub controls: Vec<UniformControl>,
-    /// The vertex shader.
+    /// The source of the vertex shader.
     pub vertex: String,
-    /// What it sets its varyings to.
+    /// The values that it assigns to the varyings.
     pub varyings: Vec<VaryingValue>,
-    /// Uniforms that stay zero, since nothing is known of them.
+    /// Unknown uniforms that stay zero.
     pub zeros: Vec<String>,
-    /// Varyings that hold what their types suggest.
+    /// Unknown varyings, whose value is chosen by type.
     pub guessed: Vec<String>,
 }
 
-/// Most textures that every WebGL2 browser binds at once.
+/// Number of textures that every WebGL2 implementation can bind at once.
 pub const MAX_CHANNELS: u8 = 16;
 
-/// Finds out what a whole shader is to be given. `own` are the inputs and controls that the text
-/// itself describes, `output` is what the pass draws, `partner` the other shader of the pair where
-/// the text brings it.
+/// Determines the values for a complete shader. `own` are the inputs and controls that the text
+/// itself describes, `output` is the output of the pass, `partner` the other shader of the pair if
+/// the file provides it.
 pub(crate) fn bind(
     program: &Program,
     host: &Preset,
@@ -72,7 +72,7 @@ pub(crate) fn bind(
         let is_user = program
             .declared_at(variable)
             .is_some_and(|s| program.is_user(s));
-        // Another shader of the pair may read what its host declares.
+        // The other shader of the pair may read names that its host declares.
         let is_read = is_user
             || variable.read
             || partner.is_some_and(|text| reads(text, program.names.text(variable.name)));
@@ -97,14 +97,14 @@ pub(crate) fn bind(
     bound
 }
 
-/// Whether a word stands in a text.
+/// Whether a text contains a word.
 fn reads(text: &str, word: &str) -> bool {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     text.split(|c| !is_part(c)).any(|w| w == word)
 }
 
 impl Bindings {
-    /// Adds a channel, under its own number where it has one that is free.
+    /// Adds a channel, with its own number if that is free.
     fn add(&mut self, input: Input) {
         let is_taken = |n: u8| self.inputs.iter().any(|i| i.channel == n);
         let wanted = channel(input.uniform.as_deref().unwrap_or(""));
@@ -131,7 +131,7 @@ impl Bindings {
         let source = match rows.find(is_it) {
             _ if own.iter().any(|c| c.name == name) => Feed::Control,
             _ if of.is_some() => Feed::TextureSize,
-            // The player sets these by their names.
+            // The player sets these by name.
             Some(row) if matches!(row.feed, Feed::ChannelTime | Feed::ChannelResolution) => return,
             Some(row) => row.feed,
             None if variable.ty.is_matrix() && variable.ty.array == 0 => Feed::Identity,
@@ -158,7 +158,7 @@ impl Bindings {
     }
 }
 
-/// The sampler of whose texture a uniform tells the size, by its name: `u_tex0Resolution`,
+/// The sampler to whose texture size a uniform refers, by its name: `u_tex0Resolution`,
 /// `photoSize`, `photo_size`.
 fn sized_sampler(program: &Program, name: &str, ty: &str) -> Option<String> {
     const ENDINGS: [&str; 4] = ["Resolution", "_resolution", "Size", "_size"];
@@ -209,7 +209,7 @@ fn inputs_of(
     }
 }
 
-/// What a sampler reads of which a row tells it.
+/// The input of a sampler, as a row of the host defines it.
 fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     let (kind, id) = match row.texture {
         TextureFeed::File | TextureFeed::Channel => (InputKind::Texture, String::new()),
@@ -233,8 +233,7 @@ fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     input
 }
 
-/// The control of a uniform of which nothing but its declaration is known; none for arrays and
-/// structs.
+/// The control for an unknown uniform, based on its declaration; `None` for arrays and structs.
 fn control(
     program: &Program,
     id: VariableId,
@@ -280,7 +279,7 @@ fn control(
     Some(control)
 }
 
-/// Makes room in the range of a control for a value and some more.
+/// Extends the range of a control so that it contains a value.
 fn widen(control: &mut UniformControl, value: &[f64]) {
     for ((min, max), value) in control.min.iter_mut().zip(&mut control.max).zip(value) {
         if *value > *max {
@@ -292,7 +291,7 @@ fn widen(control: &mut UniformControl, value: &[f64]) {
     }
 }
 
-/// What stands from a name to the semicolon behind it.
+/// The text from a name to the next semicolon.
 fn line_end(program: &Program, name: shaderlint_text::Span) -> Option<shaderlint_text::Span> {
     let file = program.sources.file_at(name.start)?;
     let rest = file.text.get((name.end - file.base) as usize..)?;
@@ -309,7 +308,7 @@ fn number(value: &Value) -> f64 {
     }
 }
 
-/// Whether a name says that it is a colour.
+/// Whether a name suggests a colour.
 fn is_color(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
     ["color", "colour", "tint", "rgb"]

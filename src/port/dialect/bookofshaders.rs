@@ -1,5 +1,5 @@
-//! The Book of Shaders: the text is compiled as it stands, and once more for each `BUFFER_0` that it
-//! asks after, with that defined; what that draws is `u_buffer0`.
+//! The Book of Shaders: the text is compiled unchanged, and once more for each macro such as
+//! `BUFFER_0` that it tests, with that macro defined; the output of that pass is `u_buffer0`.
 
 use super::complete::{Completion, completions_of};
 use super::{Clues, HostCode, Plan, PlannedPass};
@@ -13,7 +13,7 @@ pub(super) static CODE: HostCode = HostCode {
     plan: Some(plan),
 };
 
-/// The macros for which the text is compiled once more, with the samplers that read what it draws.
+/// The macros that require another pass, with the samplers that read its output.
 fn buffers(clues: &Clues) -> Vec<(String, String)> {
     let all = (0..8).flat_map(|n| {
         [
@@ -30,7 +30,8 @@ fn plan(clues: &Clues) -> Plan {
     if buffers.is_empty() {
         return picture;
     }
-    // The branches of a buffer may need what the picture does not: all are judged alike.
+    // The branches of a buffer may have other requirements than the image, so each pass has all
+    // candidates.
     let candidates = || completions_of(clues).into_iter();
     let passes = buffers.into_iter().map(|(name, sampler)| PlannedPass {
         kind: Pass::Buffer,
@@ -54,7 +55,7 @@ fn plan(clues: &Clues) -> Plan {
 fn defining(candidate: &Completion, clues: &Clues, name: &str) -> Option<Completion> {
     let define = format!("#define {name}\n");
     match candidate.before.is_empty() {
-        // What stands as it is has no place for it, but for GLSL ES 1.00 without a version.
+        // A define can precede an unchanged text only if that has no `#version`.
         true => {
             let first = clues.text.trim_start().starts_with("#version");
             (!first).then(|| Completion {

@@ -1,4 +1,4 @@
-//! What a text shows of the dialect that it is written in.
+//! Properties of a text that indicate its host.
 
 use super::TextsBeside;
 use super::complete::{Completion, completions_of};
@@ -7,26 +7,26 @@ use shaderlint_semantic::{Guess, Program, Storage, guess};
 use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::Role;
 
-/// A variable that a text declares and something else sets.
+/// A variable that a text declares and the host sets.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Interfacing {
-    /// Its name.
+    /// The name, or the name of a struct member.
     pub name: String,
-    /// Its type, as it is written.
+    /// The type as written in GLSL.
     pub ty: String,
 }
 
-/// What the `#version` of a text asks for.
+/// The version in the `#version` of a text.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum VersionAsked {
-    /// There is none.
+    /// There is no `#version`.
     #[default]
     Nothing,
     /// GLSL ES 1.00.
     Es100,
-    /// GLSL ES 3.00 or a later one for devices.
+    /// GLSL ES 3.00 or later.
     Es300,
-    /// GLSL for desktops, by its number.
+    /// Desktop GLSL, with its version number.
     Desktop(u32),
 }
 
@@ -42,23 +42,23 @@ impl VersionAsked {
     }
 }
 
-/// What a text shows.
+/// Properties of a text that indicate its host.
 pub struct Clues<'t> {
     /// The text.
     pub text: &'t str,
-    /// What its file is called, without ending; empty where it has none.
+    /// The file name without extension; empty if there is none.
     pub name: &'t str,
-    /// The texts beside it that have been read.
+    /// The companion files that have been read.
     pub beside: &'t TextsBeside,
-    /// What the `#version` of the text asks for.
+    /// The version in the `#version` of the text.
     pub asked: VersionAsked,
-    /// What its words tell of its version and kind.
+    /// Version and kind, guessed from the words of the text.
     pub guess: Guess,
-    /// The uniforms that it declares, samplers included.
+    /// The uniforms that it declares, including samplers.
     pub uniforms: Vec<Interfacing>,
-    /// The varyings that it declares, and the members of those that are structs.
+    /// The varyings that it declares, including the members of structs.
     pub inputs: Vec<Interfacing>,
-    /// Whether it has statements outside of any function, and no function that is called.
+    /// Whether it has statements outside of functions, and no entry function.
     pub is_body: bool,
     has_output: bool,
     words: FxHashSet<&'t str>,
@@ -68,13 +68,13 @@ pub struct Clues<'t> {
 }
 
 impl<'t> Clues<'t> {
-    /// Reads a text that stands alone.
+    /// The properties of a text without companion files.
     pub fn of(text: &'t str) -> Clues<'t> {
         static NOTHING: TextsBeside = TextsBeside::new();
         Clues::beside(text, "", &NOTHING)
     }
 
-    /// What a text shows that was checked already.
+    /// The properties of a text that has already been checked.
     pub fn checked(text: &'t str, program: &Program) -> Clues<'t> {
         static NOTHING: TextsBeside = TextsBeside::new();
         let mut clues = Clues::unread(text, "", &NOTHING);
@@ -82,7 +82,7 @@ impl<'t> Clues<'t> {
         clues
     }
 
-    /// Reads a text with others beside it.
+    /// The properties of a text with companion files.
     pub fn beside(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
         let mut clues = Clues::unread(text, name, beside);
         let completion = completions_of(&clues).into_iter().next_back();
@@ -96,7 +96,7 @@ impl<'t> Clues<'t> {
         clues
     }
 
-    /// What the words of a text show.
+    /// The properties that follow from the words of a text alone.
     pub(super) fn unread(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
         let guess = guess(text);
         let Words {
@@ -162,12 +162,12 @@ impl<'t> Clues<'t> {
             .extend(names.map(|n| program.names.text(n).to_string()));
     }
 
-    /// Whether something in the text could be drawn: it has an entry, or statements outside of any.
+    /// Whether the text can be drawn: it has an entry function, or statements outside of functions.
     pub fn is_shader(&self) -> bool {
         self.guess.kind.is_some() || (self.is_body && !self.declared.is_empty())
     }
 
-    /// Whether it takes chunks of another library in: `#include <common>`.
+    /// Whether it includes chunks of a library: `#include <common>`.
     pub fn has_include(&self) -> bool {
         let mut lines = self.text.lines().map(str::trim_start);
         lines.any(|l| {
@@ -176,22 +176,22 @@ impl<'t> Clues<'t> {
         })
     }
 
-    /// Whether it declares what it writes to.
+    /// Whether it declares its output.
     pub fn declares_output(&self) -> bool {
         self.has_output
     }
 
-    /// Whether a word stands in the text, comments aside.
+    /// Whether a word occurs in the text, not counting comments.
     pub fn has_word(&self, word: &str) -> bool {
         self.words.contains(word)
     }
 
-    /// Whether `#if` asks for the value of a word.
+    /// Whether an `#if` uses the value of a word.
     pub fn is_condition(&self, word: &str) -> bool {
         self.conditions.contains(word)
     }
 
-    /// Whether a word stands anywhere but in conditions.
+    /// Whether a word occurs outside of conditions.
     pub fn is_read(&self, word: &str) -> bool {
         self.code.contains(word)
     }
@@ -201,12 +201,12 @@ impl<'t> Clues<'t> {
         self.declared.contains(name)
     }
 
-    /// Whether the text uses a name that it does not declare.
+    /// Whether the text uses a name without declaring it.
     pub fn is_free(&self, name: &str) -> bool {
         self.has_word(name) && !self.declares(name)
     }
 
-    /// The words of the text that pass a test and are not declared.
+    /// The undeclared words of the text that satisfy a predicate.
     pub fn free_words(&self, wanted: impl Fn(&str) -> bool) -> Vec<&'t str> {
         let all = self.words.iter().copied();
         let mut found: Vec<&str> = all.filter(|w| wanted(w) && !self.declares(w)).collect();
@@ -214,7 +214,7 @@ impl<'t> Clues<'t> {
         found
     }
 
-    /// Whether the text declares a uniform of a name and one of some types.
+    /// Whether the text declares a uniform with a name and one of several types.
     pub fn has_uniform(&self, name: &str, types: &[&str]) -> bool {
         let is_it = |d: &Interfacing| d.name == name && types.contains(&d.ty.as_str());
         self.uniforms.iter().any(is_it)
@@ -225,11 +225,11 @@ impl<'t> Clues<'t> {
 #[derive(Default)]
 struct Words<'t> {
     words: FxHashSet<&'t str>,
-    /// Those whose values `#if` asks for.
+    /// Words whose values `#if` uses.
     conditions: FxHashSet<&'t str>,
-    /// Those that stand anywhere but in conditions.
+    /// Words that occur outside of conditions.
     code: FxHashSet<&'t str>,
-    /// What its `#version` asks for.
+    /// The version in its `#version`.
     asked: VersionAsked,
 }
 
@@ -237,7 +237,7 @@ fn words(text: &str) -> Words<'_> {
     let mut lexer = Lexer::new(text, 0);
     let mut found = Words::default();
     let mut behind_hash = false;
-    // The directive of the line that asks something, and the word before.
+    // The conditional directive of the current line, and the previous word.
     let (mut condition, mut before) = ("", "");
     loop {
         let token = lexer.next_token();

@@ -1,5 +1,5 @@
-//! What goes around a text, so that a page can compile it: candidates, of which the first that
-//! compiles is taken.
+//! Completes a text so that a page can compile it. There are several candidates; the first one that
+//! compiles is used.
 
 use super::clues::{Clues, VersionAsked};
 use shaderlint_diagnostic::Severity;
@@ -11,36 +11,37 @@ use shaderlint_text::{Role, Sources};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A text, and what goes around it.
+/// A text and its surroundings.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Completion {
-    /// What goes before the text.
+    /// Text before it.
     pub before: Arc<str>,
-    /// The text; its `#version` and `#extension` lines are comments where something goes before it.
+    /// The text itself; its `#version` and `#extension` lines are comments if there is text before
+    /// it.
     pub code: Arc<str>,
-    /// What goes behind it.
+    /// Text after it.
     pub behind: Arc<str>,
-    /// What was changed in the text of the user.
+    /// The changes to the text of the user.
     pub changes: Vec<TextChange>,
-    /// What is to be told of it.
+    /// A note for the user.
     pub note: Option<String>,
-    /// The stage that it is for.
+    /// The shader stage.
     pub stage: Stage,
 }
 
-/// A change of a text, so that it can be compiled behind another.
+/// A change that allows a text to be compiled after another.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TextChange {
-    /// What is replaced, in bytes of the text.
+    /// The replaced bytes of the text.
     pub range: Range<usize>,
-    /// What is in its place.
+    /// The replacement.
     pub put: String,
-    /// Whether that is a comment.
+    /// Whether the replacement is a comment.
     pub is_hidden: bool,
 }
 
 impl Completion {
-    /// A text as it stands.
+    /// The unchanged text.
     pub fn bare(text: &str) -> Completion {
         Completion {
             before: Arc::from(""),
@@ -52,7 +53,7 @@ impl Completion {
         }
     }
 
-    /// A text behind a prelude, which brings the `#version`.
+    /// The text after a prelude, which contains the `#version`.
     pub fn behind(before: String, text: &str) -> Completion {
         let changes = usual_changes(text);
         Completion {
@@ -65,7 +66,7 @@ impl Completion {
         }
     }
 
-    /// The same as a vertex shader.
+    /// The same for the vertex stage.
     pub fn for_vertices(self) -> Completion {
         Completion {
             stage: Stage::Vertex,
@@ -73,7 +74,7 @@ impl Completion {
         }
     }
 
-    /// The same, with something to be told.
+    /// The same with a note.
     pub fn told(self, note: impl Into<String>) -> Completion {
         Completion {
             note: Some(note.into()),
@@ -90,7 +91,7 @@ impl Completion {
         }
     }
 
-    /// The same with a `main` behind the text that calls ShaderToy's entry.
+    /// The same with a `main` after the text that calls `mainImage`.
     pub fn calling_image(self) -> Completion {
         let (declared, color) = match self.before.starts_with("#version 300") {
             true => ("out vec4 port_Color;\n", "port_Color"),
@@ -100,7 +101,7 @@ impl Completion {
         self.with_end(&format!("\n{declared}{main}"))
     }
 
-    /// The same with something behind the text.
+    /// The same with another text after it.
     pub fn with_end(self, behind: &str) -> Completion {
         Completion {
             behind: Arc::from(behind),
@@ -108,7 +109,7 @@ impl Completion {
         }
     }
 
-    /// What the browser's compiler would say.
+    /// Checks the completed text as the browser would.
     pub fn check(&self) -> Option<Checked> {
         let mut sources = Sources::new();
         let mut files = Vec::new();
@@ -132,7 +133,7 @@ impl Completion {
     }
 }
 
-/// The first candidate that compiles, or else the one with the fewest errors.
+/// The first candidate that compiles, otherwise the one with the fewest errors.
 pub(crate) fn best(candidates: Vec<Completion>) -> Option<Completion> {
     let mut best: Option<(usize, Completion)> = None;
     for candidate in candidates {
@@ -149,21 +150,20 @@ pub(crate) fn best(candidates: Vec<Completion>) -> Option<Completion> {
     best.map(|(_, candidate)| candidate)
 }
 
-/// How a text that no host completes may be compiled: as it stands, behind the defaults that it
-/// forgot, and as GLSL ES 3.00.
+/// Candidates for a text without a host: unchanged, with the missing defaults, and as GLSL ES 3.00.
 pub(super) fn completions_of(clues: &Clues) -> Vec<Completion> {
     completions_behind(clues, "", true)
 }
 
-/// The same, behind what a host declares. `as_it_stands` is false where the host always puts
-/// something before.
+/// Candidates for a text after the declarations of a host. `as_it_stands` is false if the host
+/// always adds text.
 pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) -> Vec<Completion> {
     let text = clues.text;
     let old = || Completion::behind(defaults(Version::Es100) + host, text);
     let new = || Completion::behind(modern(clues) + host, text);
     let needs = match clues.asked {
         VersionAsked::Nothing | VersionAsked::Es100 => {
-            "it is compiled as GLSL ES 3.00, as GLSL ES 1.00 does not have all that it uses"
+            "compiled as GLSL ES 3.00: the shader uses features that GLSL ES 1.00 lacks"
         }
         _ => "",
     };
@@ -173,7 +173,7 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
     };
     let desktop = |number| {
         new().told(format!(
-            "its `#version {number}` is that of desktops; it is compiled as GLSL ES 3.00"
+            "`#version {number}` is desktop GLSL; compiled as GLSL ES 3.00"
         ))
     };
     let rest = match clues.asked {
@@ -181,7 +181,7 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
         VersionAsked::Es300 => vec![new()],
         VersionAsked::Desktop(number) if number < 130 => vec![
             old().told(format!(
-                "its `#version {number}` is that of desktops; it is compiled as GLSL ES 1.00"
+                "`#version {number}` is desktop GLSL; compiled as GLSL ES 1.00"
             )),
             desktop(number),
         ],
@@ -192,19 +192,19 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
     bare.into_iter().chain(rest).collect()
 }
 
-/// What a host declares, without what the text declares itself.
+/// The declarations of a host, without names that the text declares itself.
 pub(super) fn declarations(host: &Preset, clues: &Clues, is_vertex: bool) -> String {
     without_own(&host.declarations(is_vertex), clues)
 }
 
-/// Declarations without those of names that the text declares itself.
+/// Removes the declarations of names that the text declares itself.
 pub(super) fn without_own(text: &str, clues: &Clues) -> String {
     let is_theirs = |line: &&str| declared_in(line).is_none_or(|name| !clues.declares(name));
     let lines = text.lines().filter(|l| !l.is_empty()).filter(is_theirs);
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// The version and every default precision.
+/// The version and all default precisions.
 pub(super) fn defaults(version: Version) -> String {
     let (head, types): (_, &[&str]) = match version {
         Version::Es100 => ("", &["float", "int"]),
@@ -214,7 +214,7 @@ pub(super) fn defaults(version: Version) -> String {
     head.to_string() + &lines.collect::<String>()
 }
 
-/// What needs a default precision in GLSL ES 3.00.
+/// The types that need a default precision in GLSL ES 3.00.
 const TYPES: [&str; 15] = [
     "float",
     "int",
@@ -233,8 +233,8 @@ const TYPES: [&str; 15] = [
     "usamplerCube",
 ];
 
-/// What goes before a text that is compiled as GLSL ES 3.00: the defaults, and the older words that
-/// it uses.
+/// The text before a text that is compiled as GLSL ES 3.00: the defaults, and macros for older
+/// syntax.
 pub(super) fn modern(clues: &Clues) -> String {
     let mut text = defaults(Version::Es300);
     if clues.has_word("varying") {
@@ -266,22 +266,23 @@ pub(super) fn modern(clues: &Clues) -> String {
     text
 }
 
-/// Images that shaders write to, which WebGL has not, and what is read of them: zeros.
+/// Types of writable images, which WebGL does not have, and the value that reading them returns:
+/// zero.
 const IMAGES: [(&str, &str); 3] = [
     ("uimage2D", "uvec4"),
     ("iimage2D", "ivec4"),
     ("image2D", "vec4"),
 ];
 
-/// Whether a text declares images that it writes to.
+/// Whether a text declares writable images.
 pub(super) fn has_images(clues: &Clues) -> bool {
     IMAGES.iter().any(|(word, _)| clues.has_word(word))
 }
 
-/// Makes comments of the declarations of images.
+/// Comments out the declarations of images.
 fn hide_images(text: &str, changes: &mut Vec<TextChange>) {
     let mut lexer = Lexer::new(text, 0);
-    // Where the declaration at hand begins, and whether it is one of an image.
+    // Start of the current declaration, and whether it declares an image.
     let (mut first, mut is_image): (Option<usize>, bool) = (None, false);
     loop {
         let token = lexer.next_token();
@@ -310,7 +311,7 @@ fn hide_images(text: &str, changes: &mut Vec<TextChange>) {
     }
 }
 
-/// Textures of one dimension, which desktops have, are the first lines of those of two.
+/// One-dimensional textures of desktop GLSL are replaced by the first rows of two-dimensional ones.
 const LINES: &str = "#define sampler1D sampler2D\n\
     vec4 port_texture(sampler2D s, vec2 p) { return texture(s, p); }\n\
     vec4 port_texture(sampler2D s, vec2 p, float b) { return texture(s, p, b); }\n\
@@ -324,8 +325,8 @@ const LINES: &str = "#define sampler1D sampler2D\n\
     return texelFetch(s, ivec2(w < 1024 ? p * w / 1024 : p, 0), l);\n}\n\
     #define texture port_texture\n#define texelFetch port_fetch\n";
 
-/// The lookups of GLSL ES 1.00 that a text uses. Where it has a variable called like the function of
-/// today, macros would lead to that.
+/// The GLSL ES 1.00 lookup functions that a text uses. If it has a variable with the name of the
+/// modern function, functions are defined instead of macros.
 fn old_lookups(clues: &Clues) -> String {
     let mut text = String::new();
     for (old, new) in LEGACY_FUNCTIONS
@@ -349,7 +350,8 @@ fn old_lookups(clues: &Clues) -> String {
     text
 }
 
-/// What is changed in a text that a host compiles behind another, of which it obeys directives.
+/// The changes to a text that a host compiles after its declarations, including the directives that
+/// the host processes.
 pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
     let obeyed = directives(text, |word| matches_any(&host.directives, word));
     let hidden = obeyed.into_iter().map(|d| TextChange {
@@ -362,7 +364,7 @@ pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
     in_order(all)
 }
 
-/// What is changed in a text that is compiled behind another.
+/// The changes to a text that is compiled after another.
 fn usual_changes(text: &str) -> Vec<TextChange> {
     let mut all = Vec::new();
     hide_first_lines(text, &mut all);
@@ -371,7 +373,7 @@ fn usual_changes(text: &str) -> Vec<TextChange> {
     in_order(all)
 }
 
-/// Changes by their places; of those that overlap the first stays.
+/// Sorts the changes; the first of overlapping changes is kept.
 fn in_order(mut all: Vec<TextChange>) -> Vec<TextChange> {
     all.sort_by_key(|c| (c.range.start, c.range.end));
     all.dedup_by(|next, last| next.range.start < last.range.end);
@@ -380,16 +382,16 @@ fn in_order(mut all: Vec<TextChange>) -> Vec<TextChange> {
 
 /// A line with a directive.
 pub(super) struct Directive<'t> {
-    /// Where its `#` stands.
+    /// Offset of its `#`.
     pub(super) start: usize,
-    /// Where the line ends.
+    /// Offset of the end of the line.
     pub(super) end: usize,
     pub(super) word: &'t str,
-    /// What stands behind the word.
+    /// The text after the word.
     pub(super) rest: &'t str,
 }
 
-/// The lines of a text with directives of these words.
+/// The lines of a text with the given directives.
 pub(super) fn directives(text: &str, is_wanted: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
     let mut lexer = Lexer::new(text, 0);
     let mut found: Vec<Directive> = Vec::new();
@@ -418,7 +420,7 @@ pub(super) fn directives(text: &str, is_wanted: impl Fn(&str) -> bool) -> Vec<Di
     }
 }
 
-/// A text with its changes.
+/// A text with its changes applied.
 pub(super) fn changed(text: &str, changes: &[TextChange]) -> String {
     let mut out = String::with_capacity(text.len() + 32);
     let mut from = 0;
@@ -431,8 +433,8 @@ pub(super) fn changed(text: &str, changes: &[TextChange]) -> String {
     out
 }
 
-/// Makes comments of `#version` and `#extension` lines: what stands before the text has its own, and
-/// the language wants them first. What it would include is not at hand.
+/// Comments out `#version`, `#extension` and `#include` lines: the text before has its own version,
+/// which must come first, and included files are not available.
 fn hide_first_lines(text: &str, changes: &mut Vec<TextChange>) {
     let is_first = |word: &str| matches!(word, "version" | "extension" | "include");
     let lines = directives(text, is_first).into_iter();
@@ -443,11 +445,11 @@ fn hide_first_lines(text: &str, changes: &mut Vec<TextChange>) {
     }));
 }
 
-/// Makes input blocks, which GLSL ES 3.00 has not, inputs of structs:
-/// `in VertexData { vec2 uv; } data;`.
+/// Converts input blocks, which GLSL ES 3.00 does not have, to inputs of structs: `in VertexData {
+/// vec2 uv; } data;`.
 fn make_struct_inputs(text: &str, changes: &mut Vec<TextChange>) {
     let mut lexer = Lexer::new(text, 0);
-    // What was read of a block: where `in` stands, its name, and where its brace was closed.
+    // State within a block: the position of `in`, the name, and whether its brace is open.
     let mut word: Option<Range<usize>> = None;
     let mut block: Option<(Range<usize>, &str)> = None;
     let mut is_open = false;

@@ -1,13 +1,13 @@
-//! ISF, the Interactive Shader Format: a comment that holds a JSON object, then a fragment shader.
+//! ISF, the Interactive Shader Format: a comment with a JSON object, then a fragment shader.
 //!
 //! Source: the specification (README.md of mrRay/ISF_Spec), and `src/ISFParser.js` and
-//! `src/ISFRenderer.js` of interactive-shader-format 2.9.0. What the host declares is the linter's
+//! `src/ISFRenderer.js` of interactive-shader-format 2.9.0. The declarations of the host are in the
 //! preset `isf`; the object adds a uniform for each of INPUTS, each PASSES target and each image of
-//! IMPORTED. The text is compiled once for each of PASSES, with PASSINDEX counting them; what a pass
-//! draws can be read by those behind it. A file of the same name with the ending `.vs` is the vertex
-//! shader, which the host runs for the four corners of the picture. ISF 1 lists PERSISTENT_BUFFERS
-//! in a place of their own. Images are linear and clamped, the month is counted from 1, and
-//! without a range a `float` goes from 0 to 1.
+//! IMPORTED. The text is compiled once for each of PASSES, with PASSINDEX as its number; later
+//! passes can read the output of a pass. A file of the same name with the extension `.vs` is the
+//! vertex shader, which the host runs for the four corners of the image. ISF 1 lists
+//! PERSISTENT_BUFFERS separately. Images are linear and clamped, months are counted from 1, and a
+//! `float` without a range ranges from 0 to 1.
 
 use super::clues::VersionAsked;
 use super::complete::{defaults, modern};
@@ -31,8 +31,8 @@ pub(super) static CODE: HostCode = HostCode {
 fn signs(clues: &Clues) -> Vec<Sign> {
     let mut found = Vec::new();
     if head(clues.text).is_some_and(|text| KEYS.iter().any(|key| text.contains(key))) {
-        let what = "its head, a JSON object with `INPUTS`";
-        // What a head that cannot be read declares is not known.
+        let what = "a JSON header with `INPUTS`";
+        // The declarations of an invalid header are unknown.
         found.push(match head(clues.text).is_some_and(|h| object(h).is_ok()) {
             true => Sign::form(what, 3 * OWN),
             false => Sign::new(what, 3 * OWN),
@@ -51,10 +51,10 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     found
 }
 
-/// The keys of a head that no other format has.
+/// Header keys that no other format has.
 const KEYS: [&str; 3] = ["\"INPUTS\"", "\"ISFVSN\"", "\"PASSES\""];
 
-/// The JSON object of a head, as it is written.
+/// The JSON text of a header.
 pub(super) fn head(text: &str) -> Option<&str> {
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let (inside, _) = text.strip_prefix("/*")?.split_once("*/")?;
@@ -62,14 +62,14 @@ pub(super) fn head(text: &str) -> Option<&str> {
     inside.starts_with('{').then_some(inside)
 }
 
-/// The object of a head. Commas too many and line breaks in strings are forgiven.
+/// Parses a header. Trailing commas and line breaks in strings are accepted.
 pub(super) fn object(head: &str) -> Result<Map<String, Value>, String> {
     let strict = serde_json::from_str(head);
     let read = strict.or_else(|error| serde_json::from_str(&relaxed(head)).map_err(|_| error));
-    read.map_err(|e| format!("the JSON object of its head cannot be read: {e}"))
+    read.map_err(|e| format!("cannot parse the JSON header: {e}"))
 }
 
-/// JSON without the commas before an end, and with blanks for the signs that strings may not hold.
+/// Removes trailing commas, and replaces control characters in strings by spaces.
 fn relaxed(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut in_string = false;
@@ -87,12 +87,12 @@ fn relaxed(text: &str) -> String {
     out
 }
 
-/// What a head describes.
+/// The content of a header.
 #[derive(Default)]
 struct Head {
-    /// The declarations that it makes.
+    /// The declarations that it adds.
     declared: String,
-    /// What its samplers read.
+    /// The inputs of its samplers.
     inputs: Vec<Input>,
     controls: Vec<UniformControl>,
     passes: Vec<Target>,
@@ -100,14 +100,14 @@ struct Head {
     credit: Credit,
 }
 
-/// A pass of a head.
+/// A pass of a header.
 #[derive(Default)]
 struct Target {
     name: Option<String>,
     draw: PassDraw,
 }
 
-/// The function that vertex shaders begin with, and no others.
+/// The function that only vertex shaders call.
 const VERTEX_INIT: &str = "isf_vertShaderInit";
 
 fn plan(clues: &Clues) -> Plan {
@@ -125,8 +125,7 @@ fn plan(clues: &Clues) -> Plan {
         ..Plan::default()
     };
     if clues.has_word(VERTEX_INIT) {
-        let note =
-            "it is the vertex shader of a pair: give the file with the ending `.fs` beside it";
+        let note = "this is the vertex shader of a pair; pass the `.fs` file next to it instead";
         plan.notes.push(note.to_string());
     }
     let vertex = vertex_beside(clues, &mut plan);
@@ -140,7 +139,7 @@ fn plan(clues: &Clues) -> Plan {
         let candidates = vec![completion(clues, &head, index)];
         let mut pass = match &target.name {
             Some(name) => PlannedPass::buffer(name, candidates),
-            // The passes behind it draw over it.
+            // Later passes draw over it.
             None if !is_last => continue,
             None => PlannedPass {
                 kind: Pass::Image,
@@ -166,7 +165,7 @@ fn plan(clues: &Clues) -> Plan {
     plan
 }
 
-/// The vertex shader beside the text, where the text has varyings that only that can set.
+/// The companion vertex shader, if the text has varyings that only that can set.
 fn vertex_beside<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
     let given = preset("isf").map_or(&[][..], |p| &p.meanings.varyings);
     let is_own = |name: &str| !given.iter().any(|row| row.name == name);
@@ -183,7 +182,7 @@ fn vertex_beside<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
     }
 }
 
-/// The text behind what the host declares.
+/// The text after the declarations of the host.
 fn completion(clues: &Clues, head: &Head, index: usize) -> Completion {
     let mut before = modern(clues);
     if !clues.has_word("varying") {
@@ -209,13 +208,13 @@ fn completion(clues: &Clues, head: &Head, index: usize) -> Completion {
     let completion = Completion::behind(before, clues.text);
     match clues.asked {
         VersionAsked::Desktop(number) => completion.told(format!(
-            "its `#version {number}` is that of desktops; it is compiled as GLSL ES 3.00"
+            "`#version {number}` is desktop GLSL; compiled as GLSL ES 3.00"
         )),
         _ => completion,
     }
 }
 
-/// What the host declares in both stages.
+/// The declarations of the host and of the header.
 fn declarations(head: &Head, index: usize) -> String {
     format!(
         "{}#define PASSINDEX {index}\n{}",
@@ -224,14 +223,14 @@ fn declarations(head: &Head, index: usize) -> String {
     )
 }
 
-/// What the preset declares.
+/// The declarations of the preset.
 fn host(stage: Stage) -> String {
     let text = preset("isf").map_or(String::new(), |p| p.declarations(stage == Stage::Vertex));
     let lines = text.lines().filter(|line| !line.is_empty());
     lines.fold(String::new(), |text, line| text + line + "\n")
 }
 
-/// What the preset only declares.
+/// Definitions of functions that the preset only declares.
 const LOOKUPS: &str = "\
 vec2 IMG_SIZE(sampler2D image) { return vec2(textureSize(image, 0)); }\n\
 vec4 IMG_NORM_PIXEL(sampler2D image, vec2 place) { return texture(image, place); }\n\
@@ -241,7 +240,7 @@ vec4 IMG_THIS_NORM_PIXEL(sampler2D image) { return texture(image, isf_FragNormCo
 vec4 VVSAMPLER_2DBYNORM(sampler2D image, vec4 rect, vec2 size, bool flip, vec2 place) { return texture(image, place); }\n\
 vec4 VVSAMPLER_2DBYPIXEL(sampler2D image, vec4 rect, vec2 size, bool flip, vec2 pixel) { return texture(image, pixel / size); }\n";
 
-/// The vertex shader of a text beside it.
+/// The completed companion vertex shader.
 fn vertex_shader(text: &str, head: &Head, index: usize) -> Arc<str> {
     let text = Completion::behind(String::new(), text).code;
     Arc::from(format!(
@@ -284,7 +283,7 @@ impl Head {
         head
     }
 
-    /// The names of the buffers, each once.
+    /// The names of the buffers, without duplicates.
     fn targets(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for name in self.passes.iter().filter_map(|p| p.name.as_ref()) {
@@ -305,7 +304,7 @@ impl Head {
     fn input(&mut self, input: &Map<String, Value>) {
         let Some(name) = text_of(input, "NAME").filter(|n| is_identifier(n)) else {
             self.notes
-                .push("one of its `INPUTS` has no name that GLSL can use".to_string());
+                .push("one of the `INPUTS` has no valid GLSL name".to_string());
             return;
         };
         let kind = text_of(input, "TYPE").unwrap_or_default();
@@ -323,8 +322,7 @@ impl Head {
             return self.sampler(Input { signal, ..input });
         }
         let Some((ty, mut control)) = control(&name, &kind, input) else {
-            let note =
-                format!("its input `{name}` is of the type `{kind}`, which ISF 2 does not have");
+            let note = format!("input `{name}` has type `{kind}`, which ISF 2 does not define");
             return self.notes.push(note);
         };
         if let Some(label) = text_of(input, "LABEL").filter(|l| !l.is_empty()) {
@@ -352,7 +350,7 @@ impl Head {
             let read = SizeTerm::read(&text);
             let term = read.unwrap_or_else(|rest| {
                 self.notes.push(format!(
-                    "the size `{text}` of a pass cannot be read at `{rest}`, so it is that of the picture"
+                    "cannot parse the pass size `{text}` at `{rest}`; using the size of the output"
                 ));
                 SizeTerm::Name(usual.to_string())
             });
@@ -460,7 +458,7 @@ fn choices(input: &Map<String, Value>) -> Vec<ControlChoice> {
         .collect()
 }
 
-/// The numbers of a value: one, or those of a list.
+/// The numbers of a value: a single one, or those of a list.
 fn numbers(value: &Value) -> Vec<f64> {
     match value {
         Value::Bool(b) => vec![f64::from(u8::from(*b))],
@@ -471,7 +469,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     }
 }
 
-/// Whether a value says yes; old heads write 1.
+/// Whether a value is true; old headers use 1.
 fn is_true(value: &Value) -> bool {
     match value {
         Value::String(text) => matches!(text.as_str(), "true" | "YES" | "1"),
@@ -492,7 +490,7 @@ fn list<'o>(
     all.into_iter().flatten().filter_map(Value::as_object)
 }
 
-/// The images that a head imports, by name: an object of objects, or a list of them.
+/// The images that a header imports, by name: an object of objects, or a list of them.
 fn imported(value: Option<&Value>) -> Vec<(String, String)> {
     let path = |item: &Value| item.get("PATH").and_then(Value::as_str).map(str::to_string);
     match value {
@@ -523,7 +521,7 @@ fn persistent(value: Option<&Value>) -> Vec<(String, Map<String, Value>)> {
     }
 }
 
-/// Whether GLSL takes a name.
+/// Whether a name is a valid GLSL identifier.
 pub(super) fn is_identifier(name: &str) -> bool {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     name.starts_with(|c: char| is_part(c) && !c.is_ascii_digit())
@@ -570,7 +568,7 @@ mod tests {
         assert_eq!(known(text), "isf");
         let notes = plan(&Clues::of(text)).notes;
         assert!(
-            notes.iter().any(|n| n.contains("`.fs` beside it")),
+            notes.iter().any(|n| n.contains("`.fs` file next to it")),
             "{notes:?}"
         );
     }
@@ -657,7 +655,7 @@ mod tests {
             [
                 ("a", Pass::Buffer, true, true),
                 ("b", Pass::Buffer, false, false),
-                ("Picture", Pass::Image, false, false)
+                ("Image", Pass::Image, false, false)
             ]
         );
         assert!(project.passes[1].before.contains("#define PASSINDEX 2"));

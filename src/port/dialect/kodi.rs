@@ -1,7 +1,7 @@
-//! Kodi's add-on visualization.shadertoy: ShaderToy code as it was in its first years.
+//! Kodi's add-on visualization.shadertoy: early ShaderToy code.
 //!
-//! Source: the preset `kodi` (`src/host/presets/kodi.glsl`). Its texts look like ShaderToy's, so only
-//! `--host` tells them.
+//! Source: the preset `kodi` (`src/host/presets/kodi.glsl`). Its texts look like ShaderToy's, so
+//! only `--host` selects it.
 
 use super::complete::completions_behind;
 use super::{Clues, Completion, HostCode, Plan};
@@ -15,7 +15,7 @@ pub(super) static CODE: HostCode = HostCode {
 
 fn plan(clues: &Clues) -> Plan {
     let host = preset("kodi").map_or(String::new(), |p| p.declarations(false));
-    // The extension is there in GLSL ES 3.00, and not to be had in 1.00 on a WebGL2 page.
+    // The extension is part of GLSL ES 3.00, and not available for 1.00 in WebGL2.
     let host: String = host
         .lines()
         .filter(|line| !line.starts_with("#extension"))

@@ -1,9 +1,9 @@
-//! What hosts do to a text that data cannot say, attached to them by their names, and how a text shows
-//! who runs it.
+//! The code of hosts: everything that the data in their presets cannot express, and the detection
+//! of hosts.
 //!
-//! The names that a host sets and what they mean are in its file (`src/host/presets`). A file here
-//! has what further shows it and what goes around a text. Texts are never printed anew: whatever a
-//! host puts around them goes before and behind.
+//! The names that a host sets and their values are in its file (`src/host/presets`). A file here
+//! contains further evidence for the host and the text that it adds. Texts are never reformatted: a
+//! host only adds text before and after.
 
 mod bind;
 mod bookofshaders;
@@ -38,29 +38,29 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What of a host is no data.
+/// The code of a host.
 struct HostCode {
-    /// Its name.
+    /// The name of its preset.
     host: &'static str,
-    /// What shows it besides the names that it sets.
+    /// Finds evidence in addition to the names that it sets.
     signs: fn(&Clues) -> Vec<Sign>,
-    /// How a text becomes passes; `None` where ShaderToy's player runs it.
+    /// Splits a text into passes; `None` for ShaderToy's player.
     plan: Option<fn(&Clues) -> Plan>,
 }
 
-/// Something in a text that shows a dialect.
+/// Evidence for a host in a text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Sign {
-    /// What it is, as it is told.
+    /// The evidence as shown in messages.
     pub what: String,
-    /// How much it tells; [`ENOUGH`] is enough.
+    /// The strength; a sum of [`ENOUGH`] is sufficient.
     pub weight: u8,
-    /// Whether it is a form that the texts of no other host have, which leaves no doubt.
+    /// Whether it is a syntax that only this host has, which makes it certain.
     pub is_form: bool,
 }
 
 impl Sign {
-    /// A sign.
+    /// Evidence that other hosts could share.
     pub fn new(what: impl Into<String>, weight: u8) -> Sign {
         Sign {
             what: what.into(),
@@ -69,7 +69,7 @@ impl Sign {
         }
     }
 
-    /// A form that the texts of one host have alone.
+    /// A syntax that only one host has.
     pub fn form(what: impl Into<String>, weight: u8) -> Sign {
         Sign {
             is_form: true,
@@ -78,55 +78,55 @@ impl Sign {
     }
 }
 
-/// The passes that a text becomes.
+/// The passes of a text.
 #[derive(Default)]
 pub struct Plan {
-    /// They, in the order in which they are drawn.
+    /// The passes in the order in which they are drawn.
     pub passes: Vec<PlannedPass>,
-    /// What its head lets the user set.
+    /// The controls that its header defines.
     pub controls: Vec<UniformControl>,
-    /// How they are drawn, where that is not usual: as many as there are passes, or none.
+    /// Draw settings, one for each pass; empty for default settings.
     pub draws: Vec<PassDraw>,
-    /// What is to be told.
+    /// Notes for the user.
     pub notes: Vec<String>,
-    /// The texts beside it that it asks for, and that have not been read.
+    /// Companion files that it refers to and that have not been read yet.
     pub wanted: Vec<String>,
-    /// What the head calls it, and who made it.
+    /// Author and description in the header.
     pub credit: Option<Credit>,
-    /// Whether the text is the description of a project, and no shader.
+    /// Whether the text is the description of a project and not a shader.
     pub is_description: bool,
 }
 
-/// Texts beside a text, by their paths from its folder; `None` where there is no such file.
+/// Companion files by their paths relative to the text's folder; `None` for a missing file.
 pub type TextsBeside = BTreeMap<String, Option<Arc<str>>>;
 
-/// What a text's head tells of its author.
+/// Credits in a header.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Credit {
-    /// Who made it.
+    /// The author.
     pub author: String,
-    /// What they say of it.
+    /// The author's description.
     pub description: String,
 }
 
-/// A pass that a text becomes.
+/// A pass of a text.
 pub struct PlannedPass {
-    /// What it draws.
+    /// The kind of pass.
     pub kind: Pass,
-    /// Its name.
+    /// The name; empty for a single pass.
     pub name: String,
-    /// What it writes to.
+    /// The id of its output.
     pub output: OutputId,
-    /// What may go around the text, the best first.
+    /// Candidates for the completed text, best first.
     pub candidates: Vec<Completion>,
-    /// What its samplers read, where the text says it; by [`Input::uniform`].
+    /// The inputs of its samplers that the text defines, identified by [`Input::uniform`].
     pub inputs: Vec<Input>,
-    /// Whether it is the text itself, and neither one beside it nor one that was made for it.
+    /// Whether its code is the text itself, and not a companion file or generated.
     pub is_of_text: bool,
 }
 
 impl Plan {
-    /// A picture of one pass.
+    /// A plan with a single Image pass.
     pub fn picture(candidates: Vec<Completion>) -> Plan {
         Plan {
             passes: vec![PlannedPass {
@@ -143,7 +143,7 @@ impl Plan {
 }
 
 impl PlannedPass {
-    /// A pass that draws into a buffer of a name.
+    /// A pass that draws into a named buffer.
     pub fn buffer(name: &str, candidates: Vec<Completion>) -> PlannedPass {
         PlannedPass {
             kind: Pass::Buffer,
@@ -155,13 +155,13 @@ impl PlannedPass {
         }
     }
 
-    /// The picture: what a buffer holds, as it is.
+    /// An Image pass that copies a buffer.
     pub fn copy_of(name: &str) -> PlannedPass {
         let code = "precision highp float;\nuniform sampler2D port_buffer;\nuniform vec2 resolution;\n\
             void main() {\n    gl_FragColor = texture2D(port_buffer, gl_FragCoord.xy / resolution);\n}\n";
         PlannedPass {
             kind: Pass::Image,
-            name: "Picture".to_string(),
+            name: "Image".to_string(),
             output: OutputId(OutputId::IMAGE.to_string()),
             candidates: vec![Completion::bare(code)],
             inputs: vec![read_buffer("port_buffer", name)],
@@ -170,7 +170,7 @@ impl PlannedPass {
     }
 }
 
-/// What a sampler reads of a buffer of a name.
+/// A sampler that reads a named buffer.
 fn read_buffer(uniform: &str, buffer: &str) -> Input {
     Input {
         id: OutputId::of_dialect(buffer).0,
@@ -178,7 +178,7 @@ fn read_buffer(uniform: &str, buffer: &str) -> Input {
     }
 }
 
-/// What a sampler reads, and with which filter and wrap.
+/// A sampler with a kind of input, filter and wrap mode.
 fn sampled(uniform: &str, kind: InputKind, how: (&str, &str)) -> Input {
     Input {
         uniform: Some(uniform.to_string()),
@@ -209,13 +209,13 @@ fn code_of(host: &Preset) -> Option<&'static HostCode> {
     CODES.iter().copied().find(|code| code.host == host.name)
 }
 
-/// A host, and those whose names mean the same wherever they occur: a page, and ShaderToy.
+/// A host, and the hosts whose names have the same meaning everywhere: `webgl` and `shadertoy`.
 fn with_usual(host: &Preset) -> impl Iterator<Item = &Preset> {
     let usual: [Option<&Preset>; 3] = [Some(host), preset("webgl"), preset("shadertoy")];
     usual.into_iter().flatten()
 }
 
-/// The passes that a text of a host becomes; `None` where ShaderToy's player runs it.
+/// Splits a text of a host into passes; `None` for ShaderToy's player.
 pub(super) fn plan(host: &Preset, clues: &Clues) -> Option<Plan> {
     match code_of(host) {
         Some(code) => code.plan.map(|plan| plan(clues)),
@@ -226,12 +226,12 @@ pub(super) fn plan(host: &Preset, clues: &Clues) -> Option<Plan> {
     }
 }
 
-/// How a text becomes passes for the host that one builds on.
+/// The plan function of the host that this one extends.
 fn base_plan(host: &Preset) -> Option<fn(&Clues) -> Plan> {
     code_of(preset(host.base?)?)?.plan
 }
 
-/// A plan of a host's base, with what the host declares besides.
+/// Adds the declarations of a host to a plan of its base.
 fn plan_with_own(mut plan: Plan, host: &Preset, clues: &Clues) -> Plan {
     let own = without_own(&host.own_declarations(false), clues);
     let candidates = plan.passes.iter_mut().flat_map(|p| &mut p.candidates);
@@ -241,7 +241,7 @@ fn plan_with_own(mut plan: Plan, host: &Preset, clues: &Clues) -> Plan {
     plan
 }
 
-/// One pass: the text behind what its host declares, and as it stands.
+/// The default plan: one pass, with the declarations of the host or unchanged.
 fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     let mut candidates = Vec::new();
     if !host.prelude.trim().is_empty() {
@@ -260,28 +260,28 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     candidates.extend(completions_of(clues));
     let mut plan = Plan::picture(candidates);
     if has_images(clues) {
-        let note = "WebGL has no images that shaders write to: what is read of them is 0";
+        let note = "WebGL has no writable images: reading them returns 0";
         plan.notes.push(note.to_string());
     }
     plan
 }
 
-/// How much evidence makes a dialect: a name of its own, or two that others use, too.
+/// The sum of weights that identifies a host: one name of its own, or two that others use too.
 pub const ENOUGH: u32 = 2;
 
-/// Who runs a text, and why that is thought.
+/// A detected host and the evidence for it.
 #[derive(Debug)]
 pub struct Recognised {
     /// The host.
     pub host: &'static Preset,
-    /// What shows it, the strongest first.
+    /// The evidence, strongest first.
     pub signs: Vec<Sign>,
-    /// Another host for which as much speaks.
+    /// Another host with equally strong evidence.
     pub tied: Option<&'static Preset>,
 }
 
 impl Recognised {
-    /// What the user says.
+    /// A host given by the user.
     pub fn given(host: &'static Preset) -> Recognised {
         Recognised {
             host,
@@ -300,8 +300,8 @@ fn is_player(host: &Preset) -> bool {
     code_of(host).is_some_and(|code| code.plan.is_none())
 }
 
-/// The host that a text is written for: the one for which the most speaks. `None` where there is not
-/// even a page, the host of all others.
+/// The host with the strongest evidence in a text. `None` only if there is no preset `webgl`
+/// either.
 pub fn recognise(clues: &Clues) -> Option<Recognised> {
     let mut found: Vec<(u32, &'static Preset, Vec<Sign>)> = Vec::new();
     let is_desktop = matches!(clues.asked, VersionAsked::Desktop(_));
@@ -312,8 +312,8 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
             found.push((weight, host, signs));
         }
     }
-    // Of those for which as much speaks the first is taken, and the player only where it is alone:
-    // others run texts with its entry, too.
+    // Of equally likely hosts the first one is used, and the player only if it is the only one:
+    // others run texts with its entry function too.
     found.sort_by_key(|(weight, host, _)| (std::cmp::Reverse(*weight), is_player(host)));
     let mut found = found.into_iter();
     let Some((weight, host, signs)) = found.next() else {
@@ -327,25 +327,25 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
     })
 }
 
-/// A text of a host that WebGL does not compile as it stands, and what it becomes.
+/// A text of a host in completed form.
 #[derive(Debug)]
 pub struct Hosted {
-    /// Who runs it.
+    /// The host and the evidence for it.
     pub recognised: Recognised,
-    /// The text, and what goes around it.
+    /// The completed text.
     pub completion: Completion,
-    /// The texts beside it that it asks for, and that have not been read.
+    /// Companion files that it refers to and that have not been read yet.
     pub wanted: Vec<String>,
 }
 
 impl Hosted {
-    /// Whether there is no doubt of the host: the user names it, or the text has a form of its own.
+    /// Whether the host is certain: given by the user, or identified by its own syntax.
     pub fn is_sure(&self) -> bool {
         let signs = &self.recognised.signs;
         signs.is_empty() || signs.iter().any(|sign| sign.is_form)
     }
 
-    /// What is changed in a piece of the text, so that it can be compiled there.
+    /// The changes to a part of the text that allow it to be compiled.
     pub fn changes(&self, piece: &str) -> Vec<TextChange> {
         match self.completion.before.is_empty() {
             true => Vec::new(),
@@ -354,9 +354,9 @@ impl Hosted {
     }
 }
 
-/// Whether a text may be of a host that composes a shader of it; asked before more is done to know.
+/// A quick test for whether the declarations for a text may depend on it.
 pub fn may_be_composed(text: &str) -> bool {
-    // What tells passes of the player's from those of its likes are directives.
+    // Only directives distinguish passes of other hosts from those of the player.
     if text.contains("mainImage") && !vscode::may_have_directives(text) {
         return false;
     }
@@ -366,8 +366,8 @@ pub fn may_be_composed(text: &str) -> bool {
     hosts.any(|h| weight(&signs(h, &clues)) >= ENOUGH)
 }
 
-/// What becomes of a text that a known host runs: the one that the user names, or that the text
-/// shows. `None` where nothing shows one.
+/// Completes a text for a host: the one given by the user, or a detected one. `None` if no host is
+/// detected.
 pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
     let recognised = match given {
         Some(host) => Recognised::given(host),
@@ -381,7 +381,8 @@ pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
     }
     let own = plan.passes.into_iter().rfind(|pass| pass.is_of_text)?;
     let completion = best(own.candidates)?;
-    // Places are those of the text only where it is all of it; what directives put in is told apart.
+    // Positions are valid only if the completed code is the changed text; inserted directives are
+    // tracked separately.
     let is_text = *complete::changed(clues.text, &completion.changes) == *completion.code;
     (is_text || !host.directives.is_empty()).then_some(Hosted {
         recognised,
@@ -390,13 +391,13 @@ pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
     })
 }
 
-/// Whether a host other than ShaderToy's player calls ShaderToy's entry.
+/// Whether a host other than ShaderToy's player calls `mainImage`.
 pub fn calls_entry(host: &Preset) -> bool {
     !is_player(host) && host.entries.iter().any(|entry| entry == "mainImage")
 }
 
-/// What a checked shader is given that is whole, or that ShaderToy's player completes. `given` is who
-/// runs it, as the user says.
+/// The values for a checked shader that is complete, or that ShaderToy's player completes. `given`
+/// is the host given by the user.
 pub fn bindings(program: &Program, given: Option<&'static Preset>) -> Bindings {
     let text = own_text(program);
     let clues = Clues::checked(&text, program);
@@ -405,7 +406,7 @@ pub fn bindings(program: &Program, given: Option<&'static Preset>) -> Bindings {
         return Bindings::default();
     };
     let mut bound = bind(program, recognised.host, (&[], &[]), None, None);
-    // What a host declares it sets itself.
+    // The host itself sets the names that it declares.
     bound.controls.retain(|c| clues.declares(&c.name));
     let is_own = |name: &str, source| source != Feed::Control || clues.declares(name);
     bound.uniforms.retain(|u| is_own(&u.name, u.source));
@@ -413,7 +414,7 @@ pub fn bindings(program: &Program, given: Option<&'static Preset>) -> Bindings {
     bound
 }
 
-/// The texts of the user that a program was made of: of a page, those of this shader alone.
+/// The user's text of a program; for a document with several shaders, only the text of this one.
 fn own_text(program: &Program) -> Cow<'_, str> {
     let mut texts: Vec<&str> = Vec::new();
     let mut last = 0..0;
@@ -436,12 +437,12 @@ fn own_text(program: &Program) -> Cow<'_, str> {
     }
 }
 
-/// How much signs tell together.
+/// The total strength of the evidence.
 fn weight(signs: &[Sign]) -> u32 {
     signs.iter().map(|s| u32::from(s.weight)).sum()
 }
 
-/// What speaks for a host, the strongest first.
+/// The evidence for a host, strongest first.
 fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
     let mut found = code_of(host).map_or(Vec::new(), |code| (code.signs)(clues));
     let has = |sign: &&TextSign| sign.words.iter().all(|w| clues.has_word(w));
@@ -480,15 +481,15 @@ fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
     found
 }
 
-/// The types of samplers that hold pictures. Desktops have lines of one dimension, too.
+/// The types of samplers for images. Desktop GLSL also has one-dimensional textures.
 const SAMPLERS: &[&str] = &["sampler2D", "samplerCube", "sampler3D", "sampler1D"];
 
 impl Recognised {
-    /// What is told of it: what it was taken for, and why.
+    /// The note about the detected host and the evidence.
     pub fn told(&self) -> String {
         let tied = self.tied.map_or(String::new(), |other| {
             format!(
-                "; as much speaks for {}: `--host {}` insists",
+                "; {} matches equally well: use `--host {}` to choose it",
                 other.read_as(),
                 other.name
             )
@@ -496,13 +497,13 @@ impl Recognised {
         format!("read as {}{tied}", self.title_and_signs())
     }
 
-    /// Who runs the text, and what shows it.
+    /// The host and the evidence for it.
     pub fn title_and_signs(&self) -> String {
         let title = self.host.read_as();
         let signs: Vec<&str> = self.signs.iter().map(|s| s.what.as_str()).take(4).collect();
         match signs.as_slice() {
             [] => title.to_string(),
-            signs => format!("{title}, by {}", signs.join(", ")),
+            signs => format!("{title} (found {})", signs.join(", ")),
         }
     }
 }
@@ -511,7 +512,7 @@ impl Recognised {
 mod tests {
     use super::*;
 
-    /// The dialect that a text is taken for.
+    /// Checks which host is detected.
     #[track_caller]
     fn check(text: &str, dialect: &str) {
         let found = recognise(&Clues::of(text)).unwrap();
@@ -525,7 +526,10 @@ mod tests {
             void main() { gl_FragColor = vec4(surfacePosition, spectrum.xy); }";
         let found = recognise(&Clues::of(text)).unwrap();
         let told = found.told();
-        assert!(told.ends_with("`--host kodelife` insists"), "{told}");
+        assert!(
+            told.ends_with("use `--host kodelife` to choose it"),
+            "{told}"
+        );
     }
 
     #[test]

@@ -1,11 +1,10 @@
-//! SHADERed: projects in XML, whose shader passes lie in files beside them.
+//! SHADERed: XML projects with shader passes in separate files.
 //!
 //! Source: the files that SHADERed's ShaderToy import writes (dfranx/PluginShadertoy), and
 //! `Names.cpp` and `SystemVariableManager.cpp` of dfranx/SHADERed. A pass runs a vertex and a pixel
-//! shader over its items; `ScreenQuadNDC` covers the picture. It draws into the render texture that it
-//! names, or into the window. `<variable>` says what a uniform holds: a value of the system, or
-//! numbers. An object is bound to a pass by a slot, which is the number of the sampler among those
-//! that the pixel shader declares.
+//! shader over its items; `ScreenQuadNDC` covers the image. It draws into the named render texture
+//! or into the window. `<variable>` defines the value of a uniform: a system value, or numbers. An
+//! object is bound to a slot of a pass, which is the index of the sampler in the pixel shader.
 
 use super::complete::completions_of;
 use super::vscode::{joined, quoted};
@@ -21,13 +20,13 @@ pub(super) static CODE: HostCode = HostCode {
     plan: Some(plan),
 };
 
-/// Uniforms that hold a value of the system are given the name of that value, behind this.
+/// Prefix of the names that uniforms with a system value get.
 const SYSTEM: &str = "port_sys_";
 
 fn signs(clues: &Clues) -> Vec<Sign> {
     let text = clues.text.trim_start_matches('\u{feff}').trim_start();
     match text.starts_with('<') && text.contains("<pipeline") {
-        true => vec![Sign::new("its `<pipeline>`", u8::MAX)],
+        true => vec![Sign::new("`<pipeline>`", u8::MAX)],
         false => Vec::new(),
     }
 }
@@ -41,8 +40,7 @@ fn plan(clues: &Clues) -> Plan {
     let document = match Document::parse(text) {
         Ok(document) => document,
         Err(error) => {
-            plan.notes
-                .push(format!("it cannot be read as XML: {error}"));
+            plan.notes.push(format!("cannot parse the XML: {error}"));
             return plan;
         }
     };
@@ -62,12 +60,12 @@ fn plan(clues: &Clues) -> Plan {
     maker.plan
 }
 
-/// Makes the last pass that draws into the window the picture; without one, the last buffer is shown.
+/// Makes the last pass that draws into the window the Image; without one, the last buffer is shown.
 fn finish(plan: &mut Plan) {
     let is_window = |p: &PlannedPass| p.kind == Pass::Image;
     let windows = plan.passes.iter().filter(|p| is_window(p)).count();
     if windows > 1 {
-        let note = "several passes draw into the window; the last one is shown";
+        let note = "several passes draw into the window; only the last one is shown";
         plan.notes.push(note.to_string());
     }
     let last = plan.passes.iter().rposition(is_window);
@@ -102,7 +100,7 @@ struct Maker<'c, 't, 'd> {
     plan: Plan,
 }
 
-/// Deepest chain of files that include each other.
+/// Maximum depth of includes.
 const MAX_DEPTH: usize = 16;
 
 impl<'d> Maker<'_, '_, 'd> {
@@ -119,17 +117,15 @@ impl<'d> Maker<'_, '_, 'd> {
             return;
         }
         if kind != "shader" {
-            return self.tell(format!(
-                "the pass `{name}` is not drawn: it is of the type `{kind}`"
-            ));
+            return self.tell(format!("pass `{name}` is not drawn: its type is `{kind}`"));
         }
         if !self.covers_picture(pass, name) {
             return self.tell(format!(
-                "the pass `{name}` is not drawn: no quad of it covers the picture"
+                "pass `{name}` is not drawn: it has no full-screen quad"
             ));
         }
         let shader = children(pass, "shader").find(|s| s.attribute("type") == Some("ps"));
-        // Version 1 has elements where later ones have attributes.
+        // Version 1 has elements where later versions have attributes.
         let path = shader.and_then(|s| s.attribute("path").or_else(|| child(s, "path")?.text()));
         let path = path.unwrap_or("").trim().replace('\\', "/");
         let path = path.as_str();
@@ -137,9 +133,7 @@ impl<'d> Maker<'_, '_, 'd> {
             .iter()
             .any(|e| path.ends_with(e));
         if is_foreign {
-            return self.tell(format!(
-                "the pass `{name}` is not drawn: `{path}` is not GLSL"
-            ));
+            return self.tell(format!("pass `{name}` is not drawn: `{path}` is not GLSL"));
         }
         let Some(code) = self.load(&joined("", path), 0) else {
             return;
@@ -172,7 +166,7 @@ impl<'d> Maker<'_, '_, 'd> {
         self.plan.passes.push(planned);
     }
 
-    /// Whether a pass has a quad that covers the picture; what else it draws is told.
+    /// Whether a pass has a full-screen quad; other items are reported.
     fn covers_picture(&mut self, pass: Node<'d, 'd>, name: &str) -> bool {
         let items = child(pass, "items")
             .into_iter()
@@ -185,21 +179,19 @@ impl<'d> Maker<'_, '_, 'd> {
                 "ScreenQuadNDC" | "ScreenQuad" | "Rectangle" if is_geometry => covers = true,
                 other => {
                     let what = item.attribute("type").unwrap_or("item");
-                    self.tell(format!(
-                        "`{other}` ({what}) of the pass `{name}` is not drawn"
-                    ));
+                    self.tell(format!("`{other}` ({what}) of pass `{name}` is not drawn"));
                 }
             }
         }
         covers
     }
 
-    /// The text of a file, with what it includes. What is not read yet is asked for.
+    /// The text of a file with its includes. Files that have not been read yet are requested.
     fn load(&mut self, path: &str, depth: usize) -> Option<String> {
         let text = match self.clues.beside.get(path) {
             Some(Some(text)) => text.clone(),
             Some(None) => {
-                self.tell(format!("`{path}` is not there"));
+                self.tell(format!("`{path}` was not found"));
                 return None;
             }
             None => {
@@ -233,8 +225,7 @@ impl<'d> Maker<'_, '_, 'd> {
         Some(code)
     }
 
-    /// The macros that give uniforms the names of what the system sets; those that hold numbers become
-    /// controls.
+    /// Macros that rename uniforms with system values; variables with numbers become controls.
     fn variables(&mut self, pass: Node<'d, 'd>) -> String {
         let mut macros = String::new();
         let holders = children(pass, "shader").chain([pass]);
@@ -258,7 +249,7 @@ impl<'d> Maker<'_, '_, 'd> {
         macros
     }
 
-    /// What the samplers of a pass read, by the slots to which objects are bound.
+    /// The inputs of the samplers of a pass, by the slots that objects are bound to.
     fn inputs(&mut self, pass: &str, samplers: &[&str]) -> Vec<Input> {
         let mut inputs = Vec::new();
         let objects = child(self.project, "objects");
@@ -284,7 +275,9 @@ impl<'d> Maker<'_, '_, 'd> {
                     "cubemap" => inputs.push(file(InputKind::Cubemap)),
                     "texture3d" => inputs.push(file(InputKind::Volume)),
                     "audio" => inputs.push(file(InputKind::Music)),
-                    other => self.tell(format!("`{sampler}` is empty: it reads a `{other}`")),
+                    other => self.tell(format!(
+                        "`{sampler}` is empty: `{other}` inputs are not supported"
+                    )),
                 }
             }
         }
@@ -292,7 +285,7 @@ impl<'d> Maker<'_, '_, 'd> {
     }
 }
 
-/// A text with macros before it. One that stood alone needs its `#version` before them.
+/// A candidate with macros before it, but after its `#version`.
 fn behind(completion: Completion, macros: &str) -> Completion {
     if macros.is_empty() {
         return completion;
@@ -316,7 +309,7 @@ fn behind(completion: Completion, macros: &str) -> Completion {
     }
 }
 
-/// The control of a variable that holds numbers.
+/// The control of a variable with numbers.
 fn control(name: &str, variable: Node) -> Option<UniformControl> {
     let ty = variable.attribute("type").unwrap_or("float");
     let lanes = match ty.chars().last().and_then(|c| c.to_digit(10)) {

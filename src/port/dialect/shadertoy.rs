@@ -1,4 +1,4 @@
-//! ShaderToy: its player completes the text, and [`compose`](super::super::compose) does as it does.
+//! ShaderToy: its player completes the text; [`compose`](super::super::compose) does the same.
 
 use super::{HostCode, Sign};
 use shaderlint_host::OWN;

@@ -1,10 +1,10 @@
-//! Synthclipse: whole fragment shaders whose comments say how their uniforms are set.
+//! Synthclipse: complete fragment shaders with comments that define the controls of their uniforms.
 //!
 //! Source: the user guide of Synthclipse (synthclipse.sourceforge.net/user_guide/fragx: commands,
-//! uniform_controls, build_in_uniforms, file_types). A declaration of a uniform may end with
-//! `//! slider[min, value, max]`, `islider[...]`, `checkbox[true]`, `color[r, g, b]`, with `a` or
-//! `minA, a, maxA` before or behind it, `combobox[index, "name", ...]` or a texture; other comments
-//! `//! <...>` name presets, groups and post processing.
+//! uniform_controls, build_in_uniforms, file_types). A uniform declaration may be followed by `//!
+//! slider[min, value, max]`, `islider[...]`, `checkbox[true]`, `color[r, g, b]`, with `a` or `minA,
+//! a, maxA` before or after it, `combobox[index, "name", ...]` or a texture; other comments `//!
+//! <...>` define presets, groups and post-processing.
 
 use super::complete::completions_of;
 use super::vscode::{numbers, quoted};
@@ -24,12 +24,12 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     sign.into_iter().collect()
 }
 
-/// What a comment says of a uniform.
+/// A command in the comment after a uniform.
 struct Command<'t> {
     ty: &'t str,
     name: &'t str,
     word: &'t str,
-    /// What stands in its brackets.
+    /// The text in its brackets.
     inside: &'t str,
 }
 
@@ -37,7 +37,7 @@ const WORDS: [&str; 7] = [
     "slider", "islider", "checkbox", "color", "combobox", "texture", "sampler",
 ];
 
-/// The declarations with a command, each on a line.
+/// The uniforms with a command, each on its own line.
 fn commands(text: &str) -> impl Iterator<Item = Command<'_>> {
     text.lines().filter_map(|line| {
         let (code, comment) = line.split_once("//!").or_else(|| line.split_once("/*!"))?;
@@ -66,19 +66,19 @@ fn plan(clues: &Clues) -> Plan {
             (Some(control), ..) => plan.controls.push(control),
             (_, Some(input), Some(pass)) => pass.inputs.push(input),
             _ => plan.notes.push(format!(
-                "`{}[{}]` of `{}` cannot be read",
+                "cannot parse `{}[{}]` of `{}`",
                 command.word, command.inside, command.name
             )),
         }
     }
     if clues.text.contains("<post-processing") || clues.text.contains("<postprocessing") {
-        let note = "its post processing is not run: the first of the two shaders is shown";
+        let note = "post-processing is not run: only the first of the two shaders is shown";
         plan.notes.push(note.to_string());
     }
     plan
 }
 
-/// What a sampler reads.
+/// The input of a sampler.
 fn texture(command: &Command) -> Option<Input> {
     let kind = match command.ty {
         "sampler2D" => InputKind::Texture,
@@ -152,7 +152,7 @@ fn control(command: &Command) -> Option<UniformControl> {
     }
 }
 
-/// The parts between commas that stand in no parentheses.
+/// Splits at commas outside of parentheses.
 fn top_level(text: &str) -> impl Iterator<Item = &str> {
     let mut depth = 0_usize;
     text.split(move |c| {

@@ -1,8 +1,8 @@
 //! Fragment shaders for the ShaderMaterial of three.js.
 //!
-//! Source: the preset `three` (`src/host/presets/three.glsl`), which is what three.js puts before them.
-//! The varyings are those that people write in their vertex shaders, `vUv` and its kin: they hold what
-//! a plane before the camera would give.
+//! Source: the preset `three` (`src/host/presets/three.glsl`), which contains the declarations that
+//! three.js adds. The varyings are common ones of user-defined vertex shaders, such as `vUv`: they
+//! have the values of a plane in front of the camera.
 
 use super::complete::{Completion, completions_of, defaults};
 use super::{Clues, HostCode, Plan, Sign};
@@ -18,8 +18,7 @@ pub(super) static CODE: HostCode = HostCode {
     plan: Some(plan),
 };
 
-/// What texts use most of the functions and macros that three.js brings, in words of our own: a
-/// definition a line.
+/// Own definitions of the functions and macros of three.js that are used most, one per line.
 const BROUGHT: &str = include_str!("three.glsl");
 
 /// The name that a line of [`BROUGHT`] defines.
@@ -31,7 +30,7 @@ fn defined(line: &str) -> &str {
     words.take(2).nth(usize::from(!is_macro)).unwrap_or("")
 }
 
-/// Those that the text does not bring itself, where it uses any.
+/// The definitions that the text does not contain itself, if it uses any.
 fn brought(clues: &Clues) -> String {
     match BROUGHT.lines().any(|line| clues.is_free(defined(line))) {
         true => {
@@ -42,7 +41,7 @@ fn brought(clues: &Clues) -> String {
     }
 }
 
-/// Macros that the material's `defines` give: those that `#if` asks after are 0, the others `value`.
+/// Macros that the material's `defines` provide: those used in `#if` are 0, the others `value`.
 fn defines(clues: &Clues, known: &str, value: &str) -> (String, Vec<String>) {
     let is_constant = |w: &str| {
         let mut chars = w.chars();
@@ -59,14 +58,14 @@ fn defines(clues: &Clues, known: &str, value: &str) -> (String, Vec<String>) {
     let mut text = String::new();
     let mut told = Vec::new();
     for name in names {
-        // Whether a macro is there is asked of some; they stay away.
+        // Macros that are only tested for existence stay undefined.
         let value = match (clues.is_condition(name), clues.is_read(name)) {
             (true, _) => "0",
             (false, true) => value,
             (false, false) => continue,
         };
         text.push_str(&format!("#define {name} {value}\n"));
-        told.push(format!("`{name}` is {value}"));
+        told.push(format!("`{name}` = {value}"));
     }
     (text, told)
 }
@@ -87,17 +86,20 @@ fn plan(clues: &Clues) -> Plan {
         let own = Completion::behind(format!("{head}{macros}"), clues.text);
         let mut notes = Vec::new();
         if clues.has_include() {
-            notes.push("chunks of three.js are not put in".to_string());
+            notes.push("`#include` chunks of three.js are not expanded".to_string());
         }
         if !told.is_empty() {
-            notes.push(format!("nothing defines these macros: {}", told.join(", ")));
+            notes.push(format!(
+                "undefined macros get default values: {}",
+                told.join(", ")
+            ));
         }
         match notes.is_empty() {
             true => own,
             false => own.told(notes.join("; ")),
         }
     };
-    // A RawShaderMaterial declares all itself.
+    // The shader of a RawShaderMaterial declares everything itself.
     let raw = completions_of(clues).into_iter();
     Plan::picture(
         [around("4"), around("4.0")]
@@ -153,8 +155,8 @@ mod tests {
              #if PERSPECTIVE == 1\ns = 0.0;\n#endif\n#ifdef USE_MAP\ns = MAP_SCALE;\n#endif\n\
              gl_FragColor = vec4(s);\n}\n",
         );
-        let note =
-            "nothing defines these macros: `MAP_SCALE` is 4, `PERSPECTIVE` is 0, `SAMPLES` is 4";
+        let note = "undefined macros get default values: `MAP_SCALE` = 4, `PERSPECTIVE` = 0, \
+            `SAMPLES` = 4";
         assert_eq!(told.notes, [note]);
     }
 }

@@ -1,7 +1,7 @@
-//! twigl: shaders as short as a message, in modes of which each leaves more away.
+//! twigl: very short shaders, in modes that each allow a shader to omit more.
 //!
-//! The host's file says what each mode has. Noise and turns are those of `twigl.glsl`, with the names
-//! and parameters of the site's own.
+//! The preset describes the modes. Noise and rotations are defined in `twigl.glsl`, with the names
+//! and parameters of the website.
 
 use super::complete::{Completion, completions_of, defaults};
 use super::{Clues, HostCode, Plan, Sign};
@@ -14,7 +14,7 @@ pub(super) static CODE: HostCode = HostCode {
     plan: Some(plan),
 };
 
-/// The uniforms that the site declares, with their types.
+/// The uniforms that the website declares, with their types.
 fn uniforms() -> impl Iterator<Item = (&'static str, &'static str)> + Clone {
     let rows = preset("twigl").map_or(&[][..], |p| &p.meanings.feeds);
     let own = rows.iter().filter(|row| row.is_declared);
@@ -45,7 +45,7 @@ fn signs(clues: &Clues) -> Vec<Sign> {
 }
 
 fn plan(clues: &Clues) -> Plan {
-    // `o` is what a shader of GLSL ES 3.00 writes to, unless it is a variable of an older one.
+    // `o` is the output of a GLSL ES 3.00 shader, unless an older shader declares it as a variable.
     let outputs = ["o", "o0", "o1"].into_iter().filter(|n| clues.is_free(n));
     let outputs: Vec<&str> = outputs.collect();
     let is_old = clues.has_word("gl_FragColor");
@@ -91,7 +91,7 @@ fn plan(clues: &Clues) -> Plan {
     Plan::picture(candidates)
 }
 
-/// The helpers that only `geekest` has.
+/// The helper functions that only `geekest` has.
 const HELPER_NAMES: [&str; 14] = [
     "snoise2D",
     "snoise3D",

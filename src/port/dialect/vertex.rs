@@ -1,20 +1,20 @@
-//! The vertex shader of a pass: one triangle that covers the picture, and what the varyings hold.
+//! The vertex shader of a pass: one triangle that covers the image, and the values of the varyings.
 
 use super::with_usual;
 use shaderlint_host::{Preset, VaryingRow};
 use shaderlint_semantic::{Program, Scalar, Storage, Type, Variable};
 use shaderlint_syntax::Version;
 
-/// A vertex shader, and what its varyings hold.
+/// A vertex shader and the values of its varyings.
 #[derive(Default)]
 pub(super) struct Vertex {
     pub(super) code: String,
     pub(super) varyings: Vec<VaryingValue>,
-    /// Names of those of which nothing is known.
+    /// Names of unknown varyings.
     pub(super) guessed: Vec<String>,
 }
 
-/// Names of varyings that are taken for the place in the picture, from 0 to 1.
+/// Names of varyings that mean the position in the image, from 0 to 1.
 pub const PLACES: [&str; 9] = [
     "vUv",
     "vUV",
@@ -27,18 +27,18 @@ pub const PLACES: [&str; 9] = [
     "texcoord",
 ];
 
-/// What a varying without members is set to.
+/// The value of a varying or of one of its members.
 #[derive(Clone, PartialEq, Debug)]
 pub struct VaryingValue {
-    /// As GLSL writes to it: `vUv`, `surface.normal`, `weights[2]`.
+    /// The assigned GLSL expression: `vUv`, `surface.normal`, `weights[2]`.
     pub place: String,
-    /// Its type.
+    /// The GLSL type, a scalar, vector or matrix.
     pub ty: Type,
-    /// Its value, as [`VaryingRow::value`].
+    /// The value, in the form of [`VaryingRow::value`].
     pub value: String,
 }
 
-/// The vertex shader that goes with a fragment shader.
+/// The vertex shader for a fragment shader.
 pub(super) fn vertex(program: &Program, host: &Preset) -> Vertex {
     let is_input = |v: &&Variable| v.storage == Storage::Input && v.token.is_some();
     let inputs: Vec<&Variable> = program.variables.iter().filter(is_input).collect();
@@ -90,7 +90,7 @@ pub(super) fn vertex(program: &Program, host: &Preset) -> Vertex {
     }
 }
 
-/// The structs that the inputs are made of.
+/// The structs that the inputs use.
 fn structs(program: &Program, inputs: &[&Variable]) -> String {
     let mut text = String::new();
     for found in inputs.iter().filter_map(|v| program.struct_of(v.ty)) {
@@ -118,7 +118,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Sets a varying, or a part of one. `name` is what rows call it.
+    /// Assigns a varying or a member of one. `name` is its name in the rows.
     fn write(&mut self, place: &str, name: &str, ty: Type) {
         if ty.array > 0 {
             for i in 0..ty.array.min(64) {
@@ -154,8 +154,8 @@ impl Writer<'_> {
     }
 }
 
-/// What a varying holds of which only the name and the type are known: what the name says, or the
-/// place in the picture where that fits.
+/// The value of an unknown varying, based on its name and type; the position in the image by
+/// default.
 fn by_type(name: &str, ty: &str) -> &'static str {
     let name = name.to_ascii_lowercase();
     let is_color = name.contains("color") || name.contains("colour");

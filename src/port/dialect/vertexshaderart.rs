@@ -1,13 +1,13 @@
-//! VertexShaderArt: a vertex shader that is run for numbered vertices, drawn as points, lines or
+//! VertexShaderArt: a vertex shader that runs for numbered vertices, drawn as points, lines or
 //! triangles.
 //!
-//! Source: `src/js/shaders.js` and `src/js/main.js` of greggman/vertexshaderart. The site puts its
-//! declarations before the text, and `gl_PointSize = 1.0` first into `main`; at first 10,000 vertices
-//! are drawn as lines over black, of at most 100,000, with a depth test, over what is there already
-//! by their alpha. The mouse goes from -1 to 1 from below; `sound` holds the spectra of the last 240
-//! frames in all components, the newest at v = 0. A head in JSON may say how many vertices there are:
-//! `vertexCount` and `vertexMode` as VEDA has them, `POINT_COUNT`, `PRIMITIVE_MODE` and
-//! `BACKGROUND_COLOR` as ossia score has them (their manuals).
+//! Source: `src/js/shaders.js` and `src/js/main.js` of greggman/vertexshaderart. The website puts
+//! its declarations before the text, and `gl_PointSize = 1.0` at the start of `main`. By default
+//! 10,000 vertices (at most 100,000) are drawn as lines on black, with a depth test and alpha
+//! blending. The mouse ranges from -1 to 1, y up; `sound` holds the spectra of the last 240 frames
+//! in all components, the newest at v = 0. A JSON header may set the number of vertices:
+//! `vertexCount` and `vertexMode` as in VEDA, `POINT_COUNT`, `PRIMITIVE_MODE` and
+//! `BACKGROUND_COLOR` as in ossia score (see their manuals).
 
 use super::complete::{best, declarations, defaults, modern};
 use super::isf::{head, object};
@@ -31,7 +31,7 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     }
 }
 
-/// The fragment shader of the site.
+/// The fragment shader of the website.
 const FRAGMENT: &str = "precision mediump float;\nvarying vec4 v_color;\nvoid main() {\n    gl_FragColor = v_color;\n}\n";
 
 const FRAGMENT_300: &str = "#version 300 es\nprecision mediump float;\nin vec4 v_color;\nout vec4 \
@@ -67,7 +67,8 @@ fn plan(clues: &Clues) -> Plan {
         ..Plan::picture(taken)
     };
     if clues.has_word("floatSound") {
-        let note = "`floatSound` holds the spectrum from 0 to 1, as `sound` does, and no decibels";
+        let note =
+            "`floatSound` holds the spectrum from 0 to 1, as `sound` does, instead of decibels";
         plan.notes.push(note.to_string());
     }
     for pass in &mut plan.passes {
@@ -78,7 +79,8 @@ fn plan(clues: &Clues) -> Plan {
     plan
 }
 
-/// The text behind the declarations that it does not bring itself. Its `main` is called by another.
+/// The text after the declarations that it does not contain itself. Another `main` calls its
+/// `main`.
 fn completion(clues: &Clues, mut before: String) -> Completion {
     if let Some(host) = preset("vertexshaderart") {
         before.push_str(&declarations(host, clues, true));
@@ -96,7 +98,7 @@ fn history(name: &str) -> Input {
     }
 }
 
-/// Ways to draw vertices, with WebGL's numbers.
+/// The primitive types, with WebGL's numbers.
 const MODES: [(&str, f64); 7] = [
     ("POINTS", 0.0),
     ("LINES", 1.0),
@@ -107,7 +109,7 @@ const MODES: [(&str, f64); 7] = [
     ("TRI_FAN", 6.0),
 ];
 
-/// The site's settings.
+/// The settings of the website.
 fn controls(settings: &Map<String, Value>) -> Vec<UniformControl> {
     let given = |keys: [&str; 2]| keys.into_iter().find_map(|key| settings.get(key));
     let count = given(["vertexCount", "POINT_COUNT"]).and_then(Value::as_f64);
@@ -134,7 +136,7 @@ fn controls(settings: &Map<String, Value>) -> Vec<UniformControl> {
             ..UniformControl::even("vertexCount", ControlKind::Int, 1, range)
         },
         UniformControl {
-            label: "drawn as".to_string(),
+            label: "primitive".to_string(),
             value: vec![known.map_or(1.0, |(_, number)| *number)],
             choices: MODES
                 .iter()

@@ -1,11 +1,11 @@
-//! VS Code Shader Toy: ShaderToy's names, and directives that say what channels read.
+//! VS Code Shader Toy: ShaderToy's names, and directives that define the inputs of channels.
 //!
 //! Source: README.md, `src/bufferprovider.ts`, `src/glsl_extension_grammar.txt`,
 //! `src/extensions/preamble_extension.ts` and `keyboard/keyboard_shader_extension.ts` of
 //! stevensona/shader-toy. The host declares ten channels and compiles for WebGL2 with the functions
-//! of both versions; a `main` is added where there is `mainImage` and none. What a channel names is
-//! another shader, `self` or a file; pictures are linear and repeated unless `::MagFilter`,
-//! `::MinFilter` and `::WrapMode` say otherwise, and buffers hold floats.
+//! of both versions; a `main` is added to a text that has only `mainImage`. The input of a channel
+//! is another shader, `self` or a file; images are linear and repeated unless `::MagFilter`,
+//! `::MinFilter` and `::WrapMode` set otherwise, and buffers have float components.
 
 use super::complete::{self, Directive, modern};
 use super::isf::is_identifier;
@@ -23,7 +23,7 @@ pub(super) static CODE: HostCode = HostCode {
 fn signs(clues: &Clues) -> Vec<Sign> {
     let all = directives(clues.text);
     let sign = |directive: &Directive| match directive.word {
-        // Other tools include files, too, but no text of ShaderToy's does.
+        // Other tools have includes too, but ShaderToy does not.
         "include" => {
             let is_pass = clues.has_word("mainImage") && quoted(directive.rest).is_some();
             is_pass.then(|| Sign::new("`#include`", OWN + 1))
@@ -39,19 +39,19 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     found
 }
 
-/// Whether a text may have directives of the host's: a comment may hold what looks like one.
+/// Whether a text may contain directives of the host; a match may also be in a comment.
 pub(super) fn may_have_directives(text: &str) -> bool {
     let behind = text.split('#').skip(1).map(str::trim_start);
     let mut words = behind.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next());
     words.any(is_ours)
 }
 
-/// The lines of a text that are the host's.
+/// The lines of a text with directives of the host.
 fn directives(text: &str) -> Vec<Directive<'_>> {
     complete::directives(text, is_ours)
 }
 
-/// Whether a directive of this name is the host's.
+/// Whether a directive with this name is one of the host.
 fn is_ours(word: &str) -> bool {
     let own = preset("vscode-shader-toy").map_or(&[][..], |p| &p.directives);
     match word.starts_with("iChannel") {
@@ -65,18 +65,18 @@ fn channel_of(word: &str) -> Option<u8> {
     number.parse().ok().filter(|n| *n < 10)
 }
 
-/// What the directives of a shader and of what it includes say.
+/// The settings in the directives of a shader and its includes.
 #[derive(Default)]
 struct Told {
     channels: Vec<Channel>,
-    /// The declarations of its own uniforms.
+    /// The declarations of the uniforms that it defines.
     declared: String,
     controls: Vec<UniformControl>,
     has_keyboard: bool,
     is_strict: bool,
 }
 
-/// What is said of a channel.
+/// The settings of a channel.
 #[derive(Clone, Default)]
 struct Channel {
     number: u8,
@@ -86,19 +86,19 @@ struct Channel {
     is_cube: bool,
 }
 
-/// A shader, and those that it reads.
+/// Builds the plan of a shader and of those that it reads.
 struct Maker<'c, 't> {
     clues: &'c Clues<'t>,
     plan: Plan,
-    /// The files of the shaders that are passes, or become some.
+    /// The files of the shaders that are already passes or are becoming passes.
     seen: Vec<String>,
-    /// The files that are being included, each by the one before it.
+    /// The files that are being included, outermost first.
     open: Vec<String>,
-    /// Bytes that were included.
+    /// Total size of the included files, in bytes.
     included: usize,
 }
 
-/// Most bytes that are included, all in all: files that include others twice double at each step.
+/// Maximum total size of included files: includes can grow exponentially.
 const MAX_INCLUDED: usize = 256 * 1024;
 
 fn plan(clues: &Clues) -> Plan {
@@ -116,7 +116,7 @@ fn plan(clues: &Clues) -> Plan {
         let mut inputs = plan.passes.iter().flat_map(|p| &p.inputs);
         inputs.any(|i| i.id == id)
     };
-    // The picture, where some pass reads it as it was a frame ago, is a buffer, and then shown.
+    // If a pass reads the previous frame of the Image, that becomes a buffer and is copied.
     match (is_read(""), plan.passes.last_mut()) {
         (true, _) => {
             plan.passes.push(PlannedPass::copy_of(""));
@@ -133,7 +133,7 @@ fn plan(clues: &Clues) -> Plan {
 }
 
 impl Maker<'_, '_> {
-    /// Adds the shader of a file, behind those that it reads.
+    /// Adds the shader of a file, after those that it reads.
     fn shader(&mut self, path: &str, text: &str) {
         self.seen.push(path.to_string());
         let mut told = Told::default();
@@ -159,7 +159,7 @@ impl Maker<'_, '_> {
         }
     }
 
-    /// A text with its directives as comments, and with what it includes.
+    /// A text with its directives as comments, and with its includes.
     fn expand(&mut self, path: &str, text: &str, told: &mut Told) -> String {
         let mut code = String::with_capacity(text.len());
         let mut from = 0;
@@ -192,7 +192,9 @@ impl Maker<'_, '_> {
             return String::new();
         }
         if self.included > MAX_INCLUDED {
-            self.tell(format!("too much is included to include `{name}` too"));
+            self.tell(format!(
+                "`{name}` is not included: the included files are too large in total"
+            ));
             return String::new();
         }
         self.open.push(file.clone());
@@ -201,7 +203,7 @@ impl Maker<'_, '_> {
         code
     }
 
-    /// The file of a name in a text, and what it holds. What is not read yet is asked for.
+    /// Path and content of a companion file. A file that has not been read yet is requested.
     fn load(&mut self, path: &str, name: &str) -> Option<(String, std::sync::Arc<str>)> {
         let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
         let mut candidates = vec![joined(folder, name)];
@@ -218,7 +220,7 @@ impl Maker<'_, '_> {
                 }
             }
         }
-        self.tell(format!("`{name}` is not there"));
+        self.tell(format!("`{name}` was not found"));
         None
     }
 
@@ -228,7 +230,7 @@ impl Maker<'_, '_> {
         }
     }
 
-    /// Takes what a directive says.
+    /// Applies a directive.
     fn obey(&mut self, directive: &Directive, told: &mut Told) {
         match directive.word {
             "iUniform" => match uniform(directive.rest) {
@@ -236,18 +238,18 @@ impl Maker<'_, '_> {
                     told.declared.push_str(&line);
                     told.controls.push(control);
                 }
-                None => self.tell(format!("`#iUniform{}` cannot be read", directive.rest)),
+                None => self.tell(format!("cannot parse `#iUniform{}`", directive.rest)),
             },
             "iKeyboard" => told.has_keyboard = true,
             "StrictCompatibility" => told.is_strict = true,
             "iFirstPersonControls" => {
                 self.tell(
-                    "`#iFirstPersonControls` has no effect: `iViewMatrix` stays as it is"
+                    "`#iFirstPersonControls` has no effect: `iViewMatrix` does not change"
                         .to_string(),
                 );
             }
             "iVertex" => {
-                self.tell("`#iVertex` has no effect: the picture is drawn whole".to_string())
+                self.tell("`#iVertex` has no effect: the shader covers the full image".to_string())
             }
             word => {
                 if let Some(number) = channel_of(word) {
@@ -257,7 +259,7 @@ impl Maker<'_, '_> {
         }
     }
 
-    /// What a channel reads.
+    /// The input of a channel.
     fn input(&mut self, path: &str, channel: &Channel) -> Option<Input> {
         let uniform = format!("iChannel{}", channel.number);
         let source = channel.source.as_str();
@@ -293,7 +295,7 @@ impl Maker<'_, '_> {
         Some(input)
     }
 
-    /// The buffer that a name in a text means; its shader becomes a pass.
+    /// The buffer for a name in a text; its shader becomes a pass.
     fn buffer(&mut self, path: &str, name: &str) -> Option<String> {
         if name == "self" {
             return Some(path.to_string());
@@ -316,7 +318,7 @@ impl Maker<'_, '_> {
 }
 
 impl Told {
-    /// Takes a setting of a channel.
+    /// Applies a setting of a channel.
     fn set(&mut self, number: u8, rest: &str) {
         if !self.channels.iter().any(|c| c.number == number) {
             self.channels.push(Channel {
@@ -332,7 +334,7 @@ impl Told {
 }
 
 impl Channel {
-    /// Takes what stands behind the number: a source, or `::` and a setting.
+    /// Applies the text after the number: a source, or `::` and a setting.
     fn set(&mut self, rest: &str) {
         let value = quoted(rest).unwrap_or("");
         let Some(setting) = rest.trim_start().strip_prefix("::") else {
@@ -347,7 +349,7 @@ impl Channel {
         if setting.starts_with("MinFilter") {
             self.filter = Some(filter);
         } else if setting.starts_with("MagFilter") {
-            // One word stands for both: that of the smaller picture, where that has mipmaps.
+            // There is only one filter: that for minification, if it uses mipmaps.
             self.filter = self.filter.filter(|f| *f == "mipmap").or(Some(filter));
         } else if setting.starts_with("WrapMode") {
             self.wrap = Some(if value == "Clamp" { "clamp" } else { "repeat" });
@@ -357,7 +359,7 @@ impl Channel {
     }
 }
 
-/// What stands between quotes, or else the word.
+/// The quoted part of a text.
 pub(super) fn quoted(text: &str) -> Option<&str> {
     let at = text.find(['"', '\''])?;
     let quote = text.get(at..)?.chars().next()?;
@@ -365,7 +367,7 @@ pub(super) fn quoted(text: &str) -> Option<&str> {
     inside.split_once(quote).map(|(inside, _)| inside.trim())
 }
 
-/// A path from a folder, without `.` and with as few `..` as it can do with.
+/// Joins a path to a folder, without `.` and with as few `..` as possible.
 pub(super) fn joined(folder: &str, path: &str) -> String {
     let path = path.replace('\\', "/");
     let mut parts: Vec<&str> = Vec::new();
@@ -381,7 +383,7 @@ pub(super) fn joined(folder: &str, path: &str) -> String {
     parts.join("/")
 }
 
-/// The declaration and the control of `float x = 1.0 in { 0.0, 2.0 } step 0.1`.
+/// Parses `float x = 1.0 in { 0.0, 2.0 } step 0.1` as a declaration and a control.
 fn uniform(text: &str) -> Option<(String, UniformControl)> {
     let text = text.split("//").next()?.trim().trim_end_matches(';');
     let (ty, rest) = text.split_once(char::is_whitespace)?;
@@ -431,7 +433,7 @@ fn uniform(text: &str) -> Option<(String, UniformControl)> {
     Some((format!("uniform {ty} {name};\n"), control))
 }
 
-/// The two ends of a range, each as many numbers as it has.
+/// The two limits of a range.
 fn in_range(text: &str) -> Vec<Vec<f64>> {
     let mut depth = 0_usize;
     let at = text.find(|c| {
@@ -461,7 +463,7 @@ pub(super) fn numbers(text: &str) -> Vec<f64> {
         .collect()
 }
 
-/// A shader behind what the host declares.
+/// A shader after the declarations of the host.
 fn completion(code: &str, told: &Told) -> Completion {
     let clues = Clues::of(code);
     let mut before = modern(&clues);
@@ -495,7 +497,7 @@ fn completion(code: &str, told: &Told) -> Completion {
     Completion::behind(before, code).with_end(&end)
 }
 
-/// What the host declares, but for the channels: of what type they are the text says.
+/// The declarations of the host, without the channels: their types depend on the text.
 fn host() -> String {
     let text = preset("vscode-shader-toy").map_or("", |p| &p.prelude);
     let is_own = |l: &&str| !l.is_empty() && !l.starts_with("uniform sampler");
@@ -503,8 +505,7 @@ fn host() -> String {
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// The functions of keys, and the constants that a text uses. Which key was let go in this frame is
-/// not known.
+/// The keyboard functions, and the key constants that a text uses. Key releases are not supported.
 fn keyboard(clues: &Clues) -> String {
     let mut text = "uniform sampler2D iKeyboard;\n".to_string();
     for (name, row) in [("Down", 0), ("Pressed", 1), ("Toggled", 2)] {
@@ -521,7 +522,7 @@ fn keyboard(clues: &Clues) -> String {
     text
 }
 
-/// JavaScript's number of a key.
+/// JavaScript's code of a key.
 fn key_code(name: &str) -> Option<u32> {
     const NAMED: &[(&str, u32)] = &[
         ("Backspace", 8),
@@ -691,13 +692,13 @@ mod tests {
             .iter()
             .map(|p| (p.name.as_str(), p.kind))
             .collect();
-        // The picture reads itself: it is a buffer, which is shown.
+        // The Image reads itself: it is a buffer, which is copied.
         assert_eq!(
             names,
             [
                 ("a/b.glsl", Pass::Buffer),
                 ("", Pass::Buffer),
-                ("Picture", Pass::Image)
+                ("Image", Pass::Image)
             ]
         );
         for pass in &plan.passes {

@@ -1,4 +1,4 @@
-// Brown cloth: threads that go over and under each other.
+// Brown woven cloth.
 vec4 texel(ivec2 p) {
     vec2 uv = (vec2(p) + 0.5) / vec2(size);
     vec2 bend = 0.006 * (vec2(fbm(uv, ivec2(5), 3u), fbm(uv, ivec2(5), 7u)) - 0.5);

@@ -1,4 +1,4 @@
-// The matrix of ordered dithering: the bits of x xor y and of y, from the last to the first.
+// The matrix for ordered dithering: the interleaved bits of x xor y and of y, in reverse order.
 vec4 texel(ivec2 p) {
     int n = 0;
     for (int bit = 0; bit < 3; bit++) {

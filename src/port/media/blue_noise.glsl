@@ -1,4 +1,4 @@
-// A number of white noise becomes its rank among its neighbours, so that no two near ones are alike.
+// Each value of white noise is replaced by its rank among its neighbours, so nearby values differ.
 vec4 texel(ivec2 p) {
     uint own = hash(p, 7u);
     uvec4 here = uvec4(own, own >> 8u, own >> 16u, own >> 24u) & 255u;

@@ -1,4 +1,4 @@
-// Hills of light that move, behind a ball and a bar that runs along.
+// Moving hills of light behind a ball and a moving bar.
 vec4 texel(ivec2 p) {
     vec2 uv = (vec2(p) + 0.5) / vec2(size);
     vec2 q = (2.0 * uv - 1.0) * vec2(1.3, 1.0);

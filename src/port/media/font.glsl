@@ -1,6 +1,6 @@
-// Letters as strokes. A stroke is a curve of three points, the digits of its number: 0x29263f goes
-// from (2, 9) by way of (2, 6) to (3, 15); where the first two are one point it is a straight line.
-// Lines stand on row 4; small letters reach up to row 11, large ones to row 15.
+// Letters as strokes. A stroke is a curve of three points, encoded as digits: 0x29263f goes from
+// (2, 9) via (2, 6) to (3, 15); if the first two points are equal, it is a straight line. The
+// baseline is row 4; lower-case letters reach up to row 11, capitals to row 15.
 const uint STROKES[378] = uint[](
     // !
     0x6f6f68u, 0x646464u,
@@ -191,7 +191,7 @@ const uint STROKES[378] = uint[](
     // ~
     0x384b69u, 0x69879au
 );
-// Where the strokes of each sign begin, from the exclamation mark on.
+// Index of the first stroke of each character, starting with the exclamation mark.
 const int FIRST[95] = int[](
     0, 2, 4, 8, 15, 24, 32, 33, 35, 37, 40, 42, 43, 44, 45, 46,
     53, 56, 60, 67, 70, 76, 83, 85, 93, 100, 102, 104, 106, 108, 110, 115,
@@ -204,7 +204,7 @@ const float WEIGHT = 0.037;
 vec2 place(uint digits) {
     return vec2(float(digits >> 4u & 15u) - 6.0, float(digits & 15u) - 8.0) * vec2(0.04, 0.045);
 }
-// From the nearest point of a line to a place.
+// The vector from the nearest point of a line to a position.
 vec2 fromLine(vec2 p, vec2 a, vec2 b) {
     vec2 ab = b - a;
     return p - a - ab * clamp(dot(p - a, ab) / max(dot(ab, ab), 1e-6), 0.0, 1.0);
@@ -225,8 +225,8 @@ vec2 fromStroke(vec2 p, uint stroke) {
     }
     return best;
 }
-// Sixteen by sixteen cells, by the code of the sign. Red is how much of a texel is inked, alpha the
-// distance to the edge, in cells, from 0.5 on; green and blue are the way to it.
+// 16 by 16 cells, by character code. Red is the coverage, alpha the signed distance to the edge in
+// cells plus 0.5, green and blue the direction to it.
 vec4 texel(ivec2 p) {
     int side = size.x / 16;
     int glyph = p.x / side + p.y / side * 16 - 33;

@@ -1,39 +1,39 @@
-//! Stand-ins for the files that ShaderToy keeps: textures, cube maps, volumes, films and music.
+//! Stand-ins for ShaderToy's media files: textures, cube maps, volumes, videos and music.
 //!
-//! A project names such files and does not hold them. What stands for one is drawn by a small shader
-//! of our own, which the player runs once, into a texture of the file's size and format: a page grows
-//! by a few hundred bytes, and has the same noise on every device, since that is made of integers.
+//! A project refers to such files and does not contain them. A stand-in is drawn by a small shader,
+//! which the player runs once, into a texture of the file's size and format. It adds a few hundred
+//! bytes to a page, and its noise is the same on every device, since it uses integers.
 
 mod stock;
 
 use super::{Input, OutputId, Project};
 use shaderlint_semantic::Pass;
 
-/// What stands for a file.
+/// A stand-in for a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct StandIn {
-    /// What the site calls the file; empty for one that is not known.
+    /// The title of the file on ShaderToy; empty for an unknown file.
     pub title: &'static str,
-    /// Width, height and depth; of a cube map those of a face, of a sound that of the texture which
-    /// holds its samples.
+    /// Width, height and depth in texels; for a cube map those of a face, for sound those of the
+    /// texture with its samples.
     pub size: [u32; 3],
-    /// Whether the player keeps one component only.
+    /// Whether the player keeps only one component.
     pub is_gray: bool,
-    /// What draws it.
+    /// The shader that draws it.
     pub generator: Generator,
 }
 
 /// A shader that draws a stand-in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Generator {
-    /// Its name, which no other has.
+    /// The unique name.
     pub name: &'static str,
-    /// Declarations and `main`, what is shared, and its own.
+    /// Declarations and `main`, shared functions, and its own code.
     parts: &'static [&'static str],
 }
 
 impl Generator {
-    /// The whole fragment shader, without its comments.
+    /// The complete fragment shader, without its comments.
     pub fn fragment(&self) -> String {
         let lines = self.parts.iter().flat_map(|part| part.lines());
         let lines = lines.map(str::trim).filter(|l| !l.is_empty());
@@ -42,7 +42,7 @@ impl Generator {
     }
 }
 
-/// Gives every channel whose file is not at hand what stands for it.
+/// Gives every channel with a missing file a stand-in.
 pub fn add_stand_ins(project: &mut Project) {
     let has_cube = project.passes.iter().any(|p| p.kind == Pass::Cubemap);
     for input in project.passes.iter_mut().flat_map(|p| &mut p.inputs) {
@@ -53,14 +53,13 @@ pub fn add_stand_ins(project: &mut Project) {
     }
 }
 
-/// What stands for the file of an input: that of the site's files which it names, else one of its
-/// kind.
+/// The stand-in for an input: the one for its file on ShaderToy, otherwise the one for its kind.
 fn stand_in(input: &Input) -> Option<StandIn> {
     let known = stock::find(input).map(|file| file.stand_in);
     known.or_else(|| stock::of_kind(input.kind))
 }
 
-/// Whether the player keeps one component of an input's texture.
+/// Whether the player keeps only one component of an input's texture.
 pub fn is_gray(input: &Input) -> bool {
     let known = stock::find(input).map(|file| file.stand_in);
     known.or(input.stand_in).is_some_and(|s| s.is_gray)

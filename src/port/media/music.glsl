@@ -3,7 +3,7 @@ const float TURN = 6.2831853;
 float hertz(int key) {
     return 440.0 * exp2(float(key - 69) / 12.0);
 }
-// A tone that begins at 0 and is over after an eighth; the brighter it is, the more of its overtones are heard.
+// A note that starts at 0 and ends after an eighth; a brighter note has more overtones.
 float pluck(float t, int key, float decay, float bright) {
     float turn = TURN * fract(hertz(key) * t);
     float tone = sin(turn) + bright * (0.5 * sin(2.0 * turn) + 0.33 * sin(3.0 * turn) + 0.25 * sin(4.0 * turn));
@@ -38,7 +38,7 @@ vec2 wave(int n) {
         vec2 turn = TURN * fract(hertz(key) * inChord * vec2(1.0, 1.003));
         sum += 0.055 * swell * (sin(turn) + 0.4 * sin(2.0 * turn));
     }
-    // The tune takes from each step of the chord one that its place in the bars chooses.
+    // The melody uses one note of the chord, selected by the position in the bar.
     int note = beat * 2 + eighth;
     uint choice = hash(ivec2(note & 15, bar / 4), 5u);
     if ((choice & 3u) != 0u) {

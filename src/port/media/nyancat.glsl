@@ -1,5 +1,5 @@
-// Six pictures of 40 texels of a cat that runs, as many as the site's strip has, with what is around
-// it left out.
+// Six frames of 40 texels of a running cat, as in ShaderToy's sprite strip, without the
+// background.
 vec4 texel(ivec2 p) {
     int frame = p.x / 40;
     ivec2 q = ivec2(p.x % 40, p.y);

@@ -1,4 +1,4 @@
-// Round stones, seen as heights.
+// Round stones as a height map.
 vec4 texel(ivec2 p) {
     vec2 uv = (vec2(p) + 0.5) / vec2(size);
     vec3 large = cells(warped(uv, ivec2(12), 0.03, 3u), ivec2(14), 13u);

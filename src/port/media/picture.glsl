@@ -1,4 +1,4 @@
-// A picture of no thing in particular: slow colours and fine grain.
+// An abstract image: slowly varying colours and fine grain.
 vec4 texel(ivec2 p) {
     vec2 uv = (vec2(p) + 0.5) / vec2(size);
     vec2 q = warped(uv, ivec2(3), 0.3, 11u);

@@ -1,4 +1,4 @@
-// Stars of some colours before thin clouds.
+// Stars of several colours in front of thin clouds.
 vec4 texel(ivec2 p) {
     vec2 uv = (vec2(p) + 0.5) / vec2(size);
     float cloud = fbm(warped(uv, ivec2(3), 0.3, 3u), ivec2(3), 13u);

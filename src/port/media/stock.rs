@@ -1,25 +1,25 @@
-//! The files of the site: ids, names and sizes, and what stands for each.
+//! ShaderToy's media files: ids, names and sizes, and their stand-ins.
 //!
-//! Ids and paths are those that occur in public exports; titles are those of the site's own list;
-//! sizes are those that ShaderBridge, a converter to ReShade, has for them.
+//! Ids and paths are from public exports, titles from ShaderToy's own list, sizes from
+//! ShaderBridge, a converter to ReShade.
 
 use super::{Generator, StandIn};
 use crate::{Input, InputKind};
 
-/// A file of the site.
+/// A media file of ShaderToy.
 pub(super) struct Stock {
     kind: InputKind,
-    /// Its id in exports.
+    /// The id in exports.
     id: &'static str,
-    /// How its name in `/media/a/` begins.
+    /// Prefix of its name in `/media/a/`.
     hash: &'static str,
-    /// Its name in `/presets/`, where it lay before.
+    /// The name in `/presets/`, its former folder.
     preset: &'static str,
     pub(super) stand_in: StandIn,
 }
 
 impl Stock {
-    /// Whether an input names this file, by its id or by where it lies.
+    /// Whether an input refers to this file, by id or path.
     fn is_of(&self, input: &Input) -> bool {
         let name = input.src.rsplit('/').next().unwrap_or("");
         let behind = name.strip_prefix(self.preset);
@@ -29,7 +29,7 @@ impl Stock {
     }
 }
 
-/// The file of the site that an input names.
+/// The file that an input refers to.
 pub(super) fn find(input: &Input) -> Option<&'static Stock> {
     STOCK.iter().find(|file| file.is_of(input))
 }
@@ -56,7 +56,7 @@ const fn file(
     }
 }
 
-/// A file of which the player keeps one component.
+/// A file of which the player keeps only one component.
 const fn gray(mut file: Stock) -> Stock {
     file.stand_in.is_gray = true;
     file
@@ -103,15 +103,15 @@ static STOCK: [Stock; 30] = {
     ]
 };
 
-/// What stands for a file that is not known, by its kind.
+/// The stand-in for an unknown file, by kind.
 pub(super) fn of_kind(kind: InputKind) -> Option<StandIn> {
     let (generator, size) = match kind {
         InputKind::Texture => (PICTURE, square(512)),
         InputKind::Cubemap => (SKY, square(256)),
         InputKind::Volume => (NOISE_VOLUME, [32; 3]),
-        // The site's films are of about this size.
+        // ShaderToy's videos have about this size.
         InputKind::Video => (FILM, [512, 396, 1]),
-        // Sixteen seconds of 44,100 samples.
+        // 16 seconds at 44,100 samples per second.
         InputKind::Music | InputKind::MusicStream => (MUSIC, [1050, 672, 1]),
         _ => return None,
     };
@@ -123,7 +123,7 @@ pub(super) fn of_kind(kind: InputKind) -> Option<StandIn> {
     })
 }
 
-/// The parts that every generator of a kind begins with.
+/// The code that all generators of a kind start with.
 macro_rules! frame {
     ("cube") => {
         concat!(

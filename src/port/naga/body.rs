@@ -1,4 +1,4 @@
-//! The function that is being made: its expressions, variables and blocks.
+//! Builds a naga function: its expressions, variables and blocks.
 
 use super::lower::Lowerer;
 use super::sampler::Looked;
@@ -12,47 +12,48 @@ use shaderlint_ir::OpId;
 use shaderlint_semantic::{Type, VariableId};
 use shaderlint_text::Span;
 
-/// Where a variable of the shader is found in the function.
+/// Where a variable of the shader is stored in the function.
 #[derive(Clone, Copy)]
 pub(super) enum Bound {
-    /// It never changes, and this is its value.
+    /// A variable that never changes, as its value.
     Value(Value),
-    /// This points at it.
+    /// A pointer to the variable.
     Pointer(Value),
-    /// It lies in a buffer of uniforms.
+    /// A place in a uniform buffer.
     Stored(Held),
 }
 
-/// What an operation gave.
+/// The result of an operation.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Given {
-    /// Its value; `None` where it gave none, or who asks for it makes it.
+    /// The value; `None` if there is none, or if it is created on use.
     pub(super) value: Option<Value>,
-    /// How deep what it is made of nests.
+    /// Nesting depth of the expression.
     pub(super) depth: u32,
 }
 
-/// A function that is being made.
+/// A function under construction.
 pub(super) struct Body<'l, 'p> {
-    /// The module.
+    /// The module that it belongs to.
     pub(super) lowerer: &'l mut Lowerer<'p>,
-    /// What there is of it.
+    /// The naga function so far.
     pub(super) function: ::naga::Function,
-    /// Its variables, those of the module that it uses included.
+    /// Its variables, including the module's variables that it uses.
     pub(super) variables: FxHashMap<VariableId, Bound>,
-    /// The samplers among its parameters, by the numbers of elements that lead to them.
+    /// Its sampler parameters, by variable and element indexes.
     pub(super) samplers: FxHashMap<(VariableId, Vec<u32>), Looked>,
-    /// By call and parameter: what points at the copy that travels there.
+    /// By call and parameter: the pointer to the copy that is passed.
     pub(super) copies: FxHashMap<(OpId, u32), Value>,
-    /// Whether a loop stands around.
+    /// Whether it is inside of a loop.
     pub(super) in_loop: bool,
-    /// Whether a `switch` stands around, and no loop between, whose cases share their variables.
+    /// Whether it is inside of a `switch` without a loop in between; the cases of a `switch` share
+    /// variables.
     pub(super) in_switch: bool,
-    /// How deep regions nest.
+    /// Nesting depth of regions.
     pub(super) depth: u32,
-    /// The expressions whose value a compiler of what is written knows.
+    /// Expressions with a value that the target compiler can evaluate.
     pub(super) known: FxHashSet<Value>,
-    /// The types of expressions, as far as they were asked for.
+    /// The types of expressions, computed on demand.
     pub(super) types: Typifier,
     block: Block,
     emitted: usize,
@@ -83,7 +84,7 @@ impl<'p> Sink<'p> for Body<'_, 'p> {
 }
 
 impl<'l, 'p> Body<'l, 'p> {
-    /// An empty function.
+    /// Starts a function.
     pub(super) fn new(lowerer: &'l mut Lowerer<'p>, name: &str) -> Body<'l, 'p> {
         Body {
             lowerer,
@@ -104,7 +105,7 @@ impl<'l, 'p> Body<'l, 'p> {
         }
     }
 
-    /// The finished function.
+    /// Finishes the function.
     pub(super) fn finish(mut self) -> ::naga::Function {
         self.flush();
         self.function.body = self.block;
@@ -116,7 +117,7 @@ impl<'l, 'p> Body<'l, 'p> {
         ::naga::Span::new(start, end)
     }
 
-    /// Makes the block evaluate what was added since.
+    /// Emits the expressions that were added since the last flush.
     fn flush(&mut self) {
         let len = self.function.expressions.len();
         if len > self.emitted {
@@ -127,14 +128,14 @@ impl<'l, 'p> Body<'l, 'p> {
         }
     }
 
-    /// Adds a statement, behind what was evaluated so far.
+    /// Adds a statement after the pending expressions.
     pub(super) fn push(&mut self, statement: Statement) {
         self.flush();
         let span = self.span();
         self.block.push(statement, span);
     }
 
-    /// The block that `fill` makes.
+    /// Builds a nested block.
     pub(super) fn nested(&mut self, fill: impl FnOnce(&mut Self) -> Res<()>) -> Res<Block> {
         self.flush();
         let outer = std::mem::take(&mut self.block);
@@ -144,7 +145,7 @@ impl<'l, 'p> Body<'l, 'p> {
         filled.map(|()| inner)
     }
 
-    /// Whether nothing that follows in the block can run.
+    /// Whether the rest of the block is unreachable.
     pub(super) fn is_terminated(&self) -> bool {
         self.block.last().is_some_and(|s| s.is_terminator())
     }
@@ -171,7 +172,7 @@ impl<'l, 'p> Body<'l, 'p> {
         result
     }
 
-    /// A new variable; gives what points at it.
+    /// Declares a variable and returns a pointer to it.
     pub(super) fn local(&mut self, name: Option<&str>, ty: Type) -> Res<Value> {
         let ty = self.lowerer.ty(ty)?;
         let span = self.span();
@@ -184,43 +185,43 @@ impl<'l, 'p> Body<'l, 'p> {
         Ok(self.add(Expression::LocalVariable(handle)))
     }
 
-    /// A new variable that holds a value.
+    /// Stores a value in a new variable and returns a pointer to it.
     pub(super) fn spill(&mut self, value: Value, ty: Type) -> Res<Value> {
         let pointer = self.local(None, ty)?;
         self.store(pointer, value);
         Ok(pointer)
     }
 
-    /// Writes a value.
+    /// Stores a value.
     pub(super) fn store(&mut self, pointer: Value, value: Value) {
         self.push(Statement::Store { pointer, value });
     }
 
-    /// Reads a value.
+    /// Loads a value.
     pub(super) fn load(&mut self, pointer: Value) -> Value {
         self.add(Expression::Load { pointer })
     }
 
-    /// Part of a value, or what points at part of a variable.
+    /// A component, member or element of a value, or a pointer to one.
     pub(super) fn part(&mut self, base: Value, index: u32) -> Value {
         self.add(Expression::AccessIndex { base, index })
     }
 
-    /// A number.
+    /// A float literal.
     pub(super) fn float(&mut self, value: f32) -> Value {
         self.add(Expression::Literal(Literal::F32(value)))
     }
 
-    /// The parts put together.
+    /// Composes a value of its components.
     pub(super) fn compose(&mut self, ty: Type, components: Vec<Value>) -> Res<Value> {
         let ty = self.lowerer.ty(ty)?;
         Ok(self.add(Expression::Compose { ty, components }))
     }
 
-    /// Zero in every component.
+    /// The zero value of a type.
     pub(super) fn zero(&mut self, ty: Type) -> Res<Value> {
         if ty.is_array() && self.lowerer.language == TargetLanguage::Hlsl {
-            // There it is a list at a declaration, and only there.
+            // HLSL accepts this form only as an initialiser in a declaration.
             let nothing = self.local(None, ty)?;
             return Ok(self.load(nothing));
         }

@@ -1,4 +1,4 @@
-//! The functions of the language.
+//! Built-in functions.
 
 use super::body::Body;
 use super::target::{FirstRow, Res, Value};
@@ -13,7 +13,7 @@ use shaderlint_semantic::builtins::Axis;
 use shaderlint_semantic::{BuiltinId, Scalar, Type};
 
 impl Body<'_, '_> {
-    /// A call of a function of the language.
+    /// Lowers a call of a built-in function.
     pub(super) fn builtin(
         &mut self,
         id: OpId,
@@ -28,7 +28,7 @@ impl Body<'_, '_> {
         if let (Lowering::ByColumns(op), &[l, r]) = (&how, operands) {
             return self.by_columns(*op, l, r);
         }
-        // A number among vectors goes with every component, but in `refract`.
+        // A scalar among vectors applies to every component, except in `refract`.
         let mut types = operands.iter().map(|o| form.ty(*o));
         let first = types.next().unwrap_or(Type::FLOAT);
         let wide = types.chain([first]).find(|t| t.is_vector());
@@ -82,11 +82,14 @@ impl Body<'_, '_> {
     }
 
     fn without_counterpart<T>(&self, function: BuiltinId) -> Res<T> {
-        let message = format!("`{}` has no counterpart", function.name());
+        let message = format!(
+            "`{}` has no equivalent in the target language",
+            function.name()
+        );
         self.lowerer.refuse(message)
     }
 
-    /// What naga only knows of vectors, and GLSL of single numbers too.
+    /// Functions that naga has only for vectors, and GLSL also for scalars.
     fn geometry(&mut self, fun: F, args: &[Value]) -> Option<Value> {
         Some(match (fun, args) {
             (F::Dot, &[x, y]) => self.op(Op::Multiply, x, y),
@@ -101,7 +104,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// `x - y * floor(x / y)`; the `%` of naga cuts towards zero.
+    /// `x - y * floor(x / y)`; naga's `%` truncates towards zero.
     fn modulo(&mut self, x: Value, y: Value) -> Value {
         let ratio = self.op(Op::Divide, x, y);
         let floor = self.math(F::Floor, &[ratio]);
@@ -109,8 +112,8 @@ impl Body<'_, '_> {
         self.op(Op::Subtract, x, whole)
     }
 
-    /// `isnan`, `isinf` by the bits: WGSL has neither, and others take them for never true. `op`
-    /// compares them with those of infinity.
+    /// `isnan` and `isinf` by bits: WGSL has neither, and other compilers assume that they are
+    /// never true. `op` compares the bits with those of infinity.
     fn unusual(&mut self, op: Op, x: Value, ty: Type) -> Value {
         let bits = self.cast(x, ScalarKind::Uint, None);
         let ty = ty.with_scalar(Scalar::Uint);
@@ -123,7 +126,7 @@ impl Body<'_, '_> {
         self.op(op, positive, infinity)
     }
 
-    /// Where rows are turned, so is the direction of `dFdy`.
+    /// If rows are flipped, so is the direction of `dFdy`.
     fn derivative(&mut self, axis: Axis, expr: Value, ty: Type) -> Res<Value> {
         let derivative = match axis {
             Axis::X => DerivativeAxis::X,
@@ -186,39 +189,39 @@ impl Arithmetic for Body<'_, '_> {
     }
 }
 
-/// How a function is said in naga.
+/// How a function is lowered to naga.
 enum Lowering {
-    /// By the same function.
+    /// To the same function.
     Math(F),
-    /// By the same function, which naga has of vectors alone.
+    /// To the same function, which naga has only for vectors.
     OfVectors(F),
-    /// By an operator that compares component by component.
+    /// To an operator that compares component by component.
     Relation(Op),
-    /// By one `bool` for several.
+    /// To a reduction of several `bool` values.
     Reduction(RelationalFunction),
-    /// By the same bits, read as another kind.
+    /// To a bit cast to another scalar type.
     Bits(ScalarKind),
-    /// By comparing the bits with those of infinity.
+    /// To a comparison of the bits with those of infinity.
     Unusual(Op),
-    /// By the difference from a neighbour.
+    /// To a derivative.
     Derivative(Axis),
-    /// By an operator on each column.
+    /// To an operator on each column.
     ByColumns(Op),
-    /// By one function of two, told by the number of arguments.
+    /// To one of two functions, depending on the number of arguments.
     ArcTangent,
-    /// By several steps.
+    /// To the expansion of `mod`.
     Modulo,
-    /// By what is cut off; `modf`, whose whole part is another operation.
+    /// To the fractional part; for `modf`, whose integer part is a separate operation.
     Fraction,
-    /// By several steps, which depend on the type of the share.
+    /// To a selection or an interpolation, depending on the type of the last argument.
     Mix,
-    /// By `!` of each component.
+    /// To `!` on each component.
     Not,
-    /// By several steps.
+    /// To the expansion of `outerProduct`.
     OuterProduct,
-    /// By several steps.
+    /// To a generated function.
     Inverse,
-    /// Elsewhere, or not at all.
+    /// Lowered elsewhere, or not supported.
     Apart,
 }
 

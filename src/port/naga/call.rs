@@ -1,5 +1,5 @@
-//! Calls of the shader's own functions. What the caller takes back travels as a pointer: to the
-//! caller's variable, where the value comes from it and goes back to it, else to a copy.
+//! Calls of user-defined functions. `out` and `inout` arguments are pointers: to the caller's
+//! variable if the value is copied from it and back to it, otherwise to a copy.
 
 use super::body::{Body, Bound};
 use super::target::{Res, Value};
@@ -9,7 +9,7 @@ use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::List;
 
 impl Body<'_, '_> {
-    /// The value of a call; `None` for one of a function without.
+    /// Lowers a call and returns its value; `None` for a function without a result.
     pub(super) fn user_call(
         &mut self,
         call: OpId,
@@ -25,7 +25,7 @@ impl Body<'_, '_> {
         };
         let taken = self.taken_back(call);
         let mut arguments = Vec::new();
-        // The place of the one texture that a number chooses.
+        // The argument position of the one texture with a computed index.
         let mut chosen = None;
         let parameters = form.parameters(found).iter().zip(form.operands(operands));
         for (number, (parameter, operand)) in (0..).zip(parameters) {
@@ -59,10 +59,10 @@ impl Body<'_, '_> {
         })
     }
 
-    /// What a call left in a parameter; `None` where that already stands where it goes.
+    /// The value of an `out` parameter after a call; `None` if it is already stored in its target.
     pub(super) fn returned(&mut self, call: OpId, parameter: u32) -> Res<Option<Value>> {
         let form = self.lowerer.form;
-        // `modf` is the one function of the language that writes to an argument.
+        // `modf` is the only built-in function that writes to an argument.
         if let OpKind::Builtin(_, operands) = form.op(call).kind
             && let &[x, ..] = form.operands(operands)
         {
@@ -73,7 +73,7 @@ impl Body<'_, '_> {
         Ok(copy.map(|copy| self.load(copy)))
     }
 
-    /// Whether a value already stands where it is stored to.
+    /// Whether a value is already stored in the place that it is stored to.
     pub(super) fn is_lent(&self, value: OpId) -> bool {
         let form = self.lowerer.form;
         match form.op(value).kind {
@@ -85,7 +85,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// The places that what a call leaves in its parameters is stored to.
+    /// By parameter: the places that the results of `out` parameters are stored to.
     fn taken_back(&self, call: OpId) -> Vec<(u32, PlaceId)> {
         let kind = |id: u32| self.lowerer.form.op(OpId(id)).kind;
         let mut found = Vec::new();
@@ -101,8 +101,8 @@ impl Body<'_, '_> {
         found
     }
 
-    /// What points at the variable of this function that a parameter takes over and gives back,
-    /// with nothing else writing to it meanwhile.
+    /// A pointer to the local variable that a parameter is copied from and back to, if nothing else
+    /// writes to it in between.
     fn lent(
         &mut self,
         call: OpId,

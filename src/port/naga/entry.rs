@@ -1,4 +1,4 @@
-//! What the host calls: fills what the stage gives, runs `main`, hands on what it wrote.
+//! The entry point: loads the inputs of the stage, calls `main` and returns the outputs.
 
 use super::body::Body;
 use super::global::Global;
@@ -15,10 +15,10 @@ use shaderlint_ir::Visit;
 use shaderlint_semantic::{FunctionRef, Stage, Storage, Type};
 
 impl<'p> Lowerer<'p> {
-    /// Makes the entry point.
+    /// Builds the entry point.
     pub(super) fn entry(&mut self, main: FunctionRef) -> Res<()> {
         let Some(main) = self.functions.get(&main).copied() else {
-            return self.refuse("there is no `main`");
+            return self.refuse("missing `main` function");
         };
         let form = self.form;
         let stage = self.program.stage;
@@ -46,7 +46,7 @@ impl<'p> Lowerer<'p> {
         Ok(())
     }
 
-    /// The numbers and vectors of the inputs or outputs that the shader uses.
+    /// The scalars and vectors of the inputs or outputs that the shader uses.
     fn ports(&self, storage: Storage) -> Vec<Leaf> {
         let is_varying = match self.program.stage {
             Stage::Vertex => storage == Storage::Output,
@@ -60,7 +60,7 @@ impl<'p> Lowerer<'p> {
 }
 
 impl Body<'_, '_> {
-    /// Takes what the stage before gives.
+    /// Loads the outputs of the previous stage.
     fn inputs(&mut self) -> Res<()> {
         for leaf in self.lowerer.ports(Storage::Input) {
             let binding = match self.lowerer.program.stage {
@@ -68,7 +68,7 @@ impl Body<'_, '_> {
                 Stage::Fragment => {
                     if leaf.is_flat(self.lowerer) {
                         self.lowerer.note(
-                            "flat inputs are those of the first vertex; in WebGL of the last",
+                            "flat inputs have the value of the first vertex; in WebGL, of the last",
                         );
                     }
                     leaf.varying(self.lowerer)
@@ -86,7 +86,7 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// What points at a number or vector of a variable of the module.
+    /// A pointer to a scalar or vector in a variable of the module.
     fn leaf(&mut self, leaf: &Leaf) -> Option<Value> {
         let Some(Global::Variable(global)) = self.lowerer.globals.get(&leaf.variable).copied()
         else {
@@ -99,14 +99,14 @@ impl Body<'_, '_> {
         Some(at)
     }
 
-    /// Gives the last argument its place.
+    /// Sets the binding of the last argument.
     pub(super) fn bind(&mut self, binding: Binding) {
         if let Some(argument) = self.function.arguments.last_mut() {
             argument.binding = Some(binding);
         }
     }
 
-    /// What leaves the stage.
+    /// The outputs of the stage.
     fn leaving(&mut self) -> Res<Vec<Leaving>> {
         let mut all = self.leaving_specials()?;
         for leaf in self.lowerer.ports(Storage::Output) {
@@ -137,7 +137,7 @@ impl Body<'_, '_> {
         Ok(all)
     }
 
-    /// Returns what was written.
+    /// Returns the outputs.
     fn hand_on(&mut self) -> Res<()> {
         let leaving = self.leaving()?;
         let Some(first) = leaving.first() else {
@@ -157,7 +157,7 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// The struct that several values leave in.
+    /// The struct type for several outputs.
     fn record_of(&mut self, leaving: &[Leaving]) -> Res<Handle<::naga::Type>> {
         let mut members = Vec::new();
         let mut offset = 0;
@@ -168,7 +168,8 @@ impl Body<'_, '_> {
                 binding: Some(out.binding.clone()),
                 offset,
             });
-            // Every output has room for four numbers; the offsets say nothing to a stage.
+            // Every output has room for four components; the offsets have no meaning between
+            // stages.
             offset += 16;
         }
         let span = offset;

@@ -1,4 +1,4 @@
-//! Functions, those that are called before those that call.
+//! Functions, callees before callers.
 
 use super::body::{Body, Bound};
 use super::lower::Lowerer;
@@ -11,7 +11,7 @@ use rustc_hash::FxHashSet;
 use shaderlint_ir::{self as ir, OpKind, Root, Visit};
 use shaderlint_semantic::{FunctionRef, Type, VariableId};
 
-/// The functions that `main` needs, each behind all that it calls.
+/// The functions that `main` uses, each after those that it calls.
 pub(super) fn order(form: &ir::Module, main: FunctionRef) -> Vec<FunctionRef> {
     let callees = |function: &ir::Function| {
         let called = |op| match form.op(op).kind {
@@ -43,11 +43,11 @@ pub(super) fn order(form: &ir::Module, main: FunctionRef) -> Vec<FunctionRef> {
 }
 
 impl<'p> Lowerer<'p> {
-    /// Makes a function of the shader.
+    /// Builds a function of the shader.
     pub(super) fn function(&mut self, id: FunctionRef) -> Res<()> {
         let (program, form) = (self.program, self.form);
         let (Some(declared), Some(function)) = (program.function(id), form.function(id)) else {
-            return self.refuse("this function is not known");
+            return self.refuse("unknown function");
         };
         let written = declared.definition.unwrap_or(declared.declaration);
         if let Some(written) = program.tree.function(written) {
@@ -80,7 +80,7 @@ impl<'p> Lowerer<'p> {
 }
 
 impl Body<'_, '_> {
-    /// Declares an argument; gives its value.
+    /// Declares an argument and returns its value.
     pub(super) fn argument(&mut self, name: &str, ty: Handle<::naga::Type>) -> Value {
         let index = self.function.arguments.len() as u32;
         self.function.arguments.push(FunctionArgument {
@@ -93,7 +93,7 @@ impl Body<'_, '_> {
 
     fn parameter(&mut self, id: VariableId) -> Res<()> {
         let Some(variable) = self.lowerer.form.variable(id) else {
-            return self.lowerer.refuse("this parameter is not known");
+            return self.lowerer.refuse("unknown parameter");
         };
         let ty = variable.ty;
         let name = self.lowerer.name(id).unwrap_or_default();
@@ -122,8 +122,8 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// What a call hands out starts at zero, as in the browser, unless the function begins by setting
-    /// it.
+    /// Initialises an `out` parameter to zero, as in the browser, unless the function starts by
+    /// assigning it.
     fn clear(&mut self, parameter: VariableId, region: ir::Region) -> Res<()> {
         let form = self.lowerer.form;
         let Some(variable) = form.variable(parameter) else {
@@ -139,7 +139,7 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// The end of a function, where nothing was returned before.
+    /// Ends the function with a return value if control can reach the end.
     fn end(&mut self, returns: Type) -> Res<()> {
         if self.is_terminated() {
             return Ok(());
@@ -153,7 +153,8 @@ impl Body<'_, '_> {
     }
 }
 
-/// Whether the first that a region does with a variable is to set all of it, whatever happens.
+/// Whether the first use of a variable in a region is an unconditional assignment of all its
+/// components.
 fn is_set_first(form: &ir::Module, variable: VariableId, region: ir::Region) -> bool {
     let Some(ir::Step::Run(run)) = form.steps(region).first() else {
         return false;

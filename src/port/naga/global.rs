@@ -1,4 +1,4 @@
-//! Variables outside functions: constants, what functions share, inputs and outputs.
+//! Global variables: constants, shared variables, inputs and outputs.
 
 use super::body::{Body, Bound};
 use super::lower::{Initialisers, Lowerer};
@@ -9,19 +9,19 @@ use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryD
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Constant as Known, Stage, Storage, Type, VariableId};
 
-/// What a variable outside functions is in the module.
+/// A global variable in the naga module.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Global {
-    /// A variable of the invocation.
+    /// A private variable.
     Variable(Handle<GlobalVariable>),
-    /// A constant.
+    /// A named constant.
     Constant(Handle<Constant>),
-    /// A member of a buffer of uniforms, and how its matrices lie.
+    /// A member of a uniform buffer, with the layout of its matrices.
     Stored(Handle<GlobalVariable>, u32, Major),
 }
 
 impl<'p> Lowerer<'p> {
-    /// Declares what functions share, and the inputs and outputs of the user.
+    /// Declares shared variables, inputs and outputs.
     pub(super) fn declare_globals(&mut self) -> Res<()> {
         let program = self.program;
         for (i, variable) in program.variables.iter().enumerate() {
@@ -29,7 +29,7 @@ impl<'p> Lowerer<'p> {
                 variable.storage,
                 Storage::Global | Storage::Input | Storage::Output
             );
-            // What the next stage reads is there, whether it is set or not.
+            // The next stage reads an output even if it is never assigned.
             let is_handed_on =
                 variable.storage == Storage::Output && program.stage == Stage::Vertex;
             let is_used = variable.read || variable.written || is_handed_on;
@@ -50,7 +50,7 @@ impl<'p> Lowerer<'p> {
         Ok(())
     }
 
-    /// A variable of the invocation.
+    /// Declares a private variable.
     pub(super) fn private(
         &mut self,
         name: &str,
@@ -69,8 +69,7 @@ impl<'p> Lowerer<'p> {
             .append(variable, Span::UNDEFINED)
     }
 
-    /// Whether there is a place for what is stored to a variable: nothing reads the others, or they
-    /// are constants.
+    /// Whether stores to a variable are needed: not if it is never read, or is a constant.
     pub(super) fn has_place(&mut self, id: VariableId) -> Res<bool> {
         let is_shared = |root| matches!(root, Root::Global | Root::Output);
         let is_shared = self.form.variable(id).is_some_and(|v| is_shared(v.root));
@@ -82,8 +81,7 @@ impl<'p> Lowerer<'p> {
         }
     }
 
-    /// The constant of the module that a variable is. Numbers and vectors that are constants of a
-    /// function are written out where they are used.
+    /// The named constant for a variable. Scalar and vector constants of functions are inlined.
     pub(super) fn named(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
         match (self.globals.get(&id).copied(), self.program.variable(id)) {
             (Some(Global::Constant(found)), _) => Ok(Some(found)),
@@ -97,7 +95,7 @@ impl<'p> Lowerer<'p> {
         }
     }
 
-    /// A named constant as one of the module; `None` where a number in it has no literal.
+    /// Declares a named constant; `None` if one of its values cannot be written as a literal.
     fn constant(&mut self, id: VariableId) -> Res<Option<Handle<Constant>>> {
         let Some(variable) = self.program.variable(id) else {
             return Ok(None);
@@ -115,7 +113,7 @@ impl<'p> Lowerer<'p> {
         Ok(Some(handle))
     }
 
-    /// A value of the module.
+    /// The initial value of a constant.
     fn initialiser(&mut self, ty: Type, known: Known) -> Res<Option<Value>> {
         let values = self.program.pool.values(known);
         let mut all = Initialisers::new(self);
@@ -126,7 +124,7 @@ impl<'p> Lowerer<'p> {
 }
 
 impl Body<'_, '_> {
-    /// What a variable is in this function.
+    /// Where a variable is stored in this function.
     pub(super) fn bound(&mut self, id: VariableId) -> Res<Bound> {
         if let Some(found) = self.variables.get(&id) {
             return Ok(*found);
@@ -145,7 +143,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// A variable that was not come across before.
+    /// Declares a variable on its first use.
     fn unbound(&mut self, id: VariableId) -> Res<Bound> {
         let (program, form) = (self.lowerer.program, self.lowerer.form);
         let name = self.lowerer.name(id);
@@ -161,10 +159,11 @@ impl Body<'_, '_> {
             (_, Some(variable)) if variable.token.is_none() => self.special(id),
             (Some(variable), _) => {
                 let (ty, name) = (program.type_name(variable.ty), name.unwrap_or_default());
-                self.lowerer
-                    .refuse(format!("`{ty} {name}` has no place in the other languages"))
+                self.lowerer.refuse(format!(
+                    "`{ty} {name}` has no equivalent in the target language"
+                ))
             }
-            _ => self.lowerer.refuse("this variable is not known"),
+            _ => self.lowerer.refuse("unknown variable"),
         }
     }
 }

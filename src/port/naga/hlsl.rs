@@ -1,7 +1,7 @@
-//! HLSL as all its compilers read it: some know arrays of zeros and constant arrays only as lists in
-//! braces, where naga writes `(float[3])0` and calls of constructors.
+//! Makes naga's HLSL acceptable to all HLSL compilers: some require braced lists for arrays of
+//! zeros and for constant arrays, where naga writes `(float[3])0` and constructor calls.
 
-/// The text of naga with such declarations in braces.
+/// Rewrites such declarations with braced lists.
 pub(super) fn with_lists(text: &str) -> String {
     let mut lines = String::with_capacity(text.len());
     for line in text.lines() {
@@ -34,7 +34,7 @@ fn constants(line: &str) -> Option<String> {
         return None;
     }
     let mut value = String::new();
-    // By parenthesis that is open: whether it became a brace.
+    // By open parenthesis: whether it was replaced by a brace.
     let mut open = Vec::new();
     while let Some(at) = rest.find(['(', ')']) {
         let (before, behind) = rest.split_at(at);
@@ -60,7 +60,7 @@ fn constants(line: &str) -> Option<String> {
     Some(format!("{declared} = {value}{rest}"))
 }
 
-/// How the names of naga's constructors begin.
+/// Prefix of naga's constructor functions.
 const CONSTRUCTOR: &str = "Construct";
 
 fn is_of_name(c: char) -> bool {

@@ -1,59 +1,59 @@
-//! What a host must know of a shader to feed it: in the head of what is written, and as JSON.
+//! The resource interface of a shader, for the comments in the output and as JSON.
 
 use super::target::{FirstRow, TargetLanguage};
 use crate::draw::SizeTerm;
 use serde::Serialize;
 
-/// Everything that a shader takes and gives, with its place.
+/// All inputs and outputs of a shader with their bindings.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct HostInterface {
     /// `vertex` or `fragment`.
     pub stage: &'static str,
-    /// The function that the host calls.
+    /// The name of the entry point.
     pub entry: &'static str,
-    /// Which row of what is drawn lies first in memory, for a fragment shader.
+    /// For a fragment shader: the row of the image that comes first in memory.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first_row: Option<FirstRow>,
-    /// What is drawn, where that is a pass of a project.
+    /// The pass of a project that it draws.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pass: Option<DrawnPass>,
-    /// The uniforms: those that stand alone in one buffer, each block in its own.
+    /// The uniform buffers: one for all uniforms outside of blocks, one for each block.
     pub buffers: Vec<Buffer>,
-    /// The samplers: each is a texture and a way to sample it.
+    /// The samplers, each as a texture and a sampler binding.
     pub textures: Vec<TexturePair>,
-    /// What the stage before gives, or the attributes of the vertex.
+    /// The outputs of the previous stage, or the vertex attributes.
     pub inputs: Vec<Port>,
-    /// What the stage gives on.
+    /// The outputs of the stage.
     pub outputs: Vec<Port>,
-    /// What else there is to know.
+    /// Further remarks for the host.
     pub notes: Vec<String>,
 }
 
 /// A pass of a project.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct DrawnPass {
-    /// Its name, by which textures say what they show.
+    /// The name, to which texture sources refer.
     pub name: String,
     /// `image`, `buffer`, `cubemap` or `sound`.
     pub kind: &'static str,
-    /// Its number among the passes of a frame, which are drawn one after another; none for sound.
+    /// The position in the drawing order of a frame; `None` for sound.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<usize>,
-    /// What it draws into, as WebGPU calls it.
+    /// The WebGPU texture format of the target.
     pub format: &'static str,
-    /// The width and height of that, where they are not those of the picture, as formulas.
+    /// Width and height of the target as expressions; `None` for the size of the image.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<[SizeTerm; 2]>,
-    /// What passes that draw into the same share.
+    /// An id shared by passes that draw into the same target.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub target: Option<String>,
 }
 
-/// What a texture of a pass shows.
+/// The input of a texture.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct TextureSource {
     /// `texture`, `cubemap`, `volume`, `keyboard`, `video`, `webcam`, `music`, `mic`; `buffer` or
-    /// `cubebuffer` for what a pass has drawn last.
+    /// `cubebuffer` for the last output of a pass.
     pub kind: &'static str,
     /// The name of that pass.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -64,92 +64,92 @@ pub struct TextureSource {
     pub wrap: String,
 }
 
-/// Where the host binds something.
+/// Where a resource is bound.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct BindSlot {
-    /// The group, set or space.
+    /// The bind group, descriptor set or register space.
     pub group: u32,
-    /// The number in it.
+    /// The binding within the group.
     pub binding: u32,
-    /// What the language itself calls the place, where that is not the group and the binding.
+    /// The register or attribute in HLSL and MSL; `None` if group and binding are sufficient.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
 }
 
-/// A buffer of uniforms.
+/// A uniform buffer.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Buffer {
-    /// The block; `uniforms` for what stands in none.
+    /// The name of the block; `uniforms` for uniforms outside of blocks.
     pub name: String,
     /// Where it is bound.
     pub slot: BindSlot,
-    /// In bytes.
+    /// Size in bytes.
     pub size: u32,
-    /// What lies in it.
+    /// The members, with nested structs flattened.
     pub members: Vec<BufferMember>,
 }
 
-/// A number, vector or matrix in a buffer, or an array of them.
+/// A scalar, vector or matrix in a buffer, or an array of them.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct BufferMember {
-    /// As WebGL names it: `lights[1].color`.
+    /// The WebGL name: `lights[1].color`.
     pub name: String,
-    /// Its type in GLSL, without the array. A `bool` is a number, which is 0 where it is false.
+    /// The GLSL type without the array size. A `bool` is stored as an integer that is 0 for false.
     #[serde(rename = "type")]
     pub ty: String,
-    /// In bytes from the start of the buffer.
+    /// Offset in bytes from the start of the buffer.
     pub offset: u32,
-    /// The number of elements and the bytes from one to the next.
+    /// Number of array elements and their stride.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub array: Option<Repeated>,
-    /// The number of columns of a matrix and the bytes from one to the next.
+    /// Number of columns of a matrix and their stride.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<Repeated>,
-    /// The same of its rows, of a matrix that lies by them.
+    /// Number of rows and their stride, for a row-major matrix.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rows: Option<Repeated>,
 }
 
-/// Equal parts, one behind the other.
+/// A sequence of equally spaced parts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 pub struct Repeated {
-    /// How many there are.
+    /// Number of parts.
     pub count: u32,
-    /// In bytes.
+    /// Distance between parts in bytes.
     pub stride: u32,
 }
 
 /// A sampler of the shader.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct TexturePair {
-    /// As WebGL names it.
+    /// The WebGL name.
     pub name: String,
-    /// Its type in GLSL.
+    /// The GLSL type of the sampler.
     #[serde(rename = "type")]
     pub ty: &'static str,
     /// Where the texture is bound.
     pub texture: BindSlot,
-    /// Where the way to sample it is bound.
+    /// Where the sampler is bound.
     pub sampler: BindSlot,
-    /// What it shows, where that is known.
+    /// The input of the texture, if known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<TextureSource>,
 }
 
-/// Something that passes between a stage and its neighbour.
+/// A value that is passed between stages.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Port {
-    /// As the shader calls it.
+    /// The name in the shader.
     pub name: String,
-    /// Its type in GLSL.
+    /// The GLSL type of the value.
     #[serde(rename = "type")]
     pub ty: String,
-    /// Its number.
+    /// The location number.
     pub location: u32,
 }
 
 impl HostInterface {
-    /// The lines of the head.
+    /// The lines of the comment at the start of the output.
     pub(super) fn lines(&self, language: TargetLanguage) -> Vec<String> {
         let place = |slot: &BindSlot| match &slot.place {
             Some(place) => place.clone(),
@@ -163,8 +163,8 @@ impl HostInterface {
                 "{}: {}, {} bytes: {}",
                 place(&buffer.slot),
                 match buffer.name.as_str() {
-                    HostInterface::UNIFORMS => "the uniforms".to_string(),
-                    name => format!("the block {name}"),
+                    HostInterface::UNIFORMS => "uniforms".to_string(),
+                    name => format!("block {name}"),
                 },
                 buffer.size,
                 members.collect::<Vec<_>>().join(", ")
@@ -184,18 +184,18 @@ impl HostInterface {
                 _ => String::new(),
             };
             lines.push(format!(
-                "{}: the texture of {}{shown}; {sampler}: how it is sampled",
+                "{}: texture of {}{shown}; {sampler}: its sampler",
                 place(&texture.texture),
                 texture.name
             ));
         }
         if let (TargetLanguage::Hlsl, Some(first)) = (language, self.textures.first()) {
-            // Naga's writer puts all samplers of a program into one heap, as Direct3D does.
+            // Naga's HLSL writer puts all samplers into one heap.
             let group = first.sampler.group;
             lines.push(format!(
-                "register(t{group}, space255): nagaGroup{group}SamplerIndexArray, by entry the number \
-                 of a sampler in nagaSamplerHeap at register(s0, space0) or, where it compares, \
-                 nagaComparisonSamplerHeap at register(s0, space1)"
+                "register(t{group}, space255): nagaGroup{group}SamplerIndexArray; each entry is the \
+                 index of a sampler in nagaSamplerHeap at register(s0, space0) or, for comparison \
+                 samplers, in nagaComparisonSamplerHeap at register(s0, space1)"
             ));
         }
         for (ports, word) in [(&self.inputs, "in"), (&self.outputs, "out")] {
@@ -211,6 +211,6 @@ impl HostInterface {
         lines
     }
 
-    /// The name of the buffer of what stands in no block.
+    /// The name of the buffer for uniforms outside of blocks.
     pub(super) const UNIFORMS: &'static str = "uniforms";
 }

@@ -1,10 +1,9 @@
-//! What the compilers of the other languages would work out while they compile, and refuse where it
-//! comes to nothing: a division by zero, the root of a negative number, `clamp` between limits that
-//! are reversed. GLSL takes all of that, and gives some value when the shader runs.
+//! Prevents constant evaluation in target compilers. They reject constant expressions that GLSL
+//! accepts and gives some value at run time: a division by zero, the square root of a negative
+//! number, `clamp` with reversed limits.
 //!
-//! So nothing is left for them to work out: what the shader's own language calls constant was folded
-//! before, as the browser folds it, and the rest is read from a variable, which no such compiler
-//! looks through.
+//! Constant expressions of GLSL are folded before, as in the browser. Other known operands are read
+//! from a variable, which target compilers do not evaluate.
 
 use super::body::Body;
 use super::lower::Lowerer;
@@ -17,8 +16,7 @@ use ::naga::{
 };
 
 impl Body<'_, '_> {
-    /// An expression with which a compiler has nothing to work out or to refuse before the shader
-    /// runs.
+    /// Changes an expression so that a compiler cannot evaluate or reject it before run time.
     pub(super) fn at_run_time(&mut self, mut expression: Expression) -> Expression {
         let is_known = |it: &Self, value: &Value| it.known.contains(value);
         match &mut expression {
@@ -62,7 +60,7 @@ impl Body<'_, '_> {
         expression
     }
 
-    /// Whether a compiler knows the value of an expression.
+    /// Whether a compiler can evaluate an expression.
     pub(super) fn is_known(&self, expression: &Expression) -> bool {
         let known = |value: &Value| self.known.contains(value);
         match expression {
@@ -85,7 +83,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// A value that compilers know, read from a variable.
+    /// Hides a known value in a variable.
     fn hidden(&mut self, value: Value) -> Value {
         let Some(ty) = self.type_of(value) else {
             return value;
@@ -114,7 +112,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Whether compilers refuse an operator for its right side alone.
+    /// Whether compilers reject an operator because of its right operand alone.
     fn is_refused(&self, op: Op, right: Value) -> bool {
         let lanes = lanes(self.lowerer, &self.function.expressions, right);
         lanes.iter().any(|lane| match (op, lane) {
@@ -124,7 +122,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Whether one limit is known not to lie below the other.
+    /// Whether known limits are reversed or equal.
     fn are_reversed(&self, low: Value, high: Value) -> bool {
         let arena = &self.function.expressions;
         let low = lanes(self.lowerer, arena, low);
@@ -138,7 +136,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// Whether an operator may come to nothing.
+/// Whether compilers may reject an operator.
 fn computes(op: Op) -> bool {
     matches!(
         op,
@@ -152,7 +150,7 @@ fn computes(op: Op) -> bool {
     )
 }
 
-/// The numbers that a value is made of, as far as they are known.
+/// The components of a value, as far as they are known.
 fn lanes(lowerer: &Lowerer, arena: &Arena<Expression>, value: Value) -> Vec<Literal> {
     match &arena[value] {
         Expression::Literal(literal) => vec![*literal],
@@ -173,7 +171,7 @@ fn lanes(lowerer: &Lowerer, arena: &Arena<Expression>, value: Value) -> Vec<Lite
     }
 }
 
-/// The numbers of a zero.
+/// The components of a zero value.
 fn zeros(ty: &TypeInner) -> Vec<Literal> {
     let (scalar, count) = match ty {
         TypeInner::Scalar(scalar) => (*scalar, 1),

@@ -1,4 +1,4 @@
-//! The module: what stands around the functions, and in which order they are made.
+//! Builds the naga module: declarations first, then functions in dependency order.
 
 use super::body::{Body, Given};
 use super::function::order;
@@ -18,61 +18,61 @@ use shaderlint_semantic::{
 };
 use shaderlint_text::Span;
 
-/// A shader in naga's form.
+/// A shader as a naga module.
 pub struct Lowered {
-    /// The language that it goes into.
+    /// The target language.
     pub language: TargetLanguage,
-    /// What a host must know.
+    /// The resource interface.
     pub interface: HostInterface,
-    /// The form.
+    /// The naga module.
     pub(super) module: Module,
 }
 
-/// The module that is being made.
+/// A module under construction.
 pub(super) struct Lowerer<'p> {
     pub(super) program: &'p Program,
-    /// How its values lie.
+    /// The memory layout of its types.
     pub(super) layout: Layout,
-    /// The program, resolved.
+    /// The IR of the program.
     pub(super) form: &'p ir::Module,
     pub(super) origin: FirstRow,
     pub(super) language: TargetLanguage,
-    /// The blocks of uniforms, as their layouts say.
+    /// The uniform blocks with their layouts.
     pub(super) blocks: Vec<Block>,
-    /// Whether equal expressions give equal positions in all shaders.
+    /// Whether `gl_Position` is `invariant`.
     pub(super) is_position_invariant: bool,
-    /// Varyings that another stage has numbered.
+    /// Locations of varyings that the vertex shader determines.
     pub(super) varyings: &'p [(String, u32)],
     pub(super) module: Module,
     pub(super) layouter: Layouter,
     pub(super) types: FxHashMap<Type, Handle<::naga::Type>>,
     pub(super) globals: FxHashMap<VariableId, Global>,
-    /// Variables of the language, such as `gl_FragCoord`.
+    /// Built-in variables, such as `gl_FragCoord`.
     pub(super) specials: FxHashMap<&'static str, Special>,
     pub(super) functions: FxHashMap<FunctionRef, Handle<::naga::Function>>,
-    /// `inverse` of each size.
+    /// `inverse` functions by matrix size.
     pub(super) inverses: FxHashMap<u8, Handle<::naga::Function>>,
-    /// What reads a texel, by the kind of texture.
+    /// Functions that read a texel, by sampler type.
     pub(super) fetches: FxHashMap<Sampler, Handle<::naga::Function>>,
     pub(super) uniforms: Uniforms,
     pub(super) interface: HostInterface,
-    /// By operation: what it gave, in the function that it belongs to.
+    /// By operation: its result in its function.
     given: Vec<Given>,
-    /// By variable: how many operations write to it.
+    /// By variable: the number of stores to it.
     stores: Vec<u32>,
-    /// What is being lowered.
+    /// The span that is being lowered, for error messages.
     pub(super) place: Span,
-    /// How many expressions the finished functions have.
+    /// Number of expressions in the finished functions.
     pub(super) made: usize,
 }
 
-/// Most expressions of a module; bodies of `switch` that fall through are written out again.
+/// Maximum number of expressions in a module; `switch` cases with fallthrough are duplicated.
 const MAX_EXPRESSIONS: usize = 1_000_000;
 
 /// Lowers a shader that compiles.
 ///
 /// # Errors
-/// Where the other languages have no words for something.
+/// If the target language does not support something.
 pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refused> {
     let form = ir::lower(program);
     let interface = Interface::of(program);
@@ -113,7 +113,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
     };
     let mut varyings = interface.inputs.iter().chain(&interface.outputs);
     if varyings.any(|v| v.is_invariant) {
-        lowerer.note("invariant holds for the position alone");
+        lowerer.note("`invariant` applies to gl_Position only");
     }
     let main = lowerer.main()?;
     lowerer.declare_uniforms()?;
@@ -130,61 +130,61 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
 }
 
 impl<'p> Lowerer<'p> {
-    /// Refuses what is being lowered.
+    /// Returns an error at the current span.
     pub(super) fn refuse<T>(&self, message: impl Into<String>) -> Res<T> {
         Err(Refused::new(self.place, message))
     }
 
-    /// What runs is `main`, which stands in the text around a shader of ShaderToy too.
+    /// Finds `main`, which for ShaderToy is in the surrounding text.
     fn main(&self) -> Res<FunctionRef> {
         let program = self.program;
         let name = program.names.get("main");
         let is_main = |f: &Function| Some(f.name) == name && f.params.is_empty();
         match program.functions.iter().position(is_main) {
             Some(index) => Ok(FunctionRef(index as u32)),
-            None => self.refuse("there is no `main`"),
+            None => self.refuse("missing `main` function"),
         }
     }
 
-    /// Says where what is lowered now comes from.
+    /// Sets the current span to the origin of an operation.
     pub(super) fn stand_at(&mut self, origin: ir::Provenance) {
         if let Some(extent) = origin.extent(&self.program.tree) {
             self.place = self.program.span(extent);
         }
     }
 
-    /// Says that what is lowered now is what declares a variable.
+    /// Sets the current span to the declaration of a variable.
     pub(super) fn stand_at_name(&mut self, variable: &Variable) {
         if let Some(span) = self.program.declared_at(variable) {
             self.place = span;
         }
     }
 
-    /// What lies inside a type.
+    /// The properties of a type's members.
     pub(super) fn inside(&self, ty: Type) -> Inside {
         let structs = &self.program.structs;
         let of = |id: u16| structs.get(id as usize).map(|s| s.inside);
         Inside::of(ty, |id| of(id).unwrap_or_default())
     }
 
-    /// What an operation gave.
+    /// The result of an operation.
     pub(super) fn given(&self, id: OpId) -> Given {
         self.given.get(id.0 as usize).copied().unwrap_or_default()
     }
 
-    /// Keeps what an operation gave.
+    /// Records the result of an operation.
     pub(super) fn give(&mut self, id: OpId, given: Given) {
         if let Some(slot) = self.given.get_mut(id.0 as usize) {
             *slot = given;
         }
     }
 
-    /// How many operations write to a variable.
+    /// The number of stores to a variable.
     pub(super) fn stores(&self, id: VariableId) -> u32 {
         self.stores.get(id.0 as usize).copied().unwrap_or(0)
     }
 
-    /// What the shader calls a variable.
+    /// The name of a variable in the shader.
     pub(super) fn name(&self, id: VariableId) -> Option<&'p str> {
         let variable = self.program.variable(id)?;
         Some(self.program.names.text(variable.name))
@@ -194,14 +194,14 @@ impl<'p> Lowerer<'p> {
     pub(super) fn define(&mut self, function: ::naga::Function) -> Res<Handle<::naga::Function>> {
         self.made += function.expressions.len();
         if self.made > MAX_EXPRESSIONS {
-            return self.refuse("this is too long when it is written out");
+            return self.refuse("the expanded shader is too large");
         }
         let span = ::naga::Span::new(self.place.start, self.place.end);
         Ok(self.module.functions.append(function, span))
     }
 }
 
-/// By variable: how many operations write to it.
+/// By variable: the number of stores to it.
 fn stores(form: &ir::Module) -> Vec<u32> {
     let mut count = vec![0; form.variables.len()];
     for op in &form.ops {
@@ -214,14 +214,14 @@ fn stores(form: &ir::Module) -> Vec<u32> {
     count
 }
 
-/// The initialisers of the module.
+/// The global expressions of the module.
 pub(super) struct Initialisers<'l, 'p> {
     pub(super) lowerer: &'l mut Lowerer<'p>,
     pub(super) arena: Arena<Expression>,
 }
 
 impl<'l, 'p> Initialisers<'l, 'p> {
-    /// Takes them out of the module, to be put back with [`Initialisers::finish`].
+    /// Takes them out of the module; [`Initialisers::finish`] puts them back.
     pub(super) fn new(lowerer: &'l mut Lowerer<'p>) -> Initialisers<'l, 'p> {
         let arena = std::mem::take(&mut lowerer.module.global_expressions);
         Initialisers { lowerer, arena }
@@ -243,17 +243,15 @@ impl<'p> Sink<'p> for Initialisers<'_, 'p> {
 }
 
 impl Body<'_, '_> {
-    /// Asks that what is being lowered does not nest too deep and has not grown too long.
+    /// Checks the limits for nesting and size.
     pub(super) fn check_limits(&self) -> Res<()> {
-        /// The deepest nesting: what the browser takes, with room for what it folds.
+        /// Maximum nesting: the browser's limit, with a margin for expressions that it folds.
         const MAX_DEPTH: u32 = 400;
         if self.depth > MAX_DEPTH {
-            return self.lowerer.refuse("this nests too deep");
+            return self.lowerer.refuse("nesting is too deep");
         }
         if self.lowerer.made + self.function.expressions.len() > MAX_EXPRESSIONS {
-            return self
-                .lowerer
-                .refuse("this is too long when it is written out");
+            return self.lowerer.refuse("the expanded shader is too large");
         }
         Ok(())
     }

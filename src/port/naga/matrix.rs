@@ -1,4 +1,4 @@
-//! Matrices, where naga knows less of them than GLSL: it multiplies and adds, and that is all.
+//! Matrix operations that naga lacks: it only multiplies and adds.
 
 use super::body::Body;
 use super::target::{Res, Value};
@@ -8,7 +8,7 @@ use shaderlint_ir::{OpId, expand};
 use shaderlint_semantic::{Scalar, Type};
 
 impl Body<'_, '_> {
-    /// An operator on two matrices, component by component.
+    /// An arithmetic operator on two matrices, component by component.
     pub(super) fn matrix(&mut self, op: Op, left: OpId, right: OpId) -> Res<Value> {
         let (l, r) = match (op, self.spread(left), self.spread(right)) {
             (Op::Multiply, _, Some(number)) => (left, number),
@@ -20,7 +20,7 @@ impl Body<'_, '_> {
         Ok(self.op(op, l, r))
     }
 
-    /// An operator on two matrices, column by column.
+    /// An arithmetic operator on two matrices, column by column.
     pub(super) fn by_columns(&mut self, op: Op, left: OpId, right: OpId) -> Res<Value> {
         let ty = self.lowerer.form.ty(left);
         let (columns, column) = columns(ty);
@@ -52,7 +52,7 @@ impl Body<'_, '_> {
         self.compose(ty, done)
     }
 
-    /// `inverse`, in a function of its own: not all languages have it.
+    /// `inverse`, as a generated function: not all target languages have it.
     pub(super) fn inverse(&mut self, value: Value, ty: Type) -> Res<Value> {
         let size = columns(ty).0 as u8;
         let function = match self.lowerer.inverses.get(&size) {
@@ -65,11 +65,11 @@ impl Body<'_, '_> {
         };
         match self.call(function, vec![value], ty) {
             Some(value) => Ok(value),
-            None => self.lowerer.refuse("this matrix cannot be inverted"),
+            None => self.lowerer.refuse("cannot invert this matrix"),
         }
     }
 
-    /// Cofactors over the determinant.
+    /// The cofactors divided by the determinant.
     fn cofactors(&mut self, matrix: Value, size: u8, ty: Type) -> Res<Value> {
         let size = size as usize;
         let mut cells = Vec::new();
@@ -98,7 +98,7 @@ fn columns(ty: Type) -> (u32, Type) {
     (columns as u32, Type::vector(scalar, rows))
 }
 
-/// The function that inverts a matrix of a size.
+/// Generates the function that inverts a matrix of a size.
 fn inverse(body: &mut Body, size: u8, ty: Type) -> Res<Handle<::naga::Function>> {
     let inner = body.lowerer.ty(ty)?;
     let mut inverse = Body::new(body.lowerer, &format!("inverse{size}"));

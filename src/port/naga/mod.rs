@@ -1,13 +1,13 @@
-//! A checked pass in the languages of the other graphics interfaces: WGSL, SPIR-V, HLSL and MSL.
+//! Translates checked passes to WGSL, SPIR-V, HLSL and MSL.
 //!
-//! [`lower`] is a fold over the regions of the middle form (`shaderlint_ir`): its places are naga's
-//! pointers, its operations naga's expressions, its control flow naga's statements. Samplers become
-//! a texture and a way to sample it, and rows are turned, here alone. [`write`] has naga check the
-//! outcome and write it. What naga has no words for is refused, with the place and the reason.
+//! [`lower`] is a fold over the regions of the IR (`shaderlint_ir`): places become naga's pointers,
+//! operations naga's expressions, control flow naga's statements. Samplers are split into a texture
+//! and a sampler, and rows are flipped, only here. [`write`] validates the result with naga and
+//! writes it. Unsupported constructs are rejected, with the span and the reason.
 //!
-//! The module that comes out has one entry point, `fragment_main`. All uniforms are members of one
-//! struct at binding 0 of group 0; the sampler with number `n`, in the order of the text, is a
-//! texture at binding `2n + 1` and a sampler at `2n + 2`.
+//! The module has one entry point, `fragment_main`. All uniforms are members of one struct at
+//! binding 0 of group 0; the sampler number `n`, in source order, is a texture at binding `2n + 1`
+//! and a sampler at `2n + 2`.
 
 mod body;
 mod builtin;
@@ -49,17 +49,17 @@ use super::project::Project;
 use shaderlint_diagnostic::Severity;
 use shaderlint_semantic::Pass;
 
-/// A shader in another language.
+/// A translated shader.
 #[derive(Clone, Debug)]
 pub struct TranslatedShader {
-    /// Its text, or its words in SPIR-V.
+    /// The source text, or the binary for SPIR-V.
     pub text: Output,
-    /// What a host must know of it.
+    /// The resource interface.
     pub interface: HostInterface,
 }
 
-/// A pass in another language, of which `picture` says how the rows of the picture lie; `None` where
-/// it does not compile.
+/// Translates a pass; `picture` is the first row of the image. Returns `None` if it does not
+/// compile.
 pub fn translate(
     project: &Project,
     composed: &Composed,
@@ -84,7 +84,7 @@ pub fn translate(
     let running = composed.units.iter().filter(|u| u.kind != Pass::Common);
     let drawn = running.zip(&passes).find(|(u, _)| u.pass == unit.pass);
     let drawn = drawn.map(|(_, data)| data);
-    // What passes read is found by the number of the row; what is looked at alone is turned.
+    // Passes read buffers by row number; only an image that is displayed is flipped.
     let is_picture = unit.kind == Pass::Image && !drawn.is_some_and(|p| is_read(&p.name));
     let options = LowerOptions {
         language,
@@ -104,8 +104,8 @@ pub fn translate(
     Ok(Some(TranslatedShader { text, interface }))
 }
 
-/// How many passes are drawn before one: buffers come first, then cube maps, then the picture, each
-/// kind in the order of the project.
+/// How many passes are drawn before one: first buffers, then cube maps, then the image, each in
+/// project order.
 fn earlier(drawn: &PassData, passes: &[PassData]) -> usize {
     let rank = |kind: &str| {
         ["buffer", "cubemap", "image"]
@@ -119,7 +119,7 @@ fn earlier(drawn: &PassData, passes: &[PassData]) -> usize {
     before + ranks.filter(|r| Some(*r) < own).count()
 }
 
-/// Says what a pass draws into, and what its textures show.
+/// Adds the target of a pass and the inputs of its textures to the interface.
 fn describe(interface: &mut HostInterface, drawn: &PassData, passes: &[PassData]) {
     let own = drawn.own.as_ref();
     interface.pass = Some(DrawnPass {

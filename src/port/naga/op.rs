@@ -1,4 +1,4 @@
-//! Operations: naga's expressions.
+//! Lowers operations to naga's expressions.
 
 use super::body::{Body, Given};
 use super::target::{Res, Value};
@@ -19,9 +19,9 @@ impl Body<'_, '_> {
         self.lowerer.stand_at(form.provenance(id));
         let ty = form.ty(id);
         let value = match form.op(id).kind {
-            OpKind::Unknown => return self.lowerer.refuse("this could not be read"),
+            OpKind::Unknown => return self.lowerer.refuse("this could not be resolved"),
             OpKind::Store(place, value) => return self.write(place, value),
-            // Who asks for these makes what is asked for.
+            // These are created on use.
             OpKind::Undef | OpKind::Splat(_) => None,
             OpKind::Load(_) if self.lowerer.inside(ty).sampler => None,
             OpKind::Call(function, operands) => self.user_call(id, function, operands)?,
@@ -116,13 +116,13 @@ impl Body<'_, '_> {
                 let columns = columns.map(|column| self.splat(number, column)).collect();
                 self.compose(ty, columns)
             }
-            _ if ty.is_sampler() => self.lowerer.refuse("a sampler is no value here"),
+            _ if ty.is_sampler() => self.lowerer.refuse("a sampler cannot be used as a value"),
             _ => self.lowerer.refuse("this has no value"),
         }
     }
 
-    /// Keeps the value of an operation. Every so often one that is made of others gets a name, so
-    /// that no writer and no compiler of what it writes has to nest deep.
+    /// Records the value of an operation. Deeply nested expressions get a name from time to time,
+    /// to limit the nesting for naga's writers and for target compilers.
     fn keep(&mut self, id: OpId, value: Option<Value>) {
         const MAX_DEPTH: u32 = 60;
         let form = self.lowerer.form;
@@ -139,7 +139,7 @@ impl Body<'_, '_> {
         self.lowerer.give(id, Given { value, depth });
     }
 
-    /// Calls a value by a name, unless it has one or is written out wherever it is used.
+    /// Names a value, unless it already has a name or is always inlined.
     pub(super) fn name(&mut self, value: Value, name: &str) {
         let is_free = self.function.expressions[value].needs_pre_emit();
         let names = &mut self.function.named_expressions;
@@ -148,7 +148,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// A value known before the shader runs, by the name of the constant that it was read from.
+    /// A constant value, by the name of the constant that it was read from.
     fn known(&mut self, id: OpId) -> Res<Value> {
         let form = self.lowerer.form;
         let ty = form.ty(id);
@@ -161,17 +161,19 @@ impl Body<'_, '_> {
         self.constant(ty, &mut form.constant(id))
     }
 
-    /// The first of some scalars, put together as a type says.
+    /// Builds a constant of a type from the first of some scalars.
     fn constant(&mut self, ty: Type, values: &mut &[Constant]) -> Res<Value> {
         if ty.is_scalar() {
             let Some((first, rest)) = values.split_first() else {
-                return self.lowerer.refuse("this value is not known");
+                return self.lowerer.refuse("unknown value");
             };
             *values = rest;
             return match (literal(*first), *first) {
                 (Some(literal), _) => Ok(self.add(Expression::Literal(literal))),
                 (None, Constant::Float(value)) => self.bits(value),
-                _ => self.lowerer.refuse("this value has no literal"),
+                _ => self
+                    .lowerer
+                    .refuse("this value cannot be written as a literal"),
             };
         }
         if let Some((first, rest)) = values.split_at_checked(ty.components() as usize)
@@ -189,8 +191,8 @@ impl Body<'_, '_> {
         self.compose(ty, components?)
     }
 
-    /// An infinity, or what is no number. Other languages refuse to compile what yields one, so it is
-    /// made out of its bits, behind a variable that their compilers do not look through.
+    /// An infinity or NaN. Target compilers reject constant expressions with such a value, so it is
+    /// cast from its bits, which are hidden in a variable.
     fn bits(&mut self, value: f32) -> Res<Value> {
         let bits = self.add(Expression::Literal(Literal::U32(value.to_bits())));
         let pointer = self.spill(bits, Type::UINT)?;
@@ -198,7 +200,7 @@ impl Body<'_, '_> {
         Ok(self.cast(bits, ScalarKind::Float, None))
     }
 
-    /// An element of a value. A matrix must lie in a variable.
+    /// An element of a value. A matrix must be in a variable.
     fn element(&mut self, base: OpId, index: OpId) -> Res<Value> {
         let ty = self.lowerer.form.ty(base);
         let (value, index) = (self.value(base)?, self.value(index)?);
@@ -224,7 +226,7 @@ impl Body<'_, '_> {
         let ty = self.lowerer.form.ty(left);
         let (l, r) = match op {
             _ if ty.is_matrix() => return self.matrix(simple(op), left, right),
-            // Naga multiplies a vector by a number as it is.
+            // Naga multiplies vectors and scalars directly.
             Binary::Multiply if ty.scalar_kind() == Some(Scalar::Float) => {
                 match (self.spread(left), self.spread(right)) {
                     (_, Some(number)) => (self.value(left)?, self.value(number)?),
@@ -232,14 +234,14 @@ impl Body<'_, '_> {
                     (None, None) => (self.value(left)?, self.value(right)?),
                 }
             }
-            // Shifts go by unsigned numbers.
+            // Shift amounts are unsigned.
             Binary::ShiftLeft | Binary::ShiftRight => (self.value(left)?, self.distance(right)?),
             _ => (self.value(left)?, self.value(right)?),
         };
         Ok(self.op(simple(op), l, r))
     }
 
-    /// By how many digits is shifted, without a sign.
+    /// The shift amount as an unsigned value.
     fn distance(&mut self, by: OpId) -> Res<Value> {
         let form = self.lowerer.form;
         let unsigned = form.ty(by).with_scalar(Scalar::Uint);
@@ -259,7 +261,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// The number that every component of a value is.
+    /// The scalar that all components of a value equal.
     pub(super) fn spread(&self, id: OpId) -> Option<OpId> {
         match self.lowerer.form.op(id).kind {
             OpKind::Splat(number) => Some(number),
@@ -267,12 +269,12 @@ impl Body<'_, '_> {
         }
     }
 
-    /// An operator of naga.
+    /// Adds a binary expression.
     pub(super) fn op(&mut self, op: Op, left: Value, right: Value) -> Value {
         self.add(Expression::Binary { op, left, right })
     }
 
-    /// A function of naga.
+    /// Adds a call of a naga function.
     pub(super) fn math(&mut self, fun: MathFunction, args: &[Value]) -> Value {
         let arg = |i: usize| args.get(i).copied();
         match arg(0) {
@@ -287,7 +289,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// One of two values, both of which are there.
+    /// Selects one of two evaluated values.
     pub(super) fn select(&mut self, condition: Value, accept: Value, reject: Value) -> Value {
         self.add(Expression::Select {
             condition,
@@ -296,7 +298,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// One of two values of any type; naga selects numbers and vectors alone.
+    /// Selects one of two values of any type; naga's select supports only scalars and vectors.
     fn chosen(&mut self, condition: Value, accept: Value, reject: Value, ty: Type) -> Res<Value> {
         if ty.is_scalar() || ty.is_vector() {
             return Ok(self.select(condition, accept, reject));
@@ -317,7 +319,7 @@ impl Body<'_, '_> {
         Ok(self.load(chosen))
     }
 
-    /// A vector of equal components, for the type that is wanted.
+    /// A vector with equal components, if the type is a vector.
     pub(super) fn splat(&mut self, value: Value, ty: Type) -> Value {
         match ty.numeric() {
             Some((_, 1, rows @ 2..)) => self.add(Expression::Splat {
@@ -328,7 +330,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Whether two values of one type are equal, all parts of them.
+    /// Whether two values of the same type are equal in all components.
     fn equal(&mut self, l: Value, r: Value, ty: Type) -> Res<Value> {
         if ty.is_scalar() {
             return Ok(self.op(Op::Equal, l, r));
@@ -351,7 +353,7 @@ impl Body<'_, '_> {
         }
         match all {
             Some(value) => Ok(value),
-            None => self.lowerer.refuse("these cannot be compared"),
+            None => self.lowerer.refuse("these values cannot be compared"),
         }
     }
 
@@ -361,7 +363,7 @@ impl Body<'_, '_> {
             let minus = self.float(-1.0);
             return Ok(self.op(Op::Multiply, value, minus));
         }
-        // Unsigned numbers wrap around; naga only knows the sign of signed ones.
+        // Unsigned negation wraps; naga negates only signed values.
         if ty.scalar_kind() == Some(Scalar::Uint) {
             let zero = self.zero(ty)?;
             return Ok(self.op(Op::Subtract, zero, value));
@@ -370,13 +372,13 @@ impl Body<'_, '_> {
         Ok(self.add(Expression::Unary { op, expr: value }))
     }
 
-    /// A number or vector made of something else.
+    /// Converts a scalar or vector to another scalar type.
     pub(super) fn convert(&mut self, value: Value, to: Scalar) -> Value {
         let to = scalar(to);
         self.cast(value, to.kind, Some(to.width))
     }
 
-    /// Without a width the bits stay what they are.
+    /// Casts a value; without a width the bits are kept.
     pub(super) fn cast(&mut self, expr: Value, kind: ScalarKind, convert: Option<u8>) -> Value {
         self.add(Expression::As {
             expr,
@@ -386,7 +388,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// The operator of naga that does the same to numbers and vectors.
+/// The naga operator for scalars and vectors.
 fn simple(op: Binary) -> Op {
     match op {
         Binary::Multiply => Op::Multiply,

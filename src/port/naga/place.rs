@@ -1,4 +1,4 @@
-//! Places: naga's pointers, and the components of what they point at.
+//! Lowers places to naga's pointers and accesses.
 
 use super::body::{Body, Bound};
 use super::stored::Held;
@@ -8,22 +8,22 @@ use ::naga::{Expression, SwizzleComponent};
 use shaderlint_ir::{Access, Lanes, OpId, OpKind, Place, PlaceId, Root};
 use shaderlint_semantic::{Type, VariableId};
 
-/// Where a place is found in the function.
+/// A resolved place.
 struct Spot {
-    /// What is there.
+    /// The location.
     at: At,
-    /// The components of it that are meant, where they are not all.
+    /// The selected components, if not all.
     lanes: Option<Lanes>,
 }
 
-/// What is found at a place.
+/// The location of a place.
 #[derive(Clone, Copy)]
 enum At {
-    /// Its value.
+    /// A value.
     Value(Value),
-    /// What points at it.
+    /// A pointer.
     Pointer(Value),
-    /// It lies in a buffer.
+    /// A place in a uniform buffer.
     Stored(Held),
 }
 
@@ -33,7 +33,7 @@ impl Body<'_, '_> {
         let mut path = form.path(place);
         let is_computed = path.iter().any(|a| matches!(a, Access::Computed(_)));
         let mut at = match self.root(place.variable, &mut path)? {
-            // Naga takes no column of a matrix by a computed number but from a variable.
+            // Naga requires a pointer to access a column of a matrix with a computed index.
             Bound::Value(value) if is_computed && self.has_columns(place.variable) => {
                 let ty = form.variable(place.variable).map_or(Type::ERROR, |v| v.ty);
                 At::Pointer(self.spill(value, ty)?)
@@ -44,7 +44,7 @@ impl Body<'_, '_> {
         };
         let mut lanes = None;
         for access in path {
-            // A column of what lies by rows is put together first.
+            // A row-major matrix is loaded before a column of it is accessed.
             if let At::Stored(held) = at
                 && held.is_by_rows()
             {
@@ -76,7 +76,7 @@ impl Body<'_, '_> {
         Ok(Spot { at, lanes })
     }
 
-    /// What a place starts from. The first step into a block of several chooses the buffer.
+    /// The root of a place. For an array of blocks the first access selects the buffer.
     fn root(&mut self, id: VariableId, path: &mut &[Access]) -> Res<Bound> {
         if !self.lowerer.uniforms.instances.contains_key(&id) {
             return self.bound(id);
@@ -92,12 +92,16 @@ impl Body<'_, '_> {
                 *path = rest;
                 *number
             }
-            _ => return self.lowerer.refuse("a block is chosen by a constant alone"),
+            _ => {
+                return self
+                    .lowerer
+                    .refuse("an array of blocks needs a constant index");
+            }
         };
         self.block(id, number).map(Bound::Stored)
     }
 
-    /// A step to a part.
+    /// Accesses a part of a location.
     fn step_to(&mut self, at: At, step: impl FnOnce(&mut Self, Value) -> Value) -> At {
         match at {
             At::Value(value) => At::Value(step(self, value)),
@@ -115,7 +119,7 @@ impl Body<'_, '_> {
         !(part.is_scalar() || part.is_vector())
     }
 
-    /// What stands at a place.
+    /// Loads a place.
     pub(super) fn read(&mut self, place: PlaceId) -> Res<Value> {
         let spot = self.spot(self.lowerer.form.place(place))?;
         let value = match spot.at {
@@ -129,7 +133,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Writes to a place.
+    /// Stores to a place.
     pub(super) fn write(&mut self, place: PlaceId, value: OpId) -> Res<()> {
         let form = self.lowerer.form;
         let place = form.place(place);
@@ -147,13 +151,13 @@ impl Body<'_, '_> {
             return Ok(());
         }
         let spot = self.spot(place)?;
-        // Variables of a function start at zero by themselves, but not again in each turn of a loop.
+        // Variables of a function are zero-initialised, but not again in each iteration of a loop.
         if form.op(value).kind == OpKind::Undef && !self.in_loop {
             return Ok(());
         }
         let value = self.value(value)?;
         let At::Pointer(to) = spot.at else {
-            return self.lowerer.refuse("nothing can be written here");
+            return self.lowerer.refuse("cannot assign to this");
         };
         let Some(lanes) = spot.lanes else {
             self.store(to, value);
@@ -167,9 +171,9 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// Whether what is stored to a variable stays its value as long as it lives, unless that is a
-    /// number that compilers know: they would go on with it. The cases of a `switch` share their
-    /// variables, and some are written out again.
+    /// Whether a variable has a single value during its lifetime and needs no storage. Excludes
+    /// cases of a `switch`, which share variables and may be duplicated. Values that target
+    /// compilers can evaluate are excluded by the caller.
     fn settles(&self, place: &Place, value: OpId) -> bool {
         let form = self.lowerer.form;
         let root = form.variable(place.variable).map(|v| v.root);
@@ -181,7 +185,7 @@ impl Body<'_, '_> {
             && !self.in_switch
     }
 
-    /// Some components of a vector.
+    /// Selects components of a vector.
     pub(super) fn swizzle(&mut self, vector: Value, lanes: Lanes) -> Value {
         if let &[one] = lanes.numbers() {
             return self.part(vector, one.into());

@@ -1,4 +1,4 @@
-//! What passes between a stage and its neighbours: attributes, varyings and outputs, by number.
+//! Values passed between stages: attributes, varyings and outputs, with their locations.
 
 use super::interface::Port;
 use super::lower::Lowerer;
@@ -8,25 +8,26 @@ use shaderlint_semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
 use shaderlint_syntax::ast::{DeclKind, Item, List, QualifierKind};
 use std::collections::BTreeSet;
 
-/// A number or vector of a variable that passes between stages. The languages pass nothing else.
+/// A scalar or vector in a variable that is passed between stages. The target languages pass only
+/// these.
 #[derive(Clone, Debug)]
 pub(super) struct Leaf {
-    /// The variable.
+    /// The variable that it is part of.
     pub(super) variable: VariableId,
-    /// The steps into it.
+    /// The indexes of members, elements and columns that lead to it.
     pub(super) path: Vec<u32>,
-    /// As WebGL names it.
+    /// The WebGL name.
     pub(super) name: String,
-    /// Its type.
+    /// A scalar or vector type.
     pub(super) ty: Type,
-    /// Its number.
+    /// The location number.
     pub(super) location: u32,
     /// Whether it is `centroid`.
     is_centroid: bool,
 }
 
 impl Leaf {
-    /// What a host is told of it.
+    /// Its entry in the resource interface.
     pub(super) fn port(&self, program: &Program) -> Port {
         Port {
             name: self.name.clone(),
@@ -35,12 +36,12 @@ impl Leaf {
         }
     }
 
-    /// The name in the other languages.
+    /// The name in the target language.
     pub(super) fn word(&self) -> String {
         self.name.replace(['[', ']', '.'], "_")
     }
 
-    /// Its place between two stages.
+    /// The binding between two stages.
     pub(super) fn varying(&self, lowerer: &Lowerer) -> Binding {
         let is_flat = lowerer
             .form
@@ -62,7 +63,7 @@ impl Leaf {
         }
     }
 
-    /// Whether one vertex alone gives it.
+    /// Whether it is not interpolated.
     pub(super) fn is_flat(&self, lowerer: &Lowerer) -> bool {
         let binding = self.varying(lowerer);
         matches!(
@@ -75,7 +76,7 @@ impl Leaf {
     }
 }
 
-/// A place with a number, which no stage lies behind.
+/// A location without interpolation.
 pub(super) fn location(location: u32) -> Binding {
     Binding::Location {
         location,
@@ -86,14 +87,14 @@ pub(super) fn location(location: u32) -> Binding {
     }
 }
 
-/// The varyings of a vertex shader with their numbers, by which a fragment shader finds them.
+/// The varyings of a vertex shader with their locations, which the fragment shader uses too.
 pub(super) fn varyings(program: &Program) -> Vec<(String, u32)> {
     let leaves = leaves(program, Storage::Output, &[]);
     leaves.into_iter().map(|l| (l.name, l.location)).collect()
 }
 
-/// The numbers and vectors of the variables of a kind, in the order of the text. One that another
-/// stage has given a number keeps it, then come those that the text gives.
+/// The scalars and vectors of the variables of a storage class, in source order. Known locations
+/// come first, then those in the source.
 pub(super) fn leaves(program: &Program, storage: Storage, known: &[(String, u32)]) -> Vec<Leaf> {
     let mut all: Vec<Vec<Leaf>> = Vec::new();
     let mut taken: BTreeSet<u32> = known.iter().map(|(_, location)| *location).collect();
@@ -150,7 +151,7 @@ fn number_from(leaves: &mut [Leaf], first: u32) {
     }
 }
 
-/// The numbers and vectors that a value is made of.
+/// Splits a value into its scalars and vectors.
 pub(super) fn split(
     (program, layout): (&Program, &Layout),
     variable: VariableId,
@@ -183,7 +184,7 @@ pub(super) fn split(
     }
 }
 
-/// The variables that stand at global scope, with their qualifiers, in the order of the text.
+/// The variables at global scope with their qualifiers, in source order.
 fn declarations(program: &Program) -> Vec<(VariableId, List)> {
     let mut found = Vec::new();
     for item in &program.tree.items {
@@ -206,7 +207,7 @@ fn declarations(program: &Program) -> Vec<(VariableId, List)> {
     found
 }
 
-/// The number of `layout(location = n)`.
+/// The number in `layout(location = n)`.
 fn explicit(program: &Program, qualifiers: List) -> Option<u32> {
     let tree = &program.tree;
     let layouts = tree
@@ -221,7 +222,7 @@ fn explicit(program: &Program, qualifiers: List) -> Option<u32> {
     u32::try_from(entry.value?.value).ok()
 }
 
-/// A stage as hosts know it.
+/// The name of a stage in the resource interface.
 pub(super) const fn stage_name(stage: Stage) -> &'static str {
     match stage {
         Stage::Vertex => "vertex",
@@ -229,7 +230,7 @@ pub(super) const fn stage_name(stage: Stage) -> &'static str {
     }
 }
 
-/// What the host calls.
+/// The name of the entry point.
 pub(super) const fn entry_name(stage: Stage) -> &'static str {
     match stage {
         Stage::Vertex => "vertex_main",

@@ -1,4 +1,4 @@
-//! Regions: what runs one after another, the one or the other, again and again.
+//! Lowers regions: sequences, branches and loops.
 
 use super::body::Body;
 use super::target::{Res, Value};
@@ -17,7 +17,7 @@ impl<'p> Visit<'p> for Body<'_, 'p> {
         self.lowerer.form
     }
 
-    /// Lowers steps up to the first that nothing passes.
+    /// Lowers the steps of a region up to the first that ends it.
     fn region(&mut self, region: Region) -> Res<()> {
         self.depth += 1;
         for step in self.lowerer.form.steps(region) {
@@ -84,7 +84,7 @@ impl<'p> Visit<'p> for Body<'_, 'p> {
         Ok(())
     }
 
-    /// Naga lets nothing but empty cases fall through, so what follows is written out again.
+    /// Naga allows fallthrough only for empty cases, so the bodies that follow are duplicated.
     fn switch(&mut self, switch: &'p Switch) -> Res<()> {
         let form = self.lowerer.form;
         let selector = self.value(switch.selector)?;
@@ -154,7 +154,7 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// Lowers a case and those behind it, up to the first that nothing passes.
+    /// Lowers a case and those that it falls through to.
     fn run_on(&mut self, cases: &[Case]) -> Res<()> {
         for case in cases {
             self.region(case.body)?;
@@ -166,7 +166,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// What a case stands for, among values of a scalar.
+/// The label of a case, with the type of the selector.
 fn value(label: CaseLabel, scalar: Option<Scalar>) -> SwitchValue {
     match (label, scalar) {
         (CaseLabel::Default, _) => SwitchValue::Default,

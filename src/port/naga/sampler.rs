@@ -1,5 +1,5 @@
-//! Which texture is meant. The other languages have no arrays of textures, so one that is chosen by a
-//! number is one of several, of which each has a case of its own.
+//! Resolves samplers. The target languages have no arrays of textures, so a texture with a computed
+//! index becomes a `switch` over all elements.
 
 use super::body::Body;
 use super::target::{Res, Value};
@@ -9,26 +9,26 @@ use ::naga::{Expression, Statement, SwitchCase, SwitchValue, TypeInner};
 use shaderlint_ir::{Access, OpId, OpKind};
 use shaderlint_semantic::{Sampler, Scalar, Type, VariableId};
 
-/// A texture and how it is sampled.
+/// A texture with its sampler.
 #[derive(Clone, Copy)]
 pub(super) struct Looked {
     /// The texture.
     pub(super) image: Value,
-    /// How it is sampled.
+    /// The sampler.
     pub(super) sampler: Value,
-    /// What the shader calls it.
+    /// The sampler type in GLSL.
     pub(super) kind: Sampler,
 }
 
-/// What a sampler may be.
+/// The possible samplers of an operand.
 enum Choice {
     One(Looked),
-    /// The elements of an array, and the number of one.
+    /// The elements of an array, and the computed index.
     Element(OpId, Vec<Looked>),
 }
 
 impl Body<'_, '_> {
-    /// Does something with the texture that an operand is, whichever that is; gives what came of it.
+    /// Applies `make` to the texture of an operand, for each possible element. Returns its result.
     pub(super) fn with_sampler(
         &mut self,
         operand: OpId,
@@ -64,7 +64,7 @@ impl Body<'_, '_> {
                 fall_through: false,
             });
         }
-        // Whatever number it is, the last is taken where it is none of the others.
+        // Any other index selects the last element.
         if let Some(last) = cases.last_mut() {
             last.value = SwitchValue::Default;
         }
@@ -72,7 +72,7 @@ impl Body<'_, '_> {
         Ok(result.map(|from| self.load(from)))
     }
 
-    /// The textures that an operand is: one, or the elements of an array.
+    /// The textures of an operand: one, or the elements of an array.
     pub(super) fn samplers(&mut self, operand: OpId) -> Res<Vec<Looked>> {
         let ty = self.lowerer.form.ty(operand);
         if ty.is_array() {
@@ -84,7 +84,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// Whether which texture an operand is depends on a number.
+    /// Whether the texture of an operand has a computed index.
     pub(super) fn is_chosen(&self, operand: OpId) -> bool {
         let form = self.lowerer.form;
         match form.op(operand).kind {
@@ -128,7 +128,7 @@ impl Body<'_, '_> {
         let Some(Access::Computed(index)) = chosen else {
             return match self.looked(variable, &steps) {
                 Some(looked) => Ok(Choice::One(looked)),
-                None => self.lowerer.refuse("this sampler is not known"),
+                None => self.lowerer.refuse("unknown sampler"),
             };
         };
         let known = steps.len();
@@ -143,23 +143,23 @@ impl Body<'_, '_> {
             }
         }
         match all.is_empty() {
-            true => self.lowerer.refuse("this sampler is not known"),
+            true => self.lowerer.refuse("unknown sampler"),
             false => Ok(Choice::Element(*index, all)),
         }
     }
 
-    /// The variable that an operand is read from, and the steps into it.
+    /// The variable that an operand is read from, with its path.
     fn path_of(&mut self, operand: OpId) -> Res<(VariableId, Vec<Access>)> {
         let form = self.lowerer.form;
         let OpKind::Load(place) = form.op(operand).kind else {
             self.lowerer.stand_at(form.provenance(operand));
-            return self.lowerer.refuse("this is no sampler");
+            return self.lowerer.refuse("this is not a sampler");
         };
         let place = form.place(place);
         Ok((place.variable, form.path(place).to_vec()))
     }
 
-    /// The texture at a place.
+    /// The texture at a path.
     fn looked(&mut self, variable: VariableId, steps: &[u32]) -> Option<Looked> {
         let key = (variable, steps.to_vec());
         if let Some(found) = self.samplers.get(&key) {
@@ -177,11 +177,11 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Declares the arguments of a parameter that is a sampler, or an array of them.
+    /// Declares the arguments for a sampler parameter, or for an array of samplers.
     pub(super) fn sampler_parameter(&mut self, id: VariableId, name: &str, ty: Type) -> Res<()> {
         let Some(kind) = ty.element().as_sampler() else {
-            let message = "a struct with a sampler cannot be handed to a function in the other \
-                           languages; hand its members";
+            let message = "the target language cannot pass a struct with a sampler to a \
+                           function; pass its members instead";
             return self.lowerer.refuse(message);
         };
         for i in 0..ty.array.max(1) {
@@ -205,10 +205,9 @@ impl Body<'_, '_> {
     }
 }
 
-const MANY: &str =
-    "a sampler that several numbers choose has no counterpart in the other languages";
+const MANY: &str = "the target language cannot select a sampler with several computed indices";
 
-/// The number of a step that is known.
+/// The constant index of an access.
 fn number(access: &Access) -> Option<u32> {
     match access {
         Access::Member(index) | Access::Element(index) => Some(*index),

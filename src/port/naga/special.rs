@@ -1,4 +1,4 @@
-//! Variables of the language, which the stage gives and takes beside those of the shader.
+//! Built-in variables.
 
 use super::body::{Body, Bound};
 use super::lower::Lowerer;
@@ -9,43 +9,43 @@ use ::naga::{BinaryOperator as Op, Binding, BuiltIn, Expression, GlobalVariable,
 use shaderlint_ir::Access;
 use shaderlint_semantic::{Scalar, Stage, Type, VariableId};
 
-/// One of them, in a module.
+/// A built-in variable in the module.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Special {
     /// The variable of the shader.
     id: VariableId,
-    /// Where it is kept while the shader runs.
+    /// The private variable with its value.
     global: Handle<GlobalVariable>,
 }
 
-/// Something that leaves the stage.
+/// An output of the stage.
 pub(super) struct Leaving {
-    /// Its name.
+    /// The name.
     pub(super) name: String,
-    /// Its value.
+    /// The value.
     pub(super) value: Value,
-    /// Its type.
+    /// The GLSL type.
     pub(super) ty: Type,
-    /// Where it goes.
+    /// The location or built-in.
     pub(super) binding: Binding,
 }
 
 const VEC4: Type = Type::vector(Scalar::Float, 4);
 
 impl Lowerer<'_> {
-    /// Whether points have a size: elsewhere they are one pixel.
+    /// Whether the target language supports point sizes.
     fn has_points(&self) -> bool {
         matches!(self.language, TargetLanguage::Spirv | TargetLanguage::Msl)
     }
 
-    /// Says something once.
+    /// Adds a note to the interface, without duplicates.
     pub(super) fn note(&mut self, text: &str) {
         if !self.interface.notes.iter().any(|n| n == text) {
             self.interface.notes.push(text.to_string());
         }
     }
 
-    /// A variable of the language as one of the module.
+    /// Declares a private variable for a built-in variable.
     fn special(&mut self, id: VariableId, name: &'static str, ty: Type) -> Res<Special> {
         if let Some(found) = self.specials.get(name) {
             return Ok(*found);
@@ -59,7 +59,7 @@ impl Lowerer<'_> {
 }
 
 impl Body<'_, '_> {
-    /// What a variable of the language is in this function.
+    /// Where a built-in variable is stored in this function.
     pub(super) fn special(&mut self, id: VariableId) -> Res<Bound> {
         let name = self.lowerer.name(id).unwrap_or_default();
         let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
@@ -75,21 +75,21 @@ impl Body<'_, '_> {
             "gl_PointSize" => {
                 if !self.lowerer.has_points() {
                     self.lowerer
-                        .note("gl_PointSize has no counterpart: points are one pixel");
+                        .note("gl_PointSize has no equivalent: points cover one pixel");
                 }
                 "gl_PointSize"
             }
             "gl_PointCoord" if self.lowerer.has_points() => "gl_PointCoord",
             "gl_PointCoord" => {
                 self.lowerer
-                    .note("gl_PointCoord is 0.5: points are one pixel");
+                    .note("gl_PointCoord is 0.5: points cover one pixel");
                 let middle = self.float(0.5);
                 return Ok(Bound::Value(self.splat(middle, ty)));
             }
             "gl_DepthRange" => {
                 self.lowerer
-                    .note("gl_DepthRange is that of WebGL from the start: 0 to 1");
-                // The struct has the members that the text speaks of.
+                    .note("gl_DepthRange is fixed at WebGL's default, 0 to 1");
+                // The struct has only the members that the shader uses.
                 let program = self.lowerer.program;
                 let fields = program.struct_of(ty).map_or(&[][..], |s| &s.fields);
                 let value = |name: &str| if name == "near" { 0.0 } else { 1.0 };
@@ -98,7 +98,7 @@ impl Body<'_, '_> {
                 return self.compose(ty, values).map(Bound::Value);
             }
             other => {
-                let message = format!("`{other}` has no counterpart in the other languages");
+                let message = format!("`{other}` has no equivalent in the target language");
                 return self.lowerer.refuse(message);
             }
         };
@@ -108,7 +108,7 @@ impl Body<'_, '_> {
         ))
     }
 
-    /// Takes what the stage gives.
+    /// Loads the built-in inputs.
     pub(super) fn take_specials(&mut self) -> Res<()> {
         for name in [
             "gl_FragCoord",
@@ -143,8 +143,8 @@ impl Body<'_, '_> {
         Ok(())
     }
 
-    /// The position of a pixel as OpenGL has it: rows are counted from below, and the last component
-    /// is the inverse of what Direct3D gives.
+    /// The position of a pixel as in OpenGL: rows are counted from the bottom, and `w` is the
+    /// reciprocal of Direct3D's.
     fn position(&mut self, at: Value) -> Res<Value> {
         let is_turned = self.lowerer.origin == FirstRow::Top;
         let is_inverse = self.lowerer.language == TargetLanguage::Hlsl;
@@ -153,7 +153,9 @@ impl Body<'_, '_> {
         }
         let mut parts: Vec<Value> = (0..4).map(|i| self.part(at, i)).collect();
         let [_, y, _, w] = &mut parts[..] else {
-            return self.lowerer.refuse("a position has four parts");
+            return self
+                .lowerer
+                .refuse("expected a position with four components");
         };
         if is_turned {
             let height = self.height()?;
@@ -166,7 +168,7 @@ impl Body<'_, '_> {
         self.compose(VEC4, parts)
     }
 
-    /// What leaves the stage beside the variables of the shader.
+    /// The built-in outputs.
     pub(super) fn leaving_specials(&mut self) -> Res<Vec<Leaving>> {
         let mut found = Vec::new();
         if self.lowerer.program.stage == Stage::Vertex {
@@ -207,7 +209,7 @@ impl Body<'_, '_> {
         Ok(found)
     }
 
-    /// Where the vertex lies; the depth of OpenGL goes from -1, that of the others from 0.
+    /// The position of the vertex; depth ranges from -1 to 1 in OpenGL, and from 0 to 1 elsewhere.
     fn leaving_position(&mut self) -> Res<Leaving> {
         let at = match self.lowerer.specials.get("gl_Position").copied() {
             Some(special) => {
@@ -218,17 +220,19 @@ impl Body<'_, '_> {
         };
         let mut parts: Vec<Value> = (0..4).map(|i| self.part(at, i)).collect();
         let [_, _, z, w] = &mut parts[..] else {
-            return self.lowerer.refuse("a position has four parts");
+            return self
+                .lowerer
+                .refuse("expected a position with four components");
         };
         let sum = self.op(Op::Add, *z, *w);
         let half = self.float(0.5);
         *z = self.op(Op::Multiply, sum, half);
         let value = self.compose(VEC4, parts)?;
         self.lowerer
-            .note("gl_Position: the depth from -1 to 1 becomes that from 0 to 1");
+            .note("gl_Position: depth is mapped from -1..1 to 0..1");
         if self.lowerer.language == TargetLanguage::Spirv {
             self.lowerer
-                .note("gl_Position: y points up as in OpenGL, and is turned for Vulkan");
+                .note("gl_Position: y points up as in OpenGL and is flipped for Vulkan");
         }
         Ok(Leaving {
             name: "position".to_string(),
@@ -240,7 +244,7 @@ impl Body<'_, '_> {
         })
     }
 
-    /// The elements of an array that are written, as far as they are told by their numbers.
+    /// The elements of an array that are written; all elements if an index is computed.
     fn elements_written(&self, id: VariableId) -> Vec<u32> {
         let form = self.lowerer.form;
         let mut found = std::collections::BTreeSet::new();

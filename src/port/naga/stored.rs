@@ -1,5 +1,5 @@
-//! How uniforms lie in buffers: as `std140` says (OpenGL ES 3.0, section 2.12.6.4), which all four
-//! languages can say too, some with room that they do not take by themselves.
+//! The layout of uniforms in buffers: `std140` (OpenGL ES 3.0, section 2.12.6.4). All four target
+//! languages can express it, some only with explicit padding.
 
 use super::body::Body;
 use super::interface::{BufferMember, Repeated};
@@ -10,30 +10,31 @@ use shaderlint_ir::Lanes;
 use shaderlint_semantic::{Base, Scalar, Type};
 use std::num::NonZeroU32;
 
-/// A type as it lies in a buffer.
+/// A type in its buffer layout.
 #[derive(Clone, Copy)]
 pub(super) struct Stored {
-    /// The type.
+    /// The naga type.
     pub(super) ty: Handle<::naga::Type>,
-    /// In bytes.
+    /// Size in bytes.
     pub(super) size: u32,
-    /// In bytes.
+    /// Alignment in bytes.
     align: u32,
-    /// Whether it is a struct, or an array of them: the languages would put it closer.
+    /// Whether it is a struct or an array of structs, which the target languages would pack more
+    /// tightly.
     is_record: bool,
 }
 
-/// How the matrices of a member lie, at any depth.
+/// The layout of the matrices of a member, at any depth.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Major {
-    /// One column behind the other.
+    /// Column-major.
     Columns,
-    /// One row behind the other, as `layout(row_major)` says.
+    /// Row-major, as with `layout(row_major)`.
     Rows,
 }
 
 impl Major {
-    /// What lies for a value of a type: for a matrix by rows the one turned over.
+    /// The stored type: transposed for a row-major matrix.
     fn laid(self, ty: Type) -> Type {
         match (self, ty.element().numeric()) {
             (Major::Rows, Some((_, columns @ 2.., rows))) => {
@@ -49,24 +50,24 @@ impl Major {
     }
 }
 
-/// Where a field of a struct lies.
+/// The place of a field in a struct.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Field {
-    /// How its matrices lie.
+    /// The layout of its matrices.
     pub(super) major: Major,
-    /// The number of the member.
+    /// The index of the member.
     pub(super) member: u32,
-    /// In bytes from the start of the struct.
+    /// Offset in bytes from the start of the struct.
     pub(super) offset: u32,
 }
 
-/// A struct as it lies, with the places of its fields; samplers have none.
+/// The layout of a struct with the places of its fields; `None` for samplers.
 pub(super) type Record = (Stored, Vec<Option<Field>>);
 
-/// What arrays, structs and matrices start at.
+/// Alignment of arrays, structs and matrices, in bytes.
 const ROW: u32 = 16;
 
-/// The members of a struct that is being laid out.
+/// The members of a struct under construction.
 #[derive(Default)]
 pub(super) struct Packing {
     members: Vec<StructMember>,
@@ -74,7 +75,7 @@ pub(super) struct Packing {
 }
 
 impl Packing {
-    /// Puts a member behind the others.
+    /// Appends a member.
     pub(super) fn add(&mut self, lowerer: &mut Lowerer, name: &str, stored: Stored) -> Res<Field> {
         if stored.is_record {
             self.pad(lowerer)?;
@@ -95,7 +96,7 @@ impl Packing {
         })
     }
 
-    /// Fills up to where a struct may start.
+    /// Adds padding up to the alignment of a struct.
     fn pad(&mut self, lowerer: &mut Lowerer) -> Res<()> {
         let ty = lowerer.ty(Type::UINT)?;
         self.offset = self.offset.next_multiple_of(4);
@@ -111,7 +112,7 @@ impl Packing {
         Ok(())
     }
 
-    /// The struct.
+    /// Finishes the struct.
     pub(super) fn finish(mut self, lowerer: &mut Lowerer, name: Option<String>) -> Res<Stored> {
         self.pad(lowerer)?;
         let size = self.offset.max(ROW);
@@ -125,14 +126,14 @@ impl Packing {
         })
     }
 
-    /// Whether nothing lies in it.
+    /// Whether it has no members.
     pub(super) fn is_empty(&self) -> bool {
         self.members.is_empty()
     }
 }
 
 impl Lowerer<'_> {
-    /// How values of a type lie in a buffer.
+    /// The buffer layout of a type.
     pub(super) fn stored(&mut self, ty: Type, major: Major) -> Res<Stored> {
         let ty = major.laid(ty);
         if ty.is_array() {
@@ -171,15 +172,15 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Four numbers, of which fewer may be meant.
+    /// A vector with four components, of which some may be unused.
     fn row(&mut self, scalar: Scalar) -> Res<Stored> {
         self.stored(Type::vector(scalar, 4), Major::Columns)
     }
 
-    /// An array, each element of which starts at a row.
+    /// An array with the stride that `std140` requires.
     fn rows(&mut self, element: Stored, count: u32) -> Res<Stored> {
         let Some(size) = NonZeroU32::new(count).filter(|n| n.get() != Type::UNSIZED) else {
-            return self.refuse("the size of this array is not known");
+            return self.refuse("the size of this array is unknown");
         };
         let stride = element.size.next_multiple_of(ROW);
         let ty = self.inner(
@@ -204,13 +205,13 @@ impl Lowerer<'_> {
         }
         let program = self.program;
         let Some(found) = program.struct_of(ty) else {
-            return self.refuse("this has no place among the uniforms");
+            return self.refuse("this type cannot be stored in a uniform buffer");
         };
         let mut packing = Packing::default();
         let mut fields = Vec::new();
         for (number, field) in found.fields.iter().enumerate() {
             let major = self.major_of(ty, number).unwrap_or(major);
-            // What is looked into stands elsewhere.
+            // Samplers are stored separately.
             fields.push(match field.ty.is_sampler() {
                 true => None,
                 false => {
@@ -236,13 +237,13 @@ impl Lowerer<'_> {
         Ok(stored)
     }
 
-    /// Where the fields of a struct or block lie that was laid out before.
+    /// The places of the fields of a struct or block.
     pub(super) fn stored_fields(&self, ty: Type, major: Major) -> &[Option<Field>] {
         let record = self.uniforms.records.get(&(ty, major));
         record.map_or(&[], |(_, fields)| fields)
     }
 
-    /// How the matrices of a block's member lie; `None` for a member of a struct.
+    /// The matrix layout of a block's member; `None` for a member of a struct.
     fn major_of(&self, block: Type, member: usize) -> Option<Major> {
         let Base::Block(record) = block.base else {
             return None;
@@ -254,7 +255,7 @@ impl Lowerer<'_> {
         })
     }
 
-    /// Names what lies in a buffer.
+    /// Lists the members of a buffer by name.
     pub(super) fn list(
         &mut self,
         name: &str,
@@ -313,18 +314,18 @@ impl Lowerer<'_> {
 /// A place in a buffer.
 #[derive(Clone, Copy)]
 pub(super) struct Held {
-    /// What points at it.
+    /// The pointer to it.
     pub(super) at: Value,
-    /// The type of the shader's value there.
+    /// The type of its value in the shader.
     pub(super) ty: Type,
-    /// Whether that is the first part of four numbers.
+    /// Whether only the first components of a stored vector are used.
     pub(super) is_wide: bool,
-    /// How its matrices lie.
+    /// The layout of its matrices.
     pub(super) major: Major,
 }
 
 impl Held {
-    /// What lies at a pointer.
+    /// The place at a pointer.
     pub(super) fn new(at: Value, ty: Type, major: Major) -> Held {
         Held {
             at,
@@ -334,7 +335,7 @@ impl Held {
         }
     }
 
-    /// Whether it is a matrix whose columns do not lie together.
+    /// Whether it is a row-major matrix.
     pub(super) fn is_by_rows(self) -> bool {
         let is_matrix = matches!(self.ty.numeric(), Some((_, 2.., _)));
         self.major == Major::Rows && is_matrix && !self.ty.is_array()
@@ -353,7 +354,7 @@ impl Body<'_, '_> {
                 let at = self.part(held.at, place.member);
                 Ok(Held::new(at, field.ty, place.major))
             }
-            _ => self.lowerer.refuse("a sampler is no value here"),
+            _ => self.lowerer.refuse("a sampler cannot be used as a value"),
         }
     }
 
@@ -374,7 +375,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// The value of the shader that lies at a place.
+    /// Loads the value at a place.
     pub(super) fn unpack(&mut self, held: Held) -> Res<Value> {
         self.check_limits()?;
         let ty = held.ty;

@@ -1,15 +1,15 @@
-//! What is asked of a lowering, and how it says no.
+//! Options and errors of the translation.
 
 use serde::Serialize;
 use shaderlint_semantic::Program;
 use shaderlint_text::Span;
 
-/// Why a pass cannot be written in another language.
+/// Why a shader cannot be translated.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Refused {
-    /// Where the reason stands; empty where it is the whole pass.
+    /// The span of the cause; empty for the whole pass.
     pub span: Span,
-    /// The reason.
+    /// The error message.
     pub message: String,
 }
 
@@ -22,50 +22,50 @@ impl Refused {
     }
 }
 
-/// What is made, or why it is not.
+/// A result of lowering.
 pub(super) type Res<T> = Result<T, Refused>;
 
-/// A value of the function that is being made.
+/// A value in the current function.
 pub(super) type Value = ::naga::Handle<::naga::Expression>;
 
-/// Where the first row of the picture lies.
+/// The first row of an image in memory.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum FirstRow {
-    /// On top, as graphics interfaces other than OpenGL show pictures: rows are turned
+    /// The top row, as in WebGPU, Vulkan, Direct3D and Metal: the image is flipped
     #[default]
     Top,
-    /// Below, as in OpenGL: what is drawn is read by the number of the row, or turned when it is shown
+    /// The bottom row, as in OpenGL: the host flips the image when it shows it
     Bottom,
 }
 
-/// How a shader is lowered.
+/// Options of lowering.
 #[derive(Clone, Copy)]
 pub struct LowerOptions<'a> {
-    /// The language that it goes into.
+    /// The target language.
     pub language: TargetLanguage,
-    /// Where the first row of the picture lies.
+    /// The first row of the image.
     pub first_row: FirstRow,
-    /// The vertex shader of a fragment shader, where it is known: it numbers the varyings.
+    /// The vertex shader for a fragment shader, if known: it determines the locations of varyings.
     pub vertex: Option<&'a Program>,
 }
 
-/// The languages that naga writes.
+/// The target languages of naga.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TargetLanguage {
-    /// WebGPU's language.
+    /// For WebGPU.
     Wgsl,
-    /// Vulkan's binary form.
+    /// For Vulkan.
     Spirv,
-    /// Direct3D's language, shader model 5.1.
+    /// For Direct3D, shader model 5.1.
     Hlsl,
-    /// Metal's language, version 2.1.
+    /// For Metal, version 2.1.
     Msl,
 }
 
 impl TargetLanguage {
-    /// All of them.
+    /// All target languages.
     pub const ALL: [TargetLanguage; 4] = [
         TargetLanguage::Wgsl,
         TargetLanguage::Spirv,
@@ -73,7 +73,7 @@ impl TargetLanguage {
         TargetLanguage::Msl,
     ];
 
-    /// How the names of its files end.
+    /// The file extension.
     pub const fn ending(self) -> &'static str {
         match self {
             TargetLanguage::Wgsl => "wgsl",
@@ -83,7 +83,7 @@ impl TargetLanguage {
         }
     }
 
-    /// As it is called.
+    /// The name in messages.
     pub const fn name(self) -> &'static str {
         match self {
             TargetLanguage::Wgsl => "WGSL",
@@ -94,5 +94,5 @@ impl TargetLanguage {
     }
 }
 
-/// What a file holds.
+/// The content of an output file.
 pub type Output = Vec<u8>;

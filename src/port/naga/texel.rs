@@ -1,4 +1,4 @@
-//! Textures of whole numbers, which the other languages read texel by texel and never sample.
+//! Integer textures, which the target languages can only load and not sample.
 
 use super::body::Body;
 use super::target::{Res, Value};
@@ -10,8 +10,8 @@ use shaderlint_semantic::builtins::{Level, Lookup};
 use shaderlint_semantic::{Sampler, Scalar, Type};
 
 impl Body<'_, '_> {
-    /// The texel that is nearest to some coordinates, which go on from the other side. Levels that
-    /// WebGL would choose by derivatives are the first.
+    /// The nearest texel, with repeat wrapping. Where WebGL would choose the level with
+    /// derivatives, level 0 is used.
     pub(super) fn nearest(
         &mut self,
         lookup: Lookup,
@@ -22,11 +22,11 @@ impl Body<'_, '_> {
     ) -> Res<Value> {
         let shape = Shape::of(kind);
         if shape.extent != shape.size {
-            let message = "a cube map of whole numbers has no counterpart in the other languages";
+            let message = "integer cube maps have no equivalent in the target language";
             return self.lowerer.refuse(message);
         }
         self.lowerer
-            .note("textures of whole numbers: the nearest texel is taken, and they repeat");
+            .note("integer textures use nearest filtering and repeat wrapping");
         let at_ty = self.lowerer.form.ty(at);
         let mut at = self.value(at)?;
         if lookup.is_projective {
@@ -62,7 +62,7 @@ impl Body<'_, '_> {
         if let Some(offset) = offset {
             texel = self.op(Op::Add, texel, offset);
         }
-        // A remainder has the sign of what is divided.
+        // The remainder has the sign of the dividend.
         let rest = self.op(Op::Modulo, texel, size);
         let above = self.op(Op::Add, rest, size);
         let coordinate = self.op(Op::Modulo, above, size);
@@ -78,7 +78,7 @@ impl Body<'_, '_> {
         }))
     }
 
-    /// The layer that is nearest to a number.
+    /// The nearest layer.
     fn nearest_layer(&mut self, image: Value, layer: Value) -> Res<Value> {
         let nearest = self.math(MathFunction::Round, &[layer]);
         let nearest = self.convert(nearest, Scalar::Int);

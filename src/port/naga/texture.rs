@@ -1,4 +1,4 @@
-//! Looking into textures.
+//! Texture lookups.
 
 use super::body::Body;
 use super::sampler::Looked;
@@ -12,15 +12,15 @@ use shaderlint_ir::{Lanes, OpId};
 use shaderlint_semantic::builtins::{BuiltinKind, Level, Lookup};
 use shaderlint_semantic::{Sampler, Scalar, Type};
 
-/// What a sampler asks of the coordinates.
+/// The coordinates of a sampler type.
 pub(super) struct Shape {
-    /// How many coordinates there are.
+    /// Number of coordinates.
     pub(super) size: u8,
-    /// How many numbers the size has, without that of the layers.
+    /// Number of components of the size, without layers.
     pub(super) extent: u8,
-    /// Whether a layer is chosen.
+    /// Whether it has layers.
     pub(super) is_layered: bool,
-    /// Whether the depth is compared.
+    /// Whether it compares depth.
     is_shadow: bool,
 }
 
@@ -48,21 +48,21 @@ impl Shape {
 }
 
 impl Body<'_, '_> {
-    /// A call of one of the texture functions.
+    /// Lowers a call of a texture function.
     pub(super) fn texture(&mut self, kind: BuiltinKind, operands: &[OpId], ty: Type) -> Res<Value> {
         let [texture, rest @ ..] = operands else {
-            return self.lowerer.refuse("this reads no texture");
+            return self.lowerer.refuse("this is not a texture lookup");
         };
         let value = self.with_sampler(*texture, ty, |it, looked| {
             it.look(kind, looked, rest).map(Some)
         })?;
         match value {
             Some(value) => Ok(value),
-            None => self.lowerer.refuse("this reads no texture"),
+            None => self.lowerer.refuse("this is not a texture lookup"),
         }
     }
 
-    /// What one of the texture functions gives of a texture.
+    /// Lowers a texture function for one texture.
     fn look(&mut self, kind: BuiltinKind, looked: Looked, rest: &[OpId]) -> Res<Value> {
         let Looked {
             image,
@@ -87,7 +87,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// The size of a level, as WebGL tells it of any number: halves of the first, until it is one.
+    /// The size of a level, as in WebGL for any number: each level has half the size, at least 1.
     fn texture_size(&mut self, image: Value, lod: OpId, shape: &Shape) -> Res<Value> {
         let query = ImageQuery::Size { level: None };
         let mut size = self.add(Expression::ImageQuery { image, query });
@@ -142,7 +142,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// An offset, for coordinates of a type: the layer stays.
+    /// An offset extended to the type of the coordinates: the layer does not change.
     fn offset_of(&mut self, offset: OpId, at: Type) -> Res<Value> {
         let ty = self.lowerer.form.ty(offset);
         let value = self.value(offset)?;
@@ -153,7 +153,7 @@ impl Body<'_, '_> {
         self.compose(at, vec![value, layer])
     }
 
-    /// The level of a texture that is nearest to a number, as in WebGL.
+    /// Clamps a level to those of a texture, as in WebGL.
     pub(super) fn nearest_level(&mut self, image: Value, level: Value) -> Res<Value> {
         let query = ImageQuery::NumLevels;
         let levels = self.add(Expression::ImageQuery { image, query });
@@ -165,7 +165,7 @@ impl Body<'_, '_> {
         Ok(self.math(MathFunction::Min, &[level, last]))
     }
 
-    /// Returns the texel of a texture where there is one.
+    /// Returns a texel if the coordinates are in range.
     pub(super) fn texel_inside(
         &mut self,
         image: Value,
@@ -180,7 +180,7 @@ impl Body<'_, '_> {
         let level = Some(level);
         let query = ImageQuery::Size { level };
         let size = self.add(Expression::ImageQuery { image, query });
-        // What lies below zero is a large number without a sign.
+        // Negative coordinates become large unsigned values.
         let unsigned = self.convert(coordinate, Scalar::Uint);
         let argument = self.op(Op::Less, unsigned, size);
         let fun = RelationalFunction::All;
@@ -232,13 +232,13 @@ impl Body<'_, '_> {
             Level::Explicit | Level::Fetch => match more.next() {
                 Some(lod) if shape.is_shadow && self.is_zero(lod) => SampleLevel::Zero,
                 Some(lod) if !shape.is_shadow => SampleLevel::Exact(self.value(lod)?),
-                _ => return self.lowerer.refuse("depth can only be compared at level 0"),
+                _ => return self.lowerer.refuse("depth comparison requires level 0"),
             },
             Level::Gradient => {
                 let (Some(x), Some(y), false) = (more.next(), more.next(), shape.is_shadow) else {
                     return self
                         .lowerer
-                        .refuse("depth cannot be compared with given derivatives");
+                        .refuse("depth comparison does not support explicit derivatives");
                 };
                 let (x, y) = (self.value(x)?, self.value(y)?);
                 SampleLevel::Gradient { x, y }
@@ -250,7 +250,9 @@ impl Body<'_, '_> {
         };
         if let Some(bias) = more.next() {
             if shape.is_shadow {
-                return self.lowerer.refuse("depth cannot be compared with a bias");
+                return self
+                    .lowerer
+                    .refuse("depth comparison does not support a bias");
             }
             level = SampleLevel::Bias(self.value(bias)?);
         }
@@ -273,7 +275,7 @@ impl Body<'_, '_> {
         known.is_some_and(|level| level.as_float() == 0.0)
     }
 
-    /// Coordinates divided by the last.
+    /// Divides the coordinates by the last component.
     pub(super) fn projected(&mut self, at: Value, ty: Type, shape: &Shape) -> Res<Value> {
         let last = self.part(at, ty.components().saturating_sub(1));
         let count = shape.size + shape.is_shadow as u8;
@@ -282,7 +284,7 @@ impl Body<'_, '_> {
         Ok(self.op(Op::Divide, first, by))
     }
 
-    /// Coordinates, layer and the depth to compare with.
+    /// Splits the coordinates into coordinates, layer and depth reference.
     fn coordinates(&mut self, at: Value, shape: &Shape) -> (Value, Option<Value>, Option<Value>) {
         if !shape.is_layered && !shape.is_shadow {
             return (at, None, None);
@@ -300,7 +302,7 @@ impl Body<'_, '_> {
     }
 }
 
-/// What a texel of a texture is.
+/// The type of a texel.
 fn texel_ty(kind: Sampler) -> Type {
     let scalar = match texel(kind) {
         Some(ScalarKind::Sint) => Scalar::Int,
@@ -310,7 +312,7 @@ fn texel_ty(kind: Sampler) -> Type {
     Type::vector(scalar, 4)
 }
 
-/// The function that reads a texel of a kind of texture.
+/// Generates the function that reads a texel.
 fn fetch(body: &mut Body, kind: Sampler) -> Res<Handle<::naga::Function>> {
     let shape = Shape::of(kind);
     let size = shape.size + u8::from(shape.is_layered);
@@ -329,7 +331,7 @@ fn fetch(body: &mut Body, kind: Sampler) -> Res<Handle<::naga::Function>> {
     });
     let level = fetch.nearest_level(image, level)?;
     fetch.texel_inside(image, at, level, &shape)?;
-    // Outside there is nothing, as in WebGL.
+    // Texels out of range are zero, as in WebGL.
     let value = Some(fetch.zero(ty)?);
     fetch.push(Statement::Return { value });
     let function = fetch.finish();

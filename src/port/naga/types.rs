@@ -1,4 +1,4 @@
-//! Types: numbers, vectors, matrices, arrays, structs, textures.
+//! Types: scalars, vectors, matrices, arrays, structs, textures.
 
 use super::lower::Lowerer;
 use super::target::{Res, Value};
@@ -10,15 +10,15 @@ use ::naga::{
 use shaderlint_semantic::{Base, Sampler, Scalar, Type, Value as Constant};
 use std::num::NonZeroU32;
 
-/// Takes expressions: a function, or the initialisers of the module.
+/// Something that expressions can be added to: a function, or the global expressions of the module.
 pub(super) trait Sink<'p> {
-    /// The module that is made.
+    /// The module under construction.
     fn lowerer(&mut self) -> &mut Lowerer<'p>;
     /// Adds an expression.
     fn add(&mut self, expression: Expression) -> Value;
 }
 
-/// The scalar of naga that a scalar is.
+/// Converts a scalar type to naga's.
 pub(super) fn scalar(scalar: Scalar) -> ::naga::Scalar {
     match scalar {
         Scalar::Bool => ::naga::Scalar::BOOL,
@@ -28,7 +28,7 @@ pub(super) fn scalar(scalar: Scalar) -> ::naga::Scalar {
     }
 }
 
-/// The number of components of a vector.
+/// Converts a number of components to naga's.
 pub(super) fn size(rows: u8) -> VectorSize {
     match rows {
         3 => VectorSize::Tri,
@@ -37,8 +37,8 @@ pub(super) fn size(rows: u8) -> VectorSize {
     }
 }
 
-/// A value as a literal. Naga has none for infinities and what is no number, and writes the largest
-/// number in so few digits that WGSL takes it for a larger one.
+/// A value as a literal. Naga has none for infinities and NaN, and prints the largest float with so
+/// few digits that WGSL reads a larger number.
 pub(super) fn literal(value: Constant) -> Option<Literal> {
     Some(match value {
         Constant::Bool(v) => Literal::Bool(v),
@@ -49,7 +49,7 @@ pub(super) fn literal(value: Constant) -> Option<Literal> {
     })
 }
 
-/// What a texture is.
+/// The naga type of a sampler's texture.
 pub(super) fn image(sampler: Sampler) -> TypeInner {
     use Sampler as S;
     let dim = match sampler {
@@ -74,7 +74,7 @@ pub(super) fn image(sampler: Sampler) -> TypeInner {
     }
 }
 
-/// What a texel is made of; `None` for the depth that shadow samplers compare with.
+/// The scalar type of a texel; `None` for shadow samplers.
 pub(super) fn texel(sampler: Sampler) -> Option<ScalarKind> {
     use Sampler as S;
     match sampler {
@@ -96,7 +96,7 @@ impl Lowerer<'_> {
         self.module.types.insert(ty, Span::UNDEFINED)
     }
 
-    /// The type of naga that a type of a value is.
+    /// Converts a type to naga's.
     pub(super) fn ty(&mut self, ty: Type) -> Res<Handle<::naga::Type>> {
         if let Some(found) = self.types.get(&ty) {
             return Ok(*found);
@@ -134,7 +134,7 @@ impl Lowerer<'_> {
                     },
                 ),
                 Base::Struct(_) => self.structure(ty)?,
-                Base::Sampler(_) => return self.refuse("a sampler is no value here"),
+                Base::Sampler(_) => return self.refuse("a sampler cannot be used as a value"),
                 Base::Block(_) => return self.refuse("interface blocks are not supported"),
                 Base::Error | Base::Void => return self.refuse("this has no type"),
             }
@@ -146,7 +146,7 @@ impl Lowerer<'_> {
     fn array(&mut self, ty: Type) -> Res<Handle<::naga::Type>> {
         let base = self.ty(ty.element())?;
         let Some(count) = NonZeroU32::new(ty.array).filter(|_| ty.array != Type::UNSIZED) else {
-            return self.refuse("the size of this array is not known");
+            return self.refuse("the size of this array is unknown");
         };
         let stride = self.layout(base)?.to_stride();
         Ok(self.inner(
@@ -162,7 +162,7 @@ impl Lowerer<'_> {
     fn structure(&mut self, ty: Type) -> Res<Handle<::naga::Type>> {
         let program = self.program;
         let Some(found) = program.struct_of(ty) else {
-            return self.refuse("this struct is not known");
+            return self.refuse("unknown struct");
         };
         let mut members = Vec::new();
         for field in &found.fields {
@@ -173,7 +173,7 @@ impl Lowerer<'_> {
         self.record(name, members)
     }
 
-    /// A struct whose members follow each other as closely as they may.
+    /// A struct with its members packed as tightly as their alignment allows.
     fn record(
         &mut self,
         name: Option<String>,
@@ -209,7 +209,7 @@ impl Lowerer<'_> {
     }
 }
 
-/// The scalars of a constant, put together as its type says; `None` where one has no literal.
+/// Builds a constant of a type from its scalars; `None` if one cannot be written as a literal.
 pub(super) fn compose<'p>(
     sink: &mut impl Sink<'p>,
     ty: Type,

@@ -1,5 +1,5 @@
-//! Uniforms: one buffer for those that stand alone, one for each block, a texture and a sampler for
-//! each sampler.
+//! Uniforms: one buffer for those outside of blocks, one for each block, and a texture and a
+//! sampler for each sampler.
 
 use super::body::{Body, Bound};
 use super::global::Global;
@@ -19,19 +19,19 @@ use shaderlint_semantic::{Base, Sampler, Stage, Storage, Type, Variable, Variabl
 /// The uniforms of a shader.
 #[derive(Default)]
 pub(super) struct Uniforms {
-    /// Where the height of the picture stands, of a picture whose rows are turned.
+    /// Where the height of the image is stored, if rows are flipped.
     pub(super) height: Option<Height>,
-    /// How structs and blocks lie in buffers, with the places of their fields.
+    /// The layouts of structs and blocks, with the places of their fields.
     pub(super) records: FxHashMap<(Type, Major), Record>,
-    /// The buffer of what stands in no block.
+    /// The buffer for uniforms outside of blocks.
     own: Option<Handle<GlobalVariable>>,
-    /// By the struct that a block without a name of its own declares: its buffer.
+    /// By struct of a block without an instance name: its buffer.
     blocks: FxHashMap<u16, Handle<GlobalVariable>>,
-    /// By a block with a name of its own: its buffers, one for each element.
+    /// By block with an instance name: its buffers, one for each element.
     pub(super) instances: FxHashMap<VariableId, Vec<Handle<GlobalVariable>>>,
-    /// Samplers, by the variable and the numbers of members and elements that lead to them.
+    /// The samplers, by variable and by the indexes of members and elements.
     pub(super) samplers: FxHashMap<(VariableId, Vec<u32>), Pair>,
-    /// The number of the next binding behind those of the samplers.
+    /// The next free binding after those of the samplers.
     next: u32,
 }
 
@@ -40,22 +40,22 @@ pub(super) struct Uniforms {
 pub(super) struct Pair {
     /// The texture.
     pub(super) image: Handle<GlobalVariable>,
-    /// How it is sampled.
+    /// The sampler.
     pub(super) sampler: Handle<GlobalVariable>,
-    /// What the shader calls it.
+    /// The sampler type in GLSL.
     pub(super) kind: Sampler,
 }
 
-/// Where the height of the picture stands among the uniforms.
+/// The uniform with the height of the image.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Height {
-    /// In the second component of this member.
+    /// The second component of this member.
     Resolution(u32),
-    /// In this member, which the shader knows nothing of.
+    /// This additional member.
     Own(u32),
 }
 
-/// The uniforms that stand in no block.
+/// The uniforms outside of blocks.
 #[derive(Default)]
 struct Alone {
     packing: Packing,
@@ -64,8 +64,7 @@ struct Alone {
 }
 
 impl<'p> Lowerer<'p> {
-    /// Declares all uniforms, in the order of their declarations: first those in no block, then the
-    /// samplers, then the blocks.
+    /// Declares all uniforms in source order: those outside of blocks, then samplers, then blocks.
     pub(super) fn declare_uniforms(&mut self) -> Res<()> {
         let program = self.program;
         let uniforms = || {
@@ -111,7 +110,7 @@ impl<'p> Lowerer<'p> {
         Ok(())
     }
 
-    /// The buffer of what stands in no block, with the height of the picture where that is needed.
+    /// Declares the buffer for uniforms outside of blocks, with the height of the image if needed.
     fn finish_alone(&mut self, mut alone: Alone) -> Res<()> {
         if self.uniforms.height.is_none() && self.turns_rows() {
             let name = self.program.names.unused("pictureHeight");
@@ -121,7 +120,7 @@ impl<'p> Lowerer<'p> {
             self.list(&name, ty, offset, &mut alone.listed);
             self.uniforms.height = Some(Height::Own(member));
             self.interface.notes.push(format!(
-                "{name} is the height of the picture in pixels: rows are counted from below"
+                "{name} is the height of the image in pixels: rows are counted from the bottom"
             ));
         }
         if alone.packing.is_empty() {
@@ -138,7 +137,7 @@ impl<'p> Lowerer<'p> {
         Ok(())
     }
 
-    /// The buffers of a block with a name of its own.
+    /// Declares the buffers of a block with an instance name.
     fn declare_instances(&mut self, id: VariableId, variable: &Variable) -> Res<()> {
         let block = variable.ty.element();
         let stored = self.stored(block, Major::Columns)?;
@@ -156,7 +155,7 @@ impl<'p> Lowerer<'p> {
         Ok(())
     }
 
-    /// A member of a block without a name of its own.
+    /// Declares a member of a block without an instance name.
     fn declare_field(&mut self, id: VariableId, block: u16, field: usize) -> Res<()> {
         let ty = Type::block(block.into());
         let buffer = match self.uniforms.blocks.get(&block) {
@@ -164,7 +163,7 @@ impl<'p> Lowerer<'p> {
             None => {
                 let stored = self.stored(ty, Major::Columns)?;
                 let mut listed = Vec::new();
-                // Without a name of its own, nothing stands before the members.
+                // Without an instance name, the members have no prefix.
                 self.list("", (ty, Major::Columns), 0, &mut listed);
                 let name = self.program.type_name(ty);
                 let buffer = self.declare_block(&name, stored, listed);
@@ -215,7 +214,7 @@ impl<'p> Lowerer<'p> {
         self.resource(&written, stored.ty, AddressSpace::Uniform, binding)
     }
 
-    /// The block without a name of its own that declares a uniform, and its number in there.
+    /// The block without an instance name that declares a uniform, and the index of the member.
     fn block_of(&self, variable: &Variable) -> Option<(u16, usize)> {
         let token = variable.token?;
         let structs = (0..).zip(&self.program.structs);
@@ -226,8 +225,8 @@ impl<'p> Lowerer<'p> {
         found.next()
     }
 
-    /// Whether a uniform is the one by which ShaderToy's player tells the size of the picture. What
-    /// the user calls so may be anything.
+    /// Whether a uniform is `iResolution` of ShaderToy's player. A user's uniform of that name may
+    /// have any meaning.
     fn tells_size(&self, variable: &Variable) -> bool {
         let program = self.program;
         let is_players = program
@@ -236,7 +235,7 @@ impl<'p> Lowerer<'p> {
         is_players && program.names.text(variable.name) == "iResolution"
     }
 
-    /// Whether rows are turned where the shader asks which one it draws.
+    /// Whether rows are flipped and the shader uses the row of the pixel.
     fn turns_rows(&self) -> bool {
         let name = self.program.names.get("gl_FragCoord");
         let is_it = |p: &Place| self.program.variable(p.variable).map(|v| v.name) == name;
@@ -306,7 +305,7 @@ impl<'p> Lowerer<'p> {
         }
     }
 
-    /// Where the host binds something; `place` is what HLSL and MSL call that.
+    /// The binding of a resource; `place` is its name in HLSL and MSL.
     fn slot(&self, binding: u32, place: String) -> BindSlot {
         let is_own = matches!(self.language, TargetLanguage::Hlsl | TargetLanguage::Msl);
         BindSlot {
@@ -316,7 +315,7 @@ impl<'p> Lowerer<'p> {
         }
     }
 
-    /// The group of the stage: one pipeline has both, each with uniforms of its own.
+    /// The bind group of the stage: a pipeline has both stages, each with its own uniforms.
     fn group(&self) -> u32 {
         match self.program.stage {
             Stage::Vertex => 1,
@@ -347,13 +346,13 @@ impl<'p> Lowerer<'p> {
 }
 
 impl Body<'_, '_> {
-    /// What points at a member of a buffer.
+    /// A pointer to a member of a buffer.
     fn member_of(&mut self, buffer: Handle<GlobalVariable>, member: u32) -> Value {
         let base = self.add(Expression::GlobalVariable(buffer));
         self.part(base, member)
     }
 
-    /// A uniform of the shader.
+    /// The place of a uniform.
     pub(super) fn stored_uniform(
         &mut self,
         id: VariableId,
@@ -366,7 +365,7 @@ impl Body<'_, '_> {
         Bound::Stored(Held::new(at, ty, major))
     }
 
-    /// A block that has a name of its own, or one of several.
+    /// The place of a block with an instance name, or of an element of an array of blocks.
     pub(super) fn block(&mut self, id: VariableId, number: u32) -> Res<Held> {
         let found = self.lowerer.uniforms.instances.get(&id);
         let buffer = found.and_then(|all| all.get(number as usize)).copied();
@@ -376,17 +375,15 @@ impl Body<'_, '_> {
                 let at = self.add(Expression::GlobalVariable(buffer));
                 Ok(Held::new(at, ty, Major::Columns))
             }
-            _ => self.lowerer.refuse("this block is not known"),
+            _ => self.lowerer.refuse("unknown block"),
         }
     }
 
-    /// The height of the picture in pixels.
+    /// The height of the image in pixels.
     pub(super) fn height(&mut self) -> Res<Value> {
         let uniforms = &self.lowerer.uniforms;
         let (Some(buffer), Some(height)) = (uniforms.own, uniforms.height) else {
-            return self
-                .lowerer
-                .refuse("nothing tells the height of the picture");
+            return self.lowerer.refuse("the height of the image is unknown");
         };
         let at = match height {
             Height::Own(member) => self.member_of(buffer, member),

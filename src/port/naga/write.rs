@@ -1,4 +1,4 @@
-//! Naga's check and its writers.
+//! Validates the module with naga and writes it.
 
 use super::hlsl::with_lists;
 use super::interface::BindSlot;
@@ -14,10 +14,10 @@ use std::error::Error;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Checks a shader and writes it. `credits` are the lines that say who made it.
+/// Validates a shader and writes it. `credits` are put into a comment at the start.
 ///
 /// # Errors
-/// Where naga, or the language, has no words for something.
+/// If naga or the target language does not support something.
 pub fn write(lowered: &Lowered, credits: &[String]) -> Result<Output, Refused> {
     let language = lowered.language;
     let written = catch_unwind(AssertUnwindSafe(|| {
@@ -37,8 +37,8 @@ pub fn write(lowered: &Lowered, credits: &[String]) -> Result<Output, Refused> {
         let _ = writeln!(head, "// {line}");
     }
     if language == TargetLanguage::Wgsl && lowered.interface.stage == stage_name(Stage::Fragment) {
-        // GLSL leaves the level of detail undefined where not all fragments look it up; WGSL would
-        // refuse the shader.
+        // GLSL leaves derivatives undefined in non-uniform control flow; WGSL would reject the
+        // shader.
         head.push_str("diagnostic(off, derivative_uniformity);\n\n");
     }
     let mut text = head.into_bytes();
@@ -47,7 +47,7 @@ pub fn write(lowered: &Lowered, credits: &[String]) -> Result<Output, Refused> {
 }
 
 fn check(lowered: &Lowered) -> Result<ModuleInfo, Refused> {
-    // The halves of `packHalf2x16`, which all four languages have.
+    // For `packHalf2x16`, which all four target languages have.
     let capabilities = Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32;
     let mut validator = Validator::new(ValidationFlags::all(), capabilities);
     validator.validate(&lowered.module).map_err(|error| {
@@ -58,11 +58,11 @@ fn check(lowered: &Lowered) -> Result<ModuleInfo, Refused> {
             end: range.end as u32,
         });
         let inner = error.into_inner();
-        Refused::new(span, format!("naga refuses this: {}", reasons(&inner)))
+        Refused::new(span, format!("naga rejects this: {}", reasons(&inner)))
     })
 }
 
-/// An error and what it comes from.
+/// An error with its causes.
 fn reasons(error: &dyn Error) -> String {
     let mut text = error.to_string();
     let mut source = error.source();
@@ -113,7 +113,7 @@ fn emit(lowered: &Lowered, info: &ModuleInfo) -> Result<Vec<u8>, String> {
     }
 }
 
-/// What lies outside an array or a texture is never touched, as in WebGL.
+/// Accesses outside of arrays and textures are prevented, as in WebGL.
 fn policies() -> BoundsCheckPolicies {
     BoundsCheckPolicies {
         index: BoundsCheckPolicy::Restrict,
@@ -123,7 +123,7 @@ fn policies() -> BoundsCheckPolicies {
     }
 }
 
-/// Metal counts buffers, textures and samplers each for themselves, in the order of the interface.
+/// Metal numbers buffers, textures and samplers separately, in the order of the interface.
 fn metal(lowered: &Lowered) -> msl::Options {
     let mut resources = msl::EntryPointResources::default();
     let place = |slot: &BindSlot| ::naga::ResourceBinding {

@@ -1,17 +1,17 @@
-// Time: it runs while the player plays, stands while it is paused, and counts the frames.
+// The clock: advances while the player plays, stops while it is paused, and counts frames.
 
-/** Seconds from a frame to the next where nothing says how long it took. */
+/** Default frame duration in seconds, if the previous frame has no time. */
 const FIRST_DELTA = 1 / 60;
-/** Behind this many seconds the number of the frame would not fit into 32 bits. */
+/** Maximum time in seconds: later frame numbers do not fit into 32 bits. */
 const LAST_TIME = 3e7;
 
 class Clock {
   constructor() {
     this.time = 0;
-    /** Number of the frame that is drawn next. */
+    /** Number of the next frame. */
     this.number = 0;
     this.rate = 60;
-    /** When the frame before was drawn, in milliseconds of the page; null before the first. */
+    /** Time of the previous frame in milliseconds, by the clock of the page; null before the first frame. */
     this.last = /** @type {number | null} */ (null);
     this.frames = 0;
     this.since = 0;
@@ -39,9 +39,9 @@ class Clock {
     this.last = null;
   }
 
-  /** Goes to a time, and to the frame that would be drawn then. @param {number} time */
+  /** Seeks to a time and the corresponding frame. @param {number} time */
   seek(time) {
-    if (typeof time !== 'number' || Number.isNaN(time)) throw new TypeError('a time is a number of seconds');
+    if (typeof time !== 'number' || Number.isNaN(time)) throw new TypeError('the time must be a number of seconds');
     this.time = Math.min(Math.max(0, time), LAST_TIME);
     this.number = Math.round(this.time / FIRST_DELTA);
     this.last = null;
@@ -57,12 +57,12 @@ class Clock {
     return this.#next(delta, this.rate);
   }
 
-  /** A frame while time stands. */
+  /** The next frame while paused. */
   frozen() {
     return this.#next(FIRST_DELTA, this.rate);
   }
 
-  /** The next of sixty frames a second. */
+  /** The next frame at 60 frames per second. */
   step() {
     this.time = this.number * FIRST_DELTA;
     return this.#next(FIRST_DELTA, 60);
@@ -73,7 +73,7 @@ class Clock {
     return { number: this.number++, time: this.time, delta, rate };
   }
 
-  /** Counts frames a second. @param {number} now */
+  /** Measures the frame rate. @param {number} now */
   #count(now) {
     this.frames++;
     if (now - this.since < 1000) return;

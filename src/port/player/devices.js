@@ -1,7 +1,7 @@
-// Films, cameras, microphones and loudspeakers, each opened once and only when the user asks.
+// Videos, cameras, microphones and audio output. Each is opened once, on request of the user.
 
 /**
- * Something that can be heard.
+ * An audio source.
  * @typedef {object} Signal
  * @property {() => AnalyserNode | null} analyser null while it is silent
  * @property {() => number} time seconds
@@ -26,7 +26,7 @@ class Devices {
     this.streams = [];
   }
 
-  /** The audio graph, made at the first user's gesture that asks for sound. */
+  /** The audio context, created on the first user gesture that requires sound. */
   openAudio() {
     if (!this.audio) {
       this.audio = new AudioContext({ sampleRate: 44100 });
@@ -121,8 +121,8 @@ class Devices {
   }
 
   /**
-   * Sound that is computed, and repeats.
-   * @param {Promise<Float32Array<ArrayBuffer>[]>} samples of the left and the right
+   * Computed sound, played in a loop.
+   * @param {Promise<Float32Array<ArrayBuffer>[]>} samples of the left and right channel
    * @returns {Signal}
    */
   loop(samples) {
@@ -133,9 +133,9 @@ class Devices {
     /** @type {AnalyserNode | null} */
     let analyser = null;
     let isPlaying = false;
-    /** When it began, or would have, on the clock of the audio graph. */
+    /** Start time by the clock of the audio context, as if it had been played from the beginning. */
     let begin = 0;
-    /** How far it was when it stopped. */
+    /** Position at which it was stopped, in seconds. */
     let offset = 0;
     const seconds = () => (source ? (this.openAudio().currentTime - begin) % (buffer?.duration ?? 1) : offset);
     const stop = () => {

@@ -1,6 +1,6 @@
-// Small helpers over WebGL2: programs, textures, samplers.
+// Helpers for WebGL2: programs, textures, samplers.
 
-/** A shader that does not compile or link; `log` is what the compiler says. */
+/** A compile or link error; `log` is the log of the compiler. */
 class CompileError extends Error {
   /** @param {string} log */
   constructor(log) {
@@ -12,7 +12,7 @@ class CompileError extends Error {
 /** @typedef {{program: WebGLProgram, shaders: WebGLShader[]}} StartedProgram */
 
 /**
- * Starts to compile and link a pass, without waiting for it.
+ * Starts compiling and linking a pass, without waiting for the result.
  * @param {WebGL2RenderingContext} gl
  * @param {ProjectData} project
  * @param {PassData} pass
@@ -25,7 +25,7 @@ function startProgram(gl, project, pass) {
 }
 
 /**
- * Starts to compile and link two shaders.
+ * Starts compiling and linking two shaders.
  * @param {WebGL2RenderingContext} gl
  * @param {string} vertex
  * @param {string} fragment
@@ -37,7 +37,7 @@ function startShaders(gl, vertex, fragment) {
     addShader(gl, program, gl.VERTEX_SHADER, vertex),
     addShader(gl, program, gl.FRAGMENT_SHADER, fragment),
   ];
-  // Vertex shaders of 1.00 cannot say where their attribute lies; others have none of this name.
+  // GLSL ES 1.00 has no attribute locations; other shaders have no attributes with these names.
   gl.bindAttribLocation(program, 0, 'port_pos');
   gl.bindAttribLocation(program, 1, 'vertexId');
   gl.linkProgram(program);
@@ -65,7 +65,7 @@ function finishProgram(gl, { program, shaders }) {
   shaders.forEach((s) => gl.deleteShader(s));
   if (isLinked || gl.isContextLost()) return program;
   gl.deleteProgram(program);
-  throw new CompileError(logs.find((log) => log.trim()) || linkLog || 'the shader does not link');
+  throw new CompileError(logs.find((log) => log.trim()) || linkLog || 'the program does not link');
 }
 
 /**
@@ -83,7 +83,7 @@ function addShader(gl, program, type, source) {
 }
 
 /**
- * Looks uniforms up once each.
+ * Caches uniform locations.
  * @param {WebGL2RenderingContext} gl
  * @param {WebGLProgram} program
  * @returns {(name: string) => WebGLUniformLocation | null}
@@ -102,7 +102,7 @@ function uniformLookup(gl, program) {
 }
 
 /**
- * Sampler objects, one for each filter and wrap: two channels may read one texture differently.
+ * Sampler objects, one for each filter and wrap mode: channels may sample the same texture differently.
  * @param {WebGL2RenderingContext} gl
  */
 function samplerCache(gl) {
@@ -129,7 +129,7 @@ function samplerCache(gl) {
   return { get, dispose };
 }
 
-/** Most vertices that a shader is run for. */
+/** Maximum number of vertices. */
 const MAX_VERTICES = 100000;
 
 /** @param {WebGL2RenderingContext} gl @param {number} place @param {number} lanes @param {Float32Array} data */
@@ -141,8 +141,8 @@ function fillAttribute(gl, place, lanes, data) {
 }
 
 /**
- * Draws numbered vertices over a background. Controls say how many, in which color, and as what: the
- * numbers of `port_mode` are WebGL's.
+ * Draws numbered vertices on a background. Controls set their number, the background and the primitive
+ * type: the values of `port_mode` are those of WebGL.
  * @param {WebGL2RenderingContext} gl
  * @param {Map<string, number[]>} controls
  */
@@ -159,7 +159,7 @@ function drawVertices(gl, controls) {
   gl.disable(gl.BLEND);
 }
 
-/** One for each type of channel. @param {WebGL2RenderingContext} gl */
+/** Black textures, one for each type of channel. @param {WebGL2RenderingContext} gl */
 function blackTextures(gl) {
   /** @type {Map<string, WebGLTexture>} */
   const plain = new Map();
@@ -167,7 +167,7 @@ function blackTextures(gl) {
     flat: blackTexture(gl, gl.TEXTURE_2D),
     cube: blackTexture(gl, gl.TEXTURE_CUBE_MAP),
     volume: blackTexture(gl, gl.TEXTURE_3D),
-    /** Binds what a sampler of a rarer type reads. @param {string} type */
+    /** Binds the default texture for a less common sampler type. @param {string} type */
     bind: (type) => {
       const known = plain.get(type);
       if (known) gl.bindTexture(targetOf(gl, type), known);

@@ -1,15 +1,15 @@
-// What channels read, apart from what other passes draw.
+// Inputs of channels, except the output of other passes.
 
 /**
- * What a channel reads: a texture, and what the uniforms say of it.
+ * The input of a channel: a texture and its uniform values.
  * @typedef {object} Input
- * @property {WebGLTexture | null} texture null while nothing is loaded
- * @property {number[]} size width, height, depth; zeros while nothing is loaded
- * @property {number} time seconds of a film or a piece of music
+ * @property {WebGLTexture | null} texture null until it is loaded
+ * @property {number[]} size width, height, depth; zeros until it is loaded
+ * @property {number} time position in a video or in music, in seconds
  * @property {boolean} isLoaded
- * @property {Promise<void>} ready settles when it is loaded or cannot be
+ * @property {Promise<void>} ready settles when loading has succeeded or failed
  * @property {(time: number) => void} update called before each frame
- * @property {(isOn: boolean) => void} play sound and film follow the clock
+ * @property {(isOn: boolean) => void} play starts or stops sound and video with the clock
  * @property {() => void} rewind
  * @property {() => void} dispose
  */
@@ -17,8 +17,7 @@
 const nothing = () => {};
 
 /**
- * Opens what a channel reads. The texture is uploaded with the filter in mind: mipmaps are made
- * where they are asked for.
+ * Opens the input of a channel. Mipmaps are generated if the filter requires them.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {Devices} devices
@@ -102,7 +101,7 @@ function pictureInput(gl, data, url) {
 }
 
 /**
- * Six pictures, one for each face. Turned upside down, the top and the bottom change places.
+ * Six images, one for each face. If they are flipped, the top and the bottom are swapped.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {string[]} urls
@@ -142,7 +141,7 @@ function readVolume(bytes) {
   return { size, components, isFloat, data };
 }
 
-/** The bytes of a data: address with base64. @param {string} url */
+/** The bytes of a base64 data: URL. @param {string} url */
 function loadBytes(url) {
   const text = atob(url.slice(url.indexOf(',') + 1));
   return Uint8Array.from(text, (c) => c.charCodeAt(0)).buffer;
@@ -180,7 +179,7 @@ function volumeInput(gl, data, url) {
 }
 
 /**
- * A film or a camera, uploaded anew before each frame.
+ * A video or a camera, uploaded before each frame.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {HTMLVideoElement} film
@@ -208,7 +207,7 @@ function filmInput(gl, data, film) {
 }
 
 /**
- * What is heard on a channel.
+ * The audio source of a channel.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {Devices} devices
@@ -222,8 +221,8 @@ function openSignal(gl, data, devices, standIns) {
 }
 
 /**
- * Music or a microphone as a texture of 512 x 2: the spectrum, and the wave. Without sound both are
- * made up from the time, as ShaderToy does it.
+ * Music or a microphone as a texture of 512 x 2: the spectrum and the waveform. Without sound, both are
+ * synthesised from the time, as in ShaderToy.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {Signal} signal
@@ -260,8 +259,8 @@ function signalInput(gl, data, signal) {
 }
 
 /**
- * Music or a microphone as a texture of one of them: the spectrum, the wave, the spectra of the last
- * frames, the newest at the bottom, or the sum of all.
+ * Music or a microphone as a texture of the spectrum, of the waveform, of the most recent spectra with the
+ * newest at the bottom, or of the sum of all spectra.
  * @param {WebGL2RenderingContext} gl
  * @param {InputData} data
  * @param {Signal} signal

@@ -1,5 +1,5 @@
-// The keyboard as a texture of 256 x 3: row 0 holds keys that are down, row 1 those that went down
-// since the last frame, row 2 those that are toggled.
+// The keyboard as a texture of 256 x 3: row 0 holds pressed keys, row 1 keys that were pressed since
+// the previous frame, row 2 toggled keys.
 
 class Keyboard {
   /** @param {WebGL2RenderingContext} gl */
@@ -14,7 +14,7 @@ class Keyboard {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   }
 
-  /** @param {number} code JavaScript's keyCode @param {boolean} isDown */
+  /** @param {number} code the keyCode of JavaScript @param {boolean} isDown */
   set(code, isDown) {
     if (!(code >= 0 && code < 256)) return;
     if (!isDown) {

@@ -1,8 +1,8 @@
-// What the user does to the canvas: pointer, keys, size.
+// User input on the canvas: pointer, keys, size.
 
 /**
- * Feeds the mouse, a finger or a pen to `iMouse`.
- * @param {Player} player @param {AbortSignal} [signal] ends it
+ * Forwards mouse, touch and pen input to `iMouse`.
+ * @param {Player} player @param {AbortSignal} [signal] removes the listeners
  */
 function listenToPointer(player, signal) {
   const { canvas } = player;
@@ -13,7 +13,7 @@ function listenToPointer(player, signal) {
     const y = canvas.height - ((event.clientY - box.top) * canvas.height) / box.height;
     return [x, y];
   };
-  /** @type {number | null} the pointer that is the mouse; the others do nothing meanwhile */
+  /** @type {number | null} the pointer that acts as the mouse; others are ignored meanwhile */
   let held = null;
   canvas.addEventListener('pointerdown', (event) => {
     if (held !== null || (event.button !== 0 && event.pointerType === 'mouse')) return;
@@ -45,8 +45,8 @@ function readsKeys(player) {
 }
 
 /**
- * Keys count while the canvas has the focus, if the shader reads them.
- * @param {Player} player @param {AbortSignal} [signal] ends it
+ * Forwards keys while the canvas has focus, if the shader reads the keyboard.
+ * @param {Player} player @param {AbortSignal} [signal] removes the listeners
  */
 function listenToKeys(player, signal) {
   const { canvas } = player;
@@ -54,7 +54,7 @@ function listenToKeys(player, signal) {
   /** @param {KeyboardEvent} event @param {boolean} isDown */
   const handle = (event, isDown) => {
     player.setKey(event.keyCode, isDown);
-    // Shortcuts of the browser and the way out of the canvas stay.
+    // Browser shortcuts and leaving the canvas by Tab still work.
     const isShortcut = event.ctrlKey || event.metaKey || event.altKey || event.key === 'Tab';
     if (!isShortcut && !/^F\d+$/.test(event.key)) event.preventDefault();
     if (!event.repeat) player.poke();
@@ -65,9 +65,9 @@ function listenToKeys(player, signal) {
 }
 
 /**
- * Keeps the canvas as large as it is shown, times a scale, in pixels of the device.
- * @param {Player} player @param {() => number | null} scale null while the size shall stay @param {AbortSignal} [signal] ends it
- * @returns {() => void} call it when the scale has changed
+ * Keeps the canvas resolution equal to its displayed size in device pixels, times a scale.
+ * @param {Player} player @param {() => number | null} scale null keeps the current size @param {AbortSignal} [signal] stops observing
+ * @returns {() => void} to be called when the scale has changed
  */
 function fitToElement(player, scale, signal) {
   const { canvas } = player;

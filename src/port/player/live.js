@@ -1,7 +1,6 @@
-// What a page does that `shaderport --serve` shows: it loads itself anew at each change, and goes on
-// where it was.
+// Pages served by `shaderport --serve`: they reload on each change and restore their state.
 
-/** Under which name the state stays while the page is loaded anew. */
+/** The storage key of the state during a reload. */
 const KEPT = 'shaderport.kept';
 
 /**
@@ -12,7 +11,7 @@ function followChanges(version, player) {
   if (player) void player.ready.then(() => restoreKept(player));
   /** @type {EventSource | null} */
   let news = null;
-  // A browser has few connections for a host: pages that nobody sees leave theirs to others.
+  // Browsers limit the connections per host, so hidden pages close theirs.
   const follow = () => {
     news?.close();
     news = document.hidden ? null : new EventSource('events');

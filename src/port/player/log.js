@@ -1,10 +1,10 @@
-// The compiler's log, by its own grammar.
+// Parses the log of the compiler.
 
 /** @typedef {{pass: string, line: number, text: string, token?: string}} ShaderError */
 
 /**
- * What a compiler says: the severity, a place, the token in quotes, and words; the place and the token
- * may be missing. A token may be anything that stands in the code, a line break or a quote too.
+ * Splits a log into entries: severity, position, quoted token and message; position and token are
+ * optional. A token may be any text of the code, even a line break or a quote.
  * @param {string} log
  * @returns {{isError: boolean, line: number, token: string, words: string}[]} lines from 1; 0 without one
  */
@@ -19,9 +19,9 @@ function readLog(log) {
 }
 
 /**
- * Puts the lines of a compiler's log where they belong: into the user's own text.
+ * Maps the line numbers of a log to the user's own text.
  * @param {string} log
- * @param {SourceText[]} files what was compiled, in order
+ * @param {SourceText[]} files the compiled texts, in order
  * @param {string} passName
  * @returns {ShaderError[]}
  */

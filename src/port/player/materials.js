@@ -1,4 +1,4 @@
-// What the three.js module makes of passes: shaders, uniforms, materials, and what paints them.
+// Passes in three.js: shaders, uniforms, materials and objects.
 
 import {
   Box2, BufferAttribute, BufferGeometry, ByteType, Camera, ClampToEdgeWrapping, Color, CustomBlending, DataTexture,
@@ -14,10 +14,10 @@ void main() {
 }
 `;
 
-/** What three.js itself defines, or replaces by numbers. */
+/** Macros that three.js itself defines, or replaces by numbers. */
 const OWN_NAMES = /^#define (SHADER_TYPE|SHADER_NAME|NUM_[A-Z_]+|UNION_CLIPPING_PLANES|UNROLLED_LOOP_INDEX)\b.*$/gm;
 
-/** The text of a pass. */
+/** The source of a pass. */
 function textOf(pass) {
   const files = pass.files.map((f) => PROJECT.files[f]);
   const textIn = (file, i) => {
@@ -27,10 +27,10 @@ function textOf(pass) {
   return files.map(textIn).join('');
 }
 
-/** The first line of a shader, behind nothing but comments: three.js writes it itself. */
+/** The `#version` line of a shader, which only comments may precede: three.js adds its own. */
 const VERSION = /^((?:\s|\/\/.*|\/\*[^]*?\*\/)*)#[ \t]*version[ \t]+(?:100|(300[ \t]+es))\b/;
 
-/** The shaders of a pass, without their versions, and what three.js calls that of the fragment shader. */
+/** The shaders of a pass without their `#version`, and the version of the fragment shader for three.js. */
 function shadersOf(pass) {
   const own = textOf(pass);
   const bare = (text) => text.replace(VERSION, '$1').replace(/\bport_pos\b/g, 'position');
@@ -41,7 +41,7 @@ function shadersOf(pass) {
   };
 }
 
-/** What a channel reads that nothing feeds; three.js has its own for the rarer samplers, integers aside. */
+/** The texture of an empty channel; three.js has defaults for less common samplers, except integer ones. */
 function emptyTexture(input) {
   const [, sign] = /^([iu])sampler2D$/.exec(input?.sampler ?? '') ?? [];
   if (!sign && (input?.sampler || ['cubemap', 'volume'].includes(input?.kind))) return null;
@@ -52,7 +52,7 @@ function emptyTexture(input) {
   return texture;
 }
 
-/** A value of a uniform as three.js has it. */
+/** The value of a uniform as a three.js type. */
 function valueOf(numbers, isColor) {
   if (numbers.length === 1) return numbers[0];
   if (isColor && numbers.length === 3) return new Color(...numbers);
@@ -60,14 +60,14 @@ function valueOf(numbers, isColor) {
   return new Vector(...numbers);
 }
 
-/** The uniforms that the user sets, which all passes share. Two only say how vertices are drawn. */
+/** The uniforms set by the user, shared by all passes. Two of them only control how vertices are drawn. */
 function userUniforms() {
   const controls = PROJECT.controls.filter((c) => c.name !== 'port_mode');
   const entry = ({ name, kind, value }) => [name, { value: kind === 'bool' && value.length === 1 ? value[0] !== 0 : valueOf(value, kind === 'color') }];
   return Object.fromEntries(controls.map(entry));
 }
 
-/** What a pass is given that brings its own uniforms; each frame sets most of it. */
+/** The uniforms of a pass that declares its own; most are set for each frame. */
 function ownUniforms(pass, users) {
   const uniforms = { port_size: { value: new Vector2(1, 1) } };
   for (const { name, type, source } of pass.uniforms) {
@@ -92,14 +92,14 @@ function playerUniforms() {
   };
 }
 
-/** The sampler of a channel, and the place in it where it is an array. */
+/** The sampler of a channel, and the index in it if it is an array. */
 function samplerOf(pass, channel) {
   const name = pass.inputs[channel]?.uniform ?? `iChannel${channel}`;
   const [word, index] = name.split(/[[\]]/);
   return { word, index };
 }
 
-/** Puts a texture onto a channel. */
+/** Sets the texture of a channel. */
 function setTexture({ uniforms }, pass, channel, texture) {
   const { word, index } = samplerOf(pass, channel);
   if (index === undefined) uniforms[word] = Object.assign(uniforms[word] ?? {}, { value: texture });
@@ -121,7 +121,7 @@ function materialOf(pass, users) {
   return new RawShaderMaterial({ ...shadersOf(pass), uniforms, ...(pass.fragment ? vertices : picture) });
 }
 
-/** Sets what a frame gives to a pass that brings its own uniforms. */
+/** Sets the uniforms of a pass that declares its own, for a frame. */
 function setOwnUniforms({ uniforms }, pass, frame, width, height) {
   uniforms.port_size.value.set(width, height);
   for (const { name, type, source } of pass.uniforms) {
@@ -130,10 +130,10 @@ function setOwnUniforms({ uniforms }, pass, frame, width, height) {
   }
 }
 
-/** What draws numbered vertices, by WebGL's number of the way. */
+/** Object classes for numbered vertices, by WebGL primitive type. */
 const VERTEX_OBJECTS = [Points, LineSegments, LineLoop, Line, Mesh, Mesh, Mesh];
 
-/** Triangles of a strip (5) or a fan (6), one after the other. */
+/** Indexes for the triangles of a strip (5) or a fan (6). */
 function triangleIndex(mode, count) {
   const index = [];
   for (let i = 0; i + 2 < count; i++) {
@@ -143,14 +143,14 @@ function triangleIndex(mode, count) {
   return index;
 }
 
-/** The geometry of triangles with these corners. */
+/** A geometry of triangles with these corners. */
 function flatGeometry(corners) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners.flatMap((c) => [...c, 0])), 3));
   return geometry;
 }
 
-/** What paints the picture with a material: what covers all of it, or the vertices of the shader. */
+/** The object that draws the image with a material: a full-screen cover, or the vertices of the shader. */
 function objectOf(pass, material, cover) {
   const value = (name) => PROJECT.controls.find((c) => c.name === name)?.value[0];
   const mode = value('port_mode') ?? 1;

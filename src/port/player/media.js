@@ -1,15 +1,15 @@
-// Stand-ins for files that are not at hand, each drawn by a small shader.
+// Stand-ins for missing files, each drawn by a small shader.
 
 /**
- * A stand-in, drawn into a texture.
+ * A stand-in in a texture.
  * @typedef {object} DrawnTexture
  * @property {WebGLTexture} texture
- * @property {(time: number) => void} draw of a film what is seen at a time, in seconds
- * @property {Promise<void>} ready settles when it is drawn
+ * @property {(time: number) => void} draw draws a video at a time, in seconds
+ * @property {Promise<void>} ready resolves when it is drawn
  */
 
 /**
- * The stand-ins of a project. Channels that read the same one share its texture.
+ * The stand-ins of a project. Channels with the same stand-in share its texture.
  * @param {WebGL2RenderingContext} gl
  * @param {ProjectData} project
  */
@@ -47,7 +47,7 @@ function drawStandIn(gl, project, data) {
   if (isVolume) gl.texStorage3D(target, levels, format, width, height, depth);
   else gl.texStorage2D(target, levels, format, width, height);
 
-  /** Makes a slice or a face the target of drawing. @param {number} layer */
+  /** Attaches a slice or a face to the framebuffer. @param {number} layer */
   const attach = (layer) => {
     const to = gl.COLOR_ATTACHMENT0;
     const face = isCube ? gl.TEXTURE_CUBE_MAP_POSITIVE_X + layer : gl.TEXTURE_2D;
@@ -84,7 +84,7 @@ function drawStandIn(gl, project, data) {
 }
 
 /**
- * Waits for a program where the browser compiles beside the page.
+ * Waits for a program if the browser compiles in parallel.
  * @param {WebGL2RenderingContext} gl
  * @param {WebGLProgram} program
  */

@@ -1,21 +1,21 @@
-/** The uniforms that are yours to set, with what they are at first. */
+/** The uniforms that you can set, with their default values. */
 export interface Uniforms {}
 
-/** What there is to say of a uniform that is yours to set. */
+/** Label, widget and range of a uniform that you can set. */
 export interface Control {
-  /** Of the uniform. */
+  /** Name of the uniform. */
   name: string;
-  /** What people call it. */
+  /** Label for users. */
   label: string;
   kind: 'float' | 'int' | 'bool' | 'color' | 'point' | 'vector' | 'choice' | 'event';
-  /** As many numbers as it takes, what they are at first, and between which they make sense. */
+  /** Default value, with one number per component; `min` and `max` are its useful range. */
   value: number[];
   min?: number[];
   max?: number[];
   choices?: { label: string; value: number }[];
 }
 
-/** A mistake in the shader: the pass, the line in it from 1 (0: the whole pass, -1: no pass), and what is wrong. */
+/** An error: the pass, the line in it, from 1 (0: the whole pass, -1: not in a pass), and the message. */
 export interface ShaderError {
   pass: string;
   line: number;
@@ -27,17 +27,17 @@ export interface MountOptions {
   paused?: boolean;
   /** Seconds at which to start. */
   time?: number;
-  /** Pixels of the picture; without it the canvas is as sharp as it is shown. */
+  /** Width and height in pixels. Default: the displayed size of the canvas. */
   size?: [number, number];
-  /** Pixels of the picture for each pixel of the device; 1 unless said. */
+  /** Rendered pixels per device pixel. Default: 1. */
   scale?: number;
-  /** Feed mouse, finger and pen to `iMouse`; true unless said. */
+  /** Forward mouse, touch and pen input to `iMouse`. Default: true. */
   pointer?: boolean;
-  /** Feed keys to a keyboard channel while the canvas has the focus; true unless said. */
+  /** Forward keys to a keyboard channel while the canvas has focus. Default: true. */
   keyboard?: boolean;
-  /** Play sound; browsers allow it after a click. */
+  /** Play sound. Browsers allow this only after a user gesture. */
   sound?: boolean;
-  /** Called when passes do not compile. */
+  /** Called if passes do not compile. */
   onError?: (errors: ShaderError[]) => void;
 }
 
@@ -51,27 +51,27 @@ export interface Mounted {
   play(): void;
   pause(): void;
   restart(): void;
-  /** Goes to a time in seconds, at most 30 million. Throws a TypeError if it is no number. */
+  /** Seeks to a time in seconds, at most 30 million. Throws a TypeError if it is not a number. */
   seek(time: number): void;
-  /** Restarts and draws the frames 0 to n, sixty a second. */
+  /** Restarts and draws the frames 0 to n, at 60 frames per second. */
   renderFrame(n: number): Promise<void>;
-  /** Pixels from the lower left corner. */
+  /** Sets the mouse, in pixels from the lower left corner. */
   setMouse(x: number, y: number, down: boolean): void;
-  /** JavaScript's keyCode. */
+  /** Presses or releases a key, by the keyCode of JavaScript. */
   setKey(code: number, down: boolean): void;
   setSound(on: boolean): void;
   /**
-   * Gives a tunable number another value, within its author's limits, and compiles again. Fails with a
-   * RangeError where nothing has this name, with a TypeError if the value is no number.
+   * Sets a tunable number, within the limits of its author, and recompiles. Rejects with a RangeError for
+   * an unknown name, with a TypeError if the value is not a number.
    */
   setTunable(name: string, value: number): Promise<void>;
-  /** The uniforms that are yours to set. A new value is in the next picture, and nothing is compiled. */
+  /** The uniforms that you can set. A new value applies to the next frame, without recompiling. */
   readonly uniforms: Uniforms;
-  /** What there is to say of them. */
+  /** Labels, widgets and ranges of these uniforms. */
   readonly controls: Control[];
-  /** Puts a picture, film or music onto a channel. */
+  /** Loads an image, video or audio file into a channel. */
   setInput(pass: number, channel: number, url: string): Promise<void>;
-  /** Ends everything and frees what it holds. What is called afterwards does nothing. */
+  /** Stops the player and frees its resources. Later calls have no effect. */
   dispose(): void;
 }
 

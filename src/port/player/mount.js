@@ -1,4 +1,4 @@
-// What the module exports: the player on a canvas of somebody else's page.
+// The export of the module: mounts the player on a canvas of any page.
 
 /**
  * Plays the shader on a canvas.
@@ -67,7 +67,8 @@ export function mount(canvas, options = {}) {
 }
 
 /**
- * The uniforms that the user sets, as properties: a number, true or false, or as many numbers as it takes.
+ * The uniforms set by the user, as properties: a number, a boolean, or an array with one number per
+ * component.
  * @param {Player} player
  */
 function uniformsOf(player) {
@@ -83,7 +84,7 @@ function uniformsOf(player) {
       set: (given) => {
         const numbers = [given].flat().map(Number);
         const isFit = numbers.length === value.length && numbers.every(Number.isFinite);
-        if (!isFit) throw new TypeError(`${name} takes ${value.length === 1 ? 'a number' : `${value.length} numbers`}`);
+        if (!isFit) throw new TypeError(`${name} must be ${value.length === 1 ? 'a number' : `an array of ${value.length} numbers`}`);
         player.setControl(name, numbers);
       },
     });

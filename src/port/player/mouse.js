@@ -1,4 +1,4 @@
-// iMouse: where the button was pressed, where it is, and what the signs say.
+// iMouse: the position of the last drag, and of the last click with the button state as its signs.
 
 class Mouse {
   constructor() {
@@ -7,9 +7,9 @@ class Mouse {
     this.clickX = 0;
     this.clickY = 0;
     this.isDown = false;
-    /** The button went down since the last frame. */
+    /** Whether the button was pressed since the previous frame. */
     this.isClick = false;
-    /** Where the mouse is, pressed or not; null until it has come. @type {{x: number, y: number} | null} */
+    /** Position of the mouse, pressed or not; null until it has entered the canvas. @type {{x: number, y: number} | null} */
     this.place = null;
   }
 
@@ -51,7 +51,7 @@ class Mouse {
     return [this.x, this.y, this.isDown ? z : -z, this.isClick ? w : -w];
   }
 
-  /** Where it is, and whether its button is down. */
+  /** Position and button state. */
   pointer() {
     return this.place && { ...this.place, isDown: this.isDown };
   }

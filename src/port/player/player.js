@@ -1,6 +1,6 @@
-// The player: draws every pass of a project in ShaderToy's order, with ShaderToy's uniforms.
+// The player: draws all passes of a project in ShaderToy's order, with ShaderToy's uniforms.
 
-/** Channels have units of their own; whatever else binds a texture uses the one behind them. */
+/** The texture unit for everything except channels, which use the units before it. */
 const SPARE_UNIT = 16;
 
 class Player {
@@ -18,7 +18,7 @@ class Player {
       preserveDrawingBuffer: true,
       powerPreference: 'high-performance',
     });
-    if (!gl) throw new Error('this browser has no WebGL2');
+    if (!gl) throw new Error('WebGL2 is not available in this browser');
     this.canvas = canvas;
     this.gl = gl;
     this.project = project;
@@ -30,15 +30,15 @@ class Player {
     this.isPlaying = false;
     this.isSoundOn = false;
     this.isDisposed = false;
-    /** @type {(() => void)[]} called when something changes that a page may show */
+    /** @type {(() => void)[]} called when the visible state changes */
     this.listeners = [];
-    /** @type {Input[][]} by pass and channel; empty ones where another pass or the keyboard is read */
+    /** @type {Input[][]} by pass and channel; empty for other passes and the keyboard */
     this.inputs = [];
     /** @type {Map<number, Buffer>} by pass */
     this.buffers = new Map();
-    /** What the user sets, by uniform. */
+    /** Values set by the user, by uniform. */
     this.controls = new Map(project.controls.map((c) => [c.name, c.value]));
-    /** Whether some uniform shows where the mouse is. */
+    /** Whether a uniform depends on the mouse position. */
     this.followsPointer = project.passes.some((p) => p.uniforms?.some((u) => u.source.startsWith('pointer')));
     /** @type {CubeBuffer | null} */
     this.cube = null;
@@ -54,7 +54,7 @@ class Player {
     canvas.addEventListener('webglcontextrestored', () => void this.#reopen());
   }
 
-  /** What belongs to the graphics context. */
+  /** Creates everything that belongs to the WebGL context. */
   #openContext() {
     const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0 + SPARE_UNIT);
@@ -95,7 +95,7 @@ class Player {
     const loads = this.inputs.flat().map((input) => input.ready);
     const results = await Promise.allSettled(loads);
     for (const result of results) {
-      if (result.status === 'rejected') this.#complain(`an input cannot be read: ${result.reason}`);
+      if (result.status === 'rejected') this.#complain(`cannot load an input: ${result.reason}`);
     }
     if (this.isPlaying) this.inputs.flat().forEach((input) => input.play(true));
     this.#changed();
@@ -117,11 +117,11 @@ class Player {
     });
     const needsFloats = [...this.buffers.values()].some((b) => b.isFloat) || this.cube !== null;
     if (needsFloats && !this.canDrawFloats) {
-      this.#complain('this device cannot draw into textures of floats, which buffers need');
+      this.#complain('this device cannot render to float textures, which buffers require');
     }
   }
 
-  /** Compiles what has changed. What fails is told in `errors`. */
+  /** Compiles changed passes. Failures are listed in `errors`. */
   async compile() {
     const { compiled } = this;
     const sound = this.#soundProgram();
@@ -132,7 +132,7 @@ class Player {
     this.#changed();
   }
 
-  /** An error that is no shader's; its line is -1. @param {string} text */
+  /** Adds an error that is not in a shader; its line is -1. @param {string} text */
   #complain(text) {
     this.errors.push({ pass: '', line: -1, text });
     this.#changed();
@@ -152,13 +152,13 @@ class Player {
     if (!this.isPlaying && this.programs.some(Boolean)) this.paint(this.clock.frozen());
   }
 
-  /** The first of the passes that draw into the same buffer. @param {number} pass index */
+  /** The first pass that draws into the same buffer. @param {number} pass index */
   #drawnInto(pass) {
     const { into } = this.project.passes[pass];
     return into ? this.project.passes.findIndex((p) => p.into === into) : pass;
   }
 
-  /** The width and height of what a pass draws into. @param {number} pass index @returns {[number, number]} */
+  /** Width and height of the target of a pass. @param {number} pass index @returns {[number, number]} */
   #passSize(pass) {
     const { drawingBufferWidth: width, drawingBufferHeight: height } = this.gl;
     const size = this.project.passes[pass]?.size;
@@ -236,7 +236,7 @@ class Player {
     program.setChannels(channels);
   }
 
-  /** Binds what a channel reads, and gives what the uniforms say of it. @param {number} pass @param {number} channel */
+  /** Binds the input of a channel. Returns its uniform values. @param {number} pass @param {number} channel */
   #bindChannel(pass, channel) {
     const { gl } = this;
     const data = this.project.passes[pass].inputs[channel];
@@ -254,7 +254,7 @@ class Player {
     return read;
   }
 
-  /** What a channel reads now. @param {number} pass @param {number} channel */
+  /** The current input of a channel. @param {number} pass @param {number} channel */
   #read(pass, channel) {
     const data = this.project.passes[pass].inputs[channel];
     const none = { texture: null, size: [0, 0, 0], time: 0, isLoaded: false };
@@ -301,7 +301,7 @@ class Player {
     this.#changed();
   }
 
-  /** Starts again at time 0. Keys and the mouse stay as they are. */
+  /** Restarts at time 0. Keys and the mouse keep their state. */
   restart() {
     this.clock.reset();
     this.inputs.flat().forEach((input) => input.rewind());
@@ -310,7 +310,7 @@ class Player {
     this.#changed();
   }
 
-  /** Goes to a time, in seconds, and draws what is seen then. @param {number} time */
+  /** Seeks to a time in seconds and draws a frame. @param {number} time */
   seek(time) {
     this.clock.seek(time);
     this.#playSound();
@@ -319,7 +319,7 @@ class Player {
   }
 
   /**
-   * Restarts, and draws the frames from 0 to `last`, sixty a second. Resolves when the last stands on
+   * Restarts and draws the frames 0 to `last`, at 60 frames per second. Resolves when the last one is on
    * the canvas.
    * @param {number} last
    */
@@ -333,7 +333,7 @@ class Player {
     this.#changed();
   }
 
-  /** Draws the next of sixty frames a second, and stands. */
+  /** Pauses and draws the next frame at 60 frames per second. */
   step() {
     this.pause();
     this.clock.time += FIRST_DELTA;
@@ -341,7 +341,7 @@ class Player {
     this.#changed();
   }
 
-  /** Something happened while the clock stands: one frame is drawn. */
+  /** Draws a frame while paused, after a change of the input. */
   poke() {
     if (!this.isPlaying) this.paint(this.clock.frozen());
   }
@@ -353,7 +353,7 @@ class Player {
     else this.mouse.release();
   }
 
-  /** @param {number} code JavaScript's keyCode @param {boolean} isDown */
+  /** @param {number} code the keyCode of JavaScript @param {boolean} isDown */
   setKey(code, isDown) {
     this.keyboard.set(code, isDown);
   }
@@ -389,7 +389,7 @@ class Player {
     void this.sound.play(this.devices, this.clock.time);
   }
 
-  /** What the sound pass plays: the left and the right samples. Null without one. */
+  /** The left and right samples of the sound pass; null without one. */
   async samples() {
     const index = this.project.passes.findIndex((p) => p.kind === 'sound');
     const program = this.#soundProgram();
@@ -399,7 +399,7 @@ class Player {
     return [this.sound.left, this.sound.right];
   }
 
-  /** The sound pass is another one: what was computed holds no longer. */
+  /** Discards the computed sound after the sound pass has changed. */
   #forgetSound() {
     this.sound?.dispose();
     this.sound = null;
@@ -407,7 +407,7 @@ class Player {
   }
 
   /**
-   * Draws a block of the sound pass into the framebuffer at hand.
+   * Draws a block of the sound pass into the bound framebuffer.
    * @param {number} index
    * @param {PassProgram} program
    * @param {number} offset
@@ -422,9 +422,9 @@ class Player {
   }
 
   /**
-   * Puts a file onto a channel.
+   * Sets the file of a channel.
    * @param {number} pass @param {number} channel @param {string} name @param {string} url
-   * @param {string} [kind] what the file holds, where that is something else than what was there
+   * @param {string} [kind] the kind of the file, if it differs from the previous input
    */
   async setInput(pass, channel, name, url, kind) {
     if (this.isDisposed) return;
@@ -441,7 +441,7 @@ class Player {
     this.#changed();
   }
 
-  /** Gives a control other numbers. @param {string} name @param {number[]} numbers */
+  /** Sets the value of a control. @param {string} name @param {number[]} numbers */
   setControl(name, numbers) {
     const control = this.project.controls.find((c) => c.name === name);
     if (!control || !numbers.every(Number.isFinite)) return;
@@ -451,20 +451,20 @@ class Player {
   }
 
   /**
-   * Gives a tunable number another value, no less and no more than its author allows, and compiles again.
+   * Sets a tunable number, within the limits of its author, and recompiles.
    * @param {string} name @param {number} value
    */
   async setTunable(name, value) {
     const all = this.project.tunables.filter((t) => t.name === name);
-    if (all.length === 0) throw new RangeError(`no tunable number is called ${name}`);
-    if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`${name} is a number`);
+    if (all.length === 0) throw new RangeError(`unknown tunable: ${name}`);
+    if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`${name} must be a number`);
     for (const tunable of all) setNumber(this.project, tunable, value);
     await this.compile();
     this.poke();
   }
 
   /**
-   * Puts another text into the place of one of the user's, and compiles what it is part of.
+   * Replaces one of the user's texts and recompiles the passes that contain it.
    * @param {number} file @param {string} text
    */
   async setCode(file, text) {

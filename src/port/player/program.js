@@ -1,4 +1,4 @@
-// One pass made ready to draw: its program, and where its uniforms lie.
+// A compiled pass: its program and uniform locations.
 
 class PassProgram {
   /**
@@ -20,7 +20,7 @@ class PassProgram {
   }
 
   /**
-   * Sets what is the same for all passes of a frame.
+   * Sets the uniforms of a frame.
    * @param {Frame} frame
    * @param {number} width @param {number} height
    */
@@ -38,7 +38,7 @@ class PassProgram {
   }
 
   /**
-   * Sets the uniforms of a shader that brings its own.
+   * Sets the uniforms of a shader that declares its own.
    * @param {OwnUniform[]} uniforms
    * @param {Frame} frame
    * @param {number} width @param {number} height
@@ -53,7 +53,7 @@ class PassProgram {
     }
   }
 
-  /** Sets a scalar or vector; lanes without a number are 0. @param {string} name @param {string} type @param {number[]} value */
+  /** Sets a scalar or vector; missing components are 0. @param {string} name @param {string} type @param {number[]} value */
   #set(name, type, value) {
     const place = this.at(name);
     if (!place || !SETTERS[type]) return;
@@ -62,7 +62,7 @@ class PassProgram {
     gl[`uniform${method}`](place, lanesOf(size, value));
   }
 
-  /** Sets a matrix to one that changes nothing. @param {string} name @param {string} type mat4, mat2x3 */
+  /** Sets an identity matrix. @param {string} name @param {string} type mat4, mat2x3 */
   #setIdentity(name, type) {
     const place = this.at(name);
     const gl = /** @type {Record<string, any>} */ (/** @type {unknown} */ (this.gl));
@@ -70,7 +70,7 @@ class PassProgram {
   }
 
   /**
-   * Sets what the channels read.
+   * Sets the uniforms of the channels.
    * @param {{size: number[], time: number, isLoaded: boolean}[]} channels
    */
   setChannels(channels) {

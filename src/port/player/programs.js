@@ -1,4 +1,4 @@
-// The programs of all passes, compiled anew when their text changes.
+// The programs of all passes, recompiled when their text changes.
 
 class Programs {
   #isStale = false;
@@ -13,24 +13,24 @@ class Programs {
     this.gl = gl;
     this.project = project;
     this.parallel = gl.getExtension('KHR_parallel_shader_compile');
-    /** @type {(PassProgram | null)[]} by pass; null where none has been good yet */
+    /** @type {(PassProgram | null)[]} by pass; null until one has compiled */
     this.list = project.passes.map(() => null);
-    /** @type {string[]} what was compiled last, by pass */
+    /** @type {string[]} the last compiled source, by pass */
     this.sources = project.passes.map(() => '');
-    /** @type {ShaderError[][]} what the compiler said of that */
+    /** @type {ShaderError[][]} its compile errors, by pass */
     this.failures = project.passes.map(() => []);
     this.isDisposed = false;
   }
 
-  /** Each error once: what Common is blamed for, every pass says. */
+  /** All errors without duplicates: errors in Common occur in every pass. */
   get errors() {
     const known = new Map(this.failures.flat().map((e) => [`${e.pass}\n${e.line}\n${e.text}`, e]));
     return [...known.values()];
   }
 
   /**
-   * Compiles the passes whose text has changed, all at once where the browser can. One that fails goes on
-   * with the last program that was good.
+   * Compiles the passes with changed text, in parallel if the browser supports it. A pass that fails keeps
+   * its last program.
    */
   compile() {
     this.#isStale = true;
@@ -38,7 +38,7 @@ class Programs {
     return this.#compiling;
   }
 
-  /** Texts that change meanwhile are compiled next. */
+  /** Texts that change during compilation are compiled next. */
   async #compileStale() {
     while (this.#isStale && !this.isDisposed) {
       this.#isStale = false;

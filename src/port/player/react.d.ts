@@ -4,11 +4,11 @@ import type { MountOptions, Mounted, Uniforms } from './module.js';
 export interface ShaderProps extends CanvasHTMLAttributes<HTMLCanvasElement> {
   /** Options of `mount`, read once. */
   options?: MountOptions;
-  /** Values of the uniforms that are yours to set. */
+  /** Values of the uniforms that you can set. */
   uniforms?: Partial<Uniforms>;
   paused?: boolean;
   sound?: boolean;
-  /** Called with the player when it stands on the canvas. */
+  /** Called with the player after it has been mounted. */
   onMount?: (player: Mounted) => void;
 }
 

@@ -1,10 +1,10 @@
-// What the React module adds to `mount`.
+// The React component for `mount`.
 
 import { createElement, useEffect, useRef } from 'react';
 
 /**
- * The shader as a component. It fills its parent; `options` are those of `mount` and are read once,
- * `uniforms`, `paused` and `sound` whenever they change, and all other properties go to the canvas.
+ * The shader as a component that fills its parent. `options` are those of `mount` and are read once;
+ * `uniforms`, `paused` and `sound` are read whenever they change; all other props go to the canvas.
  */
 export function Shader({ options, uniforms, paused = false, sound = false, onMount, style, ...rest }) {
   const canvas = useRef(null);
@@ -17,7 +17,7 @@ export function Shader({ options, uniforms, paused = false, sound = false, onMou
       mounted.current = null;
       player.dispose();
     };
-    // Options are read once: another set of them is another shader, with another key.
+    // Options are read once: to change them, render the component with another key.
   }, []);
   useEffect(() => {
     const player = mounted.current;

@@ -7,14 +7,14 @@ const SOUND_SIDE = 512;
 class Sound {
   /**
    * @param {WebGL2RenderingContext} gl
-   * @param {(offset: number) => void} drawBlock draws the samples from this one on
+   * @param {(offset: number) => void} drawBlock draws the block that starts at this sample
    */
   constructor(gl, drawBlock) {
     this.gl = gl;
     this.drawBlock = drawBlock;
     this.left = new Float32Array(SOUND_RATE * SOUND_SECONDS);
     this.right = new Float32Array(SOUND_RATE * SOUND_SECONDS);
-    /** Samples that are computed. */
+    /** Number of computed samples. */
     this.done = 0;
     /** @type {AudioBufferSourceNode | null} */
     this.source = null;
@@ -48,7 +48,7 @@ class Sound {
     this.done += count;
   }
 
-  /** Computes what is missing, leaving the page time to breathe between blocks. */
+  /** Computes the remaining blocks, and yields to the page between them. */
   async finish() {
     while (!this.isReady) {
       this.step();
@@ -57,7 +57,7 @@ class Sound {
   }
 
   /**
-   * Plays from a time on; what was playing stops.
+   * Starts playback at a time, and stops the current one.
    * @param {Devices} devices
    * @param {number} time seconds
    */
@@ -79,7 +79,7 @@ class Sound {
     try {
       this.source?.stop();
     } catch {
-      // It had not been started.
+      // It was never started.
     }
     this.source?.disconnect();
     this.source = null;
@@ -92,7 +92,7 @@ class Sound {
   }
 }
 
-/** A sample from its low and high byte, in -1..1. @param {number} low @param {number} high */
+/** A sample in -1..1, from its low and high byte. @param {number} low @param {number} high */
 function soundSample(low, high) {
   return -1 + (2 * (low + 256 * high)) / 65535;
 }

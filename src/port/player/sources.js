@@ -1,6 +1,6 @@
-// What shaders are given that bring their own uniforms. The module for three.js has this, too.
+// Uniform values for shaders that declare their own uniforms. Shared with the module for three.js.
 
-/** How a type of uniform is set, and how many numbers it takes. @type {Record<string, [string, number]>} */
+/** By uniform type: the setter and the number of components. @type {Record<string, [string, number]>} */
 const SETTERS = {
   float: ['1fv', 1], vec2: ['2fv', 2], vec3: ['3fv', 3], vec4: ['4fv', 4],
   int: ['1iv', 1], ivec2: ['2iv', 2], ivec3: ['3iv', 3], ivec4: ['4iv', 4],
@@ -8,7 +8,7 @@ const SETTERS = {
   uint: ['1uiv', 1], uvec2: ['2uiv', 2], uvec3: ['3uiv', 3], uvec4: ['4uiv', 4],
 };
 
-/** What a uniform is given, by its source. @type {Record<string, (f: Frame, w: number, h: number) => number[]>} */
+/** Values of uniforms by source. @type {Record<string, (f: Frame, w: number, h: number) => number[]>} */
 const SOURCES = {
   time: (f) => [f.time],
   milliseconds: (f) => [f.time * 1000],
@@ -39,33 +39,33 @@ const SOURCES = {
   nothing: () => [],
 };
 
-/** How loud low, middle and high sounds are that nobody plays. @param {number} time */
+/** Synthetic levels of low, middle and high frequencies. @param {number} time */
 function madeUpSpectrum(time) {
   const beat = Math.pow(0.5 + 0.5 * Math.sin(6.2831 * time), 4);
   return [beat, 0.4 + 0.3 * Math.sin(13 * time) * Math.sin(1.7 * time), 0.2 + 0.15 * Math.sin(23 * time)];
 }
 
-/** As many numbers as a type takes; those that are missing are 0. @param {number} size @param {number[]} value */
+/** Extends a value to a number of components with zeros. @param {number} size @param {number[]} value */
 function lanesOf(size, value) {
   return Array.from({ length: size }, (_, i) => value[i] ?? 0);
 }
 
-/** The numbers of a matrix that changes nothing, by columns. @param {string} type mat4, mat2x3 */
+/** The identity matrix of a type, column by column. @param {string} type mat4, mat2x3 */
 function identityOf(type) {
   const [columns, rows = columns] = type.slice(3).split('x').map(Number);
   return Array.from({ length: columns * rows }, (_, i) => (i % rows === Math.floor(i / rows) ? 1 : 0));
 }
 
 /**
- * What a frame is drawn for.
+ * The state for drawing a frame.
  * @typedef {object} Frame
  * @property {number} number
  * @property {number} time seconds
- * @property {number} delta seconds since the frame before
- * @property {number} rate frames a second
+ * @property {number} delta seconds since the previous frame
+ * @property {number} rate frames per second
  * @property {number[]} mouse
- * @property {{x: number, y: number, isDown: boolean} | null} pointer where the mouse is, if it has come
- * @property {Map<string, number[]>} controls what the user sets
+ * @property {{x: number, y: number, isDown: boolean} | null} pointer the mouse position, if known
+ * @property {Map<string, number[]>} controls values set by the user
  * @property {number[]} date
  */
 
@@ -76,7 +76,7 @@ function dateUniform() {
   return [now.getFullYear(), now.getMonth(), now.getDate(), seconds + now.getMilliseconds() / 1000];
 }
 
-/** What sizes are made of that Math does not have. @type {Record<string, (...n: number[]) => number>} */
+/** Functions of size expressions that Math does not have. @type {Record<string, (...n: number[]) => number>} */
 const SIZE_FUNCTIONS = {
   add: (a, b) => a + b,
   subtract: (a, b) => a - b,
@@ -94,30 +94,30 @@ function sizeOf(term, valueOf) {
   return (SIZE_FUNCTIONS[name] ?? math[name])(...terms.map((t) => sizeOf(t, valueOf)));
 }
 
-/** Largest side of a buffer with a size of its own. */
+/** Maximum width and height of a buffer with its own size. */
 const MAX_SIDE = 8192;
 
-/** A whole number of pixels. @param {number} size */
+/** Rounds a size to pixels. @param {number} size */
 function pixels(size) {
   return Math.min(MAX_SIDE, Math.max(1, Math.floor(size) || 1));
 }
 
-/** How many frames the history of the spectrum has. */
+/** Number of frames in the history of the spectrum. */
 const HISTORY_ROWS = 240;
 const SIGNAL_WIDTH = 512;
 
-/** What a texture of sound holds at first. @param {string} [form] */
+/** Initial texels of a sound texture. @param {string} [form] */
 function signalTexels(form) {
   if (form === 'sum') return new Float32Array(4 * SIGNAL_WIDTH);
   return new Uint8Array(4 * SIGNAL_WIDTH * (form === 'history' ? HISTORY_ROWS : 1));
 }
 
 /**
- * Puts a line of sound into its texture; the lines of a history move on, and a sum grows by one a second
- * where it is loudest.
+ * Adds a row to a sound texture; rows of a history move up, and a sum grows by one per second at full
+ * level.
  * @param {Uint8Array | Float32Array} texels
  * @param {Uint8Array} values
- * @param {number} seconds since the line before
+ * @param {number} seconds since the previous row
  */
 function addSignal(texels, values, seconds) {
   if (texels instanceof Float32Array) {
@@ -133,7 +133,7 @@ function addSignal(texels, values, seconds) {
 }
 
 /**
- * The spectrum and wave that stand for sound that is not heard.
+ * Synthesises a spectrum and waveform for silent sound.
  * @param {number} time
  * @param {Uint8Array} spectrum
  * @param {Uint8Array} wave

@@ -1,9 +1,9 @@
-// What passes draw into: pairs of textures, of which one is drawn into while the other is read.
+// Render targets of passes: pairs of textures, one to write and one to read.
 
-/** In the place of a pass's number: a buffer that is read and that no pass draws. It stays empty. */
+/** Pass index of a buffer that is read but never drawn. It stays empty. */
 const UNDRAWN = -1;
 
-/** Whether some channel reads a pass with mipmaps. @param {ProjectData} project @param {number} pass index */
+/** Whether a channel reads a pass with mipmaps. @param {ProjectData} project @param {number} pass index */
 function hasMipmaps(project, pass) {
   const isCube = project.passes[pass]?.kind === 'cubemap';
   /** @param {InputData} input */
@@ -12,7 +12,7 @@ function hasMipmaps(project, pass) {
   return project.passes.some((p) => p.inputs.some((i) => i?.filter === 'mipmap' && reads(i)));
 }
 
-/** A buffer, in floats of 32 bits or, as a canvas, in bytes. */
+/** A buffer with 32-bit floats or, like a canvas, with bytes. */
 class Buffer {
   /**
    * @param {WebGL2RenderingContext} gl
@@ -24,7 +24,7 @@ class Buffer {
     this.isFloat = isFloat;
     this.width = width;
     this.height = height;
-    /** The texture that readers see. */
+    /** Index of the texture for reading. */
     this.front = 0;
     this.textures = [this.#texture(), this.#texture()];
     this.framebuffer = /** @type {WebGLFramebuffer} */ (gl.createFramebuffer());
@@ -47,7 +47,7 @@ class Buffer {
     return this.textures[this.front];
   }
 
-  /** Makes the texture that is not read the target of drawing. */
+  /** Binds the texture for writing as the render target. */
   bind() {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -56,7 +56,7 @@ class Buffer {
     gl.viewport(0, 0, this.width, this.height);
   }
 
-  /** Shows on the canvas what was drawn; only bytes can be. */
+  /** Copies the drawn texture to the canvas; requires bytes. */
   show() {
     const { gl, width, height } = this;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.framebuffer);
@@ -65,7 +65,7 @@ class Buffer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  /** Readers see from now on what was drawn. @param {boolean} hasMipmaps */
+  /** Swaps the textures for reading and writing. @param {boolean} hasMipmaps */
   flip(hasMipmaps) {
     this.front = 1 - this.front;
     if (!hasMipmaps) return;
@@ -84,7 +84,7 @@ class Buffer {
   }
 
   /**
-   * Takes another size. What lies in the lower left corner of both sizes stays.
+   * Changes the size. The common lower left part keeps its content.
    * @param {number} width @param {number} height @param {boolean} hasMipmaps
    */
   resize(width, height, hasMipmaps) {
@@ -126,7 +126,7 @@ const CUBE_CORNERS = [
   [1, 1, -1, -1, 1, -1, -1, -1, -1, 1, -1, -1],
 ];
 
-/** A cube map of 1024 x 1024, in floats of 16 bits. */
+/** A cube map of 1024 x 1024 with 16-bit floats. */
 class CubeBuffer {
   /** @param {WebGL2RenderingContext} gl */
   constructor(gl) {

@@ -1,16 +1,16 @@
 import type { Color, IUniform, Object3D, RawShaderMaterial, Texture, Vector2, Vector3, Vector4, WebGLRenderer } from 'three';
 
-/** The uniforms that are yours to set, with what they are at first. */
+/** The uniforms that you can set, with their default values. */
 export interface Uniforms {}
 
-/** What there is to say of a uniform that is yours to set. */
+/** Label, widget and range of a uniform that you can set. */
 export interface Control {
-  /** Of the uniform. */
+  /** Name of the uniform. */
   name: string;
-  /** What people call it. */
+  /** Label for users. */
   label: string;
   kind: 'float' | 'int' | 'bool' | 'color' | 'point' | 'vector' | 'choice' | 'event';
-  /** As many numbers as it takes, what they are at first, and between which they make sense. */
+  /** Default value, with one number per component; `min` and `max` are its useful range. */
   value: number[];
   min?: number[];
   max?: number[];
@@ -20,29 +20,29 @@ export interface Control {
 export interface Tick {
   /** Seconds since the start. */
   time: number;
-  /** Seconds since the frame before; 1/60 unless said. */
+  /** Seconds since the previous frame. Default: 1/60. */
   delta?: number;
-  /** As `iMouse`: where the mouse is, and where it was pressed, above zero while it is down. */
+  /** As `iMouse`: the mouse position, then that of the last click, positive while the button is down. */
   mouse?: [number, number, number, number];
-  /** Pixels of the picture; those of the renderer's canvas unless said. */
+  /** Width and height in pixels. Default: the size of the renderer's canvas. */
   width?: number;
   height?: number;
 }
 
 export interface ThreeShader {
-  /** Paints the Image, in the coordinates of the screen, over whatever mesh it is on. */
+  /** Draws the Image on any mesh, in screen coordinates. */
   readonly material: RawShaderMaterial;
-  /** Paints it in any scene, without a mesh of yours; a shader of vertices needs this one. */
+  /** Draws it in any scene without your own mesh; required for shaders that draw vertices. */
   readonly object: Object3D;
-  /** The uniforms that are yours to set; those of `material` are the same. */
+  /** The uniforms that you can set, shared with `material`. */
   readonly uniforms: Uniforms;
-  /** What there is to say of them. */
+  /** Labels, widgets and ranges of these uniforms. */
   readonly controls: Control[];
-  /** Sets the other uniforms and draws the buffers; call it before each frame. */
+  /** Sets the other uniforms and draws the buffers. Call this before each frame. */
   update(renderer: WebGLRenderer, tick: Tick): void;
-  /** Puts a texture onto a channel of the Image, or onto all samplers of a name. */
+  /** Sets the texture of a channel of the Image, or of all samplers with a name. */
   setChannel(channel: number | string, texture: Texture): void;
-  /** Starts again at frame 0. */
+  /** Restarts at frame 0. */
   restart(): void;
   dispose(): void;
 }

@@ -1,6 +1,6 @@
-// What the three.js module does with the project: targets, channels, frames.
+// The project in three.js: targets, channels, frames.
 
-/** Sets filter and wrap of a texture of the user's own, as the channel wants them. */
+/** Sets the filter and wrap mode of a user's texture to those of the channel. */
 function setSampling(texture, input) {
   const isSmooth = input.filter === 'linear' || input.filter === 'mipmap';
   texture.magFilter = isSmooth ? LinearFilter : NearestFilter;
@@ -10,8 +10,8 @@ function setSampling(texture, input) {
 }
 
 /**
- * Sets filter and wrap of a buffer's texture. Passes may read one buffer differently, and three.js
- * sets those of a render target only once, so this speaks to WebGL itself.
+ * Sets the filter and wrap mode of a buffer's texture. Passes may sample the same buffer differently, but
+ * three.js sets those of a render target only once, so this calls WebGL directly.
  */
 function setBufferSampling(renderer, texture, input) {
   const gl = renderer.getContext();
@@ -25,7 +25,7 @@ function setBufferSampling(renderer, texture, input) {
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap);
 }
 
-/** The target for what stands for a file that is not at hand. */
+/** The render target of a stand-in. */
 function standInTarget(input) {
   const [width, height, depth] = input.size;
   const options = { depthBuffer: false, format: input.gray ? RedFormat : RGBAFormat };
@@ -38,7 +38,7 @@ function standInTarget(input) {
   return target;
 }
 
-/** What draws it; a film is drawn anew before each frame. */
+/** The material of a stand-in; a video is redrawn before each frame. */
 function standInMaterial(input) {
   const { text } = PROJECT.media.find((m) => m.name === input.standIn);
   return new RawShaderMaterial({
@@ -56,23 +56,23 @@ function standInMaterial(input) {
   });
 }
 
-/** The first of the passes that draw into what a pass draws into. */
+/** The first pass that draws into the same target. */
 function firstInto(pass) {
   return PROJECT.passes.find((p) => p === pass || (pass.into !== undefined && p.into === pass.into));
 }
 
-/** The pass that draws what an input reads. */
+/** The pass that draws the buffer of an input. */
 function drawnFor(input) {
   const pass = input?.kind === 'buffer' ? PROJECT.passes[input.buffer] : undefined;
   return pass && firstInto(pass);
 }
 
-/** The inputs that read what a pass draws. */
+/** The inputs that read the output of a pass. */
 function readersOf(pass) {
   return PROJECT.passes.flatMap((p) => p.inputs.filter((i) => drawnFor(i) === firstInto(pass)));
 }
 
-/** A pair of targets of zeros. */
+/** A pair of targets, cleared to zero. */
 function makeTargets(renderer, pass, width, height) {
   const needsMipmaps = readersOf(pass).some((i) => i.filter === 'mipmap');
   const options = {
@@ -92,11 +92,11 @@ function makeTargets(renderer, pass, width, height) {
   });
 }
 
-/** Draws what stands for files with the mesh that draws the buffers. */
+/** Draws stand-ins with the mesh of the buffers. */
 function standInPainter(materials, mesh, scene, camera) {
   const made = new Map();
 
-  /** Draws what stands for an input's file, the first time and whenever it moves. */
+  /** Draws the stand-in of an input, once or, for a video, for each frame. */
   function textureOf(renderer, input, time) {
     const known = made.get(input);
     const own = known ?? { target: standInTarget(input), material: standInMaterial(input) };
@@ -114,7 +114,7 @@ function standInPainter(materials, mesh, scene, camera) {
     return own.target.texture;
   }
 
-  /** Draws those of all passes, and puts them onto their channels. */
+  /** Draws the stand-ins of all passes and sets their channels. */
   function draw(renderer, time) {
     for (const [pass, { uniforms }] of materials) {
       pass.inputs.forEach((input, channel) => {
@@ -136,7 +136,7 @@ function standInPainter(materials, mesh, scene, camera) {
   return { draw, dispose };
 }
 
-/** The texture of a sound that nobody plays, in the form that a channel wants. */
+/** The texture of synthetic sound, in the form that a channel requires. */
 function signalTexture(input) {
   const texels = signalTexels(input.form);
   const type = texels instanceof Float32Array ? FloatType : UnsignedByteType;
@@ -145,7 +145,7 @@ function signalTexture(input) {
   return texture;
 }
 
-/** Moves it on to a time, some seconds behind the last. */
+/** Advances it to a time, with the seconds since the last call. */
 function advanceSignal(texture, input, time, seconds) {
   const [spectrum, wave] = [new Uint8Array(1024), new Uint8Array(1024)];
   makeUpSignal(time, spectrum, wave);
@@ -153,18 +153,18 @@ function advanceSignal(texture, input, time, seconds) {
   texture.needsUpdate = true;
 }
 
-/** What passes draw into, by pass: pairs of targets, of which the first is read. */
+/** Render targets by pass: pairs of which the first is read. */
 function targetStore(users, kept) {
   const pairs = new Map();
 
-  /** The pixels of what a pass draws into. */
+  /** Width and height of the target of a pass. */
   function sizeOfPass(pass, width, height) {
     const canvas = { $WIDTH: width, $HEIGHT: height };
     const term = (name) => canvas[name] ?? Number(users[name]?.value ?? 0);
     return pass.size ? pass.size.map((t) => pixels(sizeOf(t, term))) : [width, height];
   }
 
-  /** Targets of these sizes; what lies in the lower left corner of both sizes stays. */
+  /** Resizes the targets. The common lower left part keeps its content. */
   function resize(renderer, width, height) {
     for (const pass of kept) {
       const [w, h] = sizeOfPass(pass, width, height);
@@ -187,7 +187,7 @@ function targetStore(users, kept) {
     }
   }
 
-  /** Forgets what was drawn. */
+  /** Discards all targets. */
   function clear() {
     pairs.forEach((pair) => pair.forEach((t) => t.dispose()));
     pairs.clear();
@@ -196,9 +196,9 @@ function targetStore(users, kept) {
   return { sizeOfPass, resize, clear, of: (pass) => pairs.get(pass) };
 }
 
-/** Puts onto the channels of passes what they read. `given` and `signals` are textures by input. */
+/** Binds the inputs of channels. `given` and `signals` are textures by input. */
 function channelBinder(materials, targets, given, signals) {
-  /** Tells a pass how large the textures are that it reads. */
+  /** Sets the uniforms with the sizes of textures. */
   function setSizes(pass) {
     const { uniforms } = materials.get(pass);
     for (const { name, type, source, of } of pass.uniforms ?? []) {
@@ -230,7 +230,7 @@ function channelBinder(materials, targets, given, signals) {
   };
 }
 
-/** Sets what a frame gives to all passes. */
+/** Sets the uniforms of all passes for a frame. */
 function setFrame(materials, targets, tick, width, height) {
   for (const [pass, material] of materials) {
     if (pass.uniforms) {
@@ -249,8 +249,8 @@ function setFrame(materials, targets, tick, width, height) {
 }
 
 /**
- * The shader for three.js: `material` paints the Image over whatever mesh it is on, in the
- * coordinates of the screen; `update` sets its uniforms and draws the buffers, before each frame.
+ * The shader for three.js. `material` draws the Image on any mesh, in screen coordinates. Call `update`
+ * before each frame: it sets the uniforms and draws the buffers.
  */
 export function createShader() {
   const passes = PROJECT.passes.filter((p) => p.kind === 'image' || p.kind === 'buffer');
@@ -258,7 +258,7 @@ export function createShader() {
   const materials = new Map(passes.map((pass) => [pass, materialOf(pass, users)]));
   const image = passes.find((p) => p.kind === 'image');
   const buffers = passes.filter((p) => p.kind === 'buffer');
-  // The picture is drawn a second time, into a target, where a pass reads what it was.
+  // If a pass reads the previous Image, it is also drawn into a target.
   const isImageRead = readersOf(image).length > 0;
   const kept = isImageRead ? [...buffers, image] : buffers;
   const targets = targetStore(users, kept);
@@ -267,7 +267,7 @@ export function createShader() {
   const scene = new Scene();
   const camera = new Camera();
   const triangle = flatGeometry([[-1, -1], [3, -1], [-1, 3]]);
-  // Vertex shaders of a file's own may want the corners of the picture.
+  // Vertex shaders in the file may require the corners of the image.
   const square = flatGeometry([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1], [1, 1]]);
   const coverOf = (pass) => (pass.quad ? square : triangle);
   const mesh = new Mesh(triangle);
@@ -278,7 +278,7 @@ export function createShader() {
   const bind = channelBinder(materials, targets, given, signals);
   let frame = 0;
 
-  /** Draws a pass into what it draws into while others read what is there. */
+  /** Draws a pass into the write target, while others read the previous output. */
   function draw(renderer, pass) {
     bind(renderer, pass);
     mesh.material = materials.get(pass);
@@ -289,13 +289,13 @@ export function createShader() {
 
   return {
     material: materials.get(image),
-    /** Paints the picture in any scene: the material on a triangle, or on the vertices that the shader numbers. */
+    /** Draws the image in any scene: the material on a triangle, or on numbered vertices. */
     object,
-    /** The uniforms that are yours to set. */
+    /** The uniforms that you can set. */
     uniforms: users,
-    /** What there is to say of them: labels, kinds, ranges. */
+    /** Labels, widgets and ranges of these uniforms. */
     controls: PROJECT.controls,
-    /** Puts a texture of your own onto a channel of the Image, or onto all samplers of a name. */
+    /** Sets the texture of a channel of the Image, or of all samplers with a name. */
     setChannel(channel, texture) {
       for (const pass of typeof channel === 'number' ? [image] : passes) {
         const found = (i) => (typeof channel === 'number' ? i === channel : pass.inputs[i]?.uniform === channel);
@@ -307,7 +307,7 @@ export function createShader() {
       }
       texture.needsUpdate = true;
     },
-    /** Call it before each frame; time and delta are seconds. */
+    /** Call this before each frame; time and delta are in seconds. */
     update(renderer, { time, delta = 1 / 60, mouse, width, height }) {
       const canvas = renderer.domElement;
       const [w, h] = [width ?? canvas.width, height ?? canvas.height];
@@ -318,9 +318,9 @@ export function createShader() {
       signals.forEach((texture, input) => advanceSignal(texture, input, time, frame > 0 ? delta : 0));
       const before = renderer.getRenderTarget();
       const { autoClear } = renderer;
-      // What a shader discards stays as it was two frames ago.
+      // Discarded pixels keep their values from two frames ago.
       renderer.autoClear = false;
-      // What was drawn of the picture for the frame before is read from now on.
+      // From here on, the Image of the previous frame is read.
       targets.of(isImageRead ? image : null)?.reverse();
       targets.resize(renderer, w, h);
       standIns.draw(renderer, time);
@@ -338,7 +338,7 @@ export function createShader() {
       }
       frame++;
     },
-    /** Starts again at frame 0. */
+    /** Restarts at frame 0. */
     restart() {
       targets.clear();
       signals.forEach((texture) => texture.image.data.fill(0));

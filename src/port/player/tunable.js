@@ -1,11 +1,11 @@
-// Numbers in the code that can be tuned, and where they are when the code changes.
+// Tunable numbers in the code, and their positions when the code changes.
 
-/** The least and the most that a tunable number may be. @param {TunableData} tunable */
+/** Minimum and maximum of a tunable number. @param {TunableData} tunable */
 function limits(tunable) {
   return [Math.min(tunable.min, tunable.value), Math.max(tunable.max, tunable.value)];
 }
 
-/** A number as GLSL takes it for a float. @param {number} value */
+/** A number as a GLSL float literal. @param {number} value */
 function floatText(value) {
   const text = String(Number(value.toPrecision(6)));
   return /[.e]/.test(text) ? text : `${text}.0`;
@@ -22,7 +22,7 @@ function setNumber(project, tunable, value) {
   const file = project.files[tunable.file];
   const text = tunable.integer ? String(number) : floatText(number);
   const before = file.text.slice(0, tunable.start);
-  // Its limits stay where they are, so that every value that was allowed still is.
+  // The limits do not change, so every value that was allowed remains allowed.
   Object.assign(tunable, { value: number, min: least, max: most });
   changeText(project, tunable.file, before + text + file.text.slice(tunable.end));
 }
@@ -30,8 +30,8 @@ function setNumber(project, tunable, value) {
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/;
 
 /**
- * Puts another text into the place of one, and moves the tunables to where their numbers stand now.
- * One whose number is no longer there is dropped.
+ * Replaces a text and moves the tunables to the new positions of their numbers. Tunables without a
+ * number are removed.
  * @param {ProjectData} project @param {number} index of the file @param {string} text
  */
 function changeText(project, index, text) {
@@ -53,7 +53,7 @@ function changeText(project, index, text) {
   });
 }
 
-/** What of a text another one replaces: where it begins, and where it ends. @param {string} before @param {string} after */
+/** Start and end of the part of a text that differs from another. @param {string} before @param {string} after */
 function changed(before, after) {
   const most = Math.min(before.length, after.length);
   let start = 0;

@@ -1,39 +1,39 @@
-// The shapes of what the converter hands to the player.
+// The types of the data for the player.
 
 /**
  * A text that is compiled.
  * @typedef {object} SourceText
- * @property {string} name what the user calls it: "Common", "Image"
+ * @property {string} name shown to the user: "Common", "Image"
  * @property {string} text
- * @property {boolean} hidden whether the player brought it
+ * @property {boolean} hidden whether it belongs to the player
  */
 
 /**
- * What a channel reads.
+ * The input of a channel.
  * @typedef {object} InputData
- * @property {string} [uniform] the sampler that reads it; iChannel0 and so on without it
- * @property {string} [sampler] the type of that sampler, where no file can feed it: isampler2D
+ * @property {string} [uniform] the sampler that reads it; default iChannel0 and so on
+ * @property {string} [sampler] the type of that sampler, if it cannot read a file: isampler2D
  * @property {string} kind texture, buffer, cubebuffer, cubemap, volume, keyboard, video, webcam,
  *   music or mic
- * @property {number} [buffer] index of the pass that a buffer is drawn by
+ * @property {number} [buffer] index of the pass that draws the buffer
  * @property {string} filter nearest, linear or mipmap
  * @property {string} wrap clamp or repeat
  * @property {boolean} vflip
- * @property {string[]} [urls] data: or blob: addresses of the file, six for a cube map
+ * @property {string[]} [urls] data: or blob: URLs of the file, six for a cube map
  * @property {string} [name] name of the file
  * @property {boolean} [gray] whether only the red component is kept
- * @property {string} [form] how sound lies in its texture: spectrum, wave, history or sum; both
- *   without it
- * @property {string} [standIn] which of the project's `media` is drawn where no file is at hand
- * @property {string} [title] what the site calls the file that it stands for
- * @property {number[]} [size] width, height and depth of what is drawn
+ * @property {string} [form] layout of sound in its texture: spectrum, wave, history or sum;
+ *   default is spectrum and wave
+ * @property {string} [standIn] the project's `media` that is drawn if there is no file
+ * @property {string} [title] the title on ShaderToy of the file that it replaces
+ * @property {number[]} [size] width, height and depth of the stand-in
  */
 
 /**
- * What draws stand-ins for files.
+ * A generator of stand-ins.
  * @typedef {object} MediaData
  * @property {string} name
- * @property {string} text a whole fragment shader
+ * @property {string} text a complete fragment shader
  */
 
 /**
@@ -41,46 +41,46 @@
  * @typedef {object} PassData
  * @property {string} kind image, buffer, cubemap or sound
  * @property {string} name
- * @property {number[]} files indexes of the texts that are compiled, in order
+ * @property {number[]} files indexes of the compiled texts, in order
  * @property {(InputData | null)[]} inputs one for each channel
  * @property {string} [vertex] the vertex shader, where the pass has its own
- * @property {OwnUniform[]} [uniforms] what is set in a pass that brings its own uniforms
- * @property {[SizeTerm, SizeTerm]} [size] what it draws into, where that has not the canvas's size
- * @property {string} [into] what it draws into, where other passes do, too
- * @property {boolean} [float] whether it draws into floats
- * @property {boolean} [quad] whether its vertex shader wants the corners of the picture
- * @property {string} [fragment] the fragment shader, where the texts are a vertex shader that is run for
- *   numbered vertices
+ * @property {OwnUniform[]} [uniforms] values for a pass that declares its own uniforms
+ * @property {[SizeTerm, SizeTerm]} [size] size of the target, if it differs from the canvas
+ * @property {string} [into] id of a target that several passes share
+ * @property {boolean} [float] whether the target has float components
+ * @property {boolean} [quad] whether its vertex shader requires the corners of the image
+ * @property {string} [fragment] the fragment shader, if the texts are a vertex shader for numbered
+ *   vertices
  */
 
 /**
- * A number, a name (`$WIDTH`, `$HEIGHT` or a control), or a function and what it is given.
+ * A number, a name (`$WIDTH`, `$HEIGHT` or a control), or a function with its arguments.
  * @typedef {number | string | [string, any[]]} SizeTerm
  */
 
 /**
- * A uniform of a shader that brings its own.
+ * A uniform of a shader that declares its own.
  * @typedef {object} OwnUniform
  * @property {string} name
- * @property {string} type as GLSL writes it
- * @property {string} source what it is given: a key of SOURCES, identity, control or textureSize
- * @property {string} [of] the sampler whose texture it tells of
+ * @property {string} type the GLSL type
+ * @property {string} source of its value: a key of SOURCES, identity, control or textureSize
+ * @property {string} [of] for textureSize: the sampler of the texture
  */
 
 /**
- * A uniform that the user sets.
+ * A uniform set by the user.
  * @typedef {object} ControlData
  * @property {string} name of the uniform
  * @property {string} label
  * @property {string} kind float, int, bool, color, point, vector, choice or event
- * @property {number[]} value as many numbers as it takes
+ * @property {number[]} value one number per component
  * @property {number[]} [min]
  * @property {number[]} [max]
  * @property {{label: string, value: number}[]} [choices]
  */
 
 /**
- * A number in the code that its author left to be tuned.
+ * A number in the code that its author made tunable.
  * @typedef {object} TunableData
  * @property {string} name
  * @property {string} label
@@ -94,7 +94,7 @@
  */
 
 /**
- * A place in a text, and what is said of it.
+ * A labelled span in a text.
  * @typedef {object} LabelData
  * @property {number} file index of the text
  * @property {number} start offset in it
@@ -103,11 +103,11 @@
  */
 
 /**
- * What the checker says of code that does not compile.
+ * A diagnostic for code that does not compile.
  * @typedef {object} FindingData
  * @property {string} rule
  * @property {string} message
- * @property {LabelData[]} labels the first is where it is
+ * @property {LabelData[]} labels the primary label first
  * @property {string[]} notes
  */
 
@@ -124,6 +124,6 @@
  * @property {PassData[]} passes in the order of the export
  * @property {TunableData[]} tunables
  * @property {ControlData[]} controls
- * @property {MediaData[]} [media] those that some channel needs
- * @property {FindingData[]} [findings] errors, where there are any
+ * @property {MediaData[]} [media] the generators that channels need
+ * @property {FindingData[]} [findings] errors, if any
  */

@@ -1,4 +1,4 @@
-//! Definitions that hold a bracket without its partner.
+//! Macro definitions with unbalanced brackets.
 
 use super::Case;
 use super::candidate::Candidate;
@@ -8,10 +8,10 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::{Piece, TokenKind, WordClass, classify};
 use shaderlint_text::{Edit, Span};
 
-/// Most places that are tried for one bracket.
+/// Maximum number of positions tried for one bracket.
 const MAX_PLACES: usize = 24;
 
-/// The bracket that closes one, with both as they are written.
+/// The closing bracket of an opening one, and both as text.
 fn partner(kind: TokenKind) -> Option<(TokenKind, &'static str, &'static str)> {
     match kind {
         TokenKind::LeftParen => Some((TokenKind::RightParen, "(", ")")),
@@ -21,7 +21,7 @@ fn partner(kind: TokenKind) -> Option<(TokenKind, &'static str, &'static str)> {
     }
 }
 
-/// The brackets of a body that are not closed, and those that close nothing.
+/// Indices of the unclosed and the unopened brackets of a macro body.
 fn lone(body: &[Piece]) -> (Vec<usize>, Vec<usize>) {
     let mut open: Vec<(usize, TokenKind)> = Vec::new();
     let mut closing = Vec::new();
@@ -45,7 +45,7 @@ fn lone(body: &[Piece]) -> (Vec<usize>, Vec<usize>) {
 }
 
 impl Case<'_> {
-    /// How many brackets of a definition are not closed.
+    /// Number of unclosed brackets in a definition.
     pub(super) fn unclosed(&self, d: &Definition) -> usize {
         lone(&d.of.body).0.len()
     }
@@ -64,7 +64,7 @@ impl Case<'_> {
 
     fn lacks(&self, d: &Definition, at: u32, symbol: &str) -> Diagnostic {
         let span = Span::at(at);
-        let message = format!("the definition of macro `{}` lacks a `{symbol}`", d.name);
+        let message = format!("missing `{symbol}` in the definition of macro `{}`", d.name);
         Diagnostic::error(error::FAULTY_MACRO, span, message)
             .mark(format!("expected `{symbol}` here"))
     }
@@ -75,7 +75,7 @@ impl Case<'_> {
         let Some((_, left, right)) = partner(opener.token.kind) else {
             return;
         };
-        // At the end, before a `;` at the end, then wherever an operand ends.
+        // At the end, before a final `;`, then wherever an operand ends.
         let ends_operand = |i: &usize| {
             let next = body.get(i + 1).map(|p| p.token.kind);
             next.is_none_or(|k| {
@@ -93,23 +93,21 @@ impl Case<'_> {
         for place in places.filter_map(|i| body.get(i)) {
             let at = place.token.span.end;
             let found = self.lacks(d, at, right);
-            let found = found.label(opener.token.span, format!("this `{left}` is not closed"));
-            let fix = Fix::suggestion(format!("put `{right}` here"), vec![Edit::insert(at, right)]);
+            let found = found.label(opener.token.span, format!("unclosed `{left}`"));
+            let fix = Fix::suggestion(format!("add `{right}`"), vec![Edit::insert(at, right)]);
             all.push(d.candidate(found, fix));
         }
         let found = Diagnostic::error(
             error::FAULTY_MACRO,
             opener.token.span,
-            format!(
-                "the definition of macro `{}` has a `{left}` too many",
-                d.name
-            ),
+            format!("unmatched `{left}` in the definition of macro `{}`", d.name),
         );
-        let fix = Fix::suggestion("take it out", vec![Edit::delete(opener.token.span)]);
+        let title = format!("remove `{left}`");
+        let fix = Fix::suggestion(title, vec![Edit::delete(opener.token.span)]);
         all.push(d.candidate(found, fix));
     }
 
-    /// Several brackets are open: all are closed at the end.
+    /// Several brackets are unclosed: closes all of them at the end.
     fn unclosed_brackets(&self, d: &Definition, open: &[usize], all: &mut Vec<Candidate>) {
         let kinds = open.iter().rev().filter_map(|&i| d.of.body.get(i));
         let symbols: String = kinds
@@ -120,7 +118,7 @@ impl Case<'_> {
         let at = last.token.span.end;
         let found = self.lacks(d, at, &symbols);
         let fix = Fix::suggestion(
-            format!("put `{symbols}` here"),
+            format!("add `{symbols}`"),
             vec![Edit::insert(at, symbols.clone())],
         );
         all.push(d.candidate(found, fix));
@@ -136,7 +134,7 @@ impl Case<'_> {
             TokenKind::RightBracket => ("[", "]"),
             _ => ("{", "}"),
         };
-        // Behind a word that is called, most likely; else before an operand.
+        // Most likely after the name of a function, otherwise before an operand.
         let called = |i: &usize| {
             let kind = |i: usize| body.get(i).map(|p| p.token.kind);
             kind(*i) == Some(TokenKind::Identifier)
@@ -170,23 +168,24 @@ impl Case<'_> {
             .chain(split.take(MAX_PLACES))
         {
             let found = self.lacks(d, at, left);
-            let found = found.label(closer.token.span, format!("this `{right}` closes nothing"));
-            let fix = Fix::suggestion(format!("put `{left}` here"), vec![Edit::insert(at, left)]);
+            let found = found.label(closer.token.span, format!("unmatched `{right}`"));
+            let fix = Fix::suggestion(format!("add `{left}`"), vec![Edit::insert(at, left)]);
             all.push(d.candidate(found, fix));
         }
         let found = Diagnostic::error(
             error::FAULTY_MACRO,
             closer.token.span,
             format!(
-                "the definition of macro `{}` has a `{right}` too many",
+                "unmatched `{right}` in the definition of macro `{}`",
                 d.name
             ),
         );
-        let fix = Fix::suggestion("take it out", vec![Edit::delete(closer.token.span)]);
+        let title = format!("remove `{right}`");
+        let fix = Fix::suggestion(title, vec![Edit::delete(closer.token.span)]);
         all.push(d.candidate(found, fix));
     }
 
-    /// Where a `(` may have stood in a word: behind the name of a function or type.
+    /// Positions inside a word where a `(` may be missing: after the name of a function or type.
     fn splits(&self, word: Span) -> Vec<u32> {
         let text = self.text(word);
         let program = self.program;

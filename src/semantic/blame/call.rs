@@ -1,5 +1,4 @@
-//! Calls of macros that are themselves at fault: an argument too few or too many, a `)` that is
-//! missing.
+//! Macro calls that are wrong themselves: wrong number of arguments, or a missing `)`.
 
 use super::candidate::Candidate;
 use super::{Case, MAX_LOOKED_AT};
@@ -7,17 +6,18 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::{Lexer, RawKind, RawToken, TokenKind};
 use shaderlint_text::{Edit, Span};
 
-/// Most places that are tried for one `)`.
+/// Maximum number of positions tried for one `)`.
 const MAX_PLACES: usize = 12;
-/// Most tokens of one call that are looked at.
+/// Maximum number of tokens of one call that are examined.
 const MAX_TOKENS: usize = 2_000;
 
-/// The tokens of a call, from its name on, and where its arguments end as far as its brackets tell.
+/// The tokens of a call, starting with its name, and the end of its arguments according to the
+/// brackets.
 struct Written {
     tokens: Vec<RawToken>,
-    /// The `(`.
+    /// Span of the `(`.
     open: Span,
-    /// The commas between the arguments.
+    /// Commas between the arguments.
     commas: Vec<Span>,
     close: Option<Span>,
 }
@@ -32,7 +32,7 @@ impl Case<'_> {
                 self.wrong_count(d, &call, &mut all);
             }
         }
-        // Calls that swallowed a statement for want of a `)`.
+        // Calls that extend over a statement because a `)` is missing.
         for d in self.errors.iter().take(3) {
             let near = self.calls.near(self.program, d.span.start);
             for (span, _) in near.iter().rev().take(MAX_LOOKED_AT) {
@@ -47,7 +47,7 @@ impl Case<'_> {
         all
     }
 
-    /// Reads the call whose name stands at `start`.
+    /// Reads the call whose name starts at `start`.
     fn written(&self, start: u32) -> Option<Written> {
         let code = self.program.sources.code_at(start)?;
         let mut lexer = Lexer::new(code.text.get((start - code.base) as usize..)?, start);
@@ -85,7 +85,7 @@ impl Case<'_> {
         (!call.open.is_empty()).then_some(call)
     }
 
-    /// A `)` that is missing before the statement ends.
+    /// Candidates for a `)` missing before the end of the statement.
     fn unclosed_call(&self, call: &Written, all: &mut Vec<Candidate>) {
         let ends = |t: &RawToken| {
             matches!(
@@ -108,16 +108,16 @@ impl Case<'_> {
         };
         for token in inside.iter().rev().filter(is_operand).take(MAX_PLACES) {
             let at = token.span.end;
-            let message = format!("the call of macro `{name}` lacks a `)`");
+            let message = format!("missing `)` in the call of macro `{name}`");
             let found = Diagnostic::error(error::UNCLOSED_DELIMITER, Span::at(at), message)
                 .mark("expected `)` here")
-                .label(call.open, "this `(` is not closed");
-            let fix = Fix::suggestion("put `)` here", vec![Edit::insert(at, ")")]);
+                .label(call.open, "unclosed `(`");
+            let fix = Fix::suggestion("add `)`", vec![Edit::insert(at, ")")]);
             all.push(candidate(found, fix));
         }
     }
 
-    /// Arguments to spare, or a place for one that is missing.
+    /// Candidates that remove extra arguments or add missing ones.
     fn wrong_count(&self, d: &Diagnostic, call: &Written, all: &mut Vec<Candidate>) {
         let Some(close) = call.close else { return };
         let wanted = self.program.tokens.macros.iter().find_map(|m| {
@@ -127,7 +127,7 @@ impl Case<'_> {
         let Some(wanted) = wanted else { return };
         if let Some(first) = wanted.checked_sub(1).and_then(|i| call.commas.get(i)) {
             let surplus = Span::new(first.start, close.start);
-            let fix = Fix::suggestion("take out what is too much", vec![Edit::delete(surplus)]);
+            let fix = Fix::suggestion("remove the extra arguments", vec![Edit::delete(surplus)]);
             all.push(candidate(d.clone(), fix));
             return;
         }
@@ -138,7 +138,7 @@ impl Case<'_> {
             if have > 0 {
                 more = format!(", {more}");
             }
-            let title = format!("pass another argument, such as `{value}`");
+            let title = format!("add an argument, such as `{value}`");
             let fix = Fix::suggestion(title, vec![Edit::insert(close.start, more)]);
             all.push(candidate(d.clone(), fix));
         }

@@ -1,4 +1,4 @@
-//! The macro calls of a shader, and which errors belong to them.
+//! The macro calls of a shader and the errors they cause.
 
 use super::candidate::Candidate;
 use crate::program::Program;
@@ -6,17 +6,17 @@ use shaderlint_diagnostic::{Diagnostic, Label, error};
 use shaderlint_syntax::{MacroId, Token};
 use shaderlint_text::Span;
 
-/// Most calls that a finding points at.
+/// Maximum number of calls labelled in a finding.
 const MAX_LABELS: usize = 3;
-/// How many lines behind a call an error may stand that the call's macro is asked about.
+/// Maximum number of lines between a call and an error that its macro may have caused.
 const LINES_BEHIND: u32 = 3;
 
-/// Most calls before an error that are asked about.
+/// Maximum number of calls before an error that are considered.
 const MAX_NEAR: usize = 100;
 
-/// The calls of all macros, each as it stands in the user's text.
+/// All macro calls, with their spans in the user's text.
 pub(super) struct Calls {
-    /// In the order of the text.
+    /// In source order.
     all: Vec<(Span, MacroId)>,
 }
 
@@ -39,7 +39,7 @@ impl Calls {
         Calls { all }
     }
 
-    /// The macros that are called on the line of a place or on one of those before it, nearest last.
+    /// The macros called on the line of a position or shortly before it, nearest last.
     pub fn near(&self, program: &Program, place: u32) -> &[(Span, MacroId)] {
         let Some(file) = program.sources.file_at(place) else {
             return &[];
@@ -52,7 +52,7 @@ impl Calls {
         self.all.get(first..last).unwrap_or(&[])
     }
 
-    /// Whether an error may come from a call of the macro that is named at `of`.
+    /// Whether a call of the macro named at `of` may have caused an error.
     pub fn touches(&self, program: &Program, of: Span, d: &Diagnostic) -> bool {
         d.macros.iter().any(|m| m.definition == of)
             || self
@@ -66,7 +66,7 @@ impl Calls {
                 })
     }
 
-    /// What is said of a repair that made these errors go away: its calls are pointed at.
+    /// The diagnostic for a repair that removes these errors, with labels at the affected calls.
     pub fn tell(&self, candidate: Candidate, gone: &[&Diagnostic]) -> Diagnostic {
         let mut d = candidate.diagnostic;
         let Some(of) = candidate.of else {
@@ -96,13 +96,13 @@ impl Calls {
             d = d.label(call, "used here");
         }
         if more > 0 {
-            d = d.note(format!("{more} more uses of it fail"));
+            d = d.note(more_uses(more));
         }
         d
     }
 }
 
-/// Whether a place lies in the definition of a macro.
+/// Whether a position is inside a macro definition.
 pub(super) fn is_in_definition(program: &Program, span: Span) -> bool {
     program.tokens.macros.iter().any(|m| {
         let end = m.body.last().map_or(m.name_span.end, |p| p.token.span.end);
@@ -110,8 +110,8 @@ pub(super) fn is_in_definition(program: &Program, span: Span) -> bool {
     })
 }
 
-/// Errors of one place in a macro's body are one mistake. Where all calls of the macro make it, the
-/// definition is at fault; where some do not, the calls that do are.
+/// Merges errors at the same position of a macro body. If all calls of the macro fail, the error is
+/// reported at the definition, otherwise at the failing calls.
 pub(crate) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let in_body = |d: &Diagnostic| {
         let outermost = d.macros.last()?.call;
@@ -151,7 +151,7 @@ pub(crate) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnost
 }
 
 impl Calls {
-    /// How many places in the text call the macro that is named at `of`.
+    /// Number of calls of the macro named at `of`.
     fn count(&self, program: &Program, of: Span) -> usize {
         let is_it = |id: &MacroId| {
             let definition = program.tokens.macros.get(id.0 as usize);
@@ -161,10 +161,10 @@ impl Calls {
     }
 }
 
-/// Points at the definition or at the calls, of which `used` are made in all.
+/// Moves the error to the definition or to the calls; `used` is the total number of calls.
 fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
     let Some(&first) = places.first() else { return };
-    // What is told once for all uses of a name.
+    // Undeclared names are reported once for all uses.
     let once = d.is(error::UNDECLARED_NAME);
     if places.len() < used && !once {
         let body = std::mem::replace(&mut d.span, first);
@@ -176,13 +176,13 @@ fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
             },
         );
         if let Some(l) = d.labels.first_mut().filter(|l| l.message.is_empty()) {
-            l.message = "in the macro's definition".to_string();
+            l.message = "in the macro definition".to_string();
         }
         d.fix = None;
         for &place in places.iter().skip(1).take(MAX_LABELS - 1) {
             d.labels.push(Label {
                 span: place,
-                message: "and here".to_string(),
+                message: "also here".to_string(),
             });
         }
         return;
@@ -194,9 +194,13 @@ fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
         });
     }
     if places.len() > MAX_LABELS {
-        d.notes.push(format!(
-            "{} more uses of it fail",
-            places.len() - MAX_LABELS
-        ));
+        d.notes.push(more_uses(places.len() - MAX_LABELS));
+    }
+}
+
+fn more_uses(count: usize) -> String {
+    match count {
+        1 => "1 more use fails".to_string(),
+        _ => format!("{count} more uses fail"),
     }
 }

@@ -1,13 +1,13 @@
-//! Repairs that are tried.
+//! Candidate repairs.
 
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::{Edit, Span};
 
-/// A repair that a line suggests.
+/// A repair to be tried.
 pub(super) struct Candidate {
     pub edits: Vec<Edit>,
-    /// What is said if it is the right one.
+    /// Reported if this repair is chosen.
     pub diagnostic: Diagnostic,
-    /// The macro whose calls stumble, by the name in its definition.
+    /// Name span of the macro whose calls fail.
     pub of: Option<Span>,
 }

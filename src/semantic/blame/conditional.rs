@@ -1,4 +1,4 @@
-//! Where the `#endif` belongs that a group lacks.
+//! Positions for a missing `#endif` or `#if`, and misspelt directives.
 
 use super::Case;
 use super::candidate::Candidate;
@@ -6,29 +6,29 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::DIRECTIVES;
 use shaderlint_text::{Edit, Role, Span};
 
-/// Most places that are tried for one `#endif`.
+/// Maximum number of positions tried for one `#endif`.
 const MAX_PLACES: usize = 40;
-/// Most lines of a group that are looked at.
+/// Maximum number of lines of a group that are examined.
 const MAX_LINES: usize = 4_000;
 
-/// A line of a group.
+/// A line of a conditional group.
 struct Line<'t> {
     /// Address of its first byte.
     start: u32,
     text: &'t str,
-    /// How many groups are open inside the group at hand where the line starts.
+    /// Nesting depth of groups inside the current group at the start of the line.
     depth: u32,
-    /// How many braces are open since the group's branch began.
+    /// Number of braces opened since the current branch started.
     braces: i32,
 }
 
-/// Blanks before a line's text.
+/// Indentation of a line.
 fn indent_of(line: &str) -> usize {
     let blanks = line.chars().take_while(|c| matches!(c, ' ' | '\t'));
     blanks.map(|c| if c == '\t' { 4 } else { 1 }).sum()
 }
 
-/// A directive that does not exist, as each of those that it resembles.
+/// Candidates for an unknown directive: every directive that it resembles.
 fn misspelt(at: u32, line: &str, word: &str, all: &mut Vec<Candidate>) {
     let (Some(hash), Some(from)) = (line.find('#'), line.find(word)) else {
         return;
@@ -43,7 +43,7 @@ fn misspelt(at: u32, line: &str, word: &str, all: &mut Vec<Candidate>) {
     };
     let mut near: Vec<(usize, &str)> = DIRECTIVES.iter().filter_map(|k| resembles(k)).collect();
     near.sort_unstable();
-    // `#end if` is one word torn in two.
+    // `#end if` is one directive split in two.
     let rest = line.get(from + word.len()..).unwrap_or("");
     let more = rest.trim_start();
     let next = more
@@ -60,10 +60,10 @@ fn misspelt(at: u32, line: &str, word: &str, all: &mut Vec<Candidate>) {
     }
     for (_, known) in near {
         let fix = Fix::safe(
-            format!("write `#{known}`"),
+            format!("did you mean `#{known}`?"),
             vec![Edit::replace(span, known)],
         );
-        let message = format!("there is no directive `#{word}`");
+        let message = format!("unknown directive `#{word}`");
         let whole = Span::new(at + hash as u32, span.end);
         all.push(Candidate {
             edits: fix.edits.clone(),
@@ -82,13 +82,13 @@ impl Line<'_> {
         indent_of(self.text)
     }
 
-    /// The directive that the line is; empty for none.
+    /// Name of the directive on the line; empty if there is none.
     fn directive(&self) -> &str {
         directive(self.text).unwrap_or("")
     }
 }
 
-/// The word behind a line's `#`.
+/// The word after a line's `#`.
 fn directive(line: &str) -> Option<&str> {
     let word = line.trim_start().strip_prefix('#')?.trim_start();
     let end = word.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -96,7 +96,7 @@ fn directive(line: &str) -> Option<&str> {
 }
 
 impl Case<'_> {
-    /// The places where a lost `#endif` may have stood, the likeliest first.
+    /// Positions where a missing `#endif` may belong, most likely first.
     pub(super) fn conditionals(&self) -> Vec<Candidate> {
         let is_open = |d: &&Diagnostic| d.is(error::UNBALANCED_CONDITIONAL) && d.fix.is_none();
         let Some(found) = self
@@ -117,10 +117,10 @@ impl Case<'_> {
                     let blanks = self.blanks_before(found.span);
                     let edit = Edit::insert(line.start, format!("{blanks}#endif\n"));
                     let fix =
-                        Fix::suggestion("put `#endif` where its lines seem to end", vec![edit]);
+                        Fix::suggestion("add `#endif` where the group seems to end", vec![edit]);
                     let mut d = found.clone().fix(fix);
                     d.notes.clear();
-                    d.label = "this group is not closed".to_string();
+                    d.label = "unclosed conditional group".to_string();
                     let end = Span::at(line.start);
                     Some(Candidate {
                         edits: d.fix.as_ref()?.edits.clone(),
@@ -132,8 +132,7 @@ impl Case<'_> {
         all
     }
 
-    /// Lines whose directive does not exist, each as every directive that it may be meant for: in a
-    /// group that is skipped nobody else looks at them.
+    /// Candidates for every unknown directive. In skipped groups nothing else checks them.
     pub(super) fn directives(&self) -> Vec<Candidate> {
         let mut all = Vec::new();
         let files = self
@@ -155,7 +154,8 @@ impl Case<'_> {
         all
     }
 
-    /// `#else` or `#endif` without their `#if`: it may have stood before one of the paragraphs.
+    /// Candidates for `#else` or `#endif` without `#if`: an `#if` before one of the preceding
+    /// paragraphs.
     fn lost_openings(&self) -> Vec<Candidate> {
         let is_lone = |d: &&Diagnostic| {
             let word = directive(self.text(d.span));
@@ -211,14 +211,14 @@ impl Case<'_> {
         let places = scored.into_iter().take(MAX_PLACES).map(|(_, at)| at);
         let candidate = |at: u32| {
             let fix = Fix::suggestion(
-                "put `#if 1` where its lines seem to start",
+                "add `#if 1` where the group seems to start",
                 vec![Edit::insert(at, "#if 1\n")],
             );
             Candidate {
                 edits: fix.edits.clone(),
                 diagnostic: found
                     .clone()
-                    .label(Span::at(at), "its `#if` may be missing here")
+                    .label(Span::at(at), "`#if` may be missing here")
                     .fix(fix),
                 of: None,
             }
@@ -226,7 +226,7 @@ impl Case<'_> {
         places.map(candidate).collect()
     }
 
-    /// The lines behind that of an `#if`, up to the end of its file or of the group around.
+    /// The lines after an `#if`, up to the end of its file or of the enclosing group.
     fn lines_behind(&self, opening: Span) -> Vec<Line<'_>> {
         let mut lines = Vec::new();
         let Some(code) = self.program.sources.code_at(opening.start) else {
@@ -289,12 +289,12 @@ impl Case<'_> {
     }
 }
 
-/// Indices of the lines before which the `#endif` may have stood, the likeliest first.
+/// Indices of the lines before which the `#endif` may belong, most likely first.
 fn places(lines: &[Line], indent: usize) -> Vec<usize> {
-    // Behind the last branch that the group shows.
+    // After the last branch of the group.
     let is_branch = |l: &Line| l.depth == 0 && matches!(l.directive(), "else" | "elif");
     let last_branch = lines.iter().rposition(is_branch);
-    // What the branches before leave open, the last leaves open too.
+    // Braces left open by earlier branches are left open by the last one too.
     let open = last_branch.and_then(|i| lines.get(i)).map(|l| l.braces);
     let from = last_branch.map_or(0, |i| i + 1);
     let mut scored: Vec<(i32, usize)> = Vec::new();
@@ -312,7 +312,7 @@ fn places(lines: &[Line], indent: usize) -> Vec<usize> {
         .collect()
 }
 
-/// How unlikely it is that the `#endif` stood before a line.
+/// Cost of placing the `#endif` before a line; lower is more likely.
 fn score(lines: &[Line], i: usize, indent: usize, open: Option<i32>) -> i32 {
     let Some(line) = lines.get(i) else { return 100 };
     let before = lines
@@ -327,7 +327,7 @@ fn score(lines: &[Line], i: usize, indent: usize, open: Option<i32>) -> i32 {
         None if line.braces != 0 => 6,
         _ => 0,
     };
-    // A paragraph ends here, the more so where two lines are blank.
+    // A paragraph ends here, more clearly with two blank lines.
     let is_blank = |i: usize| lines.get(i).is_none_or(Line::is_blank);
     if is_blank(i) {
         score -= 4;
@@ -339,7 +339,7 @@ fn score(lines: &[Line], i: usize, indent: usize, open: Option<i32>) -> i32 {
     let (Some(before), Some(after)) = (before, after) else {
         return score;
     };
-    // What stood in the group was indented, or was all of one kind.
+    // The contents of the group were indented, or all of one kind.
     if before.indent() > after.indent() && after.indent() <= indent {
         score -= 3;
     }

@@ -1,4 +1,4 @@
-//! Definitions of macros whose shape is not what was meant.
+//! Malformed macro definitions.
 
 use super::calls::Calls;
 use super::candidate::Candidate;
@@ -7,10 +7,10 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::{Macro, MacroId, Piece, TokenKind};
 use shaderlint_text::{Edit, Span};
 
-/// How many lines a definition that lost a `\` may go on for.
+/// Maximum number of lines after a definition that may belong to it if a `\` is missing.
 const MAX_LINES: u32 = 40;
 
-/// A macro's definition, with the words to speak of it.
+/// A macro definition and its name.
 pub(super) struct Definition<'a> {
     pub of: &'a Macro,
     pub name: &'a str,
@@ -25,7 +25,7 @@ impl<'a> Definition<'a> {
         self.of.body.last()
     }
 
-    /// A candidate whose finding lies at `span`.
+    /// A candidate repair with its diagnostic.
     pub fn candidate(&self, d: Diagnostic, fix: Fix) -> Candidate {
         Candidate {
             edits: fix.edits.clone(),
@@ -40,7 +40,7 @@ impl<'a> Definition<'a> {
 }
 
 impl Case<'_> {
-    /// The repairs of the macros that are called near an error.
+    /// Candidate repairs for the macros called near an error.
     pub(super) fn definitions(&self) -> Vec<Candidate> {
         let mut all = Vec::new();
         let suspects = self.suspects();
@@ -74,7 +74,7 @@ impl Case<'_> {
         is_own.then_some(Definition { of, name })
     }
 
-    /// The macros that are called near an error, the nearest first.
+    /// The macros called near an error, nearest first.
     fn suspects(&self) -> Vec<MacroId> {
         let mut all: Vec<MacroId> = Vec::new();
         for d in self.errors.iter().take(MAX_LOOKED_AT) {
@@ -112,8 +112,8 @@ impl Case<'_> {
                     first.token.span,
                     format!("the definition of macro `{}` starts with `{what}`", d.name),
                 )
-                .mark(format!("this `{what}` is put in at every use"))
-                .note("what a macro stands for follows its name, without `=` (section 3.4)");
+                .mark("inserted at every use")
+                .note("a macro definition has no `=` after the name (section 3.4)");
             (
                 Edit::delete(Span::new(first.token.span.start, next)),
                 what,
@@ -128,19 +128,16 @@ impl Case<'_> {
                     last.token.span,
                     format!("the definition of macro `{}` ends with `{what}`", d.name),
                 )
-                .mark(format!("this `{what}` is put in at every use"))
-                .note("a directive ends with its line; it takes no `;` (section 3.4)");
+                .mark("inserted at every use")
+                .note("preprocessor directives do not end with `;` (section 3.4)");
             (Edit::delete(last.token.span), what, d)
         });
         if let (Some((e, _, found)), Some((f, _, _))) = (&head, &tail) {
-            let fix = Fix::safe("write the value alone", vec![e.clone(), f.clone()]);
+            let fix = Fix::safe("keep only the value", vec![e.clone(), f.clone()]);
             all.push(d.candidate(found.clone(), fix));
         }
         for (edit, what, found) in head.into_iter().chain(tail) {
-            all.push(d.candidate(
-                found,
-                Fix::safe(format!("take the `{what}` out"), vec![edit]),
-            ));
+            all.push(d.candidate(found, Fix::safe(format!("remove `{what}`"), vec![edit])));
         }
     }
 
@@ -167,19 +164,16 @@ impl Case<'_> {
         let found = d
             .faulty(
                 gap,
-                format!(
-                    "a blank stands between macro `{}` and its parameters",
-                    d.name
-                ),
+                format!("space between macro `{}` and its parameters", d.name),
             )
-            .mark("no blank may stand here")
+            .mark("no space allowed here")
             .note(format!(
-                "with it, `{}` takes no arguments and stands for all that follows",
+                "with the space, `{}` has no parameters and expands to the rest of the line",
                 d.name
             ));
         all.push(d.candidate(
             found,
-            Fix::safe("take the blank out", vec![Edit::delete(gap)]),
+            Fix::safe("remove the space", vec![Edit::delete(gap)]),
         ));
     }
 
@@ -207,13 +201,13 @@ impl Case<'_> {
         let found = d
             .faulty(
                 word.token.span,
-                format!("macro `{}` holds a `return`", d.name),
+                format!("macro `{}` contains `return`", d.name),
             )
-            .mark("a macro is put in as text; it returns nothing");
-        all.push(d.candidate(found, Fix::safe("write the value alone", edits)));
+            .mark("macros do not return values");
+        all.push(d.candidate(found, Fix::safe("keep only the value", edits)));
     }
 
-    /// A `\` that blanks follow, so that it does not join the lines.
+    /// A `\` followed by blanks, which does not continue the line.
     fn broken_line(&self, d: &Definition, all: &mut Vec<Candidate>) {
         let Some(last) = d.last().map(|p| p.token.span) else {
             return;
@@ -226,16 +220,13 @@ impl Case<'_> {
         let found = d
             .faulty(
                 gap,
-                format!(
-                    "a blank behind `\\` ends the definition of macro `{}`",
-                    d.name
-                ),
+                format!("space after `\\` ends the definition of macro `{}`", d.name),
             )
-            .mark("no blank may stand here")
-            .note("a `\\` joins two lines only as the last character of the first");
+            .mark("no space allowed here")
+            .note("`\\` continues a line only as its last character");
         all.push(d.candidate(
             found,
-            Fix::safe("take the blank out", vec![Edit::delete(gap)]),
+            Fix::safe("remove the space", vec![Edit::delete(gap)]),
         ));
     }
 
@@ -254,9 +245,9 @@ impl Case<'_> {
                     last.token.span,
                     format!("the definition of macro `{}` ends with `{what}`", d.name),
                 )
-                .mark("an operand is missing behind it");
+                .mark("missing operand after it");
             let gap = Span::new(before.token.span.end, last.token.span.end);
-            let fix = Fix::suggestion(format!("take the `{what}` out"), vec![Edit::delete(gap)]);
+            let fix = Fix::suggestion(format!("remove `{what}`"), vec![Edit::delete(gap)]);
             all.push(d.candidate(found, fix));
         }
         if let (Some(first), Some(next)) = (d.first(), body.get(1))
@@ -268,14 +259,14 @@ impl Case<'_> {
                     first.token.span,
                     format!("the definition of macro `{}` starts with `{what}`", d.name),
                 )
-                .mark("an operand is missing before it");
+                .mark("missing operand before it");
             let gap = Span::new(first.token.span.start, next.token.span.start);
-            let fix = Fix::suggestion(format!("take the `{what}` out"), vec![Edit::delete(gap)]);
+            let fix = Fix::suggestion(format!("remove `{what}`"), vec![Edit::delete(gap)]);
             all.push(d.candidate(found, fix));
         }
     }
 
-    /// Definitions of several lines, one of which lost its `\`: an error stands on the lines behind.
+    /// Definitions over several lines with a missing `\`, where an error follows on the next lines.
     fn lost_continuations(&self, all: &mut Vec<Candidate>) {
         let macros = &self.program.tokens.macros;
         let mut seen = Vec::new();
@@ -329,7 +320,7 @@ impl Case<'_> {
         if !(goes_on || is_open || is_long && is_indented) {
             return None;
         }
-        // One that stands for nothing and is never put in is a mark for `#ifdef`.
+        // An empty macro that is never expanded is a flag for `#ifdef`.
         let is_put_in = || {
             let expansions = self.program.tokens.expansions.iter();
             let macros = &self.program.tokens.macros;
@@ -342,11 +333,11 @@ impl Case<'_> {
         let found = d
             .faulty(
                 gap,
-                format!("the definition of macro `{}` ends here", d.name),
+                format!("missing `\\` in the definition of macro `{}`", d.name),
             )
             .mark("expected `\\` here")
-            .note("a definition goes on with the next line only behind a `\\`");
-        let fix = Fix::safe("put `\\` here", vec![Edit::replace(gap, " \\")]);
+            .note("a macro definition continues on the next line only after `\\`");
+        let fix = Fix::safe("add `\\`", vec![Edit::replace(gap, " \\")]);
         Some(d.candidate(found, fix))
     }
 
@@ -376,7 +367,7 @@ impl Case<'_> {
     }
 }
 
-/// Whether a token stands between two operands.
+/// Whether a token is an operator between two operands.
 pub(super) fn is_operator(kind: TokenKind) -> bool {
     kind.is_binary_operator() || matches!(kind, TokenKind::Dot | TokenKind::Question)
 }

@@ -1,5 +1,4 @@
-//! Definitions whose numbers have the wrong type, that lack their value, or that misspell a
-//! parameter.
+//! Macro definitions with numbers of the wrong type, without a value, or with a misspelt parameter.
 
 use super::Case;
 use super::candidate::Candidate;
@@ -8,10 +7,10 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::TokenKind;
 use shaderlint_text::Edit;
 
-/// Most numbers of one definition that are looked at.
+/// Maximum number of literals per definition that are tried.
 const MAX_NUMBERS: usize = 8;
 
-/// What well-known names stand for.
+/// Values of well-known macro names.
 const KNOWN_VALUES: &[(&str, &str)] = &[
     ("pi", "3.14159265359"),
     ("tau", "6.28318530718"),
@@ -23,7 +22,7 @@ const KNOWN_VALUES: &[(&str, &str)] = &[
 ];
 
 impl Case<'_> {
-    /// Numbers that every call needs to be of the other kind.
+    /// Literals that every use of the macro needs to be of the other type.
     pub(super) fn literals(&self, d: &Definition, all: &mut Vec<Candidate>) {
         let mut ints = Vec::new();
         for piece in d.of.body.iter().take(200) {
@@ -43,11 +42,14 @@ impl Case<'_> {
             if is == "`int`" {
                 ints.push(edit.clone());
             }
-            let message = format!("`{text}` in macro `{}` is of type {is}", d.name);
+            let message = format!(
+                "expected {needs}, found {is} `{text}` in macro `{}`",
+                d.name
+            );
             let found = Diagnostic::error(error::INT_FLOAT_MIX, span, message)
-                .mark(format!("its uses need {needs}"))
-                .note("GLSL ES converts nothing by itself (section 4.1.10)");
-            all.push(d.candidate(found, Fix::safe(format!("write `{other}`"), vec![edit])));
+                .mark(format!("used as {needs}"))
+                .note("GLSL ES has no implicit conversions (section 4.1.10)");
+            all.push(d.candidate(found, Fix::safe(format!("use `{other}`"), vec![edit])));
             if ints.len() >= MAX_NUMBERS {
                 break;
             }
@@ -55,14 +57,17 @@ impl Case<'_> {
         let Some(first) = ints.first().filter(|_| ints.len() > 1) else {
             return;
         };
-        let message = format!("the numbers in macro `{}` are of type `int`", d.name);
+        let message = format!(
+            "expected `float`, found `int` literals in macro `{}`",
+            d.name
+        );
         let found = Diagnostic::error(error::INT_FLOAT_MIX, first.span, message)
-            .mark("its uses need `float`")
-            .note("GLSL ES converts nothing by itself (section 4.1.10)");
-        all.push(d.candidate(found, Fix::safe("write them with `.0`", ints)));
+            .mark("used as `float`")
+            .note("GLSL ES has no implicit conversions (section 4.1.10)");
+        all.push(d.candidate(found, Fix::safe("add `.0` to each of them", ints)));
     }
 
-    /// A word of the body that nothing declares, where a parameter is meant.
+    /// An undeclared name in the body that is probably a misspelt parameter.
     pub(super) fn misspelt_params(&self, d: &Definition, all: &mut Vec<Candidate>) {
         let Some(params) = &d.of.params else { return };
         let is_used = |index: usize| d.of.body.iter().any(|p| p.token.expansion == index as u32);
@@ -92,17 +97,14 @@ impl Case<'_> {
                 let mut found = e.clone();
                 found.notes.clear();
                 found.help.clear();
-                let found = found.note(format!(
-                    "the parameters of macro `{}` have other names",
-                    d.name
-                ));
-                let fix = Fix::suggestion(format!("write `{name}`"), edits(name));
+                let found = found.note(format!("macro `{}` has no such parameter", d.name));
+                let fix = Fix::suggestion(format!("did you mean `{name}`?"), edits(name));
                 all.push(d.candidate(found, fix));
             }
         }
     }
 
-    /// `#define PI`, used where a value is needed.
+    /// `#define PI` without a value, used where one is needed.
     pub(super) fn empty_body(&self, d: &Definition, all: &mut Vec<Candidate>) {
         if !d.of.body.is_empty() || d.of.params.is_some() {
             return;
@@ -124,7 +126,7 @@ impl Case<'_> {
             let end = d.of.name_span.end;
             let found = d
                 .faulty(d.of.name_span, format!("macro `{}` has no value", d.name))
-                .mark("nothing is put in where it is used");
+                .mark("expands to nothing");
             let title = match known {
                 Some((_, known)) if *known == value => format!("define it as `{value}`"),
                 _ => format!("give it a value, such as `{value}`"),
@@ -135,7 +137,7 @@ impl Case<'_> {
     }
 }
 
-/// The digits of a float that is a whole number.
+/// The digits of a float literal with an integer value.
 fn whole(text: &str) -> Option<&str> {
     let digits = text.trim_end_matches(['f', 'F']);
     let (digits, rest) = digits.split_once('.')?;

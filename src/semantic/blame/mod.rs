@@ -1,10 +1,10 @@
-//! Whose fault an error is.
+//! Root causes of errors.
 //!
-//! Where a macro's definition or a directive is wrong, the compiler stumbles later: at each call, or
-//! at the end of the file. So the repairs that such a line suggests by its own shape are tried, one
-//! after the other: the shader is checked again with the repair made, and if errors go away and none
-//! comes, the line is at fault. It is then reported once, and the rest of the shader is judged as
-//! the repaired one.
+//! If a macro definition or a directive is wrong, the compiler reports errors later: at each call,
+//! or at the end of the file. So the repairs suggested by such lines are tried one after the other:
+//! the shader is checked again with the repair, and if errors disappear and no new ones appear, the
+//! line is the cause. It is reported once, and the rest of the shader is checked in its repaired
+//! form.
 
 mod brackets;
 mod call;
@@ -27,19 +27,19 @@ use shaderlint_syntax::Search;
 use shaderlint_text::{Edit, Span};
 use trial::Copy;
 
-/// Tokens that the repairs of one shader may read and check.
+/// Total tokens that the repairs of one shader may parse and check.
 const MAX_TOKENS: usize = 200_000;
-/// What one more trial costs beside its tokens: much is set up for it.
+/// Fixed cost of a trial in tokens, for its setup.
 const TRIAL_TOKENS: usize = 1_000;
-/// Bytes of text that cost as much as a token: far more than code has, so that neither blanks nor
-/// comments count in what is code.
+/// Number of bytes that cost as much as one token; large enough that whitespace and comments in
+/// ordinary code do not matter.
 const TOKEN_BYTES: usize = 64;
-/// Most repairs of one shader.
+/// Maximum number of repairs per shader.
 const MAX_REPAIRS: u32 = 12;
-/// Most errors whose surroundings are looked at.
+/// Maximum number of errors for which nearby lines are examined.
 const MAX_LOOKED_AT: usize = 20;
 
-/// A shader with what was found in it.
+/// A shader and its errors.
 struct Case<'a> {
     unit: &'a Unit<'a>,
     program: &'a Program,
@@ -47,7 +47,7 @@ struct Case<'a> {
     calls: Calls,
 }
 
-/// Finds whose fault the errors of a shader are.
+/// Attributes the errors of a shader to their root causes.
 pub(super) fn attribute(
     unit: &Unit,
     program: &Program,
@@ -61,7 +61,7 @@ pub(super) fn attribute(
     errors
 }
 
-/// Makes the best repair and goes on with the repaired shader; gives what is wrong in all.
+/// Applies the best repair and continues with the repaired shader; returns all findings.
 fn repair(
     unit: &Unit,
     program: &Program,
@@ -101,12 +101,12 @@ fn repair(
     all
 }
 
-/// Whether both speak of the same mistake.
+/// Whether two findings are about the same mistake.
 fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
     a.kind == b.kind && a.span.start == b.span.start
 }
 
-/// Takes away the fixes of definitions that no trial has proved.
+/// Removes fixes inside macro definitions that no trial has confirmed.
 fn drop_unproved(program: &Program, errors: &mut [Diagnostic]) {
     for d in errors {
         let is_foreign = |e: &Edit| calls::is_in_definition(program, e.span);
@@ -121,14 +121,15 @@ fn drop_unproved(program: &Program, errors: &mut [Diagnostic]) {
 }
 
 impl Case<'_> {
-    /// The repair after which the least is wrong.
+    /// The repair that leaves the fewest errors.
     fn choose(&self, search: &mut Search) -> Option<Candidate> {
-        // What is copied for a trial and is no token costs, too: a text may be one comment.
+        // Text that is copied for a trial but contains no tokens has a cost too: a file may be one
+        // comment.
         let codes = self.unit.files.iter();
         let codes = codes.filter_map(|&id| self.unit.sources.code(id));
         let bytes: usize = codes.map(|code| code.text.len()).sum();
         let size = self.program.size().max(bytes / TOKEN_BYTES);
-        // Where much is wrong a trial takes longer, and proves less.
+        // With many errors, a trial takes longer and proves less.
         let tokens = (size + TRIAL_TOKENS) * (1 + self.errors.len() / 50);
         let faults = |search: &mut Search, candidate: &Candidate, _| {
             let after = self.attempt(&candidate.edits, search)?;
@@ -138,7 +139,7 @@ impl Case<'_> {
         best.map(|(candidate, _)| candidate)
     }
 
-    /// What is wrong when the edits are made, at the places of the text as it is.
+    /// The findings with the edits applied, mapped to positions in the original text.
     fn attempt(&self, edits: &[Edit], search: &mut Search) -> Option<Vec<Diagnostic>> {
         let copy = Copy::new(self.unit, edits)?;
         let unit = copy.unit(self.unit);
@@ -146,7 +147,7 @@ impl Case<'_> {
         Some(found.into_iter().map(|d| copy.back(d)).collect())
     }
 
-    /// Whether something goes away, and nothing comes that the repair could have done.
+    /// Whether an error disappears and none appears that the repair may have caused.
     fn mends(&self, candidate: &Candidate, after: &[Diagnostic]) -> bool {
         let is_gone = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
         if self.errors.iter().filter(is_gone).count() == 0 {
@@ -162,7 +163,7 @@ impl Case<'_> {
             && new.all(|d| blamed.is_none_or(|of| !self.calls.touches(self.program, of, d)))
     }
 
-    /// The repairs that the lines near the errors suggest, the likeliest first.
+    /// The repairs suggested by the lines near the errors, most likely first.
     fn candidates(&self) -> Vec<Candidate> {
         let mut all = self.own_fixes();
         all.extend(self.directives());
@@ -173,7 +174,7 @@ impl Case<'_> {
         all
     }
 
-    /// The fixes of errors in directives: behind them the shader is what it was meant to be.
+    /// The fixes of errors in directives.
     fn own_fixes(&self) -> Vec<Candidate> {
         let in_directive = |d: &&Diagnostic| {
             d.has(Facet::Directive) || calls::is_in_definition(self.program, d.span)

@@ -1,12 +1,12 @@
-//! Where a mistake in a macro or directive is told, and that its fix mends the shader.
+//! Errors in macros and directives are reported at the cause, and their fixes work.
 
 use crate::{Checked, analyze_fragment};
 use shaderlint_text::apply_edits;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
 
-/// What is said of `code`, one finding a line as `line:column rule`, lines counted in `code`, and
-/// the code with the first fix applied.
+/// The findings in `code`, each as `line:column rule` with lines counted in `code`, and the code
+/// with the first fix applied.
 fn found(code: &str) -> (Vec<String>, String) {
     let text = format!("{HEAD}{code}");
     let Checked {
@@ -25,7 +25,7 @@ fn found(code: &str) -> (Vec<String>, String) {
     (told, fixed.strip_prefix(HEAD).unwrap().to_string())
 }
 
-/// Checks that `code` gives this one error, and that its fix leaves none.
+/// Checks that `code` has exactly this error and that its fix leaves none.
 #[track_caller]
 fn check(code: &str, expected: &str) {
     let (told, fixed) = found(code);
@@ -33,7 +33,7 @@ fn check(code: &str, expected: &str) {
     assert_eq!(found(&fixed).0, [""; 0], "{fixed}");
 }
 
-/// A shader whose `main` holds this, behind these definitions.
+/// A shader with these definitions and this body of `main`.
 fn main_with(definitions: &str, body: &str) -> String {
     format!("{definitions}\nvoid main() {{\n    {body}\n}}\n")
 }

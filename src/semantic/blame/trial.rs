@@ -1,28 +1,27 @@
-//! Trials: the shader with an edit made, checked again, and what it says brought back to the places
-//! of the text as it is.
+//! Trials: an edited copy of a shader is checked, and its findings are mapped back to the original.
 
 use crate::unit::Unit;
 use shaderlint_diagnostic::{Diagnostic, Fix};
 use shaderlint_text::{Edit, FileId, Sources, Span, apply_edits};
 use std::sync::Arc;
 
-/// One stretch of text that is the same in the copy and in what it was made from.
+/// A range of text that is equal in the copy and the original.
 struct Stretch {
     copy: u32,
     original: u32,
     len: u32,
 }
 
-/// The files of a shader with edits made.
+/// An edited copy of a shader's files.
 pub(super) struct Copy {
     pub sources: Arc<Sources>,
     pub files: Vec<FileId>,
-    /// In the order of the copy's addresses.
+    /// In order of addresses in the copy.
     stretches: Vec<Stretch>,
 }
 
 impl Copy {
-    /// Makes the edits; `None` where they do not fit the text.
+    /// Applies the edits; `None` if they do not match the text.
     pub fn new(unit: &Unit, edits: &[Edit]) -> Option<Copy> {
         let mut sources = Sources::new();
         let mut copy = Copy {
@@ -69,7 +68,7 @@ impl Copy {
         });
     }
 
-    /// The shader that the copy is.
+    /// The edited shader.
     pub fn unit<'a>(&'a self, unit: &Unit) -> Unit<'a> {
         Unit {
             sources: &self.sources,
@@ -81,7 +80,7 @@ impl Copy {
         }
     }
 
-    /// The place in the text as it is; what was put in counts as the place where it was put.
+    /// Maps an address in the copy to the original; inserted text maps to the insertion point.
     fn address(&self, address: u32) -> u32 {
         let after = self.stretches.partition_point(|s| s.copy <= address);
         match after.checked_sub(1).and_then(|i| self.stretches.get(i)) {
@@ -94,7 +93,7 @@ impl Copy {
         Span::new(self.address(span.start), self.address(span.end))
     }
 
-    /// A finding in the copy as one in the text as it is.
+    /// Maps a finding in the copy to the original.
     pub fn back(&self, mut d: Diagnostic) -> Diagnostic {
         d.span = self.span(d.span);
         for label in &mut d.labels {

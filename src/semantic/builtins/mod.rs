@@ -1,5 +1,5 @@
-//! What the language defines: functions and variables. Their declarations are GLSL text; what the
-//! functions do stands in `table.rs`.
+//! Built-in functions and variables. Their declarations are GLSL text; the properties of the
+//! functions are in `table.rs`.
 
 mod overload;
 mod prototype;
@@ -18,7 +18,7 @@ use prototype::Declared;
 use shaderlint_syntax::Version;
 use std::ops::Range;
 
-/// The stage a shader is written for.
+/// The stage of a shader.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Stage {
     /// Vertex shader.
@@ -28,7 +28,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// The stage that a program needs besides.
+    /// The other stage of a program.
     pub fn other(self) -> Stage {
         match self {
             Stage::Vertex => Stage::Fragment,
@@ -38,41 +38,41 @@ impl Stage {
 }
 
 impl BuiltinId {
-    /// As it is written.
+    /// The function's name in GLSL.
     pub const fn name(self) -> &'static str {
         self.row().name
     }
 
-    /// What it does.
+    /// What the function does.
     pub const fn kind(self) -> BuiltinKind {
         self.row().kind
     }
 
-    /// What a call costs, on a rough scale: one for what is one instruction, four for what takes a
-    /// special unit, eight for a texture.
+    /// Rough cost of a call: 1 for a single instruction, 4 for a special function unit, 8 for a
+    /// texture access.
     pub const fn cost(self) -> f64 {
         self.row().cost as f64
     }
 
-    /// What is known of its result's range.
+    /// How the range of the result depends on the arguments.
     pub const fn transfer(self) -> Transfer {
         self.row().transfer
     }
 
-    /// For which arguments its result is undefined.
+    /// The arguments for which the result is undefined.
     pub const fn undefined(self) -> Undefined {
         self.row().undefined
     }
 
-    /// Its result of constant arguments, given as scalars, the first of a type; zero where it is
-    /// undefined, as in the browser. `None` where it is not known.
+    /// The result for constant arguments, given as scalars; `first` is the type of the first
+    /// argument. Zero where the result is undefined, as in the browser; `None` if it is unknown.
     pub fn fold(self, first: Type, args: &[&[Value]]) -> Option<Vec<Value>> {
         let mut made = self.row().fold.fold(first, args)?;
         set_undefined_to_zero(&mut made, self.undefined(), args);
         Some(made)
     }
 
-    /// Which of its operands it compares, and with which threshold: the lowest where there are two.
+    /// The operand that it compares and the threshold; the lower one if there are two.
     pub fn comparison<T: Copy>(self, operands: &[T]) -> Option<(T, T)> {
         match (self, operands) {
             (BuiltinId::Step, &[edge, value]) | (BuiltinId::Smoothstep, &[edge, _, value]) => {
@@ -82,9 +82,9 @@ impl BuiltinId {
         }
     }
 
-    /// Whether shaders in GLSL ES 3.00 may define it anew all the same: extensions that the
-    /// browser's compiler knows have forms of their own of each, and it takes the names for theirs
-    /// alone. Measured in Chromium over all built-in names.
+    /// Whether GLSL ES 3.00 shaders may redefine it anyway: extensions known to the browser's
+    /// compiler have overloads of it, and the compiler reserves the name only for those. Measured
+    /// in Chromium for all built-in names.
     pub const fn is_redefinable(self) -> bool {
         use BuiltinId::*;
         matches!(
@@ -94,7 +94,7 @@ impl BuiltinId {
     }
 }
 
-/// Functions of GLSL ES 1.00 and its extensions, and what took their place.
+/// Functions of GLSL ES 1.00 and its extensions, with their replacements.
 #[rustfmt::skip]
 pub const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("texture2D", "texture"), ("texture2DProj", "textureProj"), ("texture2DLod", "textureLod"),
@@ -105,17 +105,17 @@ pub const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
 ];
 
-/// Everything that one version of the language defines for one stage.
+/// All built-in functions and variables of one version and stage.
 #[derive(Debug)]
 pub struct Builtins {
-    /// The overloads of all functions, those of one function side by side.
+    /// Overloads of all functions, grouped by function.
     pub overloads: &'static [Overload],
-    /// By [`BuiltinId`]: where its overloads start, and behind the last one where they end.
+    /// By [`BuiltinId`]: index of its first overload, with the total count as the last entry.
     starts: [u16; BuiltinId::ALL.len() + 1],
     variables: &'static [(&'static str, BuiltinVariable)],
 }
 
-/// What the compiler has read.
+/// Builds [`Builtins`] from declarations parsed at compile time.
 macro_rules! builtins {
     ($declared:ident) => {
         Builtins {
@@ -126,7 +126,7 @@ macro_rules! builtins {
     };
 }
 
-/// What both stages have is read once: the compiler takes its time for it.
+/// Common declarations are parsed once to save compile time.
 const OF_300: Declared = Declared::NOTHING
     .and(include_str!("functions_300.glsl"))
     .and(include_str!("variables_300.glsl"));
@@ -150,7 +150,7 @@ static ES_100_FRAGMENT: Builtins = builtins!(OF_100_FRAGMENT);
 static ES_100_VERTEX: Builtins = builtins!(OF_100_VERTEX);
 
 impl Builtins {
-    /// What `version` defines for `stage`.
+    /// The built-ins of a version and stage.
     pub fn of(version: Version, stage: Stage) -> &'static Builtins {
         match (version, stage) {
             (Version::Es300, Stage::Fragment) => &ES_300_FRAGMENT,
@@ -160,18 +160,18 @@ impl Builtins {
         }
     }
 
-    /// The function of this name.
+    /// The function of this name, if it exists in this version and stage.
     pub fn function(&self, name: &str) -> Option<BuiltinId> {
         BuiltinId::named(name).filter(|id| !self.range(*id).is_empty())
     }
 
-    /// All functions, in the order of the table.
+    /// All functions, in table order.
     pub fn functions(&self) -> impl Iterator<Item = BuiltinId> {
         let all = BuiltinId::ALL.iter().copied();
         all.filter(|id| !self.range(*id).is_empty())
     }
 
-    /// The variable of this name.
+    /// The variable of this name, if it exists in this version and stage.
     pub fn variable(&self, name: &str) -> Option<BuiltinVariable> {
         let found = self.variables.iter().find(|(n, _)| *n == name);
         found.map(|(_, variable)| *variable)
@@ -182,19 +182,19 @@ impl Builtins {
         self.variables.iter().map(|(name, _)| *name)
     }
 
-    /// The number of a function's first overload, and its overloads.
+    /// Index of a function's first overload, and all its overloads.
     pub fn overloads_of(&self, function: BuiltinId) -> (u32, &'static [Overload]) {
         let range = self.range(function);
         let overloads = self.overloads.get(range.clone());
         (range.start as u32, overloads.unwrap_or(&[]))
     }
 
-    /// An overload by its number.
+    /// The overload with this index.
     pub fn overload(&self, number: u32) -> Option<&'static Overload> {
         self.overloads.get(number as usize)
     }
 
-    /// Where a function's overloads are.
+    /// Index range of a function's overloads.
     fn range(&self, function: BuiltinId) -> Range<usize> {
         let at = |i| self.starts.get(i).copied().unwrap_or(0) as usize;
         at(function as usize)..at(function as usize + 1)
@@ -243,7 +243,7 @@ mod tests {
                     };
                     let offset = lookup.has_offset as u8;
                     let level = match lookup.level {
-                        // Its last argument may shift the level.
+                        // The last argument may be a bias.
                         Level::Implicit => u8::from(overload.count > 2 + offset),
                         Level::Explicit | Level::Fetch => 1,
                         Level::Gradient => 2,

@@ -1,19 +1,19 @@
-//! A form of a built-in function, and a built-in variable.
+//! Overloads of built-in functions, and built-in variables.
 
 use super::table::BuiltinId;
 use crate::constant::Value;
 use crate::types::Type;
 use shaderlint_syntax::ast::QualifierKind;
 
-/// Most parameters of a built-in function.
+/// Maximum number of parameters of a built-in function.
 pub const MAX_PARAMS: usize = 5;
 
-/// One form of a built-in function.
+/// An overload of a built-in function.
 #[derive(Clone, Copy, Debug)]
 pub struct Overload {
-    /// Its function.
+    /// The function that it overloads.
     pub function: BuiltinId,
-    /// Types of the parameters; unused places are `void`.
+    /// Types of the parameters; unused entries are `void`.
     pub params: [Type; MAX_PARAMS],
     /// Number of parameters.
     pub count: u8,
@@ -21,12 +21,12 @@ pub struct Overload {
     pub out: u8,
     /// Bit `i` is set if argument `i` must be a constant expression.
     pub constant: u8,
-    /// What it yields.
+    /// Return type.
     pub returns: Type,
 }
 
 impl Overload {
-    /// Of nothing; stands where none is yet.
+    /// Placeholder for unused array entries.
     pub(super) const NONE: Overload = Overload {
         function: BuiltinId::Radians,
         params: [Type::VOID; MAX_PARAMS],
@@ -36,35 +36,35 @@ impl Overload {
         returns: Type::VOID,
     };
 
-    /// The types of its parameters.
+    /// The types of the used parameters.
     pub fn params(&self) -> &[Type] {
         self.params
             .get(..self.count as usize)
             .unwrap_or(&self.params)
     }
 
-    /// Whether it writes to the argument at a position.
+    /// Whether the parameter at a position is `out`.
     pub fn writes(&self, position: usize) -> bool {
         self.out & 1 << position != 0
     }
 
-    /// Its result of constant arguments, given as scalars; `None` where it is not known.
+    /// The result for constant arguments, given as scalars; `None` if it is unknown.
     pub fn fold(&self, args: &[&[Value]]) -> Option<Vec<Value>> {
         let first = self.params().first().copied().unwrap_or(Type::VOID);
         self.function.fold(first, args)
     }
 }
 
-/// How a built-in variable may be used.
+/// Storage of a built-in variable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BuiltinStorage {
-    /// Read only, different at each fragment or vertex.
+    /// Read-only; differs per fragment or vertex.
     In,
     /// Written by the shader.
     Out,
-    /// Read only, the same everywhere.
+    /// Read-only; the same for all invocations.
     Uniform,
-    /// A constant of this value.
+    /// A constant with this value.
     Const(i32),
 }
 
@@ -78,19 +78,19 @@ impl BuiltinStorage {
     }
 }
 
-/// A built-in variable.
+/// A built-in variable of the language.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BuiltinVariable {
-    /// Its type; `None` for the struct of `gl_DepthRange`, with the members `near`, `far`, `diff`.
+    /// Type; `None` for the struct of `gl_DepthRange`, with the members `near`, `far`, `diff`.
     pub ty: Option<Type>,
-    /// How it may be used.
+    /// Whether it is an input, output, uniform or constant.
     pub storage: BuiltinStorage,
-    /// How exact it is, where the language says.
+    /// Precision, if the specification states one.
     pub precision: Option<QualifierKind>,
 }
 
 impl BuiltinVariable {
-    /// Of nothing; stands where none is yet.
+    /// Placeholder for unused array entries.
     pub(super) const NONE: BuiltinVariable = BuiltinVariable {
         ty: None,
         storage: BuiltinStorage::In,

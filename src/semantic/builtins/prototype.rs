@@ -1,9 +1,9 @@
-//! Reads the declarations of built-in functions and variables: GLSL, one to a line. The compiler
-//! does it, so that a start costs nothing; what cannot be read does not compile.
+//! Parses the declarations of built-in functions and variables: GLSL, one per line. This happens at
+//! compile time, so it costs nothing at startup and invalid declarations do not compile.
 #![expect(
     clippy::panic,
     clippy::indexing_slicing,
-    reason = "the compiler works it out, and would refuse"
+    reason = "evaluated at compile time, where a wrong index does not compile"
 )]
 
 use super::overload::{BuiltinStorage, BuiltinVariable, MAX_PARAMS, Overload};
@@ -14,18 +14,18 @@ use shaderlint_syntax::ast::QualifierKind;
 
 /// Number of built-in functions.
 const FUNCTIONS: usize = BuiltinId::ALL.len();
-/// Room for the overloads of all functions.
+/// Capacity for the overloads of all functions.
 const MAX_OVERLOADS: usize = 640;
-/// Room for the variables.
+/// Capacity for the variables.
 const MAX_VARIABLES: usize = 24;
 
-/// What some texts declare, in their order.
+/// Declarations of one or more texts, in their order.
 #[derive(Clone, Copy)]
 pub(super) struct Declared {
     overloads: [Overload; MAX_OVERLOADS],
     /// Number of overloads.
     pub count: usize,
-    /// By function: where its first overload is, or behind all.
+    /// By function: index of its first overload, or the end.
     first: [usize; FUNCTIONS],
     variables: [(&'static str, BuiltinVariable); MAX_VARIABLES],
     /// Number of variables.
@@ -33,7 +33,7 @@ pub(super) struct Declared {
 }
 
 impl Declared {
-    /// What no text declares.
+    /// No declarations.
     pub const NOTHING: Declared = Declared {
         overloads: [Overload::NONE; MAX_OVERLOADS],
         count: 0,
@@ -42,7 +42,7 @@ impl Declared {
         variable_count: 0,
     };
 
-    /// The same with what a text declares, in the notation that `functions_300.glsl` explains.
+    /// Adds the declarations of a text in the notation described in `functions_300.glsl`.
     pub const fn and(mut self, text: &'static str) -> Declared {
         let mut words = Words { rest: text };
         while words.skip() {
@@ -64,7 +64,7 @@ impl Declared {
         self.variable_count += 1;
     }
 
-    /// Adds the overloads that a prototype stands for.
+    /// Adds all overloads of a prototype.
     const fn expand(&mut self, prototype: &Prototype) {
         let mut variants = prototype.returns.count();
         let mut i = 0;
@@ -102,8 +102,8 @@ impl Declared {
         }
     }
 
-    /// Whether there is such an overload of numbers: `min(genType, float)` and
-    /// `min(genType, genType)` are one for scalars.
+    /// Whether an equal overload exists: `min(genType, float)` and `min(genType, genType)` are the
+    /// same for scalars.
     const fn has(&self, overload: &Overload) -> bool {
         let mut i = self.first[overload.function as usize];
         while i < self.count {
@@ -129,7 +129,7 @@ impl Declared {
         false
     }
 
-    /// By function: where its overloads start among all, and last where they end.
+    /// By function: index of its first overload, with the total count as the last entry.
     pub const fn starts(&self) -> [u16; FUNCTIONS + 1] {
         let mut starts = [0; FUNCTIONS + 1];
         let mut i = 0;
@@ -145,7 +145,7 @@ impl Declared {
         starts
     }
 
-    /// All `N` overloads, those of one function side by side.
+    /// All `N` overloads, grouped by function.
     pub const fn overloads<const N: usize>(&self) -> [Overload; N] {
         let mut sorted = [Overload::NONE; N];
         let mut next = self.starts();
@@ -172,20 +172,20 @@ impl Declared {
     }
 }
 
-/// A text that is read word by word.
+/// A text read word by word.
 struct Words {
     rest: &'static str,
 }
 
 impl Words {
-    /// Takes so many bytes.
+    /// Consumes this many bytes.
     const fn take(&mut self, len: usize) -> &'static str {
         let (taken, rest) = self.rest.split_at(len);
         self.rest = rest;
         taken
     }
 
-    /// Passes by blanks and comments; whether anything stands behind them.
+    /// Skips whitespace and comments; returns whether more text follows.
     const fn skip(&mut self) -> bool {
         let bytes = self.rest.as_bytes();
         let mut at = 0;
@@ -201,7 +201,7 @@ impl Words {
         !self.rest.is_empty()
     }
 
-    /// The word or number that stands next.
+    /// Reads the next word or number.
     const fn word(&mut self) -> &'static str {
         self.skip();
         let bytes = self.rest.as_bytes();
@@ -212,40 +212,40 @@ impl Words {
         self.take(len)
     }
 
-    /// Takes a mark if it stands next.
+    /// Consumes a punctuation character if it is next.
     const fn eat(&mut self, mark: u8) -> bool {
         let stands = self.skip() && self.rest.as_bytes()[0] == mark;
         self.take(stands as usize);
         stands
     }
 
-    /// Takes a mark that must stand next.
+    /// Consumes a punctuation character that must be next.
     const fn expect(&mut self, mark: u8) {
         if !self.eat(mark) {
-            panic!("a declaration of a built-in function or variable is written otherwise");
+            panic!("invalid declaration of a built-in function or variable");
         }
     }
 
-    /// The number that stands next.
+    /// Reads the next number.
     const fn number(&mut self) -> i32 {
         let sign = if self.eat(b'-') { -1 } else { 1 };
         match i32::from_str_radix(self.word(), 10) {
             Ok(number) => sign * number,
-            Err(_) => panic!("no number"),
+            Err(_) => panic!("expected a number"),
         }
     }
 }
 
-/// What a word of the notation stands for: one type, or several in turn.
+/// The types that a word of the notation stands for.
 #[derive(Clone, Copy)]
 enum GenericType {
-    /// A type of the language.
+    /// A single type.
     One(Type),
-    /// Vectors from so many components on, up to four; one component is a scalar.
+    /// Vectors from this many components up to four; one component is a scalar.
     Vectors(Scalar, u8),
-    /// Every matrix.
+    /// All matrix types.
     Matrices,
-    /// One for each of `float`, `int` and `uint`.
+    /// One type each for `float`, `int` and `uint`.
     ByScalar([Type; 3]),
 }
 
@@ -284,7 +284,7 @@ impl GenericType {
         }
     }
 
-    /// How many types it stands for.
+    /// Number of types.
     const fn count(self) -> u8 {
         match self {
             GenericType::One(_) => 1,
@@ -307,11 +307,11 @@ impl GenericType {
 const fn type_named(word: &str) -> Type {
     match TypeWord::named(word) {
         Some(word) => Type::of_word(word),
-        None => panic!("no type"),
+        None => panic!("expected a type"),
     }
 }
 
-/// A prototype in the notation of the texts.
+/// A prototype in the notation of the declaration texts.
 struct Prototype {
     function: BuiltinId,
     returns: GenericType,
@@ -322,10 +322,10 @@ struct Prototype {
 }
 
 impl Prototype {
-    /// Reads `name(type name, ...);` behind the type that it returns.
+    /// Reads `name(type name, ...);` after the return type.
     const fn read(returns: &str, words: &mut Words) -> Prototype {
         let Some(function) = BuiltinId::named(words.word()) else {
-            panic!("no row of the table is called so");
+            panic!("no row of the table has this name");
         };
         let mut prototype = Prototype {
             function,
@@ -360,7 +360,7 @@ impl Prototype {
     }
 }
 
-/// Reads `precision type name[size] = value;` behind the storage.
+/// Reads `precision type name[size] = value;` after the storage qualifier.
 const fn read_variable(
     storage: BuiltinStorage,
     words: &mut Words,
@@ -376,7 +376,7 @@ const fn read_variable(
     }
     let is_struct = matches!(word.as_bytes(), b"struct");
     if is_struct {
-        // Its members stand in the text for readers.
+        // The members are listed in the text only for readers.
         while !words.eat(b'}') {
             words.take(1);
         }

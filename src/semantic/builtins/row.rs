@@ -1,45 +1,45 @@
-//! The columns of the table of built-in functions.
+//! Columns of the table of built-in functions.
 
 use crate::fold::Folding;
 use crate::undefined::Undefined;
 
-/// What the table says of a built-in function.
+/// Row of the table of built-in functions.
 #[derive(Debug)]
 pub(super) struct Row {
-    /// As it is written.
+    /// Name in GLSL.
     pub name: &'static str,
-    /// What it does.
+    /// What the function does.
     pub kind: BuiltinKind,
-    /// What a call costs.
+    /// Cost of a call, relative to one instruction.
     pub cost: u8,
-    /// What is known of its result's range.
+    /// How the range of the result depends on the arguments.
     pub transfer: Transfer,
-    /// For which arguments its result is undefined.
+    /// Arguments for which the result is undefined.
     pub undefined: Undefined,
-    /// How it is computed of constants.
+    /// How it is evaluated for constant arguments.
     pub fold: Folding,
 }
 
-/// What a built-in function does, as far as the checks ask.
+/// Category of a built-in function.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum BuiltinKind {
-    /// Computes; constant if its arguments are and nothing is written.
+    /// A computation; constant if its arguments are and it writes nothing.
     Math,
-    /// Compares an expression between neighbouring pixels.
+    /// A derivative between neighbouring pixels.
     Derivative(Axis),
-    /// Reads a texture.
+    /// A texture lookup.
     Lookup(Lookup),
-    /// Tells the size of a texture.
+    /// A query of a texture's size.
     Size,
 }
 
 impl BuiltinKind {
-    /// Whether it asks a texture.
+    /// Whether it accesses a texture.
     pub const fn is_texture(self) -> bool {
         matches!(self, BuiltinKind::Lookup(_) | BuiltinKind::Size)
     }
 
-    /// Whether it takes derivatives without being given any, which neighbouring pixels must do
+    /// Whether it computes implicit derivatives, which require that neighbouring pixels call it
     /// together.
     pub const fn takes_derivatives(self) -> bool {
         match self {
@@ -50,43 +50,43 @@ impl BuiltinKind {
     }
 }
 
-/// Between which neighbours a derivative is taken.
+/// Direction of a derivative.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Axis {
-    /// Side by side: `dFdx`.
+    /// Horizontal: `dFdx`.
     X,
-    /// One above the other: `dFdy`.
+    /// Vertical: `dFdy`.
     Y,
-    /// The sum of both without signs: `fwidth`.
+    /// Sum of the absolute values of both: `fwidth`.
     Both,
 }
 
-/// How a lookup reads its texture. Whether it compares depths is told by the sampler's type, and
-/// whether it takes a bias by the overload.
+/// How a lookup reads its texture. Depth comparison follows from the sampler type, and a bias from
+/// the overload.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Lookup {
-    /// What tells the level.
+    /// How the level of detail is determined.
     pub level: Level,
-    /// Whether the coordinates are divided by the last.
+    /// Whether the coordinates are divided by the last one.
     pub is_projective: bool,
-    /// Whether it takes an offset in texels.
+    /// Whether it has an offset in texels.
     pub has_offset: bool,
 }
 
-/// What tells the level of detail that a lookup reads.
+/// How a lookup determines the level of detail.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Level {
-    /// Derivatives of the coordinates that the lookup takes itself.
+    /// From implicit derivatives of the coordinates.
     Implicit,
-    /// An argument.
+    /// From an argument.
     Explicit,
-    /// Derivatives that are arguments.
+    /// From derivatives passed as arguments.
     Gradient,
-    /// An argument; the coordinates are whole numbers, and nothing is filtered.
+    /// From an argument; the coordinates are integers and there is no filtering.
     Fetch,
 }
 
-/// The kind of a plain lookup.
+/// A plain lookup.
 pub(super) const fn lookup(level: Level) -> BuiltinKind {
     BuiltinKind::Lookup(Lookup {
         level,
@@ -95,7 +95,7 @@ pub(super) const fn lookup(level: Level) -> BuiltinKind {
     })
 }
 
-/// The kind of a lookup that divides its coordinates.
+/// A projective lookup.
 pub(super) const fn projected(level: Level) -> BuiltinKind {
     BuiltinKind::Lookup(Lookup {
         level,
@@ -104,7 +104,7 @@ pub(super) const fn projected(level: Level) -> BuiltinKind {
     })
 }
 
-/// The kind of a lookup with an offset.
+/// A lookup with an offset.
 pub(super) const fn shifted(level: Level) -> BuiltinKind {
     BuiltinKind::Lookup(Lookup {
         level,
@@ -113,7 +113,7 @@ pub(super) const fn shifted(level: Level) -> BuiltinKind {
     })
 }
 
-/// The kind of a lookup that divides its coordinates, with an offset.
+/// A projective lookup with an offset.
 pub(super) const fn projected_shifted(level: Level) -> BuiltinKind {
     BuiltinKind::Lookup(Lookup {
         level,
@@ -122,29 +122,28 @@ pub(super) const fn projected_shifted(level: Level) -> BuiltinKind {
     })
 }
 
-/// How the range of a result follows from the ranges of the arguments; the ranges of `flow` carry it
-/// out.
+/// How the range of a result follows from the ranges of the arguments; implemented in `flow`.
 #[derive(Clone, Copy, Debug)]
 pub enum Transfer {
-    /// Nothing is known but which arguments it depends on.
+    /// Only the arguments that it depends on are known.
     Unknown,
-    /// A function that never falls.
+    /// A non-decreasing function.
     Rising(fn(f64) -> f64),
-    /// A function that never falls and is defined between two arguments.
+    /// A non-decreasing function on a domain between two bounds.
     RisingOn(f64, f64, fn(f64) -> f64),
-    /// A function that never rises and is defined between two arguments.
+    /// A non-increasing function on a domain between two bounds.
     FallingOn(f64, f64, fn(f64) -> f64),
-    /// A function that never falls and yields whole numbers.
+    /// A non-decreasing function with integer results.
     Rounded(fn(f64) -> f64),
-    /// A function that never falls; nothing is known where the argument may not be positive.
+    /// A non-decreasing function; the result is unknown if the argument may not be positive.
     Logarithm(fn(f64) -> f64),
-    /// Zero or more, whatever the argument.
+    /// Zero or more for any argument.
     NonNegative,
     /// `sin`
     Sine,
     /// `cos`
     Cosine,
-    /// `atan`, of one argument or two.
+    /// `atan` with one or two arguments.
     ArcTangent,
     /// `pow`
     Power,
@@ -168,9 +167,9 @@ pub enum Transfer {
     Threshold,
     /// `smoothstep`
     Ramp,
-    /// The length of a vector.
+    /// Length of a vector.
     Norm,
-    /// The length of a difference.
+    /// Length of a difference.
     Separation,
     /// `dot`
     Product,
@@ -178,7 +177,7 @@ pub enum Transfer {
     Direction,
     /// `reflect`
     Reflection,
-    /// What a texture holds: anything.
+    /// A texture value: anything.
     Texel,
     /// Anything; every component depends on all components of the arguments.
     Mixed,

@@ -1,6 +1,6 @@
-//! The table of built-in functions: one row for each, one column for each thing that the tool asks
-//! of them. A row without one of its columns does not compile. The forms that a function has in a
-//! version and a stage stand as prototypes in `functions_*.glsl`; the table tells what it does.
+//! Table of built-in functions: one row per function, one column per property. A row with a missing
+//! column does not compile. The overloads of each version and stage are prototypes in
+//! `functions_*.glsl`; the table describes what the functions do.
 
 use super::row::BuiltinKind::{Derivative, Math, Size};
 use super::row::Level::{Explicit, Fetch, Gradient, Implicit};
@@ -16,16 +16,17 @@ use shaderlint_text::WordIndex;
 use std::f32::consts::PI;
 use std::f64;
 
-/// What is one instruction; the unit of the column of costs.
+/// A single instruction, the unit of cost.
 const ONE: u8 = 1;
-/// What takes a special unit, or several instructions.
+/// A special function unit, or several instructions.
 const SPECIAL: u8 = 4;
-/// What asks a texture.
+/// A texture access.
 const TEXTURE: u8 = 8;
 
 macro_rules! table {
     ($($id:ident $name:literal $kind:expr, $cost:expr, $range:expr, $undefined:ident, $fold:expr;)*) => {
-        /// A built-in function by what it means; the lookups of GLSL ES 1.00 are their own.
+        /// A built-in function, identified by its name; the lookups of GLSL ES 1.00 are separate
+        /// functions.
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
         #[repr(u8)]
         pub enum BuiltinId {
@@ -33,10 +34,10 @@ macro_rules! table {
         }
 
         impl BuiltinId {
-            /// All built-in functions, in the order of the table.
+            /// All built-in functions, in table order.
             pub const ALL: &[BuiltinId] = &[$(BuiltinId::$id),*];
 
-            /// The function of a name, in whatever version.
+            /// The function of this name in any version.
             #[expect(clippy::indexing_slicing, reason = "both lists are the table")]
             pub const fn named(name: &str) -> Option<BuiltinId> {
                 static NAMES: WordIndex<512> = WordIndex::new(&[$($name),*]);
@@ -46,7 +47,7 @@ macro_rules! table {
                 }
             }
 
-            /// What the table says of it.
+            /// The table row of the function.
             pub(super) const fn row(self) -> &'static Row {
                 match self {
                     $(BuiltinId::$id => const {

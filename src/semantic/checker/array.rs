@@ -1,35 +1,35 @@
-//! Arrays: their sizes, and where none can be (GLSL ES 3.00 section 4.1.9).
+//! Arrays: their sizes, and where they are not allowed (GLSL ES 3.00 section 4.1.9).
 
 use super::super::constant::Value;
 use super::qualifier::Wanted;
 use super::*;
 
-/// What is wrong with an array.
+/// An error in an array type or declaration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ArrayError {
     /// An array without a size.
     NoSize,
-    /// An array without a size, whose value could give it one.
+    /// An array without a size and without an initializer to infer it from.
     NoSizeNorValue,
-    /// An array without a size, in a version that takes none from values.
+    /// An array without a size, in a version that does not infer it from an initializer.
     NoSizeYet,
-    /// A size behind the type, in a version that wants it behind the name.
+    /// A size after the type, in a version that only allows it after the name.
     BehindType,
     /// An array of arrays.
     OfArrays,
-    /// An array of structs that would be passed between stages.
+    /// An array of structs as an input or output between stages.
     OfPassedStructs,
-    /// An attribute.
+    /// An attribute that is an array.
     Attribute,
-    /// An input of a vertex shader.
+    /// A vertex shader input that is an array.
     Input,
-    /// A constant, in a version without values of arrays.
+    /// A constant array, in a version without array values.
     Constant,
-    /// A value for an array, in a version without them.
+    /// An array initializer, in a version without them.
     Value,
-    /// A constructor of an array, in a version without them.
+    /// An array constructor, in a version without them.
     Constructor,
-    /// A size that is no integer.
+    /// A size that is not an integer.
     SizeType(Type),
     /// A size that is not constant.
     SizeNotConstant(ExprId),
@@ -40,7 +40,7 @@ pub(crate) enum ArrayError {
 }
 
 impl Checker<'_> {
-    /// The type with array sizes behind it. `storage` is that of the declaration, where one is.
+    /// The type with its array sizes. `storage` is that of the declaration, if there is one.
     pub(super) fn with_arrays(&mut self, base: Type, arrays: List, storage: Wanted) -> Type {
         let tree = self.tree;
         let sizes = tree.arrays(arrays);
@@ -77,7 +77,7 @@ impl Checker<'_> {
         self.reject(extent, problem);
     }
 
-    /// The size that one pair of brackets gives; `None` where it hangs on something unknown.
+    /// The size in one pair of brackets; `None` if it depends on something unknown.
     fn array_size(&mut self, size: &ArraySize) -> Option<u32> {
         let Some(expr) = size.size else {
             if !self.has(Feature::ArrayValues) {

@@ -3,14 +3,16 @@
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 
-/// What is wrong with the value of a declaration.
+/// An error in the initializer of a declaration.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ValueError {
-    /// A value that does not fit the type, which may be written here.
+    /// A value of another type than the declared one, and the extent of that type if it can be
+    /// edited.
     Initializer(Declarator, Option<Extent>, Type, ExprId, Misfit),
-    /// A type, written here, that fits neither the value nor the uses of the variable.
+    /// A declared type, at this extent, that matches neither the value nor the uses of the
+    /// variable.
     Retyped(Declarator, Extent, Type, ExprId, Misfit),
-    /// A value that has to be constant.
+    /// A value that must be a constant expression.
     NotConstant(Declarator, ExprId, Wanted),
 }
 
@@ -53,7 +55,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks an initializer; false where its type does not fit, which is then reported.
+    /// Checks an initializer; false if its type is wrong, which is then reported.
     pub(super) fn check_initializer(
         &mut self,
         declarator: &Declarator,
@@ -87,7 +89,7 @@ impl Checker<'_> {
         true
     }
 
-    /// `const` wants a constant expression, and so does every initializer at global scope.
+    /// A `const` needs a constant expression, and so does every initializer at global scope.
     fn check_initializer_constness(
         &mut self,
         declarator: &Declarator,
@@ -103,9 +105,9 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether an expression may initialize a global variable: nothing but constants in GLSL ES
-    /// 3.00; in 1.00 uniforms and other globals too, which browsers allow for old shaders. What they
-    /// drop before a `,` may be anything.
+    /// Whether an expression may initialize a global variable: only constants in GLSL ES 3.00; in
+    /// 1.00 also uniforms and other globals, which browsers allow for old shaders. Operands that
+    /// they remove before a `,` may be anything.
     fn is_global_initializer(&self, init: ExprId) -> bool {
         if self.info(init).is_const {
             return true;
@@ -120,7 +122,7 @@ impl Checker<'_> {
                 && self.has(Feature::ConstantComma)
                 && self.is_temporary(right)
             {
-                // Nor may what is kept for its effect stand there.
+                // An operand that is kept for its side effects is not allowed.
                 if self.has_side_effects(left) {
                     return false;
                 }
@@ -133,7 +135,7 @@ impl Checker<'_> {
         true
     }
 
-    /// Whether an expression, without what stands in it, may be part of a global's initial value.
+    /// Whether an expression, apart from its operands, may be part of a global initializer.
     fn may_initialize_global(&self, info: &ExprInfo, kind: &ExprKind) -> bool {
         match (info.resolution, kind) {
             (Resolution::Variable(id), ExprKind::Name(_)) => {
@@ -154,14 +156,14 @@ impl Checker<'_> {
         overload.is_some_and(|o| o.function.kind().is_texture())
     }
 
-    /// Another global or a uniform of the shader's own; `gl_DepthRange` is none.
+    /// Whether a variable is a global or uniform that the shader declares; not `gl_DepthRange`.
     fn is_legacy_initializer(&self, id: VariableId) -> bool {
         self.variables.get(id.0 as usize).is_some_and(|v| {
             matches!(v.storage, Storage::Global | Storage::Uniform) && v.token.is_some()
         })
     }
 
-    /// Mends the error about an undeclared variable by its declaration, where it is first set.
+    /// Adds the type of the first assigned value to the error about an undeclared variable.
     fn declare_where_set(&mut self, left: ExprId, ty: Type) {
         let ExprKind::Name(name) = self.tree.expr(left).kind else {
             return;

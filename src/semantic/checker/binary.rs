@@ -53,7 +53,7 @@ impl Checker<'_> {
         if left.is_empty() || right.is_empty() {
             return Constant::NONE;
         }
-        // Few characters compare two large arrays.
+        // A short expression can compare two large arrays: the work is limited.
         let length = left.len().min(right.len());
         let Some(comparable) = self.comparable.checked_sub(length) else {
             return Constant::NONE;
@@ -115,7 +115,7 @@ fn multiply(lt: Type, l: &[Value], rt: Type, r: &[Value]) -> Option<Vec<Value>> 
     Some(out)
 }
 
-/// One scalar operation. Division by zero and the like give what ANGLE gives.
+/// One scalar operation. Division by zero and similar cases have the results of ANGLE.
 fn fold_scalar(op: BinaryOp, l: Value, r: Value) -> Value {
     use BinaryOp as B;
     match (op, l, r) {
@@ -139,7 +139,7 @@ fn fold_float(op: BinaryOp, l: f32, r: f32) -> Value {
         B::Sub => l - r,
         B::Less => return Value::Bool(l < r),
         B::Greater => return Value::Bool(l > r),
-        // Not the same where one is no number.
+        // Not equal if one is NaN.
         B::LessEqual => return Value::Bool(!matches!(l.partial_cmp(&r), Some(Ordering::Greater))),
         B::GreaterEqual => return Value::Bool(!matches!(l.partial_cmp(&r), Some(Ordering::Less))),
         _ => l,

@@ -4,27 +4,27 @@ use super::super::builtins::{BuiltinId, BuiltinKind, LEGACY_FUNCTIONS, Overload}
 use super::super::constant::Value;
 use super::*;
 
-/// Least and greatest offset of a texture lookup.
+/// Range of the offset of a texture lookup, in texels.
 const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
 
-/// What is wrong with a call and its arguments.
+/// An error in a call or its arguments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ArgumentError {
     /// A call of a variable.
     Variable(ExprId, Name, VariableId, List),
-    /// A call that fits none of the shader's functions of the name.
+    /// A call that matches none of the shader's functions of this name.
     User(ExprId, Name, List),
-    /// A call that fits no form of a built-in function.
+    /// A call that matches no overload of a built-in function.
     Builtin(ExprId, Name, BuiltinId, List),
-    /// An offset of a lookup that is not constant.
+    /// A texture offset that is not constant.
     DynamicOffset(ExprId),
-    /// An offset of a lookup that is too large.
+    /// A texture offset that is out of range.
     Offset(ExprId, i32),
 }
 
 impl Checker<'_> {
-    /// Reports a call that fits no form of a function, unless the form that is meant may be the one
-    /// that could not be read.
+    /// Reports a call that matches no overload, unless one could not be parsed and may be the one
+    /// that is meant.
     fn reject_call(&mut self, id: ExprId, name: Name, problem: ArgumentError) {
         if !self.tree.lost.contains(&name) {
             self.reject_expr(id, problem);
@@ -77,7 +77,7 @@ impl Checker<'_> {
         *slot.get_or_insert_with(|| builtins.function(text))
     }
 
-    /// A call of the shader's own function, if one has these parameters.
+    /// A call of a function of the shader, if one has these parameters.
     fn call_user(&mut self, id: ExprId, name: Name, args: List) -> Option<ExprInfo> {
         let tree = self.tree;
         let list = tree.args(args);
@@ -108,7 +108,7 @@ impl Checker<'_> {
         })
     }
 
-    /// A call whose arguments were reported still calls, if only one function can be meant.
+    /// A call whose arguments were reported is still recorded, if only one function can be meant.
     fn note_call_with_errors(&mut self, id: ExprId, name: Name) {
         if let Some(&[callee]) = self.by_name.get(&name).map(Vec::as_slice) {
             self.calls.push(Call {
@@ -119,7 +119,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The result of a call that fits no function of the name: known if all return the same.
+    /// The result of a call that matches no function of the name: known if all return the same
+    /// type.
     fn result_of_any(&self, name: Name) -> ExprInfo {
         let all = self.by_name.get(&name).map_or(&[][..], Vec::as_slice);
         let functions = all.iter().filter_map(|f| self.functions.get(f.0 as usize));
@@ -132,7 +133,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The result of a lookup of GLSL ES 1.00, so that its one error is not followed by others.
+    /// The result of a GLSL ES 1.00 lookup, so that its error does not cause others.
     fn result_of_legacy(&self, name: Name) -> ExprInfo {
         let is_legacy = LEGACY_FUNCTIONS
             .iter()
@@ -223,7 +224,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The offset of a texture lookup is a small constant (section 8.8).
+    /// Checks that a texture offset is a constant within [`TEXEL_OFFSETS`] (section 8.8).
     fn check_offset(&mut self, arg: ExprId) {
         let info = self.info(arg);
         if !info.is_const {

@@ -1,21 +1,21 @@
-//! Calls, when all functions are known (GLSL ES 3.00 section 6.1).
+//! Checks of the call graph, once all functions are known (GLSL ES 3.00 section 6.1).
 
 use super::*;
 
-/// Deepest chain of calls that the browser takes.
+/// Deepest call chain that the browser accepts.
 const MAX_CALL_DEPTH: u32 = 256;
 
-/// What is wrong with calls, all functions of the shader together.
+/// An error in the call graph of the shader.
 #[derive(Clone, Debug)]
 pub(crate) enum CallError {
     /// A call of a function that has no body.
     Undefined(FunctionRef),
-    /// Functions of which each calls the next, and the last is the first.
+    /// A cycle: each function calls the next, and the last is the first again.
     Recursion(Vec<FunctionRef>),
 }
 
 impl Checker<'_> {
-    /// No recursion, no call of what is never defined, no chain that is too long.
+    /// Reports recursion, calls of undefined functions and call chains that are too deep.
     pub(super) fn check_calls(&mut self) {
         let mut callees: Vec<Vec<(FunctionRef, ExprId)>> = vec![Vec::new(); self.functions.len()];
         let mut undefined: Vec<FunctionRef> = Vec::new();
@@ -40,7 +40,7 @@ impl Checker<'_> {
 
     fn report_undefined(&mut self, call: Call) {
         let token = self.tree.expr(call.expr).extent.first;
-        // The player's own call of a missing entry has been reported.
+        // The host's call of a missing entry point has already been reported.
         if self.is_prelude(token) || self.syntax_errors {
             return;
         }
@@ -48,7 +48,7 @@ impl Checker<'_> {
             return;
         };
         let declared = self.tree.function(function.declaration);
-        // What a host declares, it defines.
+        // A function that a host declares is also defined by it.
         if declared.is_some_and(|f| self.is_prelude(f.ident.token)) {
             return;
         }
@@ -112,8 +112,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a function that calls itself by `calls`, the last of which is the one of `function`
-    /// again. The place is the last call in the user's text.
+    /// Reports that `function` calls itself through `calls`, the last of which calls `function`.
+    /// The position is that of the last call in the user's text.
     fn recursion(&mut self, function: FunctionRef, calls: &[(FunctionRef, ExprId)]) {
         let is_user =
             |call: &&(FunctionRef, ExprId)| !self.is_prelude(self.tree.expr(call.1).extent.first);

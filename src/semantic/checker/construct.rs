@@ -4,7 +4,7 @@ use super::super::constant::Value;
 use super::*;
 
 impl Checker<'_> {
-    /// `vec3(...)`, `float[2](...)`: a type of the language, or an array.
+    /// `vec3(...)`, `float[2](...)`: a built-in type or an array.
     pub(super) fn construct(&mut self, id: ExprId, ty: TypeId, args: List) -> ExprInfo {
         let tree = self.tree;
         let ty = self.type_spec(ty);
@@ -54,7 +54,7 @@ impl Checker<'_> {
         info
     }
 
-    /// The value of a constructor whose arguments are known.
+    /// The value of a constructor with constant arguments.
     fn fold_construct(&mut self, ty: Type, args: &[ExprId]) -> Constant {
         let exprs = &self.exprs;
         let info = |id: &ExprId| exprs.get(id.0 as usize).copied();
@@ -100,7 +100,7 @@ impl Checker<'_> {
     }
 }
 
-/// A matrix of what `at` gives, and elsewhere of `one` in the diagonal and 0 beside it.
+/// A matrix of the values of `at`; where that is `None`, of `one` on the diagonal and 0 elsewhere.
 fn diagonal(columns: u8, rows: u8, at: impl Fn(u8, u8) -> Option<Value>, one: Value) -> Vec<Value> {
     let mut out = Vec::new();
     for column in 0..columns {

@@ -4,16 +4,16 @@ use super::super::host::channel;
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 
-/// What is wrong with the declaration of a variable.
+/// An error in the declaration of a variable.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum DeclarationError {
-    /// A type without values.
+    /// A variable of type `void`.
     Void,
     /// A sampler that is neither a uniform nor a parameter.
     Sampler,
-    /// A constant without a value.
+    /// A constant without an initializer.
     NoValue(Name),
-    /// A value for what gets its value from outside.
+    /// An initializer of a variable with a storage that has none, such as `uniform`.
     Value(Wanted),
 }
 
@@ -75,7 +75,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// What can be said of the type before the names come.
+    /// Checks the type and qualifiers of a declaration, before its declarators.
     pub(super) fn check_type_of_variables(
         &mut self,
         qualified: &Qualified,
@@ -93,8 +93,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// `flat`, `smooth` and `centroid` need the `in` or `out` that they speak of. In a function they
-    /// were reported where they stand.
+    /// `flat`, `smooth` and `centroid` need an `in` or `out`. Inside a function they have already
+    /// been reported.
     fn check_interpolation(&mut self, qualified: &Qualified, extent: Extent) {
         let alone = matches!(
             qualified.storage,
@@ -114,7 +114,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// What lies inside a type.
+    /// What a type contains: arrays, samplers and so on.
     pub(super) fn inside(&self, ty: Type) -> Inside {
         self.types().inside(ty)
     }
@@ -189,7 +189,7 @@ impl<'a> Checker<'a> {
         self.check_declared_depth(declarator);
     }
 
-    /// What the type must not be for these qualifiers; false where it is.
+    /// Whether the type is allowed with these qualifiers; reports if not.
     fn check_qualified_type(&mut self, qualified: &Qualified, base: Type, name: Extent) -> bool {
         if base.is_error() {
             return false;
@@ -239,7 +239,7 @@ impl<'a> Checker<'a> {
         Some(self.bind_variable(ident, ty, storage, is_const, constant))
     }
 
-    /// Gives a name the meaning of a new variable.
+    /// Binds a name to a new variable.
     pub(super) fn bind_variable(
         &mut self,
         ident: Ident,
@@ -269,13 +269,13 @@ impl<'a> Checker<'a> {
         id
     }
 
-    /// The type of `iChannel0` to `iChannel3` where it was chosen from outside.
+    /// The type of `iChannel0` to `iChannel3`, overridden by the options.
     fn channel_type(&self, name: Name, ty: Type) -> Type {
         let channel = channel(self.text(name)).and_then(|c| self.channels.get(c as usize));
         channel.copied().flatten().map_or(ty, Type::sampler)
     }
 
-    /// The type that a type in the text means. Declares the struct that it may hold.
+    /// Resolves a type specifier. Declares the struct that it may define.
     pub(super) fn type_spec(&mut self, id: TypeId) -> Type {
         let tree = self.tree;
         let spec = tree.ty(id);
@@ -309,7 +309,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds what a fix has to know to the problem of a name that is declared a second time.
+    /// Adds the details that a fix needs to the error about a redeclared name.
     fn mend_redefinition(
         &mut self,
         ident: Ident,

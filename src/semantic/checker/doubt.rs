@@ -1,24 +1,25 @@
-//! Declarations whose value does not fit: the uses of the variable tell which of the two is wrong.
+//! Declarations with a value of another type: the uses of the variable decide which of the two is
+//! wrong.
 
 use super::*;
 
-/// Most declarations of a shader that are judged by the uses of their variables.
+/// Most declarations of a shader that are decided by the uses of their variables.
 const MAX_DOUBTS: usize = 8;
 
-/// Most expressions that are checked again, all in all, in a shader that has fewer.
+/// Most expressions that are checked again in total, in a shader with fewer expressions.
 const MAX_SIZE: usize = 60_000;
 
-/// What is known of declarations whose value is of another type.
+/// Declarations with a value of another type.
 #[derive(Clone, Default)]
 pub(super) struct Doubts {
-    /// Those that were met, by the number of the declarator.
+    /// Those found so far, as indices of declarators.
     pub met: Vec<usize>,
-    /// Those whose type is taken from the value.
+    /// Those that get the type of their value instead of the declared one.
     pub retyped: Vec<usize>,
 }
 
-/// Chooses, for one declaration after the other, between its type and that of its value: the one
-/// with which fewer errors are found. `count` tells how many there are.
+/// Chooses for each declaration in turn between the declared type and that of its value: the one
+/// that results in fewer errors. `count` returns their number.
 pub(super) fn settle(
     first: usize,
     met: &[usize],
@@ -44,7 +45,7 @@ pub(super) fn settle(
 }
 
 impl Checker<'_> {
-    /// Whether the uses behind a second declaration mean that one.
+    /// Whether the uses after a second declaration refer to that one.
     pub(super) fn means_second(&mut self, index: usize, first: VariableId, ty: Type) -> bool {
         let is_other = self
             .variables
@@ -56,8 +57,8 @@ impl Checker<'_> {
         self.doubts.retyped.contains(&index)
     }
 
-    /// The type of a variable whose value does not fit, as the error about it has been reported:
-    /// the declared one, unless its uses ask for that of the value.
+    /// The type of a variable with a value of another type, after the error about it was reported:
+    /// the declared one, unless the uses of the variable require that of the value.
     pub(super) fn settled_type(
         &mut self,
         index: usize,
@@ -73,7 +74,7 @@ impl Checker<'_> {
         let (Some((wanted, ..)), Some(_), true) = (ty.numeric(), found.numeric(), is_plain) else {
             return ty;
         };
-        // `float a = 0;` means a float, whatever comes.
+        // `float a = 0;` always means a float.
         if wanted == Scalar::Float && self.literal_token(init).is_some() {
             return ty;
         }
@@ -85,7 +86,7 @@ impl Checker<'_> {
         found
     }
 
-    /// Says that the type of a declaration is wrong, in the place of the error about its value.
+    /// Replaces the error about the value of a declaration by one about its type.
     fn blame_type(&mut self, spec: Extent, declarator: &Declarator, ty: Type, init: ExprId) {
         let misfit = match self.problems.pop().map(|p| p.what) {
             Some(ProblemKind::Value(ValueError::Initializer(.., misfit))) => misfit,

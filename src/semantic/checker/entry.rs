@@ -1,28 +1,28 @@
-//! The function at which a shader starts: `main`, or the one that its host calls.
+//! The entry point of a shader: `main`, or the function that its host calls.
 
 use super::super::dialect::Pass;
 use super::super::host::EntryPoint;
 use super::*;
 
-/// What is wrong with the function at which a shader starts.
+/// An error in the entry point of a shader.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum EntryError {
     /// A shader without `main`.
     Missing,
     /// A shader without the function that its host calls.
     MissingCalled(EntryPoint),
-    /// A shader without `main`, but with the entry of ShaderToy; and its first output.
+    /// A shader without `main`, but with `mainImage`; and its first output.
     Unwrapped(Option<Name>),
-    /// A function that is not declared as its host calls it.
+    /// An entry point with another signature than its host calls.
     Signature(EntryPoint),
     /// A `main` with parameters.
     MainParameters,
-    /// A `main` that returns something.
+    /// A `main` that does not return `void`.
     MainReturns,
 }
 
 impl Checker<'_> {
-    /// Asks that the function is defined at which the shader starts.
+    /// Checks that the entry point is defined.
     pub(super) fn check_entry(&mut self) {
         match self.dialect.host().entry {
             Some(entry) if entry.is_called_by_host() => self.check_called_entry(entry),
@@ -33,7 +33,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether `main` may be there after all, in text that could not be read.
+    /// Whether `main` may be in text with syntax errors.
     fn main_was_unreadable(&self) -> bool {
         self.syntax_errors && self.names.get("main").is_some()
     }
@@ -52,7 +52,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The entry that a host declares and calls must be defined as it is declared.
+    /// Checks that the entry point that a host declares and calls is defined with its signature.
     fn check_called_entry(&mut self, entry: EntryPoint) {
         let name = entry.name;
         let is_entry = |f: &&Function| self.text(f.name) == name;
@@ -91,7 +91,7 @@ impl Checker<'_> {
         functions.into_iter().any(|f| self.text(f.name) == name)
     }
 
-    /// Whether a function is the one at which the host starts.
+    /// Whether a function is the entry point of the host.
     pub(super) fn is_entry(&self, name: Name) -> bool {
         let entry = self.dialect.host().entry;
         entry.is_some_and(|e| e.name == self.text(name))

@@ -1,31 +1,31 @@
-//! Expressions: literals, members, indices and the operators with one operand or three.
+//! Expressions: literals, members, indices, and unary and ternary operators.
 
 use super::super::constant::Value;
 use super::*;
 use crate::typing::LENGTH;
 
-/// What is wrong with an expression.
+/// An error in an expression.
 #[derive(Clone, Debug)]
 pub(crate) enum ExpressionError {
-    /// Operands or arguments that do not fit, as the misfit numbers them.
+    /// Operands or arguments of wrong types, in the order in which the misfit numbers them.
     Misfit(ExprId, Vec<ExprId>, Misfit),
-    /// An unsigned integer in a version without them.
+    /// An unsigned literal in a version without them.
     Unsigned(ExprId),
-    /// A suffix of a number that ends here, in a version without suffixes.
+    /// The `f` suffix of a literal that ends at this position, in a version without suffixes.
     Suffix(ExprId, u32),
     /// An operator or method of a later version.
     Later(ExprId),
-    /// A method that does not exist, or that has no arguments.
+    /// An unknown method, or `length()` with arguments.
     Method(ExprId, ExprId, Name, List),
-    /// A member of a struct behind `,` that holds samplers.
+    /// A member of a comma expression that is a struct containing samplers.
     MemberBehindComma(ExprId),
-    /// An index of a value outside of so many elements.
+    /// A constant index, its value, and the number of elements that it exceeds.
     IndexRange(ExprId, ExprId, i64, u32),
-    /// An index that has to be constant.
+    /// An index that must be constant.
     DynamicIndex(ExprId, Indexed),
 }
 
-/// What takes a constant index only.
+/// What accepts only constant indices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Indexed {
     Samplers,
@@ -108,7 +108,7 @@ impl Checker<'_> {
         self.literal(Type::FLOAT, Value::Float(value))
     }
 
-    /// The info of a result that is constant if its operands are.
+    /// The result of an operation, which is constant if its operands are.
     pub(super) fn result(
         &self,
         ty: Type,
@@ -120,7 +120,7 @@ impl Checker<'_> {
             is_const &= operand.is_const;
             deepest = deepest.max(Some(operand.height));
         }
-        // What the browser folds leaves no tree behind.
+        // An expression that the browser folds adds no depth to its tree.
         let folded = is_const && constant.is_known() && ty.components() > 0;
         let height = if folded {
             0
@@ -181,13 +181,13 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports an expression whose operands or arguments do not fit.
+    /// Reports a type error in an expression.
     pub(super) fn refuse(&mut self, id: ExprId, parts: &[ExprId], misfit: Misfit) -> ExprInfo {
         self.reject_expr(id, ExpressionError::Misfit(id, parts.to_vec(), misfit));
         ExprInfo::ERROR
     }
 
-    /// Reports an operator or method that only a later version of the language has.
+    /// Reports an operator or method that requires a later version of the language.
     pub(super) fn require(&mut self, feature: Feature, id: ExprId) {
         if !self.has(feature) {
             self.reject_expr(id, ExpressionError::Later(id));
@@ -244,8 +244,8 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         }
         let len = self.pool.add([Value::Int(info.ty.array as i32)]);
-        // The length is constant even where the array is not, unless computing the array does
-        // something.
+        // The length is constant even if the array is not, unless computing the array has side
+        // effects.
         let pure = !self.has_side_effects(object);
         ExprInfo {
             ty: Type::INT,
@@ -293,7 +293,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether a struct that holds samplers stands behind `,`.
+    /// Whether `object` is a comma expression that is a struct containing samplers.
     fn is_behind_comma(&self, object: ExprId, ty: Type) -> bool {
         let inner = self.tree.expr(self.tree.unparen(object)).kind;
         let is_record = !ty.is_array() && matches!(ty.base, Base::Struct(_) | Base::Block(_));
@@ -305,7 +305,7 @@ impl Checker<'_> {
         let picked = picked.iter().map(|&c| info.constant.part(c.into(), 1));
         let constant = self.pool.join(picked, |value| value);
         let mut result = self.result(ty, [info], constant);
-        // The browser makes one swizzle of two.
+        // The browser combines two swizzles into one.
         if let ExprKind::Member(inner, _) = self.tree.expr(self.tree.unparen(object)).kind
             && self.ty(inner).is_vector()
         {
@@ -342,8 +342,8 @@ impl Checker<'_> {
         self.result(element, [base, at], constant)
     }
 
-    /// A constant index must lie in the array, vector or matrix (section 5.7). Behind a comma, whose
-    /// result is no constant, the browser looks for negative ones alone.
+    /// A constant index must be within the array, vector or matrix (section 5.7). Of a comma
+    /// expression, which is not constant, the browser only checks that it is not negative.
     fn check_index_range(&mut self, object: ExprId, index: ExprId, size: u32) {
         let mut last = index;
         while let ExprKind::Comma(_, right) = self.tree.expr(self.tree.unparen(last)).kind {
@@ -365,9 +365,9 @@ impl Checker<'_> {
         self.reject_expr(index, problem);
     }
 
-    /// Some arrays take constant indices only.
+    /// Checks the index of arrays that accept only constant indices.
     fn check_index_kind(&mut self, id: ExprId, object: ExprId, base: ExprInfo, at: ExprInfo) {
-        // Of a comma the browser keeps what stands behind it, where nothing before it does anything.
+        // Of a comma expression without side effects the browser keeps only the right operand.
         let mut behind = self.tree.unparen(object);
         while let ExprKind::Comma(left, right) = self.tree.expr(behind).kind
             && !self.has_side_effects(left)

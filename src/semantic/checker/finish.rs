@@ -1,8 +1,8 @@
-//! What can be said only when all of the shader is known.
+//! Checks that need the complete shader.
 
 use super::*;
 
-/// A loop that never ends, if its variable is never written to.
+/// A loop that never terminates if its variable is never written to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LoopCheck {
     pub variable: VariableId,
@@ -30,7 +30,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Says how often a name that nothing declares is used in all.
+    /// Adds the number of further uses to the errors about undeclared names.
     fn note_uses(&mut self) {
         for (index, uses) in std::mem::take(&mut self.undeclared).into_values() {
             if uses > 0 {

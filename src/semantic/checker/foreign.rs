@@ -1,21 +1,21 @@
-//! Names of other languages that nothing declares: the types that they have, as far as GLSL has a word for them.
+//! Undeclared names of other languages, and the types of their GLSL equivalents.
 
 use super::qualifier::Wanted;
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 
-/// A word of another language.
+/// A use of a name of another language.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ForeignError {
-    /// A type that GLSL has nothing for.
+    /// A type without a GLSL equivalent.
     Absent(Name),
-    /// A type that GLSL has under another word.
+    /// A type that has another name in GLSL.
     Type(Name),
-    /// Such a type of what has to be a uniform.
+    /// Such a type, where `uniform` is missing before it.
     Uniform(Name),
-    /// A type that is taken from the value: it takes the place of the words from a token on.
+    /// `var`, `let` or `auto`: the first token to replace, and the type of the value.
     Inferred(TokenId, Type),
-    /// A call of a function.
+    /// A call of a function of another language.
     Call(ExprId, Name, List),
 }
 
@@ -24,13 +24,13 @@ impl Checker<'_> {
         foreign(self.text(name), self.version)
     }
 
-    /// Whether an undeclared function has a name that other languages use.
+    /// Whether an undeclared function has a name of another language.
     pub(super) fn is_foreign(&self, name: Name, id: ExprId) -> bool {
         let token = self.tree.expr(id).extent.first;
         self.foreign(name).is_some() && self.declared_later(name, token).is_none()
     }
 
-    /// The type of GLSL that an undeclared one stands for; it is reported.
+    /// Reports an undeclared type of another language, and returns its GLSL equivalent.
     pub(super) fn foreign_type(&mut self, name: Name, token: TokenId) -> Option<Type> {
         let found = self.foreign(name)?;
         let Meaning::Type(word) = found.meaning else {
@@ -63,8 +63,7 @@ impl Checker<'_> {
         Some(if lacks_uniform { Type::ERROR } else { ty })
     }
 
-    /// The type of the values of variables that are declared with `var`, `let` or `auto`, if this
-    /// is such a word; it is reported.
+    /// Reports a declaration with `var`, `let` or `auto`, and returns the type of its values.
     pub(super) fn inferred_type(
         &mut self,
         qualifiers: List,
@@ -90,7 +89,7 @@ impl Checker<'_> {
             }
         }
         let found = found.filter(|t| !t.is_void()).unwrap_or(Type::ERROR);
-        // What other languages call constant is set once, here it is known before the shader runs.
+        // In other languages `const` means assigned once; here, a constant expression.
         let all = tree.qualifiers(qualifiers);
         let values = tree.declarators(declarators);
         let is_known = values
@@ -105,7 +104,7 @@ impl Checker<'_> {
         Some((found, wanted))
     }
 
-    /// A call of a function that other languages have.
+    /// Reports a call of a function of another language, and returns its result.
     pub(super) fn foreign_call(&mut self, id: ExprId, name: Name, args: List) -> ExprInfo {
         let tree = self.tree;
         let types: Vec<Type> = tree.args(args).iter().map(|&a| self.ty(a)).collect();
@@ -117,7 +116,7 @@ impl Checker<'_> {
             let ty = self.foreign_type(name, token).unwrap_or(Type::ERROR);
             return self.construct_type(id, ty, args);
         }
-        // What `print` and its kin would show was reported.
+        // The arguments of `print` and similar functions have already been reported.
         let is_told =
             matches!(found.meaning, Meaning::Silent) && types.iter().any(|t| t.is_error());
         if !self.was_reported(name) && !is_told {
@@ -133,7 +132,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The type of a call of a foreign function, as far as it is known.
+    /// The result type of a call of a function of another language, if known.
     fn type_of_foreign(&self, meaning: Meaning, types: &[Type]) -> Type {
         let found = match (meaning, types) {
             (Meaning::Function(word), _) => self.builtins.function(word).and_then(|f| {

@@ -6,38 +6,38 @@ use super::*;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 
-/// What is wrong with a function's header, or with all of its declarations together.
+/// An error in the header of a function, or between its declarations.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum FunctionError {
-    /// A function that is declared in another.
+    /// A function that is declared inside another.
     Local,
-    /// A second prototype, in a version that takes one.
+    /// A second prototype, in a version that allows only one.
     PrototypeTwice(Name),
-    /// A second body, and where the name of the first stands.
+    /// A second definition, and the name in the first one.
     DefinedTwice(Name, Option<TokenId>),
-    /// A function without a `return` of its type.
+    /// A function that never returns a value of its return type.
     NoReturn(Name, Type),
-    /// A parameter without a value.
+    /// A parameter of type `void`.
     VoidParameter,
-    /// A struct that is declared in a parameter.
+    /// A struct that is declared in a parameter list.
     StructParameter,
-    /// A parameter that is an array without a size.
+    /// An array parameter without a size.
     UnsizedParameter,
-    /// A sampler that would be written to.
+    /// A sampler parameter that is `out` or `inout`.
     OutSampler,
-    /// A sampler that would be returned.
+    /// A return type that is or contains a sampler.
     ReturnsSampler,
-    /// An array without a size that would be returned.
+    /// An array return type without a size.
     ReturnsUnsized,
-    /// An array that would be returned, in a version without values of arrays.
+    /// An array return type, in a version without array values.
     ReturnsArray,
-    /// A struct that holds one.
+    /// A return type that is a struct containing an array, in such a version.
     ReturnsArrayInside,
-    /// The name of a built-in function.
+    /// A function with the name of a built-in one.
     Builtin(Name),
-    /// This type, and the other one that the function has by an earlier declaration.
+    /// The return type here, and the one of an earlier declaration.
     ReturnType(FunctionRef, Type, Type),
-    /// Other qualifiers of parameters than by an earlier declaration.
+    /// Parameter qualifiers that differ from an earlier declaration.
     Directions(FunctionRef),
 }
 
@@ -93,11 +93,11 @@ impl Checker<'_> {
         let Some(decl) = tree.function(id) else {
             return;
         };
-        // A struct that is declared here is known to the rest of the shader.
+        // A struct that is declared here is visible in the rest of the shader.
         let returns = self.return_type(decl);
         self.scopes.push();
         self.precisions.push();
-        // The parameters belong to the function, whose number is not known before its types are.
+        // The parameters belong to the function, but its id is not known before their types.
         let next = FunctionRef(self.functions.len() as u32);
         let first_variable = self.variables.len();
         self.current = Some(next);
@@ -153,15 +153,15 @@ impl Checker<'_> {
             self.statements(list);
         }
         let lacks_return = !returns.is_void() && !returns.is_error() && !self.returns_value;
-        // A statement that could not be read may have been the `return`.
+        // A statement with a syntax error may have been the `return`.
         if lacks_return && !self.syntax_errors {
             let problem = FunctionError::NoReturn(decl.ident.name, returns);
             self.reject(decl.header, problem);
         }
     }
 
-    /// Checks the parameters, and declares them if the function has a body. Nothing where a type is
-    /// not known: the function then stands for any.
+    /// Checks the parameters, and declares them if `declare`. `None` if a type is unknown: calls of
+    /// the function are then not checked.
     fn parameters(&mut self, decl: &FunctionDecl, declare: bool) -> Option<Vec<Parameter>> {
         let tree = self.tree;
         let list = tree.params(decl.params);
@@ -199,12 +199,12 @@ impl Checker<'_> {
         Some(params)
     }
 
-    /// Calls of a function whose parameters could not be read are not judged.
+    /// Calls of a function with faulty parameters are not checked.
     fn scopes_declare_unknown_function(&mut self, ident: Ident) {
         self.unknown_functions.insert(ident.name);
     }
 
-    /// `(void)`; true where that is right.
+    /// Checks `(void)`; false if `void` is not allowed here.
     fn void_parameter(&mut self, param: &Param, count: usize) -> bool {
         if param.ident.is_none() && count == 1 {
             return true;
@@ -230,7 +230,7 @@ impl Checker<'_> {
         Type::ERROR
     }
 
-    /// Makes a function known, or finds the one that was declared before.
+    /// Declares a function, or finds the one that was declared before.
     fn declare_function(
         &mut self,
         id: FunctionId,
@@ -285,7 +285,7 @@ impl Checker<'_> {
         self.by_name.get(&name)?.iter().copied().find(fits)
     }
 
-    /// A function belongs to global scope, although its parameters' scope is open.
+    /// Binds the name at global scope, although the scope of the parameters is open.
     fn declare_globally(&mut self, name: Name) {
         if !matches!(self.scopes.get_global(name), Some(Binding::Function)) {
             self.scopes.declare_global(name, Binding::Function);
@@ -313,7 +313,8 @@ impl Checker<'_> {
         Type::ERROR
     }
 
-    /// Only a precision may stand before the return type. Says whether one does.
+    /// Checks the qualifiers of the return type, which can only be a precision; whether there is
+    /// one.
     fn function_qualifiers(&mut self, decl: &FunctionDecl) -> bool {
         use QualifierKind as Q;
         let tree = self.tree;
@@ -330,8 +331,8 @@ impl Checker<'_> {
         !all.is_empty()
     }
 
-    /// A function must not take the name of a built-in one: in GLSL ES 3.00 any form of it, in 1.00
-    /// the same form.
+    /// A function must not redefine a built-in one: in GLSL ES 3.00 with any parameters, in 1.00
+    /// with the same parameters.
     fn check_builtin_name(&mut self, ident: Ident, params: &[Parameter]) -> bool {
         let text = self.text(ident.name);
         let Some(found) = self.builtins.function(text) else {
@@ -359,7 +360,7 @@ impl Checker<'_> {
         false
     }
 
-    /// A function must not take the name of a variable or struct.
+    /// A function must not have the name of a variable or struct.
     fn check_hidden(&mut self, ident: Ident) {
         let Some(before) = self.scopes.get_global(ident.name) else {
             return;
@@ -409,7 +410,7 @@ impl Checker<'_> {
     }
 }
 
-/// The hash of what tells functions apart.
+/// Hash of the name and parameter types of a function.
 fn signature(name: Name, types: impl Iterator<Item = Type>) -> u64 {
     let mut hasher = FxHasher::default();
     name.hash(&mut hasher);

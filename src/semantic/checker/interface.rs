@@ -1,36 +1,36 @@
-//! What can be passed between stages, and to and from the shader (GLSL ES 3.00 sections 4.3.4 and
-//! 4.3.6).
+//! Types that can be passed between stages, and to and from the shader (GLSL ES 3.00 sections 4.3.4
+//! and 4.3.6).
 
 use super::qualifier::Wanted;
 use super::*;
 
-/// What is wrong with the type of an input or output.
+/// An error in the type of an input or output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum InterfaceError {
-    /// A type of which none of this storage can be.
+    /// A type that is not allowed with this storage.
     Type(Wanted, Type),
-    /// A truth value.
+    /// A `bool` or vector of them.
     Bool(Wanted),
-    /// A struct, where none of this storage can be one.
+    /// A struct, which is not allowed with this storage.
     Struct(Wanted),
-    /// An array as an input of a vertex shader.
+    /// A vertex shader input that is an array.
     InputArray,
-    /// A matrix as an output of a fragment shader.
+    /// A fragment shader output that is a matrix.
     OutputMatrix,
-    /// An integer that would be interpolated.
+    /// An integer without `flat`.
     NotFlat(Wanted),
     /// An array of structs.
     ArrayOfStructs,
-    /// A struct that holds an array.
+    /// A struct containing an array.
     ArrayInside,
-    /// A struct that holds a struct.
+    /// A struct containing a struct.
     StructInside,
-    /// A struct that holds a truth value.
+    /// A struct containing a `bool`.
     BoolInside,
 }
 
 impl Checker<'_> {
-    /// Asks that values of a type can be passed as the qualifiers say.
+    /// Checks that values of a type can be passed with these qualifiers.
     pub(super) fn passed(&self, storage: Wanted, ty: Type) -> Result<(), InterfaceError> {
         use InterfaceError as E;
         let scalar = match ty.base {
@@ -63,8 +63,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The stage, where variables of this storage lie at its outer end: inputs of vertex shaders and
-    /// outputs of fragment shaders.
+    /// The stage, if variables of this storage are at an end of the pipeline: vertex shader inputs
+    /// and fragment shader outputs.
     fn end_of(&self, storage: Wanted) -> Option<Stage> {
         match (self.stage, storage) {
             (Stage::Vertex, Wanted::In) | (Stage::Fragment, Wanted::Out) => Some(self.stage),
@@ -95,7 +95,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Asks that variables of a type can be declared so: the ends of a pipeline take no structs.
+    /// Checks that variables of a type can have this storage: no structs at the ends of the
+    /// pipeline.
     pub(super) fn passed_as(&self, storage: Wanted, ty: Type) -> Result<(), InterfaceError> {
         let is_legacy = matches!(storage, Wanted::Attribute | Wanted::Varying);
         let takes_none = is_legacy || self.end_of(storage).is_some();

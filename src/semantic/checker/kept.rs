@@ -1,9 +1,9 @@
-//! What the browser's compiler drops of an expression, and what it keeps, before it judges it.
+//! What the browser's compiler removes from an expression, and what it keeps, before its checks.
 
 use super::*;
 
 impl Checker<'_> {
-    /// Whether computing an expression writes anything, or calls a function of the shader.
+    /// Whether an expression writes to anything, or calls a function of the shader.
     pub(super) fn has_side_effects(&self, id: ExprId) -> bool {
         self.subtree(id)
             .any(|(_, info, expr)| match (info.resolution, expr.kind) {
@@ -17,9 +17,9 @@ impl Checker<'_> {
             })
     }
 
-    /// What the browser puts in the place of an operator, so that it can be written to: what stands
-    /// behind `,` where nothing before it does anything, and the branch that a constant chooses. Of
-    /// variables it does so with local ones alone, and behind `,` not with constants.
+    /// The operand that the browser keeps of an operator, so that it can be written to: the right
+    /// one of a `,` if the left has no side effects, and the branch of `? :` that a constant
+    /// selects. It keeps only local variables, and after `,` no constants.
     pub(super) fn kept_operand(&self, id: ExprId) -> Option<ExprId> {
         let kept = match self.tree.expr(id).kind {
             ExprKind::Comma(left, right) => {
@@ -37,20 +37,20 @@ impl Checker<'_> {
         self.is_local(kept).then_some(kept)
     }
 
-    /// Whether an expression is a local variable, or none.
+    /// Whether an expression is a local variable, or not a variable at all.
     fn is_local(&self, id: ExprId) -> bool {
         let variable = self.variable_of(id);
         let variable = variable.and_then(|v| self.variables.get(v.0 as usize));
         variable.is_none_or(|v| v.storage == Storage::Local)
     }
 
-    /// Whether the browser's compiler calls the value of an expression temporary: it is neither
-    /// constant nor a variable of another kind than local.
+    /// Whether an expression is a temporary for the browser's compiler: neither a constant nor a
+    /// variable that is not local.
     pub(super) fn is_temporary(&self, id: ExprId) -> bool {
         !self.info(id).is_const && self.is_local(id)
     }
 
-    /// The variable that an expression is, for the browser.
+    /// The variable that the browser reduces an expression to.
     pub(super) fn variable_behind(&self, id: ExprId) -> Option<VariableId> {
         let mut at = self.tree.unparen(id);
         while let Some(kept) = self.kept_operand(at) {

@@ -3,47 +3,47 @@
 use super::qualifier::{Qualified, Wanted};
 use super::*;
 
-/// What WebGL2 has at least, and what Chromium compiles against.
+/// The minimum that WebGL2 guarantees, and the limit that Chromium compiles with.
 const MAX_VERTEX_ATTRIBS: i32 = 16;
 
-/// What is wrong with a `layout(...)`.
+/// An error in a `layout(...)`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum LayoutError {
-    /// A layout of blocks that WebGL has not.
+    /// A block layout that WebGL does not support.
     NotInWebgl(Name),
     /// `location` without a number.
     NoNumber,
-    /// A word that is no layout.
+    /// An unknown layout qualifier.
     Unknown(Name),
-    /// A word that is no layout, with a number.
+    /// An unknown layout qualifier with a value.
     UnknownNumber(Name),
     /// A location below 0.
     Negative,
-    /// A layout of blocks at a variable.
+    /// A block layout on a variable.
     OfBlock,
-    /// A location where none can be given.
+    /// A location where none is allowed.
     NoLocationHere,
     /// Two locations for one output.
     Twice,
-    /// A location that no input has.
+    /// A location beyond the last input.
     OutOfRange(i32),
     /// A location for several variables.
     Shared,
     /// Qualifiers without a declaration.
     OfNothing,
-    /// A default layout for something else than uniforms.
+    /// A default layout for anything but uniforms.
     NotUniform,
 }
 
-/// What a `layout(...)` says.
+/// The entries of a `layout(...)`.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Layout {
     pub location: Option<i32>,
-    /// How often a location was given.
+    /// Number of `location` entries.
     pub locations: u32,
-    /// `row_major` or `column_major`.
+    /// Whether `row_major` or `column_major` is given.
     pub matrix: bool,
-    /// `std140`, `shared` or `packed`.
+    /// Whether `std140`, `shared` or `packed` is given.
     pub block: bool,
     /// Tokens of the entries.
     pub extent: Option<Extent>,
@@ -56,7 +56,7 @@ impl Layout {
 }
 
 impl Checker<'_> {
-    /// Reads the entries of one `layout(...)` into `layout`.
+    /// Adds the entries of one `layout(...)` to `layout`.
     pub(super) fn read_layout(&mut self, entries: List, layout: &mut Layout) {
         let tree = self.tree;
         for entry in tree.layout(entries) {
@@ -103,7 +103,7 @@ impl Checker<'_> {
         }
     }
 
-    /// What the layout of a variable's declaration must not say.
+    /// Checks the layout of the declaration of a variable.
     pub(super) fn check_variable_layout(&mut self, qualified: &Qualified, extent: Extent) {
         let layout = &qualified.layout;
         let at = layout.extent.unwrap_or(extent);

@@ -1,37 +1,37 @@
-//! What the browser's compiler refuses although the language allows it.
+//! Limits of the browser's compiler that the language itself does not have.
 
 use super::*;
 
-/// Deepest tree that the browser takes.
+/// Deepest tree that the browser accepts.
 const MAX_DEPTH: u32 = 256;
-/// A variable must be smaller, in bytes.
+/// Variables must be smaller than this, in bytes.
 const MAX_PRIVATE: u64 = 64 * 1024;
-/// All variables together, in bytes.
+/// Most bytes of all variables together.
 const MAX_TOTAL: u64 = 16 * 1024 * 1024;
-/// A uniform or block must be smaller, in bytes.
+/// Uniforms and blocks must be smaller than this, in bytes.
 const MAX_SIZE: u64 = 2 * 1024 * 1024 * 1024;
 
-/// What goes over a limit of the browser's.
+/// A limit of the browser that the shader exceeds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum LimitError {
-    /// Statements and operators inside each other.
+    /// Nesting depth of statements and operators.
     Depth,
-    /// A variable of this size, in bytes, and what it must stay below.
+    /// Size of a variable in bytes, and the limit that it must be below.
     Size(Option<Name>, u64, u64),
-    /// The bytes of all variables together, and what they may be.
+    /// Size of all variables together in bytes, and the most that is allowed.
     Total(u64, u64),
-    /// Members of a struct or block.
+    /// Number of members of a struct or block.
     Members,
-    /// Structs inside each other.
+    /// Nesting depth of structs.
     Nesting,
-    /// Parameters of a function.
+    /// Number of parameters of a function.
     Parameters,
-    /// Functions that call each other in a chain.
+    /// Depth of the call chain.
     CallDepth,
 }
 
 impl Checker<'_> {
-    /// Asks that a node at `depth` of the browser's tree is not too deep; reports once a function.
+    /// Checks that `depth` in the browser's tree is not too deep; reports once per function.
     pub(super) fn check_depth(&mut self, depth: u32, extent: Extent) {
         if depth <= MAX_DEPTH || self.deep_reported == Some(self.current) {
             return;
@@ -40,7 +40,7 @@ impl Checker<'_> {
         self.reject(extent, LimitError::Depth);
     }
 
-    /// A declaration with a value is a node with the value below it.
+    /// Checks the depth of a declaration, which is a node with its initializer below it.
     pub(super) fn check_declared_depth(&mut self, declarator: &Declarator) {
         if let Some(init) = declarator.init
             && self.current.is_some()
@@ -50,7 +50,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Asks that a variable, and all together, are not too large.
+    /// Checks the size of a variable, and adds it to the size of all variables.
     pub(super) fn check_size(
         &mut self,
         ty: Type,

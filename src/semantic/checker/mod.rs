@@ -1,10 +1,11 @@
-//! The checker: one walk over the tree, in the order of the text.
+//! The type checker: one walk over the tree, in the order of the text.
 //!
 //! Expressions are checked in the order in which the tree stores them, children before parents,
-//! without recursion. A mistake gives a type that fits everywhere, so that it is reported once.
+//! without recursion. The result of an error has the error type, which is accepted everywhere, so
+//! that each error is reported once.
 //!
-//! A file holds the rules on one thing, below an enum of what can be wrong with it. The words for
-//! that are in the file of the same name in `explain`.
+//! Each file has the checks of one area, and an enum of its errors. Their messages are in the file
+//! of the same name in `explain`.
 
 mod array;
 mod assign;
@@ -75,32 +76,32 @@ use std::sync::Arc;
 pub(super) use switch::SwitchError;
 pub(super) use webgl1::Restriction;
 
-/// Most errors that are looked for in one shader.
+/// Most errors that are reported in one shader.
 pub(super) const MAX_ERRORS: usize = 200;
-/// Most values that are computed from two constants in a shader.
+/// Most components that constant folding of binary operators processes in one shader.
 const MAX_COMPARED: usize = 50_000_000;
 
-/// A parsed shader, on its way to the checker.
+/// A parsed shader: the input of the checker.
 pub struct Parsed {
-    /// The files.
+    /// The files of the shader, those of the host included.
     pub sources: Arc<Sources>,
-    /// The tokens.
+    /// The tokens after preprocessing.
     pub tokens: Tokens,
-    /// The words.
+    /// The interned identifiers.
     pub names: Names,
-    /// The tree.
+    /// The syntax tree.
     pub tree: Tree,
-    /// The version of the language.
+    /// The GLSL ES version of the shader.
     pub version: Version,
-    /// Whether errors were found before.
+    /// Whether the preprocessor or the parser reported errors.
     pub has_errors: bool,
-    /// How many errors are enough: no more are looked for.
+    /// Number of errors after which checking stops.
     pub enough: usize,
 }
 
 /// Checks a parsed shader. `channels` overrides the types of `iChannel0` to `iChannel3`.
 ///
-/// Returns what is known of the shader and what is wrong with it.
+/// Returns the checked program and its problems.
 pub fn check(
     parsed: Parsed,
     stage: Stage,
@@ -112,7 +113,7 @@ pub fn check(
     let mut checker = run(Doubts::default(), parsed.enough);
     if !checker.doubts.met.is_empty() {
         if checker.gave_up() {
-            // Errors behind a doubtful declaration may be gone when it is settled.
+            // Errors after a doubtful declaration may disappear once its type is chosen.
             checker = run(Doubts::default(), MAX_ERRORS);
         }
         let met = std::mem::take(&mut checker.doubts.met);
@@ -172,7 +173,7 @@ pub fn check(
     (program, problems)
 }
 
-/// One look at a shader, by what is taken to be doubtful in it.
+/// One pass over a shader, with the given choices for doubtful declarations.
 fn look(
     parsed: &Parsed,
     stage: Stage,
@@ -240,7 +241,7 @@ fn look(
     checker
 }
 
-/// What a statement stands in.
+/// The kind of statement around another.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum FlowKind {
     Block,
@@ -249,7 +250,7 @@ enum FlowKind {
     Switch(Type),
 }
 
-/// An open statement, with what the checks of loops and switches need.
+/// An enclosing statement, with the state that the checks of loops and switches need.
 struct Flow {
     kind: FlowKind,
     has_break: bool,
@@ -274,40 +275,40 @@ struct Checker<'a> {
     declared: Vec<Option<VariableId>>,
     declared_params: Vec<Option<VariableId>>,
     pool: Pool,
-    /// By the hash of name and parameters, the first function that has it.
+    /// The first function with each hash of name and parameter types.
     by_signature: FxHashMap<u64, FunctionRef>,
     by_name: FxHashMap<Name, Vec<FunctionRef>>,
-    /// By name: the built-in function, once it was looked up.
+    /// The built-in function of each name; the outer `None` is a name that was not looked up yet.
     builtin_names: Vec<Option<Option<BuiltinId>>>,
     builtin_variables: FxHashMap<Name, VariableId>,
     current: Option<FunctionRef>,
-    /// The whole expression at hand, and the type that it should have.
+    /// The root of the expression being checked, and the type that its context expects.
     whole: ExprId,
     wanted: Option<Type>,
-    /// Depth of the statement at hand in the browser's tree.
+    /// Depth of the current statement in the browser's tree.
     level: u32,
     flow: Vec<Flow>,
-    /// Undeclared names: the problem that speaks of them, and how often they were used since.
+    /// Undeclared names: the index of the problem that reports them, and the number of later uses.
     undeclared: FxHashMap<Name, (usize, u32)>,
     reported_names: FxHashSet<Name>,
-    /// How many values may still be computed from two constants.
+    /// Components that constant folding of binary operators may still process.
     comparable: usize,
-    /// How many errors are looked for.
+    /// Number of errors after which checking stops, at most [`MAX_ERRORS`].
     most_errors: usize,
-    /// Types whose missing precision was reported.
+    /// Types with a missing precision that was already reported.
     missing_precision: Vec<Base>,
-    /// The function in which too deep a tree was reported.
+    /// The last function in which a tree that is too deep was reported.
     deep_reported: Option<Option<FunctionRef>>,
     outputs: Vec<output::Output>,
     loops: Vec<LoopCheck>,
     private_size: u64,
     frag_color: Option<TokenId>,
     frag_data: Option<TokenId>,
-    /// Functions that could not be declared; calls of them are not judged.
+    /// Functions that could not be declared; calls of them are not checked.
     unknown_functions: FxHashSet<Name>,
-    /// Variables that start as true.
+    /// Variables of type `bool` that are initialized with `true`.
     always_true: FxHashSet<VariableId>,
-    /// What the function at hand returns, and whether a `return` with a value was seen in it.
+    /// The return type of the current function, and whether it has a `return` with a value.
     returned: Type,
     returns_value: bool,
     problems: Vec<Problem>,
@@ -346,7 +347,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether so much is wrong that looking on is of no use.
+    /// Whether enough errors were found to stop.
     pub(super) fn gave_up(&self) -> bool {
         self.problems.len() >= self.most_errors
     }
@@ -355,7 +356,7 @@ impl<'a> Checker<'a> {
         self.scopes.depth() == 0
     }
 
-    /// Reports what is wrong at a place.
+    /// Reports a problem at `at`.
     fn reject(&mut self, at: Extent, what: impl Into<ProblemKind>) {
         if self.gave_up() {
             return;
@@ -378,12 +379,12 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// Reports what is wrong with an expression.
+    /// Reports a problem of an expression.
     fn reject_expr(&mut self, id: ExprId, what: impl Into<ProblemKind>) {
         self.reject(self.tree.expr(id).extent, what);
     }
 
-    /// Adds to a problem what came to be known of it.
+    /// Adds later information to a problem.
     fn add_aside(&mut self, problem: usize, aside: Aside) {
         if let Some(problem) = self.problems.get_mut(problem) {
             problem.asides.push(aside);

@@ -1,37 +1,37 @@
-//! Names: what they stand for.
+//! Name resolution, and errors about names.
 
 use super::super::builtins::{BuiltinStorage, BuiltinVariable, LEGACY_FUNCTIONS};
 use super::*;
 
-/// What is wrong with a name, where it is declared or used.
+/// An error in the declaration or use of a name.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NameError {
-    /// A name that is not the user's to give, and whose it is.
+    /// A reserved name, and who reserves it.
     Reserved(Name, Owner),
-    /// A name that stands for something in the scope already.
+    /// A name that is already declared in the scope.
     Twice(Name, Binding),
-    /// A function, block or type where a variable is needed.
+    /// A function, block or type used as a variable.
     NotAVariable(Name, Binding),
     /// A variable that is not declared.
     Undeclared(Name),
-    /// A name used as a type that is none.
+    /// A name used as a type that is not a type.
     UnknownType(Name),
-    /// A function of GLSL ES 1.00, and what took its place.
+    /// A function of GLSL ES 1.00, and its replacement.
     LegacyFunction(Name, &'static str),
     /// A function that is not declared.
     UndeclaredFunction(Name),
 }
 
-/// Whose names are reserved.
+/// Who reserves a name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Owner {
     Language,
     Webgl,
-    /// WebGL too, by two underscores.
+    /// WebGL as well: names with two underscores in a row.
     Browser,
 }
 
-/// Whose a name is, if not the user's.
+/// Who reserves a name, if it is reserved.
 fn owner(name: &str) -> Option<Owner> {
     if !name.as_bytes().contains(&b'_') {
         None
@@ -45,7 +45,7 @@ fn owner(name: &str) -> Option<Owner> {
 }
 
 impl Checker<'_> {
-    /// Asks whether a name is free for the user: no `gl_`, no `webgl_`, no two underscores.
+    /// Checks that a name is not reserved: no `gl_`, no `webgl_`, no two underscores in a row.
     pub(super) fn check_not_reserved(&mut self, ident: Ident) -> bool {
         let Some(owner) = owner(self.text(ident.name)) else {
             return true;
@@ -60,7 +60,7 @@ impl Checker<'_> {
         false
     }
 
-    /// Reports a name that the innermost scope has already.
+    /// Reports a name that is already declared in the innermost scope.
     pub(super) fn is_redefinition(&mut self, ident: Ident) -> bool {
         let Some(before) = self.scopes.get_here(ident.name) else {
             return false;
@@ -73,7 +73,7 @@ impl Checker<'_> {
         true
     }
 
-    /// The variable that a name stands for here, the language's own included.
+    /// The variable that a name resolves to here, built-in variables included.
     pub(super) fn find_variable(&mut self, name: Name) -> Option<VariableId> {
         match self.scopes.get(name) {
             Some(Binding::Variable(id)) => Some(id),
@@ -90,7 +90,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Makes a built-in variable known under its name.
+    /// Adds a built-in variable to the program.
     fn declare_builtin(&mut self, name: Name, found: BuiltinVariable) -> VariableId {
         let storage = match found.storage {
             BuiltinStorage::In => Storage::Input,
@@ -117,7 +117,7 @@ impl Checker<'_> {
         id
     }
 
-    /// The struct of `gl_DepthRange`.
+    /// Adds the struct type of `gl_DepthRange`.
     fn depth_range(&mut self) -> Type {
         let fields = ["near", "far", "diff"]
             .iter()
@@ -191,7 +191,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether a name was reported before; counts the use.
+    /// Whether an undeclared name was already reported; counts the use.
     pub(super) fn was_reported(&mut self, name: Name) -> bool {
         match self.undeclared.get_mut(&name) {
             Some((_, uses)) => {
@@ -213,14 +213,14 @@ impl Checker<'_> {
     }
 
     fn undeclared_variable(&mut self, name: Name, token: TokenId) {
-        // A word that the language keeps was reported when it was read.
+        // Reserved words have been reported by the parser.
         if self.token(token).kind == TokenKind::Reserved || self.was_reported(name) {
             return;
         }
         self.report_undeclared(name, Extent::token(token), NameError::Undeclared(name));
     }
 
-    /// A name used as a type that is none.
+    /// A name used as a type that is not a type.
     pub(super) fn unknown_type(&mut self, name: Name, token: TokenId) {
         if self.was_reported(name) {
             return;
@@ -228,7 +228,7 @@ impl Checker<'_> {
         self.report_undeclared(name, Extent::token(token), NameError::UnknownType(name));
     }
 
-    /// A call of a function that nothing declares.
+    /// A call of a function that is not declared.
     pub(super) fn undeclared_function(&mut self, name: Name, token: TokenId) {
         let text = self.text(name);
         let legacy = LEGACY_FUNCTIONS.iter().find(|(old, _)| *old == text);

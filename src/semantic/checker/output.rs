@@ -6,18 +6,18 @@ use super::*;
 /// Most outputs of a fragment shader.
 const MAX_DRAW_BUFFERS: u64 = 8;
 
-/// What is wrong with the outputs of a fragment shader.
+/// An error in the outputs of a fragment shader.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum OutputError {
-    /// A location that is not among so many.
+    /// An output beyond the last location, and the number of locations.
     Outside(Name, u64),
-    /// The location of another output.
+    /// An output, and another one at the same location.
     Shared(Name, Ident, u64),
-    /// An output of the user's beside that of the host.
+    /// An output of the user in addition to that of the host.
     BesideHosts(Name),
     /// One of several outputs, without a location.
     NoLocation(Name),
-    /// Both of the language's own outputs; where the first is used.
+    /// `gl_FragColor` and `gl_FragData` in one shader; the first use of the earlier one.
     ColorAndData(TokenId),
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Output {
 }
 
 impl Checker<'_> {
-    /// Remembers an output for the check of locations.
+    /// Records an output for the check of locations.
     pub(super) fn note_output(&mut self, declarator: &Declarator, qualified: &Qualified, ty: Type) {
         if self.stage == Stage::Fragment
             && qualified.storage == Wanted::Out
@@ -80,7 +80,7 @@ impl Checker<'_> {
         let Some(without) = outputs.iter().find(|o| o.location.is_none()) else {
             return;
         };
-        // The output of ShaderToy's own header has none: the user's is one too many.
+        // The output of ShaderToy's header has no location, so the user's output is the error.
         let users = outputs.iter().find(|o| !self.is_prelude(o.ident.token));
         if let (true, Some(output)) = (self.is_prelude(without.ident.token), users) {
             let at = Extent::token(output.ident.token);
@@ -90,7 +90,7 @@ impl Checker<'_> {
         self.reject(at, OutputError::NoLocation(without.ident.name));
     }
 
-    /// `gl_FragColor` and `gl_FragData` exclude each other.
+    /// Reports the use of both `gl_FragColor` and `gl_FragData`.
     pub(super) fn check_fragment_variables(&mut self) {
         if let (Some(color), Some(data)) = (self.frag_color, self.frag_data) {
             let at = Extent::token(color.max(data));

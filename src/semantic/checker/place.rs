@@ -1,39 +1,39 @@
-//! What can be written to (GLSL ES 3.00 section 5.8).
+//! L-values: what can be written to (GLSL ES 3.00 section 5.8).
 
 use super::*;
 
-/// What cannot be written to.
+/// A write to something that is not assignable.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum PlaceError {
-    /// An expression that is no part of a variable, and what would write to it.
+    /// An expression that is not an l-value, and what writes to it.
     NoPlace(ExprId, Writer),
-    /// Letters that name a component of so many twice.
+    /// A swizzle that repeats a component, and the size of its vector.
     Repeats(Name, u8),
     /// A constant.
     Constant(VariableId),
     /// A uniform.
     Uniform(VariableId),
-    /// An input of the stage.
+    /// A shader input.
     Input(VariableId),
     /// A `const` parameter.
     ConstParameter(VariableId),
     /// A sampler.
     Sampler(VariableId),
-    /// A struct or array that holds a sampler.
+    /// A struct or array containing a sampler.
     SamplerInside(VariableId),
 }
 
 /// What writes to a place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Writer {
-    /// `=`, or an operator with it.
+    /// `=`, or an operator combined with it.
     Assign(Option<BinaryOp>),
     /// `++` or `--`, or the qualifier of a parameter.
     Word(&'static str),
 }
 
 impl Checker<'_> {
-    /// Notes that something is written to an expression.
+    /// Marks the variable of an expression as written.
     pub(super) fn mark_written(&mut self, id: ExprId) {
         let mut at = id;
         loop {
@@ -54,10 +54,10 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether something can be assigned to `id`; reports at `extent` where not.
+    /// Whether `id` is assignable; reports at `extent` if not.
     pub(super) fn check_assignable(&mut self, id: ExprId, extent: Extent, by: Writer) -> bool {
         let mut at = id;
-        // The browser does not look at the components of which an index takes one.
+        // The browser does not check a swizzle that is indexed.
         let mut is_indexed = false;
         loop {
             match self.tree.expr(at).kind {

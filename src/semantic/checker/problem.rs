@@ -1,18 +1,18 @@
-//! What the checker finds wrong, as data: whether words are made of it, others decide.
+//! Problems that the checker finds, as data. `explain` turns them into messages.
 
 use super::*;
 
-/// Something that is wrong, and what was known of the shader when it was met.
+/// A problem, and the state of the checker when it was found.
 #[derive(Debug)]
 pub(crate) struct Problem {
     pub at: Extent,
     pub what: ProblemKind,
     pub moment: ProblemMoment,
-    /// What came to be known of it later.
+    /// Information that was added later.
     pub asides: Vec<Aside>,
 }
 
-/// How far the checker was: what was declared later is not known yet.
+/// State of the checker: the number of items known so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ProblemMoment {
     pub exprs: usize,
@@ -21,49 +21,49 @@ pub(crate) struct ProblemMoment {
     pub structs: usize,
     pub scopes: ScopeMark,
     pub current: Option<FunctionRef>,
-    /// The whole expression at hand, and the type that it should have.
+    /// The root of the expression being checked, and the type that its context expects.
     pub whole: ExprId,
     pub wanted: Option<Type>,
 }
 
-/// What came to be known of a problem after it was met.
+/// Information about a problem that was found later.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Aside {
-    /// How often an undeclared name is used besides.
+    /// Number of further uses of an undeclared name.
     Used(u32),
-    /// An undeclared variable is first set to a value of this type.
+    /// Type of the first value that is assigned to an undeclared variable.
     SetTo(Type),
-    /// What is declared a second time.
+    /// The second declaration of a name.
     Second(SecondDeclaration),
-    /// An argument that cannot be written to is one for a parameter so qualified.
+    /// Qualifier of the parameter for which an argument must be assignable.
     Argument(&'static str),
 }
 
-/// A declaration of a name that has one.
+/// A declaration of a name that is already declared.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SecondDeclaration {
     pub ident: Ident,
     pub first: VariableId,
     pub ty: Type,
     pub spec: Option<Extent>,
-    /// Whether the uses behind it mean the second one.
+    /// Whether later uses refer to the second declaration.
     pub is_meant: bool,
 }
 
-/// All that is wrong with a shader.
+/// All problems of a shader, in the order in which they were found.
 pub struct Problems {
     pub(crate) all: Vec<Problem>,
-    /// The scopes of all moments.
+    /// Log of the scopes, to restore those of any moment.
     pub(crate) scopes: ScopeLog,
 }
 
 impl Problems {
-    /// How many there are.
+    /// Number of problems.
     pub fn len(&self) -> usize {
         self.all.len()
     }
 
-    /// Whether nothing is wrong.
+    /// Whether there are no problems.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
@@ -71,7 +71,7 @@ impl Problems {
 
 macro_rules! kinds {
     ($($kind:ident($of:ident)),* $(,)?) => {
-        /// All that can be wrong.
+        /// Every kind of problem.
         #[derive(Clone, Debug)]
         pub(crate) enum ProblemKind {
             $($kind($of)),*

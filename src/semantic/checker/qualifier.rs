@@ -2,48 +2,48 @@
 
 use super::*;
 
-/// What is wrong with qualifiers, or with a precision.
+/// An error in qualifiers or precisions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum QualifierError {
-    /// What no local variable can be.
+    /// A qualifier that is not allowed on a local variable.
     Local,
-    /// What can stand at global scope only.
+    /// A qualifier that is only allowed at global scope.
     NotGlobal,
     /// `in` or `out` in a version without them.
     Later,
-    /// `inout`, where no parameter is.
+    /// `inout` on anything but a parameter.
     NoParameter,
     /// `attribute` in a fragment shader.
     NoAttribute,
-    /// Qualifiers of which one excludes another.
+    /// Qualifiers that exclude each other.
     Together,
-    /// Two qualifiers of one kind.
+    /// Two qualifiers of the same kind.
     Twice,
-    /// `invariant` and `layout`.
+    /// `invariant` and `layout` in one declaration.
     InvariantLayout,
-    /// Qualifiers in another order than the language's.
+    /// Qualifiers in the wrong order.
     Order,
-    /// What no parameter can be.
+    /// A qualifier that is not allowed on this parameter.
     Parameter,
-    /// What no return type can be.
+    /// A qualifier that is not allowed on a return type.
     Returned,
-    /// An interpolation without `in` or `out`.
+    /// An interpolation qualifier without `in` or `out`.
     Alone(Wanted),
-    /// `invariant` at something else than an output.
+    /// `invariant` on anything but an output.
     Invariant,
-    /// The same, at a variable that was declared before.
+    /// The same, on a variable that was declared before.
     InvariantVariable(Name),
-    /// A qualifier that cannot be given to a variable that was declared before.
+    /// A qualifier other than `invariant` on a variable that was declared before.
     Afterwards,
-    /// A name that nothing declares, where one gets a qualifier.
+    /// A redeclaration of a name that is not declared.
     Undeclared(Name),
-    /// A name where a type or another name is missing.
+    /// A declaration that lacks a type or a name.
     Incomplete(Name),
-    /// A precision for a type that has none.
+    /// A precision on a type that has none.
     NoPrecision(Type),
     /// A type without the precision that it needs.
     MissingPrecision(Type),
-    /// A default precision for a type that takes none.
+    /// A default precision for a type that cannot have one.
     DefaultPrecision,
 }
 
@@ -96,7 +96,7 @@ impl Precisions {
     }
 }
 
-/// The storage that qualifiers ask for, before it is known what they qualify.
+/// The storage that qualifiers request, before it is known what they qualify.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[rustfmt::skip]
 pub(crate) enum Wanted {
@@ -105,7 +105,7 @@ pub(crate) enum Wanted {
 }
 
 impl Wanted {
-    /// Whether it is an input of the stage.
+    /// Whether this is an input of the stage.
     pub fn is_input(self) -> bool {
         matches!(
             self,
@@ -113,7 +113,7 @@ impl Wanted {
         )
     }
 
-    /// Whether it is an output of the stage.
+    /// Whether this is an output of the stage.
     pub fn is_output(self) -> bool {
         matches!(
             self,
@@ -121,7 +121,7 @@ impl Wanted {
         )
     }
 
-    /// The qualifier in words.
+    /// The qualifiers as they are written in GLSL.
     pub fn name(self) -> &'static str {
         match self {
             Wanted::None => "",
@@ -145,7 +145,7 @@ impl Wanted {
     }
 }
 
-/// What the qualifiers of a declaration say.
+/// The qualifiers of a declaration, combined.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Qualified {
     pub storage: Wanted,
@@ -157,7 +157,7 @@ pub(super) struct Qualified {
     pub extent: Option<Extent>,
 }
 
-/// The four groups whose order section 4.7 fixes.
+/// Groups of qualifiers, in the order that section 4.7 requires.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Invariant,
@@ -222,7 +222,7 @@ impl Checker<'_> {
         result
     }
 
-    /// Qualifiers that only global scope, one stage or one version allows.
+    /// Reports a qualifier that this scope, stage or version does not allow.
     fn check_place(&mut self, qualifier: &Qualifier) {
         use QualifierKind as Q;
         let local = !self.at_global_scope();
@@ -240,7 +240,7 @@ impl Checker<'_> {
         self.reject(qualifier.extent, problem);
     }
 
-    /// Each qualifier once, and in the order of section 4.7.
+    /// Checks that each qualifier occurs once, and in the order of section 4.7.
     pub(super) fn check_sequence(&mut self, all: &[Qualifier]) -> bool {
         match sequence(all) {
             Ok(()) => true,
@@ -251,13 +251,13 @@ impl Checker<'_> {
         }
     }
 
-    /// Adds one qualifier to the storage so far, if they go together.
+    /// Adds a qualifier to the storage so far; `None` if they exclude each other.
     fn join(&self, storage: Wanted, kind: QualifierKind) -> Option<Wanted> {
         use QualifierKind as Q;
         use Wanted as W;
         let vertex = self.stage == Stage::Vertex;
         let has_in_out = self.has(Feature::InOut);
-        // `attribute` and `varying` were reported where the version has them not.
+        // `attribute` and `varying` have already been reported in a version without them.
         let kind = match kind {
             Q::Attribute if has_in_out => Q::In,
             Q::Varying if has_in_out && vertex => Q::Out,
@@ -287,7 +287,7 @@ impl Checker<'_> {
         })
     }
 
-    /// The direction that the qualifiers of a parameter give.
+    /// The direction of a parameter, and whether it has a precision.
     pub(super) fn param_qualifiers(&mut self, list: List) -> (Direction, bool) {
         use QualifierKind as Q;
         let tree = self.tree;
@@ -326,7 +326,7 @@ impl Checker<'_> {
         (direction, precision)
     }
 
-    /// Asks that a type which needs a precision has one, given or by default.
+    /// Checks that a type that needs a precision has one, explicitly or by default.
     pub(super) fn check_precision(&mut self, ty: Type, given: bool, extent: Extent) {
         let base = ty.base;
         let takes = match base {
@@ -380,6 +380,7 @@ impl Checker<'_> {
         }
         self.precisions.set(base);
     }
+
     /// `invariant gl_Position;`
     pub(super) fn requalify(&mut self, qualifiers: List, ident: Ident) {
         let qualified = self.qualifiers(qualifiers);
@@ -416,7 +417,7 @@ impl Checker<'_> {
     }
 }
 
-/// Asks that each qualifier stands once, and in the order of section 4.7.
+/// Checks that each qualifier occurs once, and in the order of section 4.7.
 fn sequence(all: &[Qualifier]) -> Result<(), (Extent, QualifierError)> {
     let mut highest = Rank::Invariant;
     let mut seen_invariant = false;
@@ -429,7 +430,7 @@ fn sequence(all: &[Qualifier]) -> Result<(), (Extent, QualifierError)> {
         });
         let clash = this == Rank::Layout && seen_invariant;
         seen_invariant |= this == Rank::Invariant;
-        // A layout may stand before or behind the interpolation.
+        // A layout may come before or after the interpolation.
         let late = match this {
             Rank::Layout => highest > Rank::Layout,
             Rank::Interpolation => highest > Rank::Layout,

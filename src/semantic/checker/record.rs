@@ -3,24 +3,24 @@
 use super::qualifier::Wanted;
 use super::*;
 
-/// What is wrong with a struct or an interface block.
+/// An error in a struct or an interface block.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum RecordError {
-    /// No members.
+    /// A struct or block without members.
     Empty(Record),
     /// A struct that is declared inside another.
     Inside,
-    /// A member without a value.
+    /// A member of type `void`.
     VoidMember,
-    /// A name of two members, and where the first stands.
+    /// A name of two members, and the token of the first.
     MemberTwice(Name, TokenId),
-    /// What no member can be.
+    /// A qualifier that is not allowed on a member.
     MemberQualifier(Record),
     /// A sampler in a block.
     SamplerInBlock,
     /// A block in a version without them.
     BlockLater,
-    /// A block of something else than uniforms.
+    /// A block of anything but uniforms.
     BlockStorage,
     /// A block that is `invariant`.
     BlockInvariant,
@@ -28,11 +28,11 @@ pub(crate) enum RecordError {
     BlockLocation,
     /// An array of blocks without a size.
     BlocksUnsized,
-    /// A block in the place of a value.
+    /// A block used as a statement.
     BlockAlone,
 }
 
-/// What has members.
+/// Declarations with members.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Record {
     Struct,
@@ -41,7 +41,7 @@ pub(crate) enum Record {
 
 /// Deepest nesting of structs that WebGL allows (WebGL 1.0 section 6.20).
 const MAX_NESTING: u32 = 4;
-/// The members of desktop GLSL's `gl_PerVertex`. Browsers take these names in every struct, and in
+/// Members of desktop GLSL's `gl_PerVertex`. Browsers accept these names in every struct, and in
 /// every block that has a name.
 const PER_VERTEX: [&str; 4] = [
     "gl_Position",
@@ -49,17 +49,17 @@ const PER_VERTEX: [&str; 4] = [
     "gl_ClipDistance",
     "gl_CullDistance",
 ];
-/// Most members; a limit of ANGLE's.
+/// Most members of a struct or block, a limit of ANGLE.
 const MAX_FIELDS: usize = 16_383;
 
-/// Members at hand, with what their qualifiers were.
+/// The members of a struct or block, and what their types contain.
 struct Members {
     fields: Vec<Field>,
     inside: Inside,
 }
 
 impl Checker<'_> {
-    /// Declares a struct and gives its type.
+    /// Declares a struct and returns its type.
     pub(super) fn structure(&mut self, id: StructId) -> Type {
         let tree = self.tree;
         let Some(decl) = tree.structure(id) else {
@@ -143,7 +143,7 @@ impl Checker<'_> {
         }
         seen.insert(ident.name, ident.token);
         let inside = self.inside(ty);
-        // Told once, not of every struct around it.
+        // Reported once, not for every enclosing struct.
         if inside.nesting == MAX_NESTING && members.inside.nesting <= MAX_NESTING {
             self.reject(Extent::token(ident.token), LimitError::Nesting);
         }
@@ -178,7 +178,7 @@ impl Checker<'_> {
         ty
     }
 
-    /// Members of structs take only a precision; those of blocks `uniform` and a layout too.
+    /// Members of structs can only have a precision; those of blocks also `uniform` and a layout.
     fn member_qualifiers(&mut self, line: &FieldDecl, record: Record) {
         let tree = self.tree;
         let mut precisions = 0;
@@ -193,7 +193,7 @@ impl Checker<'_> {
                 Q::Layout(entries) if record == Record::Block => {
                     let mut found = layout::Layout::default();
                     self.read_layout(entries, &mut found);
-                    // The browser reads a location here, and forgets it.
+                    // The browser accepts a location here, and ignores it.
                     !found.block
                 }
                 _ => false,

@@ -4,10 +4,10 @@ use super::super::constant::Value;
 use super::finish::LoopCheck;
 use super::*;
 
-/// How deep the checker follows statements; the parser stops before.
+/// Deepest nesting of statements that is checked; the limit of the parser is lower.
 const MAX_DEPTH: u32 = 400;
 
-/// What is wrong with a statement.
+/// An error in a statement.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum StatementError {
     /// `break` outside of loops and `switch`.
@@ -16,17 +16,17 @@ pub(crate) enum StatementError {
     Continue,
     /// `discard` outside of fragment shaders.
     Discard,
-    /// A condition that declares something else than a truth value.
+    /// A condition that declares a variable of another type than `bool`.
     Condition(Condition, Type),
-    /// A condition that is no truth value.
+    /// A condition that is not a `bool`.
     NoCondition(ExprId, Condition, Type),
-    /// A `return` that does not give what the function does.
+    /// A `return` with a value of the wrong type, or without the value it needs.
     Return(Option<ExprId>, Misfit),
-    /// A loop without an end, and the variable that would have to end it.
+    /// A loop that never terminates, and the variable that it tests.
     Endless(Option<VariableId>),
 }
 
-/// What a condition decides on.
+/// The statement or operator that a condition belongs to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Condition {
     /// `? :`
@@ -37,7 +37,7 @@ pub(crate) enum Condition {
 }
 
 impl Checker<'_> {
-    /// The statements of a block, in the scope that is open.
+    /// The statements of a block, in the current scope.
     pub(super) fn statements(&mut self, list: List) {
         let tree = self.tree;
         for &id in tree.block(list) {
@@ -57,7 +57,7 @@ impl Checker<'_> {
         self.close_scope();
     }
 
-    /// A statement whose block, if it is one, opens no further scope.
+    /// A statement that opens no further scope, even if it is a block.
     fn unscoped(&mut self, id: StmtId) {
         self.level += 1;
         match self.tree.stmt(id).kind {
@@ -95,8 +95,8 @@ impl Checker<'_> {
         });
     }
 
-    /// Ends a statement and tells the one around it what it holds. A `break` in a block or `if`
-    /// leaves what is around too; one in a loop or `switch` does not.
+    /// Ends a statement and passes what it contains to the one around it. A `break` in a block or
+    /// `if` also leaves the enclosing statement; one in a loop or `switch` does not.
     pub(super) fn close_flow(&mut self) -> Option<Flow> {
         let ended = self.flow.pop()?;
         if let Some(outer) = self.flow.last_mut() {
@@ -114,7 +114,7 @@ impl Checker<'_> {
         if self.level > MAX_DEPTH * 2 {
             return;
         }
-        // What the browser may drop is looked at when it is known whether it does.
+        // A statement that the browser may remove is checked once it is known whether it does.
         let is_label = matches!(stmt.kind, StmtKind::Case(_) | StmtKind::Default);
         if !is_label && !self.may_be_dropped(id) {
             self.check_label_before(stmt.extent);
@@ -172,8 +172,8 @@ impl Checker<'_> {
         }
     }
 
-    /// `S;` for a struct, which parses as an expression but is a declaration without a name. What
-    /// `S[2];` says of its size is looked at all the same.
+    /// `S;` for a struct, which parses as an expression but is a declaration without a name. The
+    /// size in `S[2];` is checked all the same.
     fn declares_nothing(&mut self, expr: ExprId) -> bool {
         let (named, size) = match self.tree.expr(expr).kind {
             ExprKind::Index(array, size) => (array, Some(size)),
@@ -185,7 +185,7 @@ impl Checker<'_> {
         if !matches!(self.scopes.get(name), Some(Binding::Struct(_))) {
             return false;
         }
-        // Expressions are checked in the order of the tree; these two have nothing to be checked.
+        // Every expression of the tree needs an entry; these two have nothing to check.
         self.exprs.push(ExprInfo::ERROR);
         if let Some(size) = size {
             self.root(size, self.level);
@@ -194,14 +194,14 @@ impl Checker<'_> {
         true
     }
 
-    /// The instance of a block, or an element of an array of them, is no statement.
+    /// Reports the instance of a block, or an element of an array of them, as a statement.
     fn check_no_block(&mut self, expr: ExprId) {
         if matches!(self.ty(expr).base, Base::Block(_)) {
             self.reject(self.tree.expr(expr).extent, RecordError::BlockAlone);
         }
     }
 
-    /// An expression that is a node of its own at `level` of the browser's tree.
+    /// Checks an expression that is a node at `level` of the browser's tree.
     pub(super) fn root(&mut self, expr: ExprId, level: u32) {
         self.eval(expr);
         let height = self.info(expr).height as u32;
@@ -246,7 +246,7 @@ impl Checker<'_> {
             match otherwise {
                 None => break,
                 Some(next) if matches!(tree.stmt(next).kind, StmtKind::If { .. }) => {
-                    // In the browser's tree it stands in a block of the `if` before.
+                    // In the browser's tree it is in a block of the previous `if`.
                     self.open_flow(FlowKind::If);
                     open += 1;
                     self.level += 2;
@@ -349,8 +349,8 @@ impl Checker<'_> {
         }
     }
 
-    /// A loop whose condition is always true, without a `break` or `return`, never ends, and
-    /// browsers refuse it.
+    /// Reports a loop with an always-true condition and no `break` or `return`, which browsers
+    /// reject.
     fn end_loop(&mut self, condition: Option<StmtId>, extent: Extent) {
         let Some(flow) = self.close_flow() else {
             return;
@@ -385,7 +385,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Remembers a `bool` that starts as true.
+    /// Records a `bool` that is initialized with `true`.
     pub(super) fn track_always_true(&mut self, id: VariableId, init: ExprInfo, ty: Type) {
         if ty == Type::BOOL && self.pool.scalar(init.constant) == Some(Value::Bool(true)) {
             self.always_true.insert(id);

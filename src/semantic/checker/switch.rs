@@ -3,22 +3,22 @@
 use super::super::constant::Value;
 use super::*;
 
-/// What is wrong with a `switch`.
+/// An error in a `switch`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum SwitchError {
-    /// A selector that is no integer.
+    /// A selector that is not an integer.
     Selector(ExprId),
-    /// A label that is no integer.
+    /// A label that is not an integer.
     Label(ExprId),
     /// A label that is not constant.
     NotConstant(ExprId),
-    /// A label of another type than the selector, and that type.
+    /// A label of another type than the selector, and the type of the selector.
     LabelType(ExprId, Type),
-    /// `case` or `default` outside of it.
+    /// `case` or `default` that is not directly inside a `switch`.
     Outside(&'static str),
-    /// A label that stands there already, at this token.
+    /// A duplicate label, and the token of the first one.
     Twice(TokenId),
-    /// A last label with nothing behind it but what the browser drops.
+    /// A last label without a statement; the statement after it that the browser removes, if any.
     NothingBehind(Option<Extent>),
     /// A statement before the first label.
     BeforeLabels,
@@ -44,7 +44,7 @@ impl Checker<'_> {
         self.close_scope();
     }
 
-    /// Behind the last label of a `switch` must stand a statement that the browser keeps.
+    /// Checks that the last label of a `switch` is followed by a statement that the browser keeps.
     fn check_last_label(&mut self, body: List) {
         let tree = self.tree;
         let mut dropped = None;
@@ -60,7 +60,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether a statement is of a kind that [`Checker::is_dropped`] may speak of.
+    /// Whether a statement is of a kind that the browser may remove: see [`Checker::is_dropped`].
     pub(super) fn may_be_dropped(&self, id: StmtId) -> bool {
         match self.tree.stmt(id).kind {
             StmtKind::If { .. } => true,
@@ -72,8 +72,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether nothing of a statement is left in the browser's tree: `precision`, and an `if` whose
-    /// constant condition chooses a branch that is not there, or is dropped itself.
+    /// Whether the browser removes a statement from its tree: `precision`, and an `if` with a
+    /// constant condition that selects a missing branch, or one that is removed itself.
     pub(super) fn is_dropped(&self, id: StmtId) -> bool {
         let mut at = id;
         loop {
@@ -122,7 +122,7 @@ impl Checker<'_> {
         self.label(Some((number, value, info.ty)), extent.first);
     }
 
-    /// A label that was reported still makes the statements behind it reachable.
+    /// Records a faulty label, so that the statements after it are not reported.
     fn label_unknown(&mut self) {
         if let Some(Flow {
             kind: FlowKind::Switch(_),
@@ -134,7 +134,7 @@ impl Checker<'_> {
         }
     }
 
-    /// A `case` with its value, or `default`.
+    /// Checks a `case` with its value, or `default`.
     pub(super) fn label(&mut self, case: Option<(i64, ExprId, Type)>, token: TokenId) {
         let Some(Flow {
             kind: FlowKind::Switch(selector),
@@ -160,7 +160,7 @@ impl Checker<'_> {
         }
     }
 
-    /// No statement of a `switch` may stand before its first label.
+    /// Reports a statement of a `switch` before its first label.
     pub(super) fn check_label_before(&mut self, extent: Extent) {
         if let Some(Flow {
             kind: FlowKind::Switch(_),

@@ -1,4 +1,4 @@
-//! Code in, what is wrong with it out, before words are made of it: a table for each area.
+//! Tables of code and the first problem that is found in it, before it has a message.
 
 use super::*;
 use crate::Pass;
@@ -6,8 +6,8 @@ use crate::explain::explain;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_syntax::{ParseOptions, Search, parse, preprocess};
 
-/// Checks a table of lines `code => what is found first`, and that each variant of the enum `name`
-/// in `source` is found and explained with a message of one line.
+/// Checks a table of lines `code => first problem`, and that each variant of the enum `name` in
+/// `source` is found and explained with a message of one line.
 ///
 /// The code is a fragment shader of GLSL ES 3.00, unless it starts with another stage: `vertex:`,
 /// `fragment 100:`, `vertex 100:`, or `image:` for a pass of ShaderToy.
@@ -82,7 +82,7 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
     (found, explain(&program, &problems))
 }
 
-/// The name of a variant, without what it holds.
+/// The name of a variant, without its fields.
 fn variant(debug: &str) -> &str {
     let end = debug.find(|c: char| !c.is_alphanumeric());
     &debug[..end.unwrap_or(debug.len())]

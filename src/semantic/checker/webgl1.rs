@@ -1,33 +1,33 @@
-//! What WebGL allows in GLSL ES 1.00: the loops and indices of its Appendix A.
+//! Restrictions of WebGL1 on loops and indices, from Appendix A of GLSL ES 1.00.
 
 use super::*;
 
-/// What WebGL1 does not take of GLSL ES 1.00.
+/// Something of GLSL ES 1.00 that WebGL1 does not accept.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Restriction {
-    /// A loop by this word.
+    /// A loop with this keyword.
     Loop(&'static str),
     /// A loop that declares no index.
     NoIndex,
-    /// A loop that declares several.
+    /// A loop that declares several indices.
     Indices,
-    /// An index of another type than the two for numbers.
+    /// A loop index of another type than `int` and `float`.
     IndexType,
-    /// An index that starts at something unknown.
+    /// A loop index that does not start at a constant.
     Start,
     /// A loop without a condition.
     NoCondition,
     /// A condition that does not compare the index.
     Condition,
-    /// An end that is not known.
+    /// A loop bound that is not constant.
     End,
-    /// A step that does not change the index by something known.
+    /// A step that does not change the index by a constant.
     Step,
-    /// An index that is changed in the body.
+    /// A loop index that is changed in the body.
     IndexWritten,
-    /// An index of an array, vector or matrix, which hangs on something unknown.
+    /// An index of an array, vector or matrix that is not built from constants and loop indices.
     Subscript,
-    /// An element of `gl_FragData` that is not known.
+    /// An index of `gl_FragData` that is not constant.
     FragData,
 }
 
@@ -134,7 +134,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The index of a WebGL1 loop must not be changed in the loop's body.
+    /// Reports a write to the index of a WebGL1 loop in its body.
     pub(super) fn check_webgl1_write(&mut self, id: VariableId, extent: Extent) {
         if !self.has(Feature::FreeControlFlow) && self.flow.iter().any(|f| f.loop_index == Some(id))
         {
@@ -142,15 +142,15 @@ impl Checker<'_> {
         }
     }
 
-    /// An index is constant, or made of constants and loop indices; uniforms of vertex shaders take
-    /// any. `gl_FragData` takes 0 alone.
+    /// Checks that an index is built from constants and loop indices. Uniforms of vertex shaders
+    /// accept any index, `gl_FragData` only 0.
     pub(super) fn check_webgl1_index(&mut self, id: ExprId, object: ExprId, is_frag_data: bool) {
         let ExprKind::Index(_, index) = self.tree.expr(id).kind else {
             return;
         };
         let info = self.info(index);
         if is_frag_data {
-            // Constants that lie outside of it are found as those of any array are.
+            // Constants that are out of range are reported as for any array.
             if !info.is_const {
                 let extent = self.tree.expr(index).extent;
                 self.reject(extent, Restriction::FragData);
@@ -175,8 +175,8 @@ impl Checker<'_> {
         self.variables.get(id.0 as usize).map(|v| v.storage)
     }
 
-    /// Whether every name in an index is a constant or the index of a loop around, and nothing of
-    /// the shader's own is called.
+    /// Whether every name in an index is a constant or the index of an enclosing loop, and no
+    /// function of the shader is called.
     fn is_constant_index(&self, index: ExprId) -> bool {
         self.subtree(index)
             .all(|(_, info, _)| match info.resolution {

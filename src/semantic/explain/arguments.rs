@@ -1,11 +1,10 @@
-//! Calls with too few, too many or swapped arguments: the edit that makes them fit.
+//! Fixes for calls with too few, too many or swapped arguments.
 
 use super::call::Candidate;
 use super::*;
 use crate::BuiltinId;
 
-/// What is usually given for a parameter of a built-in function, by its number, where it is left
-/// out.
+/// The usual value of a built-in function's parameter, by its index, to insert where it is missing.
 #[rustfmt::skip]
 const USUAL: &[(BuiltinId, usize, &str)] = &[
     (BuiltinId::Max, 1, "0.0"), (BuiltinId::Min, 1, "1.0"), (BuiltinId::Pow, 1, "2.0"),
@@ -16,11 +15,11 @@ const USUAL: &[(BuiltinId, usize, &str)] = &[
     (BuiltinId::TexelFetch, 2, "0"), (BuiltinId::TextureSize, 1, "0"),
 ];
 
-/// Most arguments that are tried in another order.
+/// Most arguments for which other orders are tried.
 const MAX_SWAPPED: usize = 4;
 
 impl ExplainContext<'_> {
-    /// Takes away what is too much, where only one choice fits.
+    /// Removes surplus arguments so that the rest match a candidate.
     pub(super) fn drop_arguments(&self, args: &[ExprId], candidates: &[Candidate]) -> Option<Fix> {
         let mut found = None;
         for candidate in candidates {
@@ -53,14 +52,13 @@ impl ExplainContext<'_> {
         };
         let text = self.sources.text(start.to(end));
         let title = match text.len() < 40 && !text.contains('\n') {
-            true => format!("take `{text}` away"),
-            false => "take the surplus arguments away".to_string(),
+            true => format!("remove `{text}`"),
+            false => "remove the extra arguments".to_string(),
         };
         Some(Fix::suggestion(title, vec![Edit::delete(span)]))
     }
 
-    /// Takes arguments away where another form of the function takes fewer, if that is a `bool` or
-    /// nothing else helps.
+    /// Removes arguments to match an overload with fewer, if one is a `bool` or nothing else helps.
     pub(super) fn fewer_arguments(
         &self,
         args: &[ExprId],
@@ -73,8 +71,8 @@ impl ExplainContext<'_> {
             .flatten()
     }
 
-    /// The parameters that are left out, and a fix that gives values for them. Where more than one
-    /// place fits, arguments of the parameters' names decide, and then the last place.
+    /// Names the missing arguments, with a fix that inserts values for them. Where several
+    /// positions are possible, arguments named like parameters decide, then the last position wins.
     pub(super) fn missing_arguments(
         &self,
         d: Diagnostic,
@@ -122,11 +120,7 @@ impl ExplainContext<'_> {
             None => format!("argument {}", i + 1),
         };
         let names: Vec<String> = (first..first + missing).map(what).collect();
-        let d = d.note(format!(
-            "{} {} missing",
-            names.join(" and "),
-            if missing == 1 { "is" } else { "are" }
-        ));
+        let d = d.note(format!("missing {}", names.join(" and ")));
         let values: Option<Vec<String>> = (first..first + missing)
             .map(|i| self.value_for(name, candidate, i, args))
             .collect();
@@ -138,13 +132,10 @@ impl ExplainContext<'_> {
             (None, Some(&last)) => Edit::insert(self.expr_span(last).end, format!(", {values}")),
             (None, None) => return d,
         };
-        d.fix(Fix::suggestion(
-            format!("give `{values}` for it"),
-            vec![edit],
-        ))
+        d.fix(Fix::suggestion(format!("add `{values}`"), vec![edit]))
     }
 
-    /// What may be given for a parameter: a variable of its name, what is usual, or 0.
+    /// A value to pass for a parameter: a variable of its name, the usual value, or 0.
     fn value_for(
         &self,
         name: Name,
@@ -194,12 +185,12 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Whether a variable is of the player's own workings.
+    /// Whether a variable is declared in the host's own code.
     fn is_host_name(&self, variable: &Variable) -> bool {
         variable.token.is_some_and(|token| self.is_prelude(token))
     }
 
-    /// Whether a variable can be given for an `out` parameter.
+    /// Whether a variable can be passed for an `out` parameter.
     pub(super) fn is_writable(&self, variable: &Variable) -> bool {
         !variable.is_const
             && !matches!(
@@ -208,7 +199,7 @@ impl ExplainContext<'_> {
             )
     }
 
-    /// Puts arguments that fit in another order into it.
+    /// Swaps two arguments where the swapped order matches a candidate.
     pub(super) fn swap_arguments(&self, args: &[ExprId], candidates: &[&Candidate]) -> Option<Fix> {
         if args.len() > MAX_SWAPPED {
             return None;
@@ -231,7 +222,7 @@ impl ExplainContext<'_> {
         None
     }
 
-    /// Makes every argument that does not fit a form of the function fit it.
+    /// Converts every argument that does not match the candidate.
     pub(super) fn mend_arguments(&self, args: &[ExprId], candidate: &Candidate) -> Option<Fix> {
         let mut edits = Vec::new();
         let mut titles = Vec::new();

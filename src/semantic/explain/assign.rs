@@ -1,4 +1,4 @@
-//! Values that are no values of the type that is wanted, and how they become ones.
+//! Messages for [`ValueError`]: values of the wrong type, and fixes that convert them.
 
 use super::*;
 
@@ -20,7 +20,7 @@ impl Explain for ValueError {
 }
 
 impl ExplainContext<'_> {
-    /// `l = r` whose types do not fit.
+    /// `l = r` with different types.
     pub(super) fn explain_assignment(
         &self,
         id: ExprId,
@@ -32,7 +32,7 @@ impl ExplainContext<'_> {
         let (ln, rn) = (self.name_of(l), self.name_of(r));
         let rule = self.rule_for(l, r, clash);
         let d = self.misfit_at(self.tree.expr(id).extent, l, right, rule);
-        let d = d.label(self.expr_span(left), format!("a variable of type `{ln}`"));
+        let d = d.label(self.expr_span(left), format!("has type `{ln}`"));
         if d.span == self.expr_span(right) {
             d
         } else {
@@ -40,7 +40,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// A declaration whose initializer does not fit.
+    /// A declaration with an initializer of another type.
     fn explain_initializer(
         &self,
         declarator: &Declarator,
@@ -67,7 +67,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// A declaration whose type is not that of its value and its uses.
+    /// A declared type that matches neither the value nor the uses of the variable.
     fn explain_declared_type(
         &self,
         misfit: Misfit,
@@ -84,7 +84,7 @@ impl ExplainContext<'_> {
         let ident = declarator.ident;
         let text = self.text(ident.name);
         let message =
-            format!("`{text}` is declared `{wanted}`, but its value and its uses are `{found}`");
+            format!("`{text}` is declared as `{wanted}`, but its value and uses are `{found}`");
         let edit = Edit::replace(self.span(spec), found.clone());
         self.error(rule, spec.to(Extent::token(ident.token)), message)
             .label(self.expr_span(init), format!("`{found}`"))
@@ -105,8 +105,8 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// "a `float` is wanted, but this is `int`": at the value where it is a literal that is easily
-    /// mended, else at all of `extent`.
+    /// A value that cannot be assigned to `wanted`: reported at the value if it is a literal that
+    /// is easily converted, else at all of `extent`.
     pub(crate) fn misfit_at(
         &self,
         extent: Extent,
@@ -116,7 +116,7 @@ impl ExplainContext<'_> {
     ) -> Diagnostic {
         let found = self.ty(value);
         let (wn, fname) = (self.name_of(wanted), self.name_of(found));
-        let message = format!("`{fname}` cannot become `{wn}` by itself");
+        let message = format!("cannot assign `{fname}` to `{wn}`");
         let fix = self.become_type(value, wanted);
         let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
         let d = if at_value {
@@ -128,7 +128,7 @@ impl ExplainContext<'_> {
         d.note(NO_CONVERSION).fix(fix)
     }
 
-    /// Makes a number, vector or matrix one of another type.
+    /// Converts a number, vector or matrix to another type.
     pub(super) fn become_type(&self, value: ExprId, wanted: Type) -> Option<Fix> {
         let (ws, wc, wr) = wanted.numeric()?;
         let (fs, fc, fr) = self.ty(value).numeric()?;
@@ -147,14 +147,14 @@ impl ExplainContext<'_> {
             return None;
         }
         let name = self.name_of(wanted);
-        let title = format!("make a `{name}` of it");
+        let title = format!("convert it with `{name}(...)`");
         Some(Fix::suggestion(
             title,
             self.wrap(value, &format!("{name}("), ")"),
         ))
     }
 
-    /// `(1.0, 2.0, 3.0)` in the place of a vector.
+    /// `(1.0, 2.0, 3.0)` instead of a vector.
     fn component_list(&self, value: ExprId, wanted: Type) -> Option<Fix> {
         let ExprKind::Paren(inner) = self.tree.expr(value).kind else {
             return None;
@@ -175,7 +175,7 @@ impl ExplainContext<'_> {
         let name = self.name_of(wanted);
         let edit = Edit::insert(self.expr_span(value).start, name.clone());
         (is_list && self.is_direct(self.tree.expr(value).extent))
-            .then(|| Fix::safe(format!("write `{name}(...)`"), vec![edit]))
+            .then(|| Fix::safe(format!("use `{name}(...)`"), vec![edit]))
     }
 
     /// The digits of a floating point literal without fraction: `2.0` gives `2`.
@@ -186,7 +186,8 @@ impl ExplainContext<'_> {
         small.then(|| format!("{}", value as i64))
     }
 
-    /// Makes an expression of another scalar kind: a literal is rewritten, everything else wrapped.
+    /// Converts an expression to another scalar type: a literal is rewritten, everything else
+    /// wrapped.
     pub(crate) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
         if let Some(token) = self.literal_token(id)
             && let Some(text) = self.converted_literal(id, &token, to)
@@ -198,7 +199,7 @@ impl ExplainContext<'_> {
                     .starts_with(|c: char| c.is_ascii_digit());
             return is_own.then(|| {
                 Fix::safe(
-                    format!("write `{text}`"),
+                    format!("use `{text}`"),
                     vec![Edit::replace(token.span, text)],
                 )
             });
@@ -229,9 +230,9 @@ impl ExplainContext<'_> {
             format!("{name}({text})")
         };
         let title = if shown.len() < 60 && !shown.contains('\n') {
-            format!("write `{shown}`")
+            format!("use `{shown}`")
         } else {
-            format!("convert it with `{name}(...)`")
+            format!("use `{name}(...)`")
         };
         let loses = ty.scalar_kind() == Some(Scalar::Float);
         Some(if loses {
@@ -264,7 +265,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Edits that put text around an expression.
+    /// Edits that wrap an expression.
     pub(super) fn wrap(&self, id: ExprId, before: &str, behind: &str) -> Vec<Edit> {
         let span = self.expr_span(id);
         vec![
@@ -288,7 +289,7 @@ impl ExplainContext<'_> {
         )
     }
 
-    /// 0 as a value of a type of numbers.
+    /// Zero as a value of a numeric or boolean type.
     pub(crate) fn zero_of(&self, ty: Type) -> Option<String> {
         let zero = match ty.scalar_kind()? {
             Scalar::Float => "0.0",
@@ -303,7 +304,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Whether an expression can stand beside any operator without parentheses.
+    /// Whether an expression can be an operand of any operator without parentheses.
     pub(super) fn binds_tightly(&self, id: ExprId) -> bool {
         use ExprKind as E;
         let is_literal = matches!(

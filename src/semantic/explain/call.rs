@@ -1,25 +1,25 @@
-//! Calls that fit no function: which one was meant, and what differs.
+//! Messages for [`ArgumentError`]: calls that match no overload, with the nearest candidates.
 
 use super::*;
 use crate::BuiltinId;
 
-/// Most forms of a function that a message lists.
+/// Most candidates that a message lists.
 const MAX_LISTED: usize = 5;
 
-/// A form of a function that a call might mean.
+/// An overload that a call might mean.
 pub(super) struct Candidate {
     pub params: Vec<Type>,
-    /// The parameters' names, where they have any.
+    /// Names of the parameters; empty for built-in functions, `""` for an unnamed one.
     pub names: Vec<String>,
-    /// Which parameters are written to.
+    /// Whether each parameter is `out` or `inout`.
     pub writes: Vec<bool>,
-    /// As it is written.
+    /// The signature as messages show it, without parameter names.
     shown: String,
-    /// Where the user declares it.
+    /// The name in its declaration; `None` for built-in functions.
     pub token: Option<TokenId>,
 }
 
-/// How far an argument is from a parameter; 0 where it fits.
+/// Cost of converting an argument to the type of a parameter; 0 where they are equal.
 fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
     if wanted == found {
         return 0;
@@ -57,7 +57,7 @@ impl Explain for ArgumentError {
 }
 
 impl ExplainContext<'_> {
-    /// A call of what is a variable.
+    /// A call of a variable.
     pub(crate) fn explain_call_of_variable(
         &self,
         id: ExprId,
@@ -80,7 +80,7 @@ impl ExplainContext<'_> {
         match self.functions_named(name).next().is_some() || self.builtins.function(text).is_some()
         {
             true => d
-                .note("the variable hides the function of the same name")
+                .note("the variable shadows the function of the same name")
                 .help("rename the variable"),
             false => {
                 let product = self.product_of_call(token, variable, args);
@@ -89,7 +89,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// A call that fits none of the functions that the shader declares.
+    /// A call that matches none of the shader's functions of this name.
     pub(crate) fn explain_user_call(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {
         let candidates: Vec<Candidate> = self
             .functions_named(name)
@@ -133,7 +133,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// A call that fits no form of a built-in function.
+    /// A call that matches no overload of a built-in function.
     pub(crate) fn explain_builtin_call(
         &self,
         id: ExprId,
@@ -205,7 +205,7 @@ impl ExplainContext<'_> {
             }
             [] => "other arguments".to_string(),
         };
-        let message = format!("`{text}` takes {wanted}, not {}", args.len());
+        let message = format!("`{text}` expects {wanted}, found {}", args.len());
         let d = self.error_expr(error::ARGUMENT_MISMATCH, id, message);
         let d = match self.drop_arguments(args, candidates) {
             Some(fix) => d.fix(fix),
@@ -223,11 +223,11 @@ impl ExplainContext<'_> {
         for candidate in candidates.take(MAX_LISTED) {
             d = match candidate.token.filter(|&t| !self.is_prelude(t)) {
                 Some(token) => d.label(self.token_span(token), format!("`{}`", candidate.shown)),
-                None => d.note(format!("there is `{}`", candidate.shown)),
+                None => d.note(format!("candidate: `{}`", candidate.shown)),
             };
         }
         if count > MAX_LISTED {
-            d = d.note(format!("and {} more forms", count - MAX_LISTED));
+            d = d.note(format!("and {} more overloads", count - MAX_LISTED));
         }
         d
     }
@@ -251,7 +251,7 @@ impl ExplainContext<'_> {
         let size = |c: &Candidate| c.params.iter().map(|p| p.components()).sum::<u32>();
         ranked.sort_by_key(|(cost, c)| (*cost, std::cmp::Reverse(size(c))));
         let Some(&(best_cost, best)) = ranked.first() else {
-            return self.error_expr(error::ARGUMENT_MISMATCH, id, "no function fits");
+            return self.error_expr(error::ARGUMENT_MISMATCH, id, "no matching overload");
         };
         let is_alone = ranked.get(1).is_none_or(|(cost, _)| *cost > best_cost);
         let wrong: Vec<(usize, ExprId, Type)> = args
@@ -292,7 +292,7 @@ impl ExplainContext<'_> {
         )
     }
 
-    /// Arguments that are right but for `int` and `float`.
+    /// Arguments that only mix up `int` and `float`.
     fn mixed_arguments(&self, name: Name, wrong: &[(usize, ExprId, Type)]) -> Diagnostic {
         let text = self.text(name);
         let Some(&(_, first, wanted)) = wrong.first() else {
@@ -306,8 +306,8 @@ impl ExplainContext<'_> {
         };
         let (wn, fname) = (self.name_of(wanted), self.name_of(found));
         let message = match rule {
-            error::INTEGER_LENGTH => format!("`{text}` has no form for `{fname}`"),
-            _ => format!("`{text}` wants `{wn}` here, not `{fname}`"),
+            error::INTEGER_LENGTH => format!("no overload of `{text}` accepts `{fname}`"),
+            _ => format!("`{text}` expects `{wn}`, found `{fname}`"),
         };
         let mut d = self
             .error_expr(rule, first, message)
@@ -319,7 +319,7 @@ impl ExplainContext<'_> {
             let fix = wanted.scalar_kind().and_then(|s| self.convert(arg, s));
             let Some(fix) = fix else { return d };
             safe &= fix.applicability == shaderlint_diagnostic::Applicability::Safe;
-            titles.push(fix.title.trim_start_matches("write ").to_string());
+            titles.push(fix.title.trim_start_matches("use ").to_string());
             edits.extend(fix.edits);
             if arg != first {
                 d = d.label(
@@ -328,7 +328,7 @@ impl ExplainContext<'_> {
                 );
             }
         }
-        let title = format!("write {}", titles.join(" and "));
+        let title = format!("use {}", titles.join(" and "));
         d.fix(if safe {
             Fix::safe(title, edits)
         } else {
@@ -345,16 +345,16 @@ impl ExplainContext<'_> {
             _ => error::ARGUMENT_MISMATCH,
         };
         let message = format!(
-            "argument {} of `{text}` must be `{}`, not `{}`",
-            index + 1,
+            "expected `{}` as argument {} of `{text}`, found `{}`",
             self.name_of(wanted),
+            index + 1,
             self.name_of(found)
         );
         self.error_expr(rule, arg, message)
             .fix(self.become_type(arg, wanted))
     }
 
-    /// `not (a > b)` of one `bool`, which other languages have.
+    /// `not (a > b)` on a single `bool`, as in other languages.
     fn negation(&self, id: ExprId, text: &str, args: &[ExprId]) -> Option<Fix> {
         let is_not = self.builtins.function(text) == Some(BuiltinId::Not);
         let is_one = is_not && matches!(args, [one] if self.ty(*one) == Type::BOOL);
@@ -362,16 +362,13 @@ impl ExplainContext<'_> {
         (is_one && self.token(word).is_direct()).then(|| {
             let before_argument = self.token_span(word + 1).start;
             let span = Span::new(self.token_span(word).start, before_argument);
-            Fix::suggestion("write `!`", vec![Edit::replace(span, "!")])
+            Fix::suggestion("use `!`", vec![Edit::replace(span, "!")])
         })
     }
 
     fn no_form(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {
         let text = self.text(name);
-        let types: Vec<String> = args
-            .iter()
-            .map(|&a| format!("`{}`", self.name_of(self.ty(a))))
-            .collect();
+        let types: Vec<String> = args.iter().map(|&a| self.name_of(self.ty(a))).collect();
         let scalars: Vec<Option<Scalar>> = args.iter().map(|&a| self.ty(a).scalar_kind()).collect();
         let vectors = args
             .iter()
@@ -388,17 +385,17 @@ impl ExplainContext<'_> {
         };
         let list = match types.as_slice() {
             [one] => one.clone(),
-            [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
-            [] => "no argument".to_string(),
+            all => format!("({})", all.join(", ")),
         };
-        let mut d = self.error_expr(rule, id, format!("`{text}` has no form for {list}"));
-        for (&arg, shown) in args.iter().zip(&types) {
-            d = d.label(self.expr_span(arg), shown.clone());
+        let message = format!("no overload of `{text}` accepts `{list}`");
+        let mut d = self.error_expr(rule, id, message);
+        for (&arg, ty) in args.iter().zip(&types) {
+            d = d.label(self.expr_span(arg), format!("`{ty}`"));
         }
         d.fix(self.negation(id, text, args))
     }
 
-    /// `a(0)`, where an element is meant.
+    /// `a(0)` instead of `a[0]`.
     fn index_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
         let &[arg] = self.tree.args(args) else {
             return None;
@@ -411,7 +408,7 @@ impl ExplainContext<'_> {
             .flatten()
     }
 
-    /// `a (b + c)`, where a `*` was left out.
+    /// `a (b + c)` without the `*`.
     fn product_of_call(&self, token: TokenId, variable: VariableId, args: List) -> Option<Fix> {
         let &[arg] = self.tree.args(args) else {
             return None;
@@ -419,11 +416,11 @@ impl ExplainContext<'_> {
         let ty = self.variables.get(variable.0 as usize)?.ty;
         typing::binary(self.types(), BinaryOp::Mul, ty, self.ty(arg)).ok()?;
         let edit = Edit::insert(self.token_span(token).end, " * ");
-        Some(Fix::suggestion("multiply with `*`", vec![edit]))
+        Some(Fix::suggestion("add `*` to multiply", vec![edit]))
     }
 }
 
-/// Whether two types differ in nothing but `int`, `uint` and `float`.
+/// Whether two types differ only in `int`, `uint` and `float`.
 fn is_mix(wanted: Type, found: Type) -> bool {
     match (wanted.numeric(), found.numeric()) {
         (Some((ws, wc, wr)), Some((fs, fc, fr))) => {

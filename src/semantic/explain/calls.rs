@@ -1,4 +1,4 @@
-//! What is wrong with calls, all functions of the shader together.
+//! Messages for [`CallError`].
 
 use super::*;
 
@@ -7,7 +7,7 @@ impl Explain for CallError {
         match self {
             CallError::Undefined(callee) => {
                 let name = c.function_name(callee);
-                let message = format!("the function `{name}` is declared but never defined");
+                let message = format!("function `{name}` is declared but never defined");
                 let d = c.error(error::UNDEFINED_FUNCTION, at, message);
                 c.with_declaration(d, c.function_token(callee), "declared here")
             }
@@ -19,11 +19,11 @@ impl Explain for CallError {
                 let name = names.first().map_or("", String::as_str);
                 let message = match names.len() {
                     2 => format!("{name} calls itself"),
-                    _ => format!("{name} calls itself: {}", names.join(" calls ")),
+                    _ => format!("{name} calls itself: {}", names.join(" -> ")),
                 };
                 c.error(error::RECURSION, at, message)
-                    .note("GLSL has no recursion (section 6.1)")
-                    .help("use a loop, and an array for what is still to do")
+                    .note("GLSL does not allow recursion (section 6.1)")
+                    .help("use a loop, with an array as the stack if needed")
             }
         }
     }

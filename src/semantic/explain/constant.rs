@@ -1,10 +1,10 @@
-//! What should be constant and is not.
+//! Messages for values that must be constant expressions.
 
 use super::*;
 use crate::checker::Wanted;
 
 impl ExplainContext<'_> {
-    /// The initial value of a constant or a global variable, which is not constant.
+    /// An initializer of a constant or a global variable that is not a constant expression.
     pub(crate) fn explain_initial_value(
         &self,
         declarator: &Declarator,
@@ -13,7 +13,7 @@ impl ExplainContext<'_> {
     ) -> Diagnostic {
         let name = self.text(declarator.ident.name);
         if storage == Wanted::Const {
-            let message = format!("the value of the constant `{name}` is not constant");
+            let message = format!("initializer of constant `{name}` is not a constant expression");
             let d = self.error_expr(error::NOT_CONSTANT, init, message);
             let fix = match self.at_global_scope() {
                 true => None,
@@ -21,33 +21,33 @@ impl ExplainContext<'_> {
             };
             return self.explain_not_constant(d, init).fix(fix);
         }
-        let message = format!("the initial value of the global variable `{name}` is not constant");
+        let message = format!("initializer of global `{name}` is not a constant expression");
         let d = self
             .error_expr(error::NOT_CONSTANT, init, message)
-            .note("GLSL ES 3.00 wants a constant expression here (section 4.3)")
+            .note("GLSL ES 3.00 requires constant initializers at global scope (section 4.3)")
             .help(
-                "declare it without a value and set it at the start of `main`, or use a `#define`",
+                "remove the initializer and assign it at the start of `main`, or use a `#define`",
             );
         self.explain_not_constant(d, init)
     }
 
-    /// The offset of a lookup, which is not constant.
+    /// A texture offset that is not a constant expression.
     pub(crate) fn explain_dynamic_offset(&self, arg: ExprId) -> Diagnostic {
-        let message = "the offset of a lookup must be a constant expression";
+        let message = "texture offset must be a constant expression";
         let d = self
             .error_expr(error::NOT_CONSTANT, arg, message)
             .help("add the offset to the coordinates instead");
         self.explain_not_constant(d, arg)
     }
 
-    /// The offset of a lookup, which is too large.
+    /// A texture offset outside of -8 to 7.
     pub(crate) fn explain_offset(&self, arg: ExprId, offset: i32) -> Diagnostic {
-        let message = format!("the offset {offset} is out of range");
+        let message = format!("texture offset {offset} is out of range");
         self.error_expr(error::INDEX_OUT_OF_RANGE, arg, message)
-            .note("a lookup can be moved by -8 to 7 texels")
+            .note("a texture offset must be between -8 and 7 texels (section 8.8)")
     }
 
-    /// Says which part of an expression is not constant.
+    /// Labels the part of an expression that is not constant.
     pub(crate) fn explain_not_constant(&self, d: Diagnostic, id: ExprId) -> Diagnostic {
         let culprit = self
             .subtree(id)
@@ -68,15 +68,13 @@ impl ExplainContext<'_> {
             Some(v) => {
                 let name = self.text(v.name);
                 match v.storage {
-                    Storage::Uniform => {
-                        format!("`{name}` is a uniform, known only when the shader runs")
-                    }
-                    Storage::Input => format!("`{name}` is an input, different at each point"),
+                    Storage::Uniform => format!("`{name}` is a uniform"),
+                    Storage::Input => format!("`{name}` is a shader input"),
                     Storage::Param(_) => format!("`{name}` is a parameter"),
-                    _ => format!("`{name}` is a variable, not declared `const`"),
+                    _ => format!("`{name}` is not `const`"),
                 }
             }
-            None => "a function of the shader is never constant".to_string(),
+            None => "call of a user-defined function".to_string(),
         };
         if span == d.span {
             d.mark(what)

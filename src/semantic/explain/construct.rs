@@ -1,9 +1,9 @@
-//! Constructors whose arguments do not fit.
+//! Messages for constructors with wrong arguments.
 
 use super::*;
 
 impl ExplainContext<'_> {
-    /// A constructor of which no value comes.
+    /// A constructor that its arguments do not match.
     pub(super) fn explain_construction(
         &self,
         id: ExprId,
@@ -27,12 +27,14 @@ impl ExplainContext<'_> {
             }
             Misfit::NoNumber(number, ty) => {
                 let (name, what) = (self.name_of(ty), self.name_of(self.ty(arg(number))));
-                error(arg(number), format!("`{name}` cannot be made of `{what}`"))
+                error(
+                    arg(number),
+                    format!("cannot construct `{name}` from `{what}`"),
+                )
             }
             Misfit::TooFew(ty, given) => {
                 let (name, wanted) = (self.name_of(ty), ty.components());
-                let message =
-                    format!("`{name}` needs {wanted} components, but only {given} are given");
+                let message = format!("`{name}` expects {wanted} components, found {given}");
                 let fix = self.add_components(ty, args, given);
                 self.label_arguments(error(id, message), args).fix(fix)
             }
@@ -43,21 +45,21 @@ impl ExplainContext<'_> {
                 } else {
                     "components"
                 };
-                let message = format!("`{name}` has {wanted} {plural}, but {given} are given");
+                let message = format!("`{name}` expects {wanted} {plural}, found {given}");
                 error(id, message)
-                    .label(self.expr_span(arg(surplus)), "nothing is left for this")
+                    .label(self.expr_span(arg(surplus)), "extra argument")
                     .fix(self.drop_from(args, arg(surplus)))
             }
             _ => error(
                 id,
-                "a matrix made of a matrix takes no other argument".to_string(),
+                "a matrix constructed from a matrix accepts no other arguments".to_string(),
             ),
         }
     }
 
     fn no_arguments(&self, id: ExprId, ty: Type) -> Diagnostic {
         let name = self.name_of(ty);
-        let message = format!("`{name}()` has no arguments");
+        let message = format!("`{name}()` needs at least one argument");
         let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
         let zero = self.zero_of(ty).map(|zero| match ty.is_scalar() {
             true => format!("{name}({zero})"),
@@ -66,21 +68,21 @@ impl ExplainContext<'_> {
         let is_direct = self.is_direct(self.tree.expr(id).extent);
         d.fix(zero.filter(|_| is_direct).map(|zero| {
             let edits = vec![Edit::replace(self.expr_span(id), zero.clone())];
-            Fix::suggestion(format!("write `{zero}`"), edits)
+            Fix::suggestion(format!("use `{zero}`"), edits)
         }))
     }
 
     fn sampler_argument(&self, arg: ExprId) -> Diagnostic {
         let message = if self.ty(arg).is_sampler() {
-            "a sampler cannot be an argument of a constructor"
+            "a sampler cannot be a constructor argument"
         } else {
-            "a struct that holds a sampler cannot be an argument of a constructor"
+            "a struct containing a sampler cannot be a constructor argument"
         };
         self.error_expr(error::SAMPLER_RESTRICTION, arg, message)
             .note("samplers cannot be copied (section 4.1.7)")
     }
 
-    /// Another number of arguments than an array has elements or a struct members.
+    /// A wrong number of arguments for the elements of an array or the members of a struct.
     fn wrong_number_of_parts(&self, id: ExprId, ty: Type, given: usize) -> Diagnostic {
         let record = match ty.base {
             Base::Struct(index) if !ty.is_array() => self.structs.get(index as usize),
@@ -88,19 +90,18 @@ impl ExplainContext<'_> {
         };
         let Some(record) = record else {
             let (name, size) = (self.name_of(ty), ty.array);
-            let message = format!("`{name}` takes {size} elements, not {given}");
+            let message = format!("`{name}` expects {size} elements, found {given}");
             return self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
         };
         let name = record.name.map_or("struct", |n| self.text(n));
-        let message = format!(
-            "`{name}` has {} members, but {given} values are given",
-            record.fields.len()
-        );
+        let count = record.fields.len();
+        let plural = if count == 1 { "argument" } else { "arguments" };
+        let message = format!("`{name}` expects {count} {plural}, found {given}");
         let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
         self.with_declaration(d, Some(record.token), "declared here")
     }
 
-    /// What an argument of a constructor becomes.
+    /// The struct member or array element that an argument initializes.
     fn part_in_words(&self, id: ExprId, number: usize) -> String {
         let field = match (self.tree.expr(id).kind, self.constructed(id)) {
             (ExprKind::Call(..), Some(index)) => {
@@ -110,12 +111,12 @@ impl ExplainContext<'_> {
             _ => None,
         };
         match field {
-            Some(field) => format!("the member `{}`", self.text(field.name)),
-            None => "an element of the array".to_string(),
+            Some(field) => format!("member `{}`", self.text(field.name)),
+            None => "array element".to_string(),
         }
     }
 
-    /// The struct that is constructed by its name.
+    /// The struct whose constructor is called.
     fn constructed(&self, id: ExprId) -> Option<u32> {
         match self.tree.expr(id).kind {
             ExprKind::Call(name, _) => match self.scopes().get(name)? {
@@ -126,7 +127,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// An argument that is not of the type of the part it stands for.
+    /// An argument of another type than its member or element.
     fn bad_part(&self, arg: ExprId, wanted: Type, what: &str) -> Diagnostic {
         let found = self.ty(arg);
         let scalars = (wanted.scalar_kind(), found.scalar_kind());
@@ -140,14 +141,14 @@ impl ExplainContext<'_> {
         };
         let mut d = self.misfit_at(self.tree.expr(arg).extent, wanted, arg, rule);
         d.message = format!(
-            "{what} is `{}`, not `{}`",
+            "{what} must be `{}`, found `{}`",
             self.name_of(wanted),
             self.name_of(found)
         );
         d
     }
 
-    /// Takes the arguments from `arg` on away.
+    /// Removes the arguments from `arg` on.
     fn drop_from(&self, args: &[ExprId], arg: ExprId) -> Option<Fix> {
         let at = args.iter().position(|&a| a == arg)?;
         let (&before, &last) = (args.get(at.checked_sub(1)?)?, args.last()?);
@@ -156,13 +157,13 @@ impl ExplainContext<'_> {
             .sources
             .text(self.expr_span(arg).to(self.expr_span(last)));
         let title = match text.len() < 40 && !text.contains('\n') {
-            true => format!("take `{text}` away"),
-            false => "take what is too much away".to_string(),
+            true => format!("remove `{text}`"),
+            false => "remove the extra arguments".to_string(),
         };
         Some(Fix::suggestion(title, vec![Edit::delete(span)]))
     }
 
-    /// Adds the components that a vector lacks.
+    /// Adds the missing components of a vector.
     fn add_components(&self, ty: Type, args: &[ExprId], given: u32) -> Option<Fix> {
         let (scalar, 1, size) = ty.numeric()? else {
             return None;

@@ -1,4 +1,4 @@
-//! What words are made from: a program, as far as it was known when a problem was met.
+//! The program as the checker knew it when it met a problem, from which messages are built.
 
 use super::*;
 use crate::parsed::ParsedView;
@@ -8,10 +8,11 @@ use shaderlint_text::Role;
 use std::cell::Cell;
 use std::ops::Deref;
 
-/// Most names, tokens and pairs of letters that are looked at for advice, over all errors of a shader.
+/// Most names, tokens and pairs of letters that are compared for suggestions, over all errors of a
+/// shader.
 const MAX_ADVICE: usize = 6_000_000;
 
-/// A program at the moment of a problem.
+/// The program at the moment of a problem.
 pub(super) struct ExplainContext<'a> {
     parsed: ParsedView<'a>,
     program: &'a Program,
@@ -20,12 +21,12 @@ pub(super) struct ExplainContext<'a> {
     pub structs: &'a [Struct],
     pub variables: &'a [Variable],
     pub functions: &'a [Function],
-    /// What functions return until another declaration says something else, by the first one.
+    /// Return types by the first declaration, of functions that a later one declares differently.
     disputed: Vec<(FunctionId, Type)>,
     pub current: Option<FunctionRef>,
     pub whole: ExprId,
     pub wanted: Option<Type>,
-    /// What may still be spent on looking through all names or tokens for advice on an error.
+    /// Names and tokens that may still be searched for suggestions; starts at [`MAX_ADVICE`].
     advice: Cell<usize>,
 }
 
@@ -80,7 +81,7 @@ impl<'a> ExplainContext<'a> {
         }
     }
 
-    /// Sees the program as it was known at a moment.
+    /// Restores the state of the program at a moment.
     pub fn go_to(&mut self, moment: ProblemMoment) {
         fn first<T>(all: &[T], count: usize) -> &[T] {
             all.get(..count).unwrap_or(all)
@@ -96,7 +97,7 @@ impl<'a> ExplainContext<'a> {
         self.scopes.go_to(moment.scopes);
     }
 
-    /// What names stand for.
+    /// Bindings of the names in scope.
     pub fn scopes(&self) -> &NameBindings {
         self.scopes.bindings()
     }
@@ -105,26 +106,26 @@ impl<'a> ExplainContext<'a> {
         self.scopes().depth() == 0
     }
 
-    /// The functions of the shader that have a name.
+    /// The functions of the shader with this name.
     pub fn functions_named(&self, name: Name) -> impl Iterator<Item = &'a Function> {
         self.functions.iter().filter(move |f| f.name == name)
     }
 
-    /// What a function returned by its declarations so far.
+    /// The return type of a function by its declarations so far.
     pub fn returns_of(&self, function: &Function) -> Type {
         let mut disputed = self.disputed.iter();
         let before = disputed.find(|(declaration, _)| *declaration == function.declaration);
         before.map_or(function.returns, |(_, ty)| *ty)
     }
 
-    /// Whether so many names or tokens may still be looked through for advice on an error.
+    /// Whether this many names or tokens may still be searched for suggestions; counts them.
     pub fn affords(&self, looks: usize) -> bool {
         let left = self.advice.get().checked_sub(looks);
         self.advice.set(left.unwrap_or(0));
         left.is_some()
     }
 
-    /// The token that declares what a name stands for.
+    /// The token that declares a name.
     pub fn declaration_token(&self, name: Name, binding: Binding) -> Option<TokenId> {
         match binding {
             Binding::Variable(id) => self.variables.get(id.0 as usize)?.token,
@@ -176,11 +177,10 @@ impl<'a> ExplainContext<'a> {
         self.error(kind, self.tree.expr(expr).extent, message)
     }
 
-    /// Whether the text under a span is the user's, and no macro call stands there that would be
-    /// torn apart.
+    /// Whether a span is in the user's text and cuts no macro call in two.
     pub fn is_editable(&self, span: Span) -> bool {
         let tokens = &self.tokens.tokens;
-        // Tokens are in the order of the text, as each stands where the user sees it.
+        // Tokens are sorted by their position in the text that the user sees.
         let from = tokens.partition_point(|t| t.span.end <= span.start);
         let inside = tokens.get(from..).unwrap_or(&[]);
         let clean = inside
@@ -194,7 +194,7 @@ impl<'a> ExplainContext<'a> {
                 .is_some_and(|f| f.role == Role::User)
     }
 
-    /// Adds "declared here" where the user's own text declares a name.
+    /// Labels the declaration of a name in the user's text; notes one of the host or of GLSL.
     pub fn with_declaration(
         &self,
         d: Diagnostic,
@@ -203,8 +203,8 @@ impl<'a> ExplainContext<'a> {
     ) -> Diagnostic {
         match token {
             Some(token) if !self.is_prelude(token) => d.label(self.token_span(token), what),
-            Some(_) => d.note(format!("{} declares it", self.dialect.host().called)),
-            None => d.note("the language declares it"),
+            Some(_) => d.note(format!("declared by {}", self.dialect.host().called)),
+            None => d.note("it is a GLSL built-in"),
         }
     }
 }

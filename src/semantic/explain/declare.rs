@@ -1,4 +1,4 @@
-//! What is wrong with declarations of variables.
+//! Messages for [`DeclarationError`].
 
 use super::*;
 
@@ -6,23 +6,23 @@ impl Explain for DeclarationError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use DeclarationError as E;
         match self {
-            E::Void => c.error(error::VOID_VALUE, at, "a variable cannot be `void`"),
+            E::Void => c.error(error::VOID_VALUE, at, "a variable cannot have type `void`"),
             E::Sampler => c
                 .error(
                     error::SAMPLER_RESTRICTION,
                     at,
-                    "a sampler must be a `uniform` or a parameter",
+                    "a sampler must be a `uniform` or a function parameter",
                 )
                 .note("samplers cannot be copied into variables (section 4.1.7)"),
             E::NoValue(name) => {
-                let message = format!("the constant `{}` has no value", c.text(name));
+                let message = format!("constant `{}` has no initializer", c.text(name));
                 c.error(error::NOT_CONSTANT, at, message)
             }
             E::Value(storage) => {
                 let word = storage.name();
-                let message = format!("a variable that is `{word}` cannot have an initial value");
+                let message = format!("`{word}` variables cannot have an initializer");
                 c.error(error::INVALID_QUALIFIER, at, message)
-                    .note("its value comes from outside")
+                    .note("only `const` and unqualified variables accept an initializer")
             }
         }
     }

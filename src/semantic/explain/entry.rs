@@ -1,4 +1,4 @@
-//! What is wrong with the function at which a shader starts.
+//! Messages for [`EntryError`].
 
 use super::*;
 
@@ -9,32 +9,32 @@ impl Explain for EntryError {
             |message: &str| Diagnostic::error(error::MISSING_MAIN, c.start_of_shader(), message);
         let main = |message| {
             c.error(error::FUNCTION_MISMATCH, at, message)
-                .help("write `void main()`")
+                .help("declare it as `void main()`")
         };
         match self {
-            E::Missing => missing("the shader has no `main`")
-                .note("every shader starts at `void main()` (section 6.1)"),
-            E::MissingCalled(entry) => missing(&format!("the pass has no `{}`", entry.name))
-                .note("the player calls it for every pixel or sample")
+            E::Missing => missing("`main` function not found")
+                .note("execution starts at `void main()` (section 6.1)"),
+            E::MissingCalled(entry) => missing(&format!("`{}` function not found", entry.name))
+                .note("ShaderToy calls it for every pixel or sample")
                 .help(format!("define `{}`", entry.signature)),
             E::Unwrapped(output) => {
-                let message = "`mainImage` is ShaderToy's; WebGL2 calls `main`";
+                let message = "`mainImage` is ShaderToy's entry point; WebGL2 calls `main`";
                 c.wrap_main(c.error(error::UNWRAPPED_MAINIMAGE, at, message), output)
             }
             E::Signature(entry) => {
                 let name = entry.name;
-                let message = format!("`{name}` is not declared as the player calls it");
+                let message = format!("`{name}` has the wrong signature for ShaderToy");
                 c.error(error::MAINIMAGE_SIGNATURE, at, message)
-                    .help(format!("write `{}`", entry.signature))
+                    .help(format!("declare it as `{}`", entry.signature))
             }
-            E::MainParameters => main("`main` takes no parameters"),
-            E::MainReturns => main("`main` returns nothing"),
+            E::MainParameters => main("`main` must not have parameters"),
+            E::MainReturns => main("`main` must return `void`"),
         }
     }
 }
 
 impl ExplainContext<'_> {
-    /// The place for what is missing from the shader as a whole: the start of its last text.
+    /// Where something that the shader lacks is reported: the start of its last file.
     fn start_of_shader(&self) -> Span {
         let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
         self.sources
@@ -54,9 +54,10 @@ impl ExplainContext<'_> {
         text.push_str(&format!(
             "void main() {{\n    mainImage({name}, gl_FragCoord.xy);\n}}\n"
         ));
-        d.help("`shaderport` makes the whole page").fix(Fix::safe(
-            "add a `main` that calls it",
-            vec![Edit::insert(end, text)],
-        ))
+        d.help("use `shaderport` to convert it into a complete WebGL2 page")
+            .fix(Fix::safe(
+                "add a `main` that calls `mainImage`",
+                vec![Edit::insert(end, text)],
+            ))
     }
 }

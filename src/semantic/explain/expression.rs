@@ -1,4 +1,4 @@
-//! What is wrong with expressions.
+//! Messages for [`ExpressionError`].
 
 use super::*;
 
@@ -21,8 +21,8 @@ impl Explain for ExpressionError {
 }
 
 impl ExplainContext<'_> {
-    /// What to say of an expression that does not fit. `parts` are its operands or arguments, as
-    /// the misfit numbers them.
+    /// The message for a type error in an expression. `parts` are its operands or arguments, in the
+    /// order in which the misfit numbers them.
     fn explain_misfit(&self, id: ExprId, parts: &[ExprId], misfit: Misfit) -> Diagnostic {
         use Misfit as M;
         let part = |number: usize| parts.get(number).copied().unwrap_or(id);
@@ -57,7 +57,7 @@ impl ExplainContext<'_> {
 
     /// A value of type `void` where one is needed.
     pub(super) fn explain_void(&self, id: ExprId) -> Diagnostic {
-        let message = "this has no value: its type is `void`";
+        let message = "expected a value, found `void`";
         self.error_expr(error::VOID_VALUE, id, message)
     }
 }

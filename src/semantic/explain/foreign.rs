@@ -1,4 +1,4 @@
-//! Words of other languages: what GLSL has for them, and the edit.
+//! Messages for [`ForeignError`]: names of other languages and their GLSL equivalents.
 
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, foreign};
@@ -28,7 +28,7 @@ impl Explain for ForeignError {
 }
 
 impl ExplainContext<'_> {
-    /// A type that GLSL has under another word, which takes its place behind `before`.
+    /// A type that has another name in GLSL; the fix writes `before` and that name.
     fn explain_foreign_type(
         &self,
         name: Name,
@@ -46,7 +46,7 @@ impl ExplainContext<'_> {
         self.rename_fix(d, name, &format!("{before}{word}"))
     }
 
-    /// What GLSL has nothing for.
+    /// A name without a GLSL equivalent.
     pub(crate) fn explain_absent(
         &self,
         rule: ErrorKind,
@@ -58,8 +58,8 @@ impl ExplainContext<'_> {
         self.error_at(rule, token, message).note(why)
     }
 
-    /// `var`, `let` or `auto` at `token`; the type of the value takes the place of the words from
-    /// `from` on.
+    /// `var`, `let` or `auto` at `token`; the fix replaces the tokens from `from` to it with the
+    /// type of the value.
     pub(crate) fn explain_inferred_type(
         &self,
         token: TokenId,
@@ -67,21 +67,20 @@ impl ExplainContext<'_> {
         found: Type,
     ) -> Diagnostic {
         let word = self.text(Name(self.token(token).value));
-        let message = format!("`{word}` is no type: GLSL takes none from a value");
+        let message = format!("`{word}` is not a type; GLSL has no type inference");
         let d = self.error_at(error::UNKNOWN_TYPE, token, message);
         if found.is_error() {
-            return d.help("write the type: `float`, `vec3`, ...");
+            return d.help("use an explicit type: `float`, `vec3`, ...");
         }
         let name = self.name_of(found);
         let span = self.token_span(from).to(self.token_span(token));
         d.fix(Fix::safe(
-            format!("write `{name}`"),
+            format!("use `{name}`"),
             vec![Edit::replace(span, name)],
         ))
     }
 
-    /// A call of a function that GLSL has in another form; `None` where the word says nothing of
-    /// calls.
+    /// A call of a function that GLSL has in another form; `None` if the name is not a function.
     pub(crate) fn explain_foreign_call(
         &self,
         id: ExprId,
@@ -108,7 +107,7 @@ impl ExplainContext<'_> {
                     .remove_statement(token)
                     .filter(|_| types.first() == Some(&Type::FLOAT));
                 let edits = fix.and_then(|_| self.rewrite_call(id, code, count));
-                let fix = edits.map(|(text, edits)| Fix::safe(format!("write `{text}`"), edits));
+                let fix = edits.map(|(text, edits)| Fix::safe(format!("use `{text}`"), edits));
                 Some(error(&shown(code)).fix(fix))
             }
             _ => self.foreign_value(name, token),
@@ -124,22 +123,30 @@ impl ExplainContext<'_> {
         has: &str,
     ) -> Diagnostic {
         let text = self.text(Name(self.token(token).value));
-        let message = format!("there is no {what} `{text}`: GLSL has `{has}`");
+        let message = format!("`{text}` is not a GLSL {what}; use `{has}`");
+        let origin = match found.language {
+            "HLSL" => format!("an HLSL {what}"),
+            described if described.contains(' ') => format!("a {what} of {described}"),
+            name => format!("a {name} {what}"),
+        };
         self.error_at(rule, token, message)
-            .note(format!("`{text}` is a word of {}", found.language))
+            .note(format!("`{text}` is {origin}"))
     }
 
-    /// Writes `to` in the place of every use of a name.
+    /// Replaces every use of a name with `to`.
     pub(super) fn rename_fix(&self, d: Diagnostic, name: Name, to: &str) -> Diagnostic {
         let edits = self.rename_all(name, to);
         match edits.len() {
-            0 => d.help(format!("write `{to}`")),
-            1 => d.fix(Fix::safe(format!("write `{to}`"), edits)),
-            n => d.fix(Fix::safe(format!("write `{to}` in all {n} places"), edits)),
+            0 => d.help(format!("use `{to}`")),
+            1 => d.fix(Fix::safe(format!("use `{to}`"), edits)),
+            n => d.fix(Fix::safe(
+                format!("replace all {n} uses with `{to}`"),
+                edits,
+            )),
         }
     }
 
-    /// What to say of an undeclared name that is a value in other languages.
+    /// The message for an undeclared name that is a value in other languages.
     pub(super) fn foreign_value(&self, name: Name, token: TokenId) -> Option<Diagnostic> {
         let text = self.text(name);
         let found = foreign(text, self.version)?;
@@ -151,23 +158,23 @@ impl ExplainContext<'_> {
                 None
             }
             Meaning::Value(value) => {
-                let d = self.foreign_error(error::UNDECLARED_NAME, token, found, "value", value);
+                let d = self.foreign_error(error::UNDECLARED_NAME, token, found, "constant", value);
                 Some(self.rename_fix(d, name, value))
             }
             Meaning::Zero => Some(self.foreign_zero(name, token)),
             Meaning::Namespace => {
-                let message = format!("GLSL has no `{text}`: its functions stand alone");
+                let message = format!("GLSL has no namespace `{text}`; functions have no prefix");
                 let d = self.error_at(error::UNDECLARED_NAME, token, message);
                 let edits = self.unqualify(name);
                 let fix =
-                    (!edits.is_empty()).then(|| Fix::safe(format!("take `{text}.` away"), edits));
+                    (!edits.is_empty()).then(|| Fix::safe(format!("remove `{text}.`"), edits));
                 Some(d.fix(fix))
             }
             Meaning::Silent => {
-                let message = format!("a shader cannot print, and has no `{text}`");
+                let message = format!("GLSL has no `{text}`; shaders cannot print");
                 let d = self
                     .error_at(error::UNDECLARED_NAME, token, message)
-                    .note("a value is seen by its colour: write it to the output");
+                    .note("to inspect a value, write it to the output as a colour");
                 Some(d.fix(self.remove_statement(token)))
             }
             Meaning::Absent(why) => {
@@ -177,7 +184,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// `null`, `None` and their kin.
+    /// `null`, `None` and the like.
     fn foreign_zero(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let d = self
@@ -186,7 +193,7 @@ impl ExplainContext<'_> {
                 token,
                 format!("GLSL has no `{text}`"),
             )
-            .note("a variable always has a value of its type");
+            .note("every variable holds a value of its type");
         let wanted = self.wanted.or_else(|| {
             let before = self.tree.exprs.get(self.exprs.len().checked_sub(1)?)?;
             let ty = self.exprs.last()?.ty;
@@ -195,14 +202,14 @@ impl ExplainContext<'_> {
         });
         match wanted.and_then(|ty| self.zero_of(ty)) {
             Some(zero) => d.fix(Fix::suggestion(
-                format!("write `{zero}`"),
+                format!("use `{zero}`"),
                 vec![Edit::replace(self.token_span(token), zero)],
             )),
             None => d,
         }
     }
 
-    /// Edits that take the name of a namespace away before names that GLSL has or has a word for.
+    /// Edits that remove a namespace before names that GLSL has or has an equivalent for.
     fn unqualify(&self, name: Name) -> Vec<Edit> {
         let all = &self.tokens.tokens;
         let mut edits = Vec::new();
@@ -229,7 +236,7 @@ impl ExplainContext<'_> {
         edits
     }
 
-    /// Takes the statement away that starts at `token`, if one does.
+    /// Removes the statement that starts at `token`, if one does.
     fn remove_statement(&self, token: TokenId) -> Option<Fix> {
         let all = &self.tokens.tokens;
         let before = all.get((token as usize).checked_sub(1)?)?;
@@ -247,10 +254,10 @@ impl ExplainContext<'_> {
             .all(|t| !matches!(t.kind, T::LeftBrace | T::RightBrace));
         let edit = Edit::delete(self.span(extent));
         (is_plain && self.is_direct(extent))
-            .then(|| Fix::suggestion("take the statement out", vec![edit]))
+            .then(|| Fix::suggestion("remove the statement", vec![edit]))
     }
 
-    /// Writes `code` in the place of every call of a function, or of those that stand in no other.
+    /// Replaces every call of a function with `code`; where calls nest, only the outermost.
     fn rewrite_calls(&self, name: Name, code: &str, count: usize) -> Option<(String, Vec<Edit>)> {
         let calls = self
             .tree
@@ -279,12 +286,15 @@ impl ExplainContext<'_> {
         }
         let title = title?;
         Some(match number {
-            1 => (format!("write `{title}`"), edits),
-            n => (format!("write `{title}`, and so in all {n} calls"), edits),
+            1 => (format!("use `{title}`"), edits),
+            n => (
+                format!("rewrite all {n} calls, the first as `{title}`"),
+                edits,
+            ),
         })
     }
 
-    /// Writes `code` in the place of a call, whose arguments stand for `$1`, `$2` and so on.
+    /// Replaces a call with `code`, in which `$1`, `$2` and so on are its arguments.
     fn rewrite_call(&self, id: ExprId, code: &str, count: usize) -> Option<(String, Vec<Edit>)> {
         let tree = self.tree;
         let ExprKind::Call(_, args) = tree.expr(id).kind else {
@@ -342,7 +352,7 @@ impl ExplainContext<'_> {
     }
 }
 
-/// Whether a code names each of its arguments once, in their order.
+/// Whether `code` uses each argument exactly once and in order.
 fn in_order(code: &str, count: usize) -> bool {
     let numbers = code.split('$').skip(1).map(|p| p.get(..1).unwrap_or(""));
     numbers.eq((1..=count).map(|n| match n {
@@ -353,7 +363,7 @@ fn in_order(code: &str, count: usize) -> bool {
     }))
 }
 
-/// A code as a message shows it.
+/// `code` as messages show it: with `a`, `b`, ... for the arguments.
 fn shown(code: &str) -> String {
     let names = ["a", "b", "c", "d"];
     let mut text = code.to_string();

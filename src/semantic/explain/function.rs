@@ -1,4 +1,4 @@
-//! What is wrong with functions: their headers, and their declarations together.
+//! Messages for [`FunctionError`].
 
 use super::*;
 
@@ -10,39 +10,41 @@ impl Explain for FunctionError {
         let mismatch = |message: &str| c.error(error::FUNCTION_MISMATCH, at, message);
         match self {
             E::Local => {
-                let message = "a function cannot be declared inside a function";
+                let message = "a function cannot be declared inside another function";
                 c.error(error::LOCAL_FUNCTION, at, message)
-                    .note("move the declaration out (section 4.2.4)")
+                    .note("functions can only be declared at global scope (section 4.2.4)")
             }
             E::PrototypeTwice(name) => mismatch(&format!("`{}` is declared twice", c.text(name)))
-                .note("GLSL ES 1.00 section 4.2.7 allows one prototype only"),
+                .note("GLSL ES 1.00 allows only one prototype per function (section 4.2.7)"),
             E::DefinedTwice(name, first) => {
                 let name = c.text(name);
                 let message =
-                    format!("the function `{name}` is defined twice with the same parameters");
+                    format!("function `{name}` is defined twice with the same parameters");
                 let d = c.error(error::REDEFINITION, at, message);
                 c.with_declaration(d, first, "first defined here")
             }
             E::NoReturn(name, wanted) => {
                 let (name, wanted) = (c.text(name), c.name_of(wanted));
-                let message = format!("`{name}` returns nothing, although it is `{wanted}`");
-                let note = format!("somewhere in it must be a `return` with a `{wanted}`");
-                c.error(error::MISSING_RETURN, at, message).note(note)
+                let message =
+                    format!("`{name}` must return `{wanted}`, but no path returns a value");
+                c.error(error::MISSING_RETURN, at, message).note(
+                    "a function that is not `void` needs a `return` with a value (section 6.1)",
+                )
             }
             E::VoidParameter => c
-                .error(error::VOID_VALUE, at, "a parameter cannot be `void`")
-                .note("only `f(void)`, for no parameter at all, is allowed"),
-            E::StructParameter => parameter("a struct cannot be declared in a parameter"),
+                .error(error::VOID_VALUE, at, "a parameter cannot have type `void`")
+                .note("`void` is only allowed in `f(void)`, a function without parameters"),
+            E::StructParameter => parameter("a struct cannot be declared in a parameter list"),
             E::UnsizedParameter => parameter("an array parameter needs a size"),
             E::OutSampler => parameter("a sampler cannot be an `out` parameter"),
             E::ReturnsSampler => {
                 let message = "a function cannot return a sampler";
                 c.error(error::SAMPLER_RESTRICTION, at, message)
             }
-            E::ReturnsUnsized => array("an array that is returned needs a size"),
+            E::ReturnsUnsized => array("an array return type needs a size"),
             E::ReturnsArray => array("GLSL ES 1.00 functions cannot return arrays"),
             E::ReturnsArrayInside => {
-                array("GLSL ES 1.00 functions cannot return structs that hold arrays")
+                array("GLSL ES 1.00 functions cannot return structs that contain arrays")
             }
             E::Builtin(name) => c.builtin_name(name, at),
             E::ReturnType(known, returns, other) => {
@@ -60,7 +62,7 @@ impl Explain for FunctionError {
                 c.label_other(
                     known,
                     mismatch(&format!(
-                        "the parameters of `{name}` are qualified otherwise in another declaration"
+                        "parameter qualifiers of `{name}` differ from another declaration"
                     )),
                 )
             }
@@ -74,7 +76,7 @@ impl<'a> ExplainContext<'a> {
         function.map_or("", |f| self.text(f.name))
     }
 
-    /// The token of its name, where it is first declared.
+    /// The name in the first declaration of a function.
     pub(super) fn function_token(&self, function: FunctionRef) -> Option<TokenId> {
         let function = self.functions.get(function.0 as usize)?;
         let decl = self.tree.function(function.declaration)?;
@@ -82,7 +84,7 @@ impl<'a> ExplainContext<'a> {
     }
 
     fn label_other(&self, known: FunctionRef, d: Diagnostic) -> Diagnostic {
-        self.with_declaration(d, self.function_token(known), "the other one")
+        self.with_declaration(d, self.function_token(known), "other declaration")
     }
 
     fn builtin_name(&self, name: Name, at: Extent) -> Diagnostic {
@@ -90,10 +92,14 @@ impl<'a> ExplainContext<'a> {
         let to = self.free_function_name(text);
         let edits = self.rename_all(name, &to);
         let d = self
-            .error(error::BUILTIN_REDEFINITION, at, format!("`{text}` is a built-in function"))
-            .note("GLSL ES 3.00 lets no function take such a name, whatever its parameters (section 6.1)");
+            .error(
+                error::BUILTIN_REDEFINITION,
+                at,
+                format!("cannot redefine built-in function `{text}`"),
+            )
+            .note("GLSL ES 3.00 does not allow redefining or overloading a built-in (section 6.1)");
         match edits.is_empty() {
-            true => d.help(format!("rename it, to `{to}` for example")),
+            true => d.help(format!("rename it, for example to `{to}`")),
             false => d.fix(Fix::suggestion(format!("rename it to `{to}`"), edits)),
         }
     }

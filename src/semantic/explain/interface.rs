@@ -1,4 +1,4 @@
-//! What is wrong with what passes between stages.
+//! Messages for [`InterfaceError`].
 
 use super::*;
 
@@ -8,24 +8,27 @@ impl Explain for InterfaceError {
         let say = |message: &str| c.error(error::INTERFACE_TYPE, at, message);
         match self {
             E::Type(storage, ty) => say(&format!(
-                "`{}` cannot be `{}`",
+                "`{}` variables cannot have type `{}`",
                 storage.name(),
                 c.name_of(ty)
             )),
-            E::Bool(storage) => say(&format!("`{}` cannot be `bool`", storage.name())),
-            E::Struct(storage) => say(&format!("`{}` cannot be a struct", storage.name())),
-            E::InputArray => say("an input of a vertex shader cannot be an array"),
-            E::OutputMatrix => say("an output of a fragment shader cannot be a matrix"),
+            E::Bool(storage) => say(&format!(
+                "`{}` variables cannot have type `bool`",
+                storage.name()
+            )),
+            E::Struct(storage) => say(&format!("`{}` variables cannot be structs", storage.name())),
+            E::InputArray => say("a vertex shader input cannot be an array"),
+            E::OutputMatrix => say("a fragment shader output cannot be a matrix"),
             E::NotFlat(storage) => {
-                let word = storage.name();
+                let word = if storage.is_input() { "in" } else { "out" };
                 say(&format!(
-                    "an integer that is passed between stages must be `flat {word}`"
+                    "an integer passed between stages must be `flat {word}`"
                 ))
             }
             E::ArrayOfStructs => say("an array of structs cannot be passed between stages"),
-            E::ArrayInside => say("a struct that holds an array cannot be passed between stages"),
-            E::StructInside => say("a struct that holds a struct cannot be passed between stages"),
-            E::BoolInside => say("a struct that holds a `bool` cannot be passed between stages"),
+            E::ArrayInside => say("a struct containing an array cannot be passed between stages"),
+            E::StructInside => say("a struct containing a struct cannot be passed between stages"),
+            E::BoolInside => say("a struct containing a `bool` cannot be passed between stages"),
         }
     }
 }

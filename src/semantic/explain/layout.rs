@@ -1,4 +1,4 @@
-//! What is wrong with a `layout(...)`.
+//! Messages for [`LayoutError`].
 
 use super::*;
 
@@ -8,30 +8,31 @@ impl Explain for LayoutError {
         let say = |message: &str| c.error(error::INVALID_LAYOUT, at, message);
         match self {
             E::NotInWebgl(word) => say(&format!(
-                "WebGL has no block layout `{}`; only `std140`",
+                "WebGL does not support block layout `{}`; use `std140`",
                 c.text(word)
             )),
             E::NoNumber => say("`location` needs a number: `location = 0`"),
-            E::Unknown(word) => say(&format!("there is no layout `{}` here", c.text(word))),
+            E::Unknown(word) => say(&format!("unknown layout qualifier `{}`", c.text(word))),
             E::UnknownNumber(word) => {
                 let word = c.text(word);
-                let d = say(&format!("there is no layout `{word} = ...` here"));
+                let d = say(&format!("unknown layout qualifier `{word} = ...`"));
                 match word {
                     "binding" | "offset" => {
-                        d.note("it comes with GLSL ES 3.10, which WebGL2 does not have")
+                        d.note("it was added in GLSL ES 3.10, which WebGL2 does not support")
                     }
                     _ => d,
                 }
             }
-            E::Negative => say("a location must not be negative"),
-            E::OfBlock => say("this layout is for interface blocks"),
-            E::NoLocationHere => say("no location can be given here")
-                .note("only inputs of vertex shaders and outputs of fragment shaders have one (section 4.3.8)"),
-            E::Twice => say("the location is given twice"),
+            E::Negative => say("`location` cannot be negative"),
+            E::OfBlock => say("this layout qualifier is only allowed on interface blocks"),
+            E::NoLocationHere => say("`location` is not allowed here").note(
+                "only vertex shader inputs and fragment shader outputs have one (section 4.3.8)",
+            ),
+            E::Twice => say("`location` is specified twice"),
             E::OutOfRange(location) => say(&format!("location {location} is out of range"))
-                .note("a vertex shader has 16 inputs, at locations 0 to 15"),
-            E::Shared => say("a location is for one variable only"),
-            E::OfNothing => say("a declaration is missing behind these qualifiers"),
+                .note("a vertex shader has 16 input locations, 0 to 15"),
+            E::Shared => say("`location` can only apply to a single variable"),
+            E::OfNothing => say("expected a declaration after these qualifiers"),
             E::NotUniform => say("a default layout can only be set for `uniform`"),
         }
     }

@@ -1,4 +1,4 @@
-//! Members, components and elements that are not there.
+//! Messages for members, components and elements that do not exist.
 
 use super::*;
 use crate::typing::{LENGTH, SWIZZLES};
@@ -8,7 +8,7 @@ use shaderlint_syntax::{Meaning, foreign};
 const MAX_LISTED: usize = 12;
 
 impl ExplainContext<'_> {
-    /// A member that its object has not.
+    /// A member that its object does not have.
     pub(super) fn explain_member(&self, id: ExprId, object: ExprId, misfit: Misfit) -> Diagnostic {
         let token = self.tree.expr(id).extent.last;
         let ExprKind::Member(_, name) = self.tree.expr(id).kind else {
@@ -23,32 +23,34 @@ impl ExplainContext<'_> {
                 None => self.no_members(object, text, token),
             },
             Misfit::ArrayMember => {
-                let message = format!("an array has no member `{text}`");
+                let message = format!("arrays have no member `{text}`");
                 let d = self.error_at(error::NO_SUCH_FIELD, token, message);
                 match text {
-                    LENGTH => d.help("write `.length()`"),
-                    _ => d.help("take an element first: `a[0]`"),
+                    LENGTH => d.help("use `.length()`"),
+                    _ => d.help("index an element first: `a[0]`"),
                 }
             }
             _ => self.no_members(object, text, token),
         }
     }
 
-    /// A number, a matrix or a sampler, of which no component is named.
+    /// A component of a scalar, a matrix or a sampler, which have none.
     fn no_members(&self, object: ExprId, text: &str, token: TokenId) -> Diagnostic {
         let ty = self.ty(object);
         let message = format!("`{}` has no component `{text}`", self.name_of(ty));
         let d = self.error_at(error::INVALID_SWIZZLE, token, message);
         match ty.numeric() {
-            Some((_, 1, 1)) => d.note("only vectors have components; GLSL has no `.x` of a number"),
-            Some(_) => {
-                d.help("a column of a matrix is `m[0]`, a number in it `m[0].x` or `m[0][0]`")
+            Some((_, 1, 1)) => {
+                d.note("only vectors have components; GLSL ES has no `.x` on scalars")
             }
+            Some(_) => d.help(
+                "use `m[0]` for a column of a matrix, and `m[0].x` or `m[0][0]` for an element",
+            ),
             None => d,
         }
     }
 
-    /// A letter of a swizzle for which the vector is too short.
+    /// A component of a swizzle beyond the size of the vector.
     fn no_such_component(&self, id: ExprId, object: ExprId, ty: Type, letter: usize) -> Diagnostic {
         let token = self.tree.expr(id).extent.last;
         let ExprKind::Member(_, name) = self.tree.expr(id).kind else {
@@ -64,12 +66,12 @@ impl ExplainContext<'_> {
         let message = format!("`{of}` has no component `{letter}`");
         let d = self
             .error_at(error::SWIZZLE_OUT_OF_RANGE, token, message)
-            .mark(format!("the vector has {letters}"));
+            .mark(format!("`{of}` has {letters}"));
         let d = match self.tree.expr(self.tree.unparen(object)).kind {
             ExprKind::Member(..) => {
                 let shown = self.expr_text(object);
                 d.note(format!(
-                    "`{shown}` is a new `{of}`, whose components are {letters} again"
+                    "the swizzle `{shown}` is a `{of}` with the components {letters}"
                 ))
             }
             _ => d,
@@ -78,8 +80,7 @@ impl ExplainContext<'_> {
         d.fix(fix.or_else(|| self.mend_swizzle(text, rows, token)))
     }
 
-    /// `v.xyz` of a vector with two components and `v.xyzw` of one with three: the components that
-    /// it lacks are added.
+    /// `v.xyz` of a vector with two components, `v.xyzw` of one with three: adds the missing ones.
     fn lack_of_components(&self, id: ExprId, object: ExprId, text: &str, rows: u8) -> Option<Fix> {
         let size = text.len() as u8;
         let is_whole = SWIZZLES.iter().any(|set| set.starts_with(text));
@@ -94,42 +95,42 @@ impl ExplainContext<'_> {
         let added = ExplainContext::added_components(scalar, rows, size);
         let written = format!("{name}({}{added})", self.expr_text(object));
         let edits = vec![Edit::replace(self.expr_span(id), written.clone())];
-        Some(Fix::suggestion(format!("write `{written}`"), edits))
+        Some(Fix::suggestion(format!("use `{written}`"), edits))
     }
 
     fn bad_swizzle(&self, text: &str, token: TokenId, of: &str) -> Diagnostic {
         let d = self.error_at(
             error::INVALID_SWIZZLE,
             token,
-            format!("`{text}` are no components of `{of}`"),
+            format!("invalid swizzle `{text}` on `{of}`"),
         );
         let letters = |set: &str| text.chars().any(|c| set.contains(c));
         let sets = SWIZZLES.iter().filter(|s| letters(s)).count();
         if text.chars().all(|c| "xyzwrgbastpq".contains(c)) && sets > 1 {
             d.note("`xyzw`, `rgba` and `stpq` cannot be mixed (section 5.5)")
         } else if text.len() > 4 {
-            d.note("at most four components can be taken at once (section 5.5)")
+            d.note("a swizzle has at most four components (section 5.5)")
         } else if text == LENGTH {
-            d.help("a vector's length is `length(v)`")
+            d.help("use `length(v)`")
         } else {
-            d.note("a component is one of `xyzw`, `rgba` or `stpq` (section 5.5)")
+            d.note("the components are `xyzw`, `rgba` or `stpq` (section 5.5)")
         }
     }
 
-    /// What has no elements.
+    /// An index on a type without elements.
     pub(super) fn explain_no_elements(&self, id: ExprId, ty: Type) -> Diagnostic {
         let message = format!("`{}` cannot be indexed", self.name_of(ty));
         self.error_expr(error::INVALID_INDEX, id, message)
-            .note("arrays, vectors and matrices can (section 5.7)")
+            .note("only arrays, vectors and matrices can be indexed (section 5.7)")
     }
 
-    /// An index that is no integer.
+    /// An index that is not an integer.
     pub(super) fn explain_index(&self, index: ExprId, ty: Type) -> Diagnostic {
         let name = self.name_of(ty);
         let d = self.error_expr(
             error::INVALID_INDEX,
             index,
-            format!("an index must be an integer, not `{name}`"),
+            format!("index must be an integer, found `{name}`"),
         );
         let fix = match ty {
             Type::FLOAT => self.convert(index, Scalar::Int),
@@ -138,7 +139,7 @@ impl ExplainContext<'_> {
         d.fix(fix)
     }
 
-    /// A method that is none; only `length()` of arrays is one.
+    /// An unknown method; the only one is `length()` of arrays.
     pub(crate) fn explain_method(
         &self,
         id: ExprId,
@@ -148,16 +149,16 @@ impl ExplainContext<'_> {
     ) -> Diagnostic {
         let (ty, text) = (self.ty(object), self.text(name));
         let message = if text != LENGTH {
-            format!("there is no method `{text}`; only arrays have one, `length()`")
+            format!("unknown method `{text}`; the only method is `length()` on arrays")
         } else if args.len > 0 {
-            "`length()` takes no argument".to_string()
+            "`length()` accepts no arguments".to_string()
         } else {
             let of = self.name_of(ty);
-            format!("`.length()` is for arrays; this is `{of}`")
+            format!("`.length()` requires an array, found `{of}`")
         };
         let d = self.error_expr(error::NOT_A_FUNCTION, id, message);
         let d = match ty.is_vector() && text == LENGTH {
-            true => d.note("the number of a vector's components is fixed"),
+            true => d.note("a vector has a fixed number of components"),
             false => d,
         };
         let fix = self.method_as_call(id, object, name, args);
@@ -166,7 +167,7 @@ impl ExplainContext<'_> {
             let behind = self.expr_span(object).end + 1 + text.len() as u32;
             let is_direct = self.is_direct(self.tree.expr(id).extent) && args.len == 1;
             let edits = vec![Edit::insert(behind, " * ")];
-            (is_swizzle && is_direct).then(|| Fix::suggestion("multiply with `*`", edits))
+            (is_swizzle && is_direct).then(|| Fix::suggestion("add `*` to multiply", edits))
         });
         d.fix(fix)
     }
@@ -189,15 +190,16 @@ impl ExplainContext<'_> {
             Edit::insert(span.start, format!("{function}(")),
             Edit::replace(end, if args.len > 0 { ", " } else { ")" }),
         ];
+        let more = if args.len > 0 { ", ..." } else { "" };
         self.is_direct(self.tree.expr(id).extent).then(|| {
             Fix::suggestion(
-                format!("write `{function}({}...`", self.expr_text(object)),
+                format!("use `{function}({}{more})`", self.expr_text(object)),
                 edits,
             )
         })
     }
 
-    /// A member that a struct has not.
+    /// A member that a struct does not have.
     fn no_such_field(&self, id: ExprId, object: ExprId, record: &Struct, name: Name) -> Diagnostic {
         let token = self.tree.expr(id).extent.last;
         let text = self.text(name);
@@ -222,13 +224,13 @@ impl ExplainContext<'_> {
         let listed = fields().take(MAX_LISTED).map(|f| format!("`{f}`"));
         let list = listed.collect::<Vec<_>>().join(", ");
         d.note(match record.fields.len().saturating_sub(MAX_LISTED) {
-            0 => format!("it has {list}"),
-            more => format!("it has {list} and {more} more"),
+            0 => format!("available members: {list}"),
+            more => format!("available members: {list} and {more} more"),
         })
     }
 
-    /// Letters that the vector has in the place of those that it has not, or that stand twice where
-    /// each may stand once: the one that belongs to the place, else one that is free.
+    /// Replaces components that the vector does not have, or that repeat where they must not: by
+    /// the one at the same position of `xyzw`, else by an unused one.
     pub(crate) fn mend_swizzle(&self, text: &str, rows: u8, token: TokenId) -> Option<Fix> {
         let letters = SWIZZLES
             .iter()
@@ -255,20 +257,20 @@ impl ExplainContext<'_> {
                 *slot = letter;
             }
         }
-        let mended: String = out.into_iter().flatten().collect();
-        let edits = vec![Edit::replace(self.token_span(token), mended.clone())];
-        Some(Fix::suggestion(format!("write `.{mended}`"), edits))
+        let replaced: String = out.into_iter().flatten().collect();
+        let edits = vec![Edit::replace(self.token_span(token), replaced.clone())];
+        Some(Fix::suggestion(format!("use `.{replaced}`"), edits))
     }
 
-    /// A member of a struct that holds samplers, taken behind `,`.
+    /// A member of a comma expression that is a struct containing samplers.
     pub(crate) fn explain_member_behind_comma(&self, id: ExprId) -> Diagnostic {
-        let message = "no member can be taken of a struct that holds samplers behind `,`";
+        let message = "cannot access a member after `,` if the struct contains samplers";
         self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
             .note("the browser does not compile it")
-            .help("take the member of the variable itself")
+            .help("access the member of the variable directly")
     }
 
-    /// A constant index that lies outside.
+    /// A constant index that is out of range.
     pub(crate) fn explain_index_range(
         &self,
         object: ExprId,
@@ -277,10 +279,10 @@ impl ExplainContext<'_> {
         size: u32,
     ) -> Diagnostic {
         let of = self.name_of(self.ty(object));
-        let message = format!("index {value} lies outside `{of}`");
+        let message = format!("index {value} is out of range for `{of}`");
         let d = self
             .error_expr(error::INDEX_OUT_OF_RANGE, index, message)
-            .mark(format!("the last one is {}", size - 1));
+            .mark(format!("last index is {}", size - 1));
         let variable = self.variable_of(object);
         match variable.and_then(|v| self.variables.get(v.0 as usize)) {
             Some(v) if v.token.is_some() => self.with_declaration(d, v.token, "declared here"),
@@ -288,7 +290,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// An index that is not constant, where only a constant is taken.
+    /// An index that must be constant and is not.
     pub(crate) fn explain_dynamic_index(&self, id: ExprId, what: Indexed) -> Diagnostic {
         let what = match what {
             Indexed::Samplers => "an array of samplers",
@@ -296,9 +298,9 @@ impl ExplainContext<'_> {
             Indexed::Outputs => "an array of fragment outputs",
             Indexed::Output => "a fragment output",
         };
-        let message = format!("{what} takes a constant index only");
+        let message = format!("{what} must be indexed with a constant");
         self.error_expr(error::INVALID_INDEX, id, message)
             .note("in GLSL ES 3.00 the index must be a constant expression (sections 4.1.7, 4.3.6, 4.3.7)")
-            .help("use `switch` or `if` to choose among the elements")
+            .help("use `switch` or `if` to select the element")
     }
 }

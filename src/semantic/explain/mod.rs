@@ -1,9 +1,9 @@
-//! Words: what is said of what does not fit, and the edit that mends it.
+//! Messages: the diagnostic for each problem that the checker found, and its fix.
 //!
-//! `typing` and `checker` decide, and leave what is wrong as data; [`explain()`] makes messages of it
-//! once it is chosen what is to be said. Each of the checker's enums has its words in the file that is
-//! called as the one it stands in. What they need besides is in the program, as far as the checker
-//! knew it when it met the problem.
+//! `typing` and `checker` report problems as data; [`explain()`] turns those that are to be shown
+//! into diagnostics. The messages for an error enum of the checker are in the file of the same name
+//! here. Everything else they need comes from the program, in the state in which the checker met
+//! the problem.
 
 mod arguments;
 mod array;
@@ -50,23 +50,23 @@ use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Token, TokenKind, Version};
 use shaderlint_text::{Edit, Span};
 
-/// What holds for every value.
-const NO_CONVERSION: &str = "GLSL ES converts nothing by itself (section 4.1.10)";
+/// Note on every mix of types.
+const NO_CONVERSION: &str = "GLSL ES has no implicit conversions (section 4.1.10)";
 
-/// Something that is wrong, as data, of which words can be made.
+/// A problem that can be turned into a diagnostic.
 trait Explain {
-    /// What to say of it.
+    /// The diagnostic at `at`.
     fn explain(self, context: &ExplainContext, at: Extent) -> Diagnostic;
 }
 
-/// Makes words of all that is wrong with a shader.
+/// Turns all problems of a shader into diagnostics.
 pub(super) fn explain(program: &Program, problems: &Problems) -> Vec<Diagnostic> {
     let mut context = ExplainContext::new(program, problems);
     let mut all = Vec::with_capacity(problems.len());
     for problem in &problems.all {
         context.go_to(problem.moment);
         let mut d = problem.what.clone().explain(&context, problem.at);
-        // A fix whose edits do not stand in the user's own text just so is dropped.
+        // A fix is dropped unless all its edits are in the user's own text, outside macros.
         if let Some(fix) = &d.fix
             && fix.edits.iter().any(|e| !context.is_editable(e.span))
         {
@@ -81,11 +81,11 @@ pub(super) fn explain(program: &Program, problems: &Problems) -> Vec<Diagnostic>
 }
 
 impl ExplainContext<'_> {
-    /// Adds to what is said of a problem what came to be known of it later.
+    /// Adds what the checker learned about a problem after reporting it.
     fn add(&self, d: &mut Diagnostic, aside: Aside, at: Extent) {
         match aside {
-            Aside::Used(1) => d.notes.push("it is used once more".to_string()),
-            Aside::Used(uses) => d.notes.push(format!("it is used {uses} times more")),
+            Aside::Used(1) => d.notes.push("also used in 1 other place".to_string()),
+            Aside::Used(uses) => d.notes.push(format!("also used in {uses} other places")),
             Aside::SetTo(ty) if d.is(error::UNDECLARED_NAME) => {
                 let name = Name(self.token(at.first).value);
                 let fix = self.declaration_where_set(name, at.first, ty);
@@ -94,7 +94,7 @@ impl ExplainContext<'_> {
             Aside::SetTo(_) => {}
             Aside::Second(second) => d.fix = self.second_declaration(second),
             Aside::Argument(direction) => d.notes.push(format!(
-                "the parameter is `{direction}`: the function writes to it"
+                "the parameter is `{direction}`, so the function writes to its argument"
             )),
         }
     }

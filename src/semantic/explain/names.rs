@@ -1,9 +1,9 @@
-//! Names that are taken, and names that nothing declares: what was probably meant.
+//! Messages for [`NameError`]: reserved, redeclared and undeclared names, with suggestions.
 
 use super::*;
 use shaderlint_syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
 
-/// How far the partner of a bracket is looked for, in tokens.
+/// Longest distance to a closing bracket, in tokens.
 const MAX_BRACKETED: TokenId = 200;
 
 /// Names that shaders give their output.
@@ -28,20 +28,18 @@ impl Explain for NameError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         match self {
             NameError::Reserved(name, owner) => {
-                let message = format!("the name `{}` is reserved", c.text(name));
+                let message = format!("identifier `{}` is reserved", c.text(name));
                 let why = match owner {
-                    Owner::Language => {
-                        "names that start with `gl_` belong to the language (section 3.9)"
-                    }
+                    Owner::Language => "GLSL reserves names that start with `gl_` (section 3.9)",
                     Owner::Webgl => {
-                        "names that start with `webgl_` belong to WebGL (WebGL 1.0 section 6.22)"
+                        "WebGL reserves names that start with `webgl_` (WebGL 1.0 section 6.22)"
                     }
-                    Owner::Browser => "WebGL keeps names with two underscores in a row for itself",
+                    Owner::Browser => "WebGL reserves names with two underscores in a row",
                 };
                 c.error(error::RESERVED_IDENTIFIER, at, message).note(why)
             }
             NameError::Twice(name, before) => {
-                let message = format!("`{}` is declared twice in one scope", c.text(name));
+                let message = format!("`{}` is already declared in this scope", c.text(name));
                 let d = c.error(error::REDEFINITION, at, message);
                 c.with_declaration(d, c.declaration_token(name, before), "first declared here")
             }
@@ -59,7 +57,7 @@ impl Explain for NameError {
 }
 
 impl ExplainContext<'_> {
-    /// A function, block or type where a variable is wanted.
+    /// A function, block or type used as a variable.
     pub(crate) fn explain_not_a_variable(
         &self,
         name: Name,
@@ -81,7 +79,7 @@ impl ExplainContext<'_> {
         self.with_declaration(d, declared, "declared here")
     }
 
-    /// A variable that nothing declares.
+    /// A variable that is not declared.
     pub(crate) fn explain_undeclared_variable(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let known = self.legacy_variable(name, token);
@@ -89,7 +87,7 @@ impl ExplainContext<'_> {
             Some(d) => d,
             None if self.builtins.function(text).is_some() => self.function_as_value(text, token),
             None => {
-                let message = format!("nothing declares `{text}`");
+                let message = format!("`{text}` is not declared");
                 let d = self.error_at(error::UNDECLARED_NAME, token, message);
                 match self.keyword_alone(text, token) {
                     Some(fix) => d.fix(fix),
@@ -99,19 +97,19 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// A name used as a type that is none.
+    /// A name used as a type that is not a type.
     pub(crate) fn explain_unknown_type(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let message = match self.scopes().get(name) {
             Some(Binding::Variable(_)) => format!("`{text}` is a variable, not a type"),
             Some(Binding::Function) => format!("`{text}` is a function, not a type"),
-            _ => format!("there is no type `{text}`"),
+            _ => format!("unknown type `{text}`"),
         };
         let d = self.error_at(error::UNKNOWN_TYPE, token, message);
         self.advise_type(d, name, token)
     }
 
-    /// A function of GLSL ES 1.00 in a shader of GLSL ES 3.00.
+    /// A GLSL ES 1.00 function in a GLSL ES 3.00 shader.
     pub(crate) fn explain_legacy_function(
         &self,
         text: &str,
@@ -122,16 +120,16 @@ impl ExplainContext<'_> {
         self.error_at(
             error::LEGACY_GLSL,
             token,
-            format!("`{text}` is gone since GLSL ES 3.00"),
+            format!("`{text}` was removed in GLSL ES 3.00"),
         )
-        .note("the sampler's type says which lookup is meant")
+        .note("in GLSL ES 3.00 the type of the sampler selects the lookup")
         .fix(Fix::safe(
-            format!("write `{new}`"),
+            format!("use `{new}`"),
             vec![Edit::replace(span, new)],
         ))
     }
 
-    /// A function that nothing declares.
+    /// A function that is not declared.
     pub(crate) fn explain_undeclared_function(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let newest = Builtins::of(Version::NEWEST, self.stage);
@@ -139,13 +137,13 @@ impl ExplainContext<'_> {
             self.error_at(
                 error::NEEDS_WEBGL2,
                 token,
-                format!("`{text}` comes with GLSL ES 3.00"),
+                format!("`{text}` requires GLSL ES 3.00"),
             )
-            .help("start the shader with `#version 300 es`")
+            .help("add `#version 300 es` as the first line")
         } else if self.declared_later(name, token).is_some() {
             self.used_before_declaration(name, token)
         } else {
-            let message = format!("nothing declares the function `{text}`");
+            let message = format!("function `{text}` is not declared");
             let d = self.error_at(error::UNDECLARED_NAME, token, message);
             self.advise_name(d, name, token, true)
         }
@@ -153,12 +151,12 @@ impl ExplainContext<'_> {
 
     /// `sin[x]`, or `sin` alone.
     fn function_as_value(&self, text: &str, token: TokenId) -> Diagnostic {
-        let message = format!("`{text}` is a function: its arguments stand in parentheses");
+        let message = format!("function `{text}` must be called with parentheses");
         let d = self.error_at(error::UNDECLARED_NAME, token, message);
         d.fix(self.other_brackets(token + 1, TokenKind::LeftBracket, ("(", ")")))
     }
 
-    /// Writes other brackets in the place of the one at `open` and of its partner.
+    /// Replaces the bracket at `open` and its closing bracket.
     pub(crate) fn other_brackets(
         &self,
         open: TokenId,
@@ -183,11 +181,11 @@ impl ExplainContext<'_> {
                 Edit::replace(self.token_span(open), left),
                 Edit::replace(self.token_span(close), right),
             ];
-            Fix::suggestion(format!("write `{left}...{right}`"), edits)
+            Fix::suggestion(format!("use `{left}...{right}`"), edits)
         })
     }
 
-    /// A statement of one word that is a slip of `break` or its like.
+    /// A statement of one word that is a typo of `break`, `continue`, `discard` or `return`.
     fn keyword_alone(&self, text: &str, token: TokenId) -> Option<Fix> {
         use TokenKind as T;
         let before = token.checked_sub(1).map(|t| self.token(t).kind);
@@ -203,21 +201,21 @@ impl ExplainContext<'_> {
         })
     }
 
-    /// Variables that GLSL ES 1.00 has and 3.00 has not.
+    /// Variables that only another version of GLSL ES or of the host has.
     fn legacy_variable(&self, name: Name, token: TokenId) -> Option<Diagnostic> {
         let text = self.text(name);
         let is_fragment = self.stage == Stage::Fragment;
         if self.version != Version::NEWEST {
             let newest = Builtins::of(Version::NEWEST, self.stage);
             newest.variable(text)?;
-            let message = format!("`{text}` comes with GLSL ES 3.00");
+            let message = format!("`{text}` requires GLSL ES 3.00");
             let d = self.error_at(error::NEEDS_WEBGL2, token, message);
-            return Some(d.help("start the shader with `#version 300 es`"));
+            return Some(d.help("add `#version 300 es` as the first line"));
         }
         let host = self.dialect.host();
         if let Some((old, new, since)) = host.renamed.iter().find(|(old, ..)| *old == text) {
-            let message = format!("`{old}` is called `{new}` since {since}");
-            let fix = Fix::safe(format!("write `{new}`"), self.rename_all(name, new));
+            let message = format!("`{old}` was renamed to `{new}` in {since}");
+            let fix = Fix::safe(format!("use `{new}`"), self.rename_all(name, new));
             return Some(self.error_at(error::LEGACY_GLSL, token, message).fix(fix));
         }
         match text {
@@ -226,10 +224,10 @@ impl ExplainContext<'_> {
                 self.error_at(
                     error::LEGACY_GLSL,
                     token,
-                    format!("`{text}` is gone since GLSL ES 3.00"),
+                    format!("`{text}` was removed in GLSL ES 3.00"),
                 )
                 .fix(Fix::safe(
-                    "write `gl_FragDepth`",
+                    "use `gl_FragDepth`",
                     vec![Edit::replace(self.token_span(token), "gl_FragDepth")],
                 )),
             ),
@@ -243,10 +241,9 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// `fragCoord` outside ShaderToy's `mainImage`, which gets it as a parameter.
+    /// `fragCoord` outside ShaderToy's `mainImage`, where it is a parameter.
     fn fragcoord_in_main(&self, token: TokenId) -> Diagnostic {
-        let message =
-            "`fragCoord` is a parameter of ShaderToy's `mainImage`; nothing declares it here";
+        let message = "`fragCoord` is not declared; it is a parameter of `mainImage`";
         let d = self.error_at(error::FRAGCOORD_IN_MAIN, token, message);
         let holds = |e: Extent| (e.first..=e.last).contains(&token);
         let mut functions = self.tree.functions.iter();
@@ -256,17 +253,17 @@ impl ExplainContext<'_> {
             .map(|b| self.token(self.tree.stmt(b).extent.first));
         match open.filter(|t| t.is_direct()) {
             Some(open) => d.fix(Fix::safe(
-                "declare it: `vec2 fragCoord = gl_FragCoord.xy;`",
+                "add `vec2 fragCoord = gl_FragCoord.xy;`",
                 vec![Edit::insert(
                     open.span.end,
                     "\n    vec2 fragCoord = gl_FragCoord.xy;",
                 )],
             )),
-            None => d.help("WebGL has `gl_FragCoord.xy` for it"),
+            None => d.help("use `gl_FragCoord.xy`"),
         }
     }
 
-    /// Whether `=` or a component and `=` stand behind a token.
+    /// Whether a token is followed by `=`, or by a component and `=`.
     fn is_assigned(&self, token: TokenId) -> bool {
         let kind = |i: u32| self.token(token + i).kind;
         kind(1) == TokenKind::Equal || (kind(1) == TokenKind::Dot && kind(3) == TokenKind::Equal)
@@ -278,9 +275,9 @@ impl ExplainContext<'_> {
             .error_at(
                 error::MISSING_OUTPUT,
                 token,
-                format!("the output `{text}` is not declared"),
+                format!("output `{text}` is not declared"),
             )
-            .note("a WebGL2 fragment shader declares what it writes to (section 4.3.6)");
+            .note("a WebGL2 fragment shader must declare its outputs (section 4.3.6)");
         match self.first_declaration() {
             Some(at) => d.fix(Fix::safe(
                 format!("add `{line}`"),
@@ -295,41 +292,36 @@ impl ExplainContext<'_> {
         let d = self.error_at(
             error::LEGACY_GLSL,
             token,
-            format!("`{text}` is gone since GLSL ES 3.00"),
+            format!("`{text}` was removed in GLSL ES 3.00"),
         );
         if self.is_called_by_host() {
-            return d.help("write to the first parameter of `mainImage`");
+            return d.help("assign to the first parameter of `mainImage` instead");
         }
+        let d = d.note("a WebGL2 fragment shader must declare its outputs");
         let output = self
             .variables
             .iter()
             .find(|v| v.storage == Storage::Output && v.token.is_some());
         if let Some(output) = output {
             let to = self.text(output.name).to_string();
-            return d
-                .note("a WebGL2 fragment shader writes to an output that it declares itself")
-                .fix(Fix::safe(
-                    format!("write to `{to}`"),
-                    self.rename_all(name, &to),
-                ));
+            return d.fix(Fix::safe(
+                format!("use the output `{to}`"),
+                self.rename_all(name, &to),
+            ));
         }
-        let d = d.note("a WebGL2 fragment shader writes to an output that it declares itself");
         let to = self.names.unused("fragColor");
         let line = format!("out vec4 {to};");
         let mut edits = self.rename_all(name, &to);
         match self.first_declaration() {
             Some(at) if text == "gl_FragColor" && !edits.is_empty() => {
                 edits.push(Edit::insert(at, format!("{line}\n")));
-                d.fix(Fix::safe(
-                    format!("declare `{line}` and write to it"),
-                    edits,
-                ))
+                d.fix(Fix::safe(format!("add `{line}` and assign to it"), edits))
             }
-            _ => d.help(format!("declare `{line}` at the top and write to it")),
+            _ => d.help(format!("add `{line}` at the top and assign to it")),
         }
     }
 
-    /// Edits that put `to` in the place of every use of a name; none where one stands in a macro.
+    /// Edits that replace every use of a name with `to`; empty if one is in a macro.
     pub(crate) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
         let mut edits = Vec::new();
         let mut behind_dot = false;
@@ -351,7 +343,7 @@ impl ExplainContext<'_> {
         edits
     }
 
-    /// Address of the first declaration that is no `precision`, in the user's text.
+    /// Position of the first declaration in the user's text, `precision` statements aside.
     fn first_declaration(&self) -> Option<u32> {
         let tree = self.tree;
         let first = tree.items.iter().find_map(|item| {
@@ -372,7 +364,7 @@ impl ExplainContext<'_> {
             .then(|| self.token_span(first).start)
     }
 
-    /// Says where a name is declared after all, or which name was probably meant.
+    /// Points at a declaration of the name elsewhere, or suggests a similar name.
     fn advise_name(&self, d: Diagnostic, name: Name, token: TokenId, is_call: bool) -> Diagnostic {
         let text = self.text(name);
         if let Some(later) = self.declared_later(name, token) {
@@ -381,20 +373,20 @@ impl ExplainContext<'_> {
                 .file_at(later.start)
                 .map_or(0, |f| f.position(later.start).line);
             return d.label(later, "declared here").note(format!(
-                "it is declared below, in line {line}; GLSL wants that before the first use"
+                "it is declared on line {line}; GLSL requires the declaration before the first use"
             ));
         }
         if let Some(variable) = self.left_scope(name, token).filter(|_| !is_call) {
             let declared = self.token_span(variable);
             let d = d
                 .label(declared, "declared here")
-                .note("the block in which it is declared has ended");
+                .note("it is out of scope: the block that declares it has ended");
             return d.fix(self.declare_before_loop(variable, name));
         }
         if let Some(later) = self.declared_below(name, token).filter(|_| !is_call) {
             return d
                 .label(self.token_span(later), "declared here")
-                .note("GLSL wants the declaration before the first use");
+                .note("GLSL requires the declaration before the first use");
         }
         match self.nearest_name(text, is_call) {
             Some(near) => {
@@ -409,7 +401,8 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Where a variable of this name is declared in the function at hand, in a block that has ended.
+    /// The declaration of a variable of this name in the current function, in a block that has
+    /// ended.
     fn left_scope(&self, name: Name, token: TokenId) -> Option<TokenId> {
         let mut found = self.variables.iter().rev();
         let is_it = |v: &&Variable| v.name == name && v.function == self.current;
@@ -420,7 +413,7 @@ impl ExplainContext<'_> {
         (declared < token).then_some(declared)
     }
 
-    /// Where a name is declared in the function at hand behind a token.
+    /// The declaration of a name in the current function after a token.
     fn declared_below(&self, name: Name, token: TokenId) -> Option<TokenId> {
         let function = self.functions.get(self.current?.0 as usize)?;
         let extent = self.tree.function(function.definition?)?.extent;
@@ -429,7 +422,7 @@ impl ExplainContext<'_> {
         all.find(is_it).map(|i| i.token)
     }
 
-    /// Declares the variable of a `for` before the loop.
+    /// Moves the declaration of a `for` variable before the loop.
     fn declare_before_loop(&self, variable: TokenId, name: Name) -> Option<Fix> {
         use TokenKind as T;
         let [ty, open, head, before] =
@@ -456,7 +449,7 @@ impl ExplainContext<'_> {
         ))
     }
 
-    /// The name in scope that looks most like `text`; best of all one in another case.
+    /// The name in scope that is most similar to `text`; one that differs only in case comes first.
     pub(super) fn nearest_name(&self, text: &str, is_call: bool) -> Option<String> {
         let limit = match text.len() {
             0..=2 => 0,
@@ -499,7 +492,7 @@ impl ExplainContext<'_> {
             .map(|(_, n)| n.to_string())
     }
 
-    /// The type that an unknown one is probably meant to be.
+    /// Suggests a type with a similar name.
     fn advise_type(&self, d: Diagnostic, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         if let Some(word) = type_in_another_case(text, self.version) {
@@ -533,7 +526,7 @@ impl ExplainContext<'_> {
         let d = self.error_at(
             error::USE_BEFORE_DECLARATION,
             token,
-            format!("the function `{text}` is used before it is declared"),
+            format!("function `{text}` is used before its declaration"),
         );
         let d = self.advise_name(d, name, token, true);
         let prototype =
@@ -550,7 +543,7 @@ impl ExplainContext<'_> {
                 let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
                 let at = self.token_span(place).start;
                 d.fix(Fix::safe(
-                    format!("declare it before: `{line};`"),
+                    format!("add the prototype `{line};`"),
                     vec![Edit::insert(at, format!("{line};\n"))],
                 ))
             }

@@ -1,11 +1,26 @@
-//! Operands that do not fit their operator, and what GLSL has in its place.
+//! Messages for operands of the wrong types, and for the GLSL functions to use instead.
 
 use super::*;
 use crate::BuiltinId;
 
+/// The message for operands that an operator cannot combine.
+fn cannot_combine(symbol: &str, left: &str, right: &str) -> String {
+    match symbol {
+        "+" => format!("cannot add `{right}` to `{left}`"),
+        "-" => format!("cannot subtract `{right}` from `{left}`"),
+        "*" => format!("cannot multiply `{left}` by `{right}`"),
+        "/" => format!("cannot divide `{left}` by `{right}`"),
+        "<" | ">" | "<=" | ">=" | "==" | "!=" => {
+            format!("cannot compare `{left}` with `{right}`")
+        }
+        "? :" => format!("`? :` has incompatible types: `{left}` and `{right}`"),
+        _ => format!("cannot apply `{symbol}` to `{left}` and `{right}`"),
+    }
+}
+
 impl ExplainContext<'_> {
-    /// Operands that do not fit an operator. `id` is the whole expression, which may be an
-    /// assignment like `l += r`.
+    /// Operands of types that an operator does not accept. `id` is the whole expression, which may
+    /// be an assignment like `l += r`.
     pub(super) fn explain_operands(
         &self,
         id: ExprId,
@@ -43,7 +58,7 @@ impl ExplainContext<'_> {
         self.advise_operator(d, id, op, left, right, clash)
     }
 
-    /// `%` with an operand that is a float for good: only `mod` can be meant.
+    /// `%` with a float operand that is not an integral literal: only `mod` can be meant.
     fn float_remainder(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Diagnostic> {
         let lasts = |id| {
             self.ty(id).scalar_kind() == Some(Scalar::Float) && self.whole_literal(id).is_none()
@@ -51,8 +66,7 @@ impl ExplainContext<'_> {
         if !lasts(left) && !lasts(right) {
             return None;
         }
-        let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
-        let message = format!("`%` works on integers, not on `{l}` and `{r}`");
+        let message = "`%` requires integers; use `mod(a, b)` for floats";
         let d = self.error_expr(error::INT_FLOAT_MIX, id, message);
         let fix = self.as_call(id, BuiltinId::Mod, left, right);
         Some(self.both(d, left, right).fix(fix))
@@ -70,7 +84,7 @@ impl ExplainContext<'_> {
         if let Some(d) = self.chained_comparison(id, op, left, right) {
             return d;
         }
-        let message = format!("`{l}` and `{r}` do not go together in `{}`", op.symbol());
+        let message = cannot_combine(op.symbol(), &l, &r);
         let d = self
             .error_expr(error::TYPE_MISMATCH, id, message)
             .note(NO_CONVERSION);
@@ -103,15 +117,15 @@ impl ExplainContext<'_> {
         let d = self
             .error_expr(error::TYPE_MISMATCH, id, "comparisons cannot be chained")
             .note(format!(
-                "`{}` gives a `bool`, which is then compared with `{}`",
+                "`{}` evaluates to a `bool`, which is then compared with `{}`",
                 self.expr_text(left),
                 self.expr_text(right)
             ));
         let is_plain = self.is_direct(self.tree.expr(id).extent);
-        Some(d.fix(is_plain.then(|| Fix::safe("compare twice, joined by `&&`", vec![edit]))))
+        Some(d.fix(is_plain.then(|| Fix::safe("join two comparisons with `&&`", vec![edit]))))
     }
 
-    /// Compares the numbers among some expressions with 0.
+    /// Compares those of the expressions that are numbers with zero.
     fn compare_with_zero(&self, all: &[ExprId]) -> Option<Fix> {
         let mut edits = Vec::new();
         for &id in all.iter().filter(|&&id| self.ty(id) != Type::BOOL) {
@@ -125,10 +139,10 @@ impl ExplainContext<'_> {
         let is_direct = all
             .iter()
             .all(|&id| self.is_direct(self.tree.expr(id).extent));
-        is_direct.then(|| Fix::suggestion("compare with 0", edits))
+        is_direct.then(|| Fix::suggestion("compare with zero", edits))
     }
 
-    /// `int`, `uint` and `float` mixed: points at what should change, most often a literal.
+    /// `int`, `uint` and `float` mixed: reported at the operand to change, usually a literal.
     fn mixed(
         &self,
         id: ExprId,
@@ -142,11 +156,7 @@ impl ExplainContext<'_> {
         let rs = r.scalar_kind().unwrap_or(Scalar::Float);
         let (culprit, wanted) = self.culprit(left, ls, right, rs, prefer_int);
         let other = if culprit == left { right } else { left };
-        let message = format!(
-            "`{}` and `{}` do not mix in `{symbol}`",
-            self.name_of(l),
-            self.name_of(r)
-        );
+        let message = cannot_combine(symbol, &self.name_of(l), &self.name_of(r));
         let fix = self.convert(culprit, wanted);
         let is_literal = self.literal_token(culprit).is_some();
         let d = if is_literal || !matches!(symbol, "=" | "+=" | "-=" | "*=" | "/=") {
@@ -192,7 +202,7 @@ impl ExplainContext<'_> {
             }
             return (int, Scalar::Float);
         }
-        // `int` and `uint`: a literal changes most easily.
+        // `int` and `uint`: prefer to change a literal.
         if is_literal(left) && !is_literal(right) {
             (left, rs)
         } else {
@@ -203,11 +213,8 @@ impl ExplainContext<'_> {
     fn shape_misfit(&self, id: ExprId, symbol: &str, left: ExprId, right: ExprId) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
         let (ln, rn) = (self.name_of(l), self.name_of(r));
-        let d = self.error_expr(
-            error::VECTOR_SIZE,
-            id,
-            format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
-        );
+        let message = cannot_combine(symbol, &ln, &rn);
+        let d = self.error_expr(error::VECTOR_SIZE, id, message);
         let d = self.both(d, left, right);
         if l.is_matrix() || r.is_matrix() {
             let fix = match self.tree.expr(id).kind {
@@ -215,7 +222,7 @@ impl ExplainContext<'_> {
                 _ => None,
             };
             return d
-                .note("the left has as many columns as the right has rows (section 5.9)")
+                .note("the left operand must have as many columns as the right has rows (section 5.9)")
                 .fix(fix);
         }
         let d = d.note("vectors of different sizes cannot be combined (section 5.9)");
@@ -236,54 +243,57 @@ impl ExplainContext<'_> {
     ) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
         let (ln, rn) = (self.name_of(l), self.name_of(r));
+        let has_float = [l, r].map(Type::scalar_kind).contains(&Some(Scalar::Float));
         let (rule, message) = match clash {
             Clash::Sampler => (
                 error::SAMPLER_RESTRICTION,
-                format!("a sampler cannot stand in `{symbol}`"),
+                format!("samplers cannot be operands of `{symbol}`"),
             ),
             Clash::Struct if ln == rn => (
                 error::TYPE_MISMATCH,
-                format!("`{symbol}` has no meaning for `{ln}`"),
+                format!("cannot apply `{symbol}` to `{ln}`"),
             ),
-            Clash::Struct | Clash::Scalars => (
-                error::TYPE_MISMATCH,
-                format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
-            ),
+            Clash::Struct | Clash::Scalars => {
+                (error::TYPE_MISMATCH, cannot_combine(symbol, &ln, &rn))
+            }
             Clash::StructInside => (
                 error::UNSUPPORTED_OPERATION,
-                format!("`{symbol}` cannot stand between structs that hold arrays or samplers"),
+                format!("cannot apply `{symbol}` to structs that contain arrays or samplers"),
             ),
-            Clash::Array if l.is_array() != r.is_array() => (
-                error::TYPE_MISMATCH,
-                format!("`{ln}` and `{rn}` do not fit in `{symbol}`"),
-            ),
+            Clash::Array if l.is_array() != r.is_array() => {
+                (error::TYPE_MISMATCH, cannot_combine(symbol, &ln, &rn))
+            }
             Clash::Array if !self.has(Feature::ArrayValues) => (
                 error::NEEDS_WEBGL2,
-                format!("GLSL ES 1.00 has no `{symbol}` for arrays"),
+                format!("GLSL ES 1.00 does not support `{symbol}` on arrays"),
             ),
             Clash::Array => (
                 error::TYPE_MISMATCH,
-                format!("`{symbol}` has no meaning for arrays"),
+                format!("cannot apply `{symbol}` to arrays"),
             ),
             Clash::ArraySize => (
                 error::TYPE_MISMATCH,
-                format!("the arrays `{ln}` and `{rn}` differ in size"),
+                format!("array sizes differ: `{ln}` and `{rn}`"),
+            ),
+            Clash::NeedsInteger if symbol == "%" && has_float => (
+                error::TYPE_MISMATCH,
+                "`%` requires integers; use `mod(a, b)` for floats".to_string(),
             ),
             Clash::NeedsInteger => (
                 error::TYPE_MISMATCH,
-                format!("`{symbol}` works on integers, not on `{ln}` and `{rn}`"),
+                format!("`{symbol}` requires integers, found `{ln}` and `{rn}`"),
             ),
             Clash::NeedsNumber => (
                 error::TYPE_MISMATCH,
-                format!("`{symbol}` works on numbers, not on `{ln}`"),
+                format!("`{symbol}` requires numbers, found `{ln}`"),
             ),
             Clash::NeedsBool => (
                 error::TYPE_MISMATCH,
-                format!("`{symbol}` works on single `bool`s, not on `{ln}` and `{rn}`"),
+                format!("`{symbol}` requires `bool` operands, found `{ln}` and `{rn}`"),
             ),
             _ => (
                 error::TYPE_MISMATCH,
-                format!("`{symbol}` compares single numbers, not `{ln}` and `{rn}`"),
+                format!("`{symbol}` requires scalars, found `{ln}` and `{rn}`"),
             ),
         };
         let d = self.error_expr(rule, id, message);
@@ -294,7 +304,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// What GLSL has in the place of an operator that does not fit.
+    /// Adds a fix with the GLSL equivalent of an operator that does not accept its operands.
     fn advise_operator(
         &self,
         d: Diagnostic,
@@ -324,8 +334,8 @@ impl ExplainContext<'_> {
                 as_call(function).map(|mut fix| {
                     for edit in &mut fix.edits {
                         edit.text = format!("all({})", edit.text);
+                        fix.title = format!("use `{}` to compare every component", edit.text);
                     }
-                    fix.title = format!("{}, true where all are", fix.title);
                     fix
                 })
             }
@@ -335,16 +345,16 @@ impl ExplainContext<'_> {
         d.fix(fix)
     }
 
-    /// `l & r` of truth values becomes `l && r`.
+    /// `l & r` of `bool`s becomes `l && r`.
     fn double_operator(&self, op: BinaryOp, left: ExprId, right: ExprId) -> Option<Fix> {
         let token = self.token(self.tree.expr(left).extent.last + 1);
         let symbol = op.symbol().repeat(2);
         let is_direct = token.is_direct() && token.span.end <= self.expr_span(right).start;
         let edits = vec![Edit::replace(token.span, symbol.clone())];
-        is_direct.then(|| Fix::suggestion(format!("write `{symbol}`"), edits))
+        is_direct.then(|| Fix::suggestion(format!("use `{symbol}`"), edits))
     }
 
-    /// `l op r` becomes `function(l, r)`, in floats and with a number made a vector beside one.
+    /// `l op r` becomes `function(l, r)`, as floats, and with a scalar widened to the other vector.
     fn as_call(&self, id: ExprId, function: BuiltinId, left: ExprId, right: ExprId) -> Option<Fix> {
         let all = Extent {
             first: self.tree.expr(left).extent.first,
@@ -382,10 +392,10 @@ impl ExplainContext<'_> {
             _ => text,
         };
         let edit = Edit::replace(self.span(all), text.clone());
-        Some(Fix::suggestion(format!("write `{text}`"), vec![edit]))
+        Some(Fix::suggestion(format!("use `{text}`"), vec![edit]))
     }
 
-    /// `l ^ r`, which is a power in other languages. It binds loosely here, and tightly there.
+    /// `l ^ r` as a power, which in other languages binds tighter than here.
     fn as_power(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
         let (mut base, mut exponent) = (left, right);
         while let ExprKind::Binary(_, _, last) = self.tree.expr(base).kind {
@@ -400,7 +410,7 @@ impl ExplainContext<'_> {
         self.as_call(id, BuiltinId::Pow, base, exponent)
     }
 
-    /// The text of an expression, as a value of a type.
+    /// The text of an expression, converted to a type.
     fn text_as(&self, id: ExprId, ty: Type) -> String {
         let text = self.expr_text(id);
         let literal = self.literal_token(id).zip(ty.scalar_kind());
@@ -416,7 +426,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// `c ? a : b` whose arms differ.
+    /// `c ? a : b` with different types of `a` and `b`.
     pub(super) fn explain_arms(&self, id: ExprId, yes: ExprId, no: ExprId) -> Diagnostic {
         let (y, n) = (self.ty(yes), self.ty(no));
         let scalars = (y.scalar_kind(), n.scalar_kind());
@@ -430,11 +440,7 @@ impl ExplainContext<'_> {
             _ => error::TYPE_MISMATCH,
         };
         let d = self
-            .error_expr(
-                rule,
-                id,
-                format!("the two values of `? :` differ: `{yn}` and `{nn}`"),
-            )
+            .error_expr(rule, id, cannot_combine("? :", &yn, &nn))
             .note(NO_CONVERSION);
         let fix = match (y.is_vector() && n.is_vector(), y.components() == 1) {
             (true, _) => self.match_sizes(id, yes, no),
@@ -452,10 +458,10 @@ impl ExplainContext<'_> {
         let token = self.token(self.tree.expr(left).extent.last + 1);
         let edits = vec![Edit::replace(token.span, "==")];
         (token.kind == TokenKind::Equal && token.is_direct())
-            .then(|| Fix::suggestion("write `==`", edits))
+            .then(|| Fix::suggestion("use `==`", edits))
     }
 
-    /// An operand that its operator has no meaning for.
+    /// An operand of a type that its operator does not accept.
     pub(super) fn explain_operand(&self, id: ExprId, operand: ExprId, ty: Type) -> Diagnostic {
         let symbol = match self.tree.expr(id).kind {
             ExprKind::Unary(op, _) => op.symbol(),
@@ -466,7 +472,7 @@ impl ExplainContext<'_> {
         let d = self.error_expr(
             error::TYPE_MISMATCH,
             id,
-            format!("`{symbol}` has no meaning for `{name}`"),
+            format!("cannot apply `{symbol}` to `{name}`"),
         );
         let sign = self.token(self.tree.expr(id).extent.first);
         let is_direct = self.is_direct(self.tree.expr(id).extent);
@@ -485,12 +491,12 @@ impl ExplainContext<'_> {
                 let edits = negated("(", &format!(" == {zero})"));
                 d.fix(edits.map(|e| Fix::suggestion(format!("compare with `{zero}`"), e)))
             }
-            ("~", _) => d.note("`~` works on `int` and `uint`"),
+            ("~", _) => d.note("`~` requires `int` or `uint`"),
             _ => d,
         }
     }
 
-    /// `? :` between values of which it chooses none.
+    /// `? :` on types that it does not support.
     pub(super) fn explain_unchosen(&self, id: ExprId, kind: NonNumber) -> Diagnostic {
         let what = match kind {
             NonNumber::Void => "`void`",
@@ -499,17 +505,17 @@ impl ExplainContext<'_> {
             NonNumber::Blocks => "blocks",
             NonNumber::Arrays => "arrays",
         };
-        let message = format!("`? :` cannot choose between {what}");
+        let message = format!("`? :` does not support {what}");
         self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
-            .note("WebGL2 does not have it (WebGL 2.0 section 5.26)")
+            .note("WebGL2 disallows this operation (WebGL 2.0 section 5.26)")
             .help("use `if` and `else`")
     }
 
-    /// `,` between values that it cannot stand between.
+    /// `,` between types that it does not support.
     pub(super) fn explain_sequence(&self, id: ExprId) -> Diagnostic {
-        let message = "the operator `,` cannot stand between `void`s or arrays";
+        let message = "`,` does not support `void` or array operands";
         self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
-            .note("WebGL2 does not have it (WebGL 2.0 section 5.26)")
-            .help("write two statements")
+            .note("WebGL2 disallows this operation (WebGL 2.0 section 5.26)")
+            .help("split it into two statements")
     }
 }

@@ -1,4 +1,4 @@
-//! What is wrong with the outputs of a fragment shader.
+//! Messages for [`OutputError`].
 
 use super::*;
 
@@ -10,31 +10,31 @@ impl Explain for OutputError {
             E::Outside(name, count) => {
                 let name = c.text(name);
                 say(&format!(
-                    "the output `{name}` lies outside the {count} that there are"
+                    "output `{name}` exceeds the {count} available locations"
                 ))
             }
             E::Shared(name, other, location) => {
                 let (name, first) = (c.text(name), c.text(other.name));
                 say(&format!(
-                    "the outputs `{name}` and `{first}` share location {location}"
+                    "outputs `{name}` and `{first}` share location {location}"
                 ))
-                .label(c.token_span(other.token), "the other output")
+                .label(c.token_span(other.token), "other output")
             }
             E::BesideHosts(name) => {
                 let name = c.text(name);
                 say(&format!(
-                    "the output `{name}` stands beside that of the player"
+                    "output `{name}` conflicts with ShaderToy's own output"
                 ))
                 .note("a ShaderToy pass has one output, the first parameter of its entry function")
             }
             E::NoLocation(name) => {
                 let name = c.text(name);
-                say(&format!("the output `{name}` has no location"))
-                    .note("where a fragment shader has several outputs, each needs one (section 4.3.8.2)")
-                    .help(format!("write `layout(location = 0) out vec4 {name};`"))
+                say(&format!("output `{name}` has no location"))
+                    .note("each of several fragment outputs needs a location (section 4.3.8.2)")
+                    .help(format!("use `layout(location = 0) out vec4 {name};`"))
             }
             E::ColorAndData(other) => say("`gl_FragColor` and `gl_FragData` cannot both be used")
-                .label(c.token_span(other), "the other one"),
+                .label(c.token_span(other), "other use"),
         }
     }
 }

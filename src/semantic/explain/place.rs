@@ -1,8 +1,8 @@
-//! What cannot be written to, and names declared twice: the edit that makes it possible.
+//! Messages for [`PlaceError`], and fixes for redeclared and undeclared names.
 
 use super::*;
 
-/// Longest statement, in tokens, of which a fix takes out the whole.
+/// Longest statement, in tokens, that a fix removes.
 const MAX_STATEMENT: TokenId = 1000;
 /// Most uses of a name that a fix renames.
 const MAX_RENAMED: usize = 500;
@@ -15,25 +15,22 @@ impl Explain for PlaceError {
             E::Repeats(letters, rows) => {
                 let letters = c.text(letters);
                 let message =
-                    format!("`{letters}` names a component twice and cannot be assigned to");
+                    format!("cannot assign to swizzle `{letters}`: it repeats a component");
                 return c
                     .error(error::NOT_ASSIGNABLE, at, message)
                     .fix(c.mend_swizzle(letters, rows, at.first));
             }
             E::Constant(id) => (id, "is a constant"),
-            E::Uniform(id) => (id, "is a uniform, set from outside"),
-            E::Input(id) => (id, "is an input of the shader"),
+            E::Uniform(id) => (id, "is a uniform"),
+            E::Input(id) => (id, "is a shader input"),
             E::ConstParameter(id) => (id, "is a `const` parameter"),
             E::Sampler(id) => (id, "is a sampler"),
-            E::SamplerInside(id) => (
-                id,
-                "holds a sampler, and browsers let no part of such a struct change",
-            ),
+            E::SamplerInside(id) => (id, "contains a sampler, so browsers make it read-only"),
         };
         let variable = c.variables.get(id.0 as usize);
         let name = variable.map_or("", |v| c.text(v.name));
         let token = variable.and_then(|v| v.token);
-        let message = format!("`{name}` cannot be assigned to: it {why}");
+        let message = format!("cannot assign to `{name}`: it {why}");
         let d = c.error(error::NOT_ASSIGNABLE, at, message);
         let d = c.with_declaration(d, token, "declared here");
         d.fix(match variable.map(|v| v.storage) {
@@ -54,14 +51,16 @@ impl ExplainContext<'_> {
         let fix = self
             .swap_sides(id)
             .or_else(|| self.compare_instead(self.whole));
-        self.error(error::NOT_ASSIGNABLE, at, "this cannot be assigned to")
+        let message = "cannot assign to this expression";
+        self.error(error::NOT_ASSIGNABLE, at, message)
             .note(format!(
-                "`{symbol}` wants a variable, or a part of one, on its left (section 5.8)"
+                "`{symbol}` requires an l-value: a variable or a part of one (section 5.8)"
             ))
             .fix(fix)
     }
 
-    /// Copies what comes from outside into a variable at the start of the function, and uses that.
+    /// Copies an input or uniform into a local variable at the start of the function, and uses
+    /// that.
     pub(crate) fn copy_first(&self, variable: VariableId) -> Option<Fix> {
         let function = self.functions.get(self.current?.0 as usize)?;
         let declaration = self.tree.function(function.definition?)?;
@@ -90,11 +89,14 @@ impl ExplainContext<'_> {
         let line = format!("{} {copy} = {text};", self.name_of(ty));
         let mut edits = vec![Edit::insert(open.span.end, format!("\n    {line}"))];
         edits.extend(self.rename_within(name, body, &copy)?);
-        Some(Fix::suggestion(format!("copy it first: `{line}`"), edits))
+        Some(Fix::suggestion(
+            format!("use a local copy: `{line}`"),
+            edits,
+        ))
     }
 
-    /// Edits that rename every use of a name in a part of the text; none where one stands in a
-    /// macro, or where they are very many.
+    /// Edits that rename every use of a name within `part`; `None` if one is in a macro, or if
+    /// there are more than [`MAX_RENAMED`].
     fn rename_within(&self, name: Name, part: Extent, to: &str) -> Option<Vec<Edit>> {
         let tokens = &self.tokens.tokens;
         let mut edits = Vec::new();
@@ -112,7 +114,7 @@ impl ExplainContext<'_> {
         Some(edits)
     }
 
-    /// Takes `const` away from a declaration whose name stands at `token`.
+    /// Removes `const` from the declaration of the name at `token`.
     pub(crate) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
         use TokenKind as T;
         let mut at = token?;
@@ -124,7 +126,7 @@ impl ExplainContext<'_> {
             if found.kind == T::Const && found.is_direct() {
                 let span = Span::new(found.span.start, self.token(at + 1).span.start);
                 return Some(Fix::suggestion(
-                    "take `const` away there",
+                    "remove `const` from the declaration",
                     vec![Edit::delete(span)],
                 ));
             }
@@ -133,8 +135,8 @@ impl ExplainContext<'_> {
         None
     }
 
-    /// What to do with a name that is declared a second time: nothing where both say the same, an
-    /// assignment where the types are the same, another name where they are not.
+    /// A fix for a redeclared name: removes an identical declaration, makes an assignment of one
+    /// with the same type, and renames one with another type.
     pub(super) fn second_declaration(&self, second: SecondDeclaration) -> Option<Fix> {
         let SecondDeclaration {
             ident,
@@ -150,7 +152,7 @@ impl ExplainContext<'_> {
             let is_same = self.same_tokens(declared, second);
             if is_same && self.is_direct(second) {
                 let edit = Edit::delete(self.span(second));
-                return Some(Fix::safe("take the second declaration out", vec![edit]));
+                return Some(Fix::safe("remove the second declaration", vec![edit]));
             }
         }
         let has_value = self.token(ident.token + 1).kind == TokenKind::Equal;
@@ -161,7 +163,7 @@ impl ExplainContext<'_> {
                 self.token_span(ident.token).start,
             );
             return Some(Fix::suggestion(
-                "assign to it instead",
+                "remove the type to assign to it instead",
                 vec![Edit::delete(span)],
             ));
         }
@@ -175,13 +177,13 @@ impl ExplainContext<'_> {
         };
         let edits = self.rename_within(ident.name, rest, &to)?;
         Some(Fix::suggestion(
-            format!("call the second one `{to}`"),
+            format!("rename the second one to `{to}`"),
             edits,
         ))
     }
 
-    /// The statement that a token stands in, from behind one `;`, `{` or `}` to the next `;`; none
-    /// where it is very long.
+    /// The statement around a token, from after one `;`, `{` or `}` to the next `;`; `None` if it
+    /// is longer than [`MAX_STATEMENT`].
     fn statement_around(&self, token: TokenId) -> Option<Extent> {
         use TokenKind as T;
         let ends = |at: TokenId| {
@@ -221,7 +223,7 @@ impl ExplainContext<'_> {
         tokens.len().saturating_sub(1) as TokenId
     }
 
-    /// Declares an undeclared variable where it is first set, if all its uses stand behind that.
+    /// Declares an undeclared variable at its first assignment, if all other uses come after it.
     pub(crate) fn declaration_where_set(
         &self,
         name: Name,
@@ -254,8 +256,8 @@ impl ExplainContext<'_> {
                 || (before(1) == T::LeftParen && before(2) == T::For))
     }
 
-    /// How often a name is used in the function from a token on, and whether all of that stands
-    /// in the block around the token.
+    /// How often a name is used from a token to the end of the function, and whether all these uses
+    /// are in the block around the token.
     fn uses_behind(&self, name: Name, token: TokenId) -> (u32, bool) {
         let function = self
             .tree

@@ -1,4 +1,4 @@
-//! Each kind of problem has its words where its enum has them.
+//! Dispatch of each kind of problem to its messages.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What is wrong with qualifiers, or with a precision.
+//! Messages for [`QualifierError`].
 
 use super::*;
 use shaderlint_text::Role;
@@ -11,52 +11,57 @@ impl Explain for QualifierError {
         let word = c.sources.text(c.token_span(at.first));
         match self {
             E::Local => say(&format!("a local variable cannot be `{word}`")),
-            E::NotGlobal => say(&format!("`{word}` can only stand at global scope")),
+            E::NotGlobal => say(&format!("`{word}` is only allowed at global scope")),
             E::Later => {
-                let message = format!("`{word}` needs `#version 300 es` here");
+                let message = format!("`{word}` requires `#version 300 es` here");
                 c.error(error::NEEDS_WEBGL2, at, message)
-                    .help("in GLSL ES 1.00 write `attribute` or `varying`")
+                    .help("use `attribute` or `varying` in GLSL ES 1.00")
             }
-            E::NoParameter => say("`inout` is for parameters"),
-            E::NoAttribute => say("`attribute` is for vertex shaders"),
-            E::Together => say("these qualifiers cannot stand together"),
-            E::Twice => say("this kind of qualifier stands twice").note(ORDER),
-            E::InvariantLayout => {
-                say("`invariant` and `layout` cannot stand in one declaration").note(ORDER)
-            }
-            E::Order => say("the qualifiers stand in the wrong order").note(ORDER),
+            E::NoParameter => say("`inout` is only allowed on parameters"),
+            E::NoAttribute => say("`attribute` is only allowed in vertex shaders"),
+            E::Together => say("these qualifiers cannot be combined"),
+            E::Twice => say(&format!("`{word}` repeats a qualifier of the same kind")).note(ORDER),
+            E::InvariantLayout => say("`invariant` and `layout` cannot be combined").note(ORDER),
+            E::Order => say(&format!("qualifier `{word}` is in the wrong order")).note(ORDER),
             E::Parameter => {
                 let message = format!("a parameter cannot be `{written}` here");
                 c.error(error::INVALID_PARAMETER, at, message)
                     .note("a parameter is `in`, `const in`, `out` or `inout` (section 4.6)")
             }
-            E::Returned => say(&format!("a function's return type cannot be `{written}`")),
-            E::Alone(storage) => say(&format!("`{}` needs `in` or `out` behind it", storage.name()))
-                .note("only what passes between stages is interpolated (section 4.3.9)"),
-            E::Invariant => say("this cannot be `invariant`")
-                .note("only outputs can be invariant (section 4.6.1)"),
-            E::InvariantVariable(name) => say(&format!("`{}` cannot be invariant", c.text(name)))
-                .note("only outputs can be (section 4.6.1)"),
-            E::Afterwards => say("only `invariant` can be given afterwards"),
+            E::Returned => say(&format!("a return type cannot be `{written}`")),
+            E::Alone(storage) => say(&format!(
+                "`{}` must be followed by `in` or `out`",
+                storage.name()
+            ))
+            .note("only variables passed between stages are interpolated (section 4.3.9)"),
+            E::Invariant => say("`invariant` is not allowed here").note(INVARIANT),
+            E::InvariantVariable(name) => {
+                say(&format!("`{}` cannot be `invariant`", c.text(name))).note(INVARIANT)
+            }
+            E::Afterwards => say("a redeclaration can only add `invariant`"),
             E::Undeclared(name) => {
-                let message = format!("nothing declares `{}`", c.text(name));
+                let message = format!("`{}` is not declared", c.text(name));
                 c.error(error::UNDECLARED_NAME, at, message)
             }
             E::Incomplete(name) => {
                 let name = c.text(name);
-                let message = format!("`{name}` stands where a type or a name is missing");
+                let message = format!("declaration of `{name}` lacks a type or a name");
                 c.error(error::SYNTAX_ERROR, at, message)
             }
-            E::NoPrecision(ty) => say(&format!("`{}` has no precision", c.name_of(ty))),
+            E::NoPrecision(ty) => say(&format!("`{}` cannot have a precision", c.name_of(ty))),
             E::MissingPrecision(ty) => c.missing_precision(ty, at),
-            E::DefaultPrecision => say(&format!("a default precision cannot be set for `{written}`"))
-                .note("it can be set for `float`, `int` and samplers; vectors follow `float` (section 4.5.4)"),
+            E::DefaultPrecision => say(&format!("cannot set a default precision for `{written}`"))
+                .note(
+                    "only `float`, `int` and samplers have one; vectors follow `float` \
+                     (section 4.5.4)",
+                ),
         }
     }
 }
 
 const ORDER: &str =
     "the order is: invariant, flat or smooth, layout, storage, precision (section 4.7)";
+const INVARIANT: &str = "only outputs can be `invariant` (section 4.6.1)";
 
 impl ExplainContext<'_> {
     fn missing_precision(&self, ty: Type, at: Extent) -> Diagnostic {
@@ -71,7 +76,7 @@ impl ExplainContext<'_> {
                 "a fragment shader has no default precision for `float` (section 4.5.4)",
             ),
         };
-        let message = format!("`{name}` has no precision here");
+        let message = format!("missing precision for `{name}`");
         let d = self.error(error::MISSING_PRECISION, at, message).note(why);
         match self.line_behind_version(at.first) {
             Some(place) => d.fix(Fix::safe(
@@ -82,8 +87,8 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Address of the line behind `#version` and the `#extension`s of the file that a token stands
-    /// in: the place for declarations that come first.
+    /// Position of the line after `#version` and the `#extension`s in the file of a token: where
+    /// the first declaration is inserted.
     pub(crate) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
         let code = self.sources.code_at(self.token_span(token).start)?;
         if code.role == Role::Prelude {

@@ -1,4 +1,4 @@
-//! What is wrong with structs and interface blocks.
+//! Messages for [`RecordError`].
 
 use super::*;
 
@@ -20,11 +20,15 @@ impl Explain for RecordError {
             E::Empty(record) => c.error(
                 record.rule(),
                 at,
-                "this has no members; it needs at least one",
+                match record {
+                    Record::Struct => "a struct needs at least one member",
+                    Record::Block => "an interface block needs at least one member",
+                },
             ),
-            E::Inside => of_struct("a struct cannot be declared inside another")
-                .note("declare it before, and use its name here (section 4.1.8)"),
-            E::VoidMember => c.error(error::VOID_VALUE, at, "a member cannot be `void`"),
+            E::Inside => of_struct("a struct cannot be declared inside another struct")
+                .note("embedded struct definitions are not supported (section 4.1.8)")
+                .help("declare it before this struct and use its name here"),
+            E::VoidMember => c.error(error::VOID_VALUE, at, "a member cannot have type `void`"),
             E::MemberTwice(name, before) => {
                 of_struct(&format!("member `{}` is declared twice", c.text(name)))
                     .label(c.token_span(before), "first declared here")
@@ -33,15 +37,18 @@ impl Explain for RecordError {
                 let word = c.sources.text(c.span(at));
                 c.error(record.rule(), at, format!("a member cannot be `{word}`"))
             }
-            E::SamplerInBlock => of_block("a sampler cannot stand in a block")
-                .help("declare it outside, as a `uniform` of its own"),
-            E::BlockLater => c.error(error::NEEDS_WEBGL2, at, "blocks come with GLSL ES 3.00"),
-            E::BlockStorage => of_block("a block must be `uniform` in GLSL ES 3.00"),
-            E::BlockInvariant => of_block("a block cannot be `invariant`"),
-            E::BlockLocation => of_block("a block has no location"),
-            E::BlocksUnsized => of_block("an array of blocks needs a size"),
-            E::BlockAlone => of_block("a block cannot stand alone as a statement")
-                .help("name one of its members: `block.member`"),
+            E::SamplerInBlock => of_block("a sampler cannot be a member of an interface block")
+                .help("declare it outside the block as a `uniform`"),
+            E::BlockLater => {
+                let message = "interface blocks require GLSL ES 3.00";
+                c.error(error::NEEDS_WEBGL2, at, message)
+            }
+            E::BlockStorage => of_block("an interface block must be `uniform` in GLSL ES 3.00"),
+            E::BlockInvariant => of_block("an interface block cannot be `invariant`"),
+            E::BlockLocation => of_block("an interface block cannot have a location"),
+            E::BlocksUnsized => of_block("an array of interface blocks needs a size"),
+            E::BlockAlone => of_block("an interface block cannot be a statement")
+                .help("access one of its members: `block.member`"),
         }
     }
 }

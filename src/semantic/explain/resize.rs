@@ -1,4 +1,4 @@
-//! How to make vectors of different sizes fit.
+//! Fixes that make vectors of different sizes match.
 
 use super::*;
 use crate::BuiltinId;
@@ -7,9 +7,9 @@ use crate::BuiltinId;
 const MAX_SHOWN: usize = 60;
 
 impl ExplainContext<'_> {
-    /// Makes one of the two vectors in `id` as large as the other. What the value is for decides
-    /// which; where that is unknown, a swizzle or a uniform that is too long is cut, and else the
-    /// smaller one is filled up.
+    /// Resizes one of the two vectors in `id` to the size of the other. The size that the context
+    /// expects decides which; if that is unknown, a longer swizzle or uniform is truncated, and
+    /// otherwise the smaller one is extended.
     pub(super) fn match_sizes(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
         let (l, r) = (self.vector_size(left)?, self.vector_size(right)?);
         let (small, large) = if l < r { (left, right) } else { (right, left) };
@@ -28,7 +28,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Makes a value as large as a vector that is wanted.
+    /// Resizes a value to the size of the expected vector.
     pub(crate) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
         let (_, 1, have) = self.ty(value).numeric()? else {
             return None;
@@ -51,16 +51,19 @@ impl ExplainContext<'_> {
             let edits = self.wrap(value, "vec4(vec3(", "), 1.0)");
             let text = self.expr_text(value);
             return Some(Fix::suggestion(
-                format!("write `vec4(vec3({text}), 1.0)`"),
+                format!("use `vec4(vec3({text}), 1.0)`"),
                 edits,
             ));
         }
         let edits = self.wrap(value, &format!("{name}("), ")");
-        Some(Fix::suggestion(format!("fill a `{name}` with it"), edits))
+        Some(Fix::suggestion(
+            format!("convert it with `{name}(...)`"),
+            edits,
+        ))
     }
 
-    /// Makes the vector in a product with a matrix as long as the matrix asks for, and the product
-    /// as long as its place does.
+    /// Resizes the vector in a product with a matrix to the size that the matrix requires, and the
+    /// product to the size that its context expects.
     pub(super) fn match_matrix(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
         let ((_, lc, lr), (_, rc, rr)) = (self.ty(left).numeric()?, self.ty(right).numeric()?);
         let (vector, size) = match (lc > 1, rc > 1) {
@@ -94,8 +97,8 @@ impl ExplainContext<'_> {
         Some(fix)
     }
 
-    /// The components that make a vector of `have` one of `size`: the fourth is alpha or w, where 1
-    /// means opaque and a point; the others are 0.
+    /// The components that extend a vector from `have` to `size`: 1 for the fourth, which is alpha
+    /// (opaque) or w (a point), and 0 for the others.
     pub(crate) fn added_components(scalar: Scalar, have: u8, size: u8) -> String {
         let (zero, one) = match scalar {
             Scalar::Float => ("0.0", "1.0"),
@@ -108,8 +111,8 @@ impl ExplainContext<'_> {
             .collect()
     }
 
-    /// Declares a variable with the type of its initializer, where that is computed and so says
-    /// more than the type does. Of a texel or a variable a part may well be meant.
+    /// Declares a variable with the type of its initializer, if that is a computed value. Not for a
+    /// texel or a variable, of which only some components may be meant.
     pub(super) fn retype(
         &self,
         spec: Extent,
@@ -144,7 +147,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// The size of the vector that `id` has to be, as far as the statement around it tells.
+    /// The vector size that the statement around `id` expects of it, if known.
     pub(crate) fn wanted_size(&self, id: ExprId) -> Option<u8> {
         let target = self.tree.expr(id).extent;
         let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
@@ -170,7 +173,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// The vector that decides the size of `id`, through parentheses, signs and scalar factors.
+    /// The vector that determines the size of `id`, through parentheses, signs and scalar factors.
     fn core(&self, id: ExprId) -> ExprId {
         let mut at = id;
         loop {
@@ -183,7 +186,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// The letters of a swizzle, and how many components its vector has.
+    /// The token and letters of a swizzle, and the size of its vector.
     fn swizzle_of(&self, id: ExprId) -> Option<(TokenId, &str, u8)> {
         let expr = self.tree.expr(id);
         let ExprKind::Member(object, name) = expr.kind else {
@@ -193,7 +196,7 @@ impl ExplainContext<'_> {
         Some((expr.extent.last, self.text(name), size))
     }
 
-    /// Whether a vector is rather too long than the other one too short.
+    /// Whether a vector should be truncated rather than the other one extended.
     fn gives_way(&self, id: ExprId) -> bool {
         let core = self.core(id);
         let variable = match self.info(core).resolution {
@@ -203,7 +206,7 @@ impl ExplainContext<'_> {
         self.swizzle_of(core).is_some() || variable.is_some_and(|v| v.storage == Storage::Uniform)
     }
 
-    /// Leaves the first `size` components of a vector.
+    /// Truncates a vector to its first `size` components.
     fn cut(&self, id: ExprId, size: u8) -> Option<Fix> {
         let core = self.core(id);
         let letters = "xyzw".get(..size as usize)?;
@@ -233,13 +236,13 @@ impl ExplainContext<'_> {
             }
         };
         let title = match shown.len() > MAX_SHOWN || shown.contains('\n') {
-            true => format!("take `.{letters}` of it"),
-            false => format!("write `{shown}`"),
+            true => format!("truncate it with `.{letters}`"),
+            false => format!("use `{shown}`"),
         };
         Some(Fix::suggestion(title, edits))
     }
 
-    /// Makes a vector larger: a swizzle takes more, everything else is filled up.
+    /// Extends a vector: a swizzle gets more letters, everything else a constructor.
     fn fill(&self, id: ExprId, size: u8) -> Option<Fix> {
         let ty = Type::vector(self.ty(id).scalar_kind()?, size);
         let have = self.vector_size(id)?;
@@ -253,12 +256,12 @@ impl ExplainContext<'_> {
         let span = self.expr_span(id);
         let name = self.name_of(ty);
         let text = self.sources.text(span);
-        let title = format!("make it a `{name}`: `{name}({text}{zeros})`");
+        let title = format!("use `{name}({text}{zeros})`");
         let edits = self.wrap(id, &format!("{name}("), &format!("{zeros})"));
         Some(Fix::suggestion(title, edits))
     }
 
-    /// `.xy` becomes `.xyz`, where the vector has so many components.
+    /// `.xy` becomes `.xyz`, if the vector has that many components.
     fn lengthen(&self, id: ExprId, size: u8) -> Option<Fix> {
         let (token, swizzle, has) = self.swizzle_of(id)?;
         let letters = ["xyzw", "rgba", "stpq"];
@@ -266,7 +269,7 @@ impl ExplainContext<'_> {
         let longer = set.get(..size as usize).filter(|_| has >= size)?;
         let edit = Edit::replace(self.token_span(token), longer);
         let text = self.expr_text(id).strip_suffix(swizzle)?;
-        let title = format!("write `{text}{longer}`");
+        let title = format!("use `{text}{longer}`");
         Some(Fix::suggestion(title, vec![edit]))
     }
 }

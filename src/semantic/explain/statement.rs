@@ -1,16 +1,21 @@
-//! Jumps and loops that go nowhere, what `return` gives, and what conditions are.
+//! Messages for [`StatementError`].
 
 use super::*;
 
 impl Condition {
     fn words(self) -> &'static str {
         match self {
-            Condition::Choice => "the condition of `? :`",
-            Condition::If => "the condition of `if`",
-            Condition::For => "the condition of the loop",
-            Condition::While => "the condition of `while`",
+            Condition::Choice => "`? :`",
+            Condition::If => "`if`",
+            Condition::For => "`for`",
+            Condition::While => "`while`",
         }
     }
+}
+
+/// The message for a condition of type `found`.
+fn condition_message(of: Condition, found: &str) -> String {
+    format!("{} condition must be `bool`, found `{found}`", of.words())
 }
 
 impl Explain for StatementError {
@@ -18,12 +23,11 @@ impl Explain for StatementError {
         use StatementError as E;
         let misplaced = |message| c.error(error::MISPLACED_JUMP, at, message);
         match self {
-            E::Break => misplaced("`break` can only stand in a loop or `switch`"),
-            E::Continue => misplaced("`continue` can only stand in a loop"),
-            E::Discard => misplaced("`discard` can only stand in a fragment shader"),
+            E::Break => misplaced("`break` outside of a loop or `switch`"),
+            E::Continue => misplaced("`continue` outside of a loop"),
+            E::Discard => misplaced("`discard` outside of a fragment shader"),
             E::Condition(of, ty) => {
-                let what = of.words();
-                let message = format!("{what} must be `bool`, not `{}`", c.name_of(ty));
+                let message = condition_message(of, &c.name_of(ty));
                 c.error(error::CONDITION_TYPE, at, message)
             }
             E::NoCondition(id, of, ty) => c.explain_condition(id, ty, of),
@@ -36,21 +40,23 @@ impl Explain for StatementError {
 impl ExplainContext<'_> {
     fn endless_loop(&self, variable: Option<VariableId>, at: Extent) -> Diagnostic {
         let d = self
-            .error(error::INFINITE_LOOP, at, "this loop never ends")
-            .note("browsers refuse a loop whose condition is always true and that has no `break` or `return`");
+            .error(error::INFINITE_LOOP, at, "this loop never terminates")
+            .note(
+                "browsers reject a loop with an always-true condition and no `break` or `return`",
+            );
         match variable.and_then(|v| self.variables.get(v.0 as usize)) {
             Some(v) => {
                 let name = self.text(v.name);
-                let d = self.with_declaration(d, v.token, "true from the start, and never changed");
+                let d = self.with_declaration(d, v.token, "always true");
                 d.help(format!(
-                    "set `{name}` to false somewhere, or give the loop a bound"
+                    "set `{name}` to `false` in the loop, or bound the loop"
                 ))
             }
-            None => d.help("give it a bound: `for (int i = 0; i < 100; i++)`"),
+            None => d.help("add a bound: `for (int i = 0; i < 100; i++)`"),
         }
     }
 
-    /// A `return` that does not give what the function does.
+    /// A `return` with a value of the wrong type, or without the value it needs.
     pub(crate) fn explain_return(
         &self,
         value: Option<ExprId>,
@@ -70,7 +76,7 @@ impl ExplainContext<'_> {
         let d = self.error(
             error::RETURN_TYPE,
             extent,
-            format!("this `return` gives nothing, but the function is `{name}`"),
+            format!("`return` without a value in a function returning `{name}`"),
         );
         let zero = self.zero_of(wanted);
         let place = self.token_span(extent.first);
@@ -82,12 +88,12 @@ impl ExplainContext<'_> {
 
     fn return_of_void(&self, value: ExprId, extent: Extent) -> Diagnostic {
         let name = self.name_of(self.ty(value));
-        let d = self.error(
-            error::RETURN_TYPE,
-            extent,
-            format!("a `void` function cannot return a value (this is `{name}`)"),
-        );
-        let d = self.label_return_type(d);
+        let message = match self.ty(value).is_void() {
+            true => "a `void` function cannot return an expression".to_string(),
+            false => format!("a `void` function cannot return a value, found `{name}`"),
+        };
+        let d = self.error(error::RETURN_TYPE, extent, message);
+        let d = self.label_return_type(d, "return type");
         let span = Span::new(self.token_span(extent.first).end, self.expr_span(value).end);
         let edits = match self.ty(value).is_void() {
             true => {
@@ -101,8 +107,8 @@ impl ExplainContext<'_> {
             false => vec![Edit::delete(span)],
         };
         let title = match self.ty(value).is_void() {
-            true => "call it, then return",
-            false => "return nothing",
+            true => "move the call before `return`",
+            false => "remove the value",
         };
         let fix = self
             .is_direct(extent)
@@ -122,32 +128,28 @@ impl ExplainContext<'_> {
         };
         let mut d = self.misfit_at(extent, wanted, value, rule);
         d.message = format!(
-            "the function returns `{}`, but this is `{}`",
+            "expected return value of type `{}`, found `{}`",
             self.name_of(wanted),
             self.name_of(found)
         );
-        self.label_return_type(d)
+        self.label_return_type(d, "expected because of this return type")
     }
 
-    fn label_return_type(&self, d: Diagnostic) -> Diagnostic {
+    fn label_return_type(&self, d: Diagnostic, label: &str) -> Diagnostic {
         let function = self.current.and_then(|f| self.functions.get(f.0 as usize));
         let decl = function.and_then(|f| self.tree.function(f.definition?));
         match decl.filter(|f| !self.is_prelude(f.ident.token)) {
-            Some(decl) => d.label(self.span(self.tree.ty(decl.ty).extent), "the return type"),
+            Some(decl) => d.label(self.span(self.tree.ty(decl.ty).extent), label),
             None => d,
         }
     }
 
-    /// A condition that is no `bool`.
+    /// A condition that is not a `bool`.
     pub(crate) fn explain_condition(&self, id: ExprId, ty: Type, of: Condition) -> Diagnostic {
-        let (what, name) = (of.words(), self.name_of(ty));
+        let name = self.name_of(ty);
         let d = self
-            .error_expr(
-                error::CONDITION_TYPE,
-                id,
-                format!("{what} must be `bool`, not `{name}`"),
-            )
-            .note("a number does not count as true or false here");
+            .error_expr(error::CONDITION_TYPE, id, condition_message(of, &name))
+            .note(format!("`{name}` does not convert to `bool` implicitly"));
         let zero = match ty {
             Type::INT => "0",
             Type::UINT => "0u",
@@ -171,13 +173,18 @@ impl ExplainContext<'_> {
             if !atom {
                 edits.insert(0, Edit::insert(span.start, "("));
             }
-            d.fix(Fix::safe(format!("compare with `{zero}`"), edits))
+            d.fix(Fix::safe(format!("add `!= {zero}`"), edits))
         } else if ty.scalar_kind() == Some(Scalar::Bool) {
-            let fix = Fix::suggestion("true where all are: `all(...)`", self.wrap(id, "all(", ")"));
-            d.note("`any(...)` is true where one is").fix(fix)
+            let edits = self.wrap(id, "all(", ")");
+            d.note("`any(...)` tests whether at least one component is true")
+                .fix(Fix::suggestion(
+                    "use `all(...)` to test every component",
+                    edits,
+                ))
         } else if let Some(zero) = self.zero_of(ty).filter(|_| ty.is_vector()) {
             let edits = self.wrap(id, "any(notEqual(", &format!(", {zero}))"));
-            d.fix(Fix::suggestion("true where one is not 0", edits))
+            let title = format!("use `any(notEqual(..., {zero}))`");
+            d.fix(Fix::suggestion(title, edits))
         } else {
             d
         }

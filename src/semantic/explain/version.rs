@@ -1,21 +1,21 @@
-//! What the version of the language has not.
+//! Messages for features that the version of the shader does not have.
 
 use super::*;
 
 impl ExplainContext<'_> {
-    /// An operator or method that comes with a later version.
+    /// An operator or method that requires a later version.
     pub(crate) fn explain_later(&self, id: ExprId) -> Diagnostic {
         let what = match self.tree.expr(id).kind {
-            ExprKind::Unary(op, _) => format!("the operator `{}`", op.symbol()),
-            ExprKind::Binary(op, ..) => format!("the operator `{}`", op.symbol()),
-            ExprKind::Assign(Some(op), ..) => format!("the operator `{}=`", op.symbol()),
+            ExprKind::Unary(op, _) => format!("operator `{}`", op.symbol()),
+            ExprKind::Binary(op, ..) => format!("operator `{}`", op.symbol()),
+            ExprKind::Assign(Some(op), ..) => format!("operator `{}=`", op.symbol()),
             _ => "`.length()`".to_string(),
         };
-        let message = format!("{what} comes with {}", Version::NEWEST.profile().name);
+        let message = format!("{what} requires {}", Version::NEWEST.profile().name);
         self.explain_lack(id, message)
     }
 
-    /// A number of a type that a later version has.
+    /// A literal of a type that requires a later version.
     pub(crate) fn explain_unsigned(&self, id: ExprId) -> Diagnostic {
         let language = self.version.profile().name;
         self.explain_lack(id, format!("{language} has no unsigned integers"))
@@ -24,14 +24,14 @@ impl ExplainContext<'_> {
     fn explain_lack(&self, id: ExprId, message: String) -> Diagnostic {
         let directive = Version::NEWEST.profile().directive.trim_end();
         self.error_expr(error::NEEDS_WEBGL2, id, message)
-            .help(format!("start the shader with `{directive}`"))
+            .help(format!("add `{directive}` as the first line"))
     }
 
-    /// The suffix of a number, at the end of its token, where the version has none.
+    /// The `f` suffix of a literal that ends at `end`, in a version without suffixes.
     pub(crate) fn explain_suffix(&self, id: ExprId, end: u32) -> Diagnostic {
         let edit = Edit::delete(Span::new(end - 1, end));
-        let message = format!("{} has no suffix `f`", self.version.profile().name);
+        let message = format!("{} has no `f` suffix", self.version.profile().name);
         self.error_expr(error::NEEDS_WEBGL2, id, message)
-            .fix(Fix::safe("take the suffix away", vec![edit]))
+            .fix(Fix::safe("remove the suffix", vec![edit]))
     }
 }

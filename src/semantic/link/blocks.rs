@@ -1,4 +1,5 @@
-//! Uniform blocks: of one name in both stages, they are one block (GLSL ES 3.00 section 4.3.7).
+//! Uniform blocks: blocks of the same name in both stages are one block (GLSL ES 3.00 section
+//! 4.3.7).
 
 use super::compare::{InterfaceComparison, PrecisionMatch};
 use super::errors::{LinkErrors, LinkSite, SAME};
@@ -8,14 +9,14 @@ use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::error;
 use shaderlint_syntax::ast::TokenId;
 
-/// A member of a block without an instance, whose name is a global one.
+/// A member of a block without an instance name, which is a global name.
 struct GlobalMember<'a, 'p> {
     interface: &'a Interface<'p>,
     block: &'p str,
     token: TokenId,
 }
 
-/// Asks that blocks of one name are the same, and that the names of members stand for one thing.
+/// Checks that blocks of the same name match and that global member names are unambiguous.
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     names(vertex, fragment, found);
     let mut comparison = InterfaceComparison::new(vertex, fragment);
@@ -33,10 +34,7 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
         if let Some(difference) = comparison.records(records.0, records.1, PrecisionMatch::Same) {
             found.difference(error::LINK_BLOCK, name, vertex, fragment, &difference);
         } else if let Some((of_fragment, of_vertex)) = heads(other, block) {
-            let message = format!(
-                "the block `{name}` {of_fragment} in the fragment shader, and {of_vertex} in the \
-                 vertex shader"
-            );
+            let message = format!("instances of block `{name}` differ between the stages");
             let first = LinkSite::new(fragment, block.token, of_fragment);
             let second = LinkSite::new(vertex, other.token, of_vertex);
             if let Some(d) = found.differ(error::LINK_BLOCK, message, first, second) {
@@ -53,18 +51,18 @@ fn fields<'a>(interface: &Interface<'a>, block: &Block) -> &'a [Field] {
     record.map_or(&[], |r| &r.fields)
 }
 
-/// What two blocks say of their instances, the fragment shader's first, where it is not the same.
+/// Descriptions of the instances of two blocks, the fragment shader's first, if they differ.
 fn heads(vertex: &Block, fragment: &Block) -> Option<(String, String)> {
     let say = |block: &Block| match block.instance {
-        None => "has no instance name".to_string(),
-        Some((_, 0)) => "has an instance name".to_string(),
-        Some((_, n)) => format!("is an array of {n}"),
+        None => "no instance name".to_string(),
+        Some((_, 0)) => "instance name".to_string(),
+        Some((_, n)) => format!("array of {n}"),
     };
     let array = |b: &Block| b.instance.map(|(_, n)| n);
     (array(vertex) != array(fragment)).then(|| (say(fragment), say(vertex)))
 }
 
-/// Matrices lie by rows in both stages, or by columns.
+/// Matrix layouts (row- or column-major) must match.
 fn packing(
     vertex: &Interface,
     fragment: &Interface,
@@ -78,7 +76,7 @@ fn packing(
     let name = fragment.text(of_fragment.name);
     let mut tell = |what: &str, of_vertex: (TokenId, bool), of_fragment: (TokenId, bool)| {
         let message = format!(
-            "{what} is {} in the fragment shader and {} in the vertex shader",
+            "{what} is {} in the fragment but {} in the vertex shader",
             word(of_fragment.1),
             word(of_vertex.1)
         );
@@ -88,10 +86,10 @@ fn packing(
             d.notes.push(SAME.to_string());
         }
     };
-    // The browser compares them even where there is no matrix.
+    // The browser compares them even if there is no matrix.
     if of_vertex.by_rows != of_fragment.by_rows {
         let [vertex_side, fragment_side] = [of_vertex, of_fragment].map(|b| (b.token, b.by_rows));
-        return tell(&format!("the block `{name}`"), vertex_side, fragment_side);
+        return tell(&format!("block `{name}`"), vertex_side, fragment_side);
     }
     let members = |interface, block: &Block| {
         let fields = fields(interface, block).iter();
@@ -106,7 +104,7 @@ fn packing(
     }
 }
 
-/// By struct: whether there is a matrix in it. What it holds is declared before it.
+/// By struct: whether it contains a matrix. Nested structs come first.
 fn with_matrices(interface: &Interface) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for record in &interface.program.structs {
@@ -124,8 +122,8 @@ fn holds_matrix(ty: Type, with_matrices: &[bool]) -> bool {
     }
 }
 
-/// The name of a member of a block without an instance is no uniform, and no member of another such
-/// block.
+/// The name of a member of a block without an instance name must not be a uniform or a member of
+/// another such block.
 fn names(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     let mut members: FxHashMap<&str, GlobalMember> = FxHashMap::default();
     for interface in [vertex, fragment] {
@@ -155,11 +153,11 @@ fn names(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
                 continue;
             };
             let message = format!(
-                "`{name}` is a uniform in one stage and a member of the block `{}` in the other",
+                "`{name}` is a uniform in one stage but a member of block `{}` in the other",
                 member.block
             );
-            let first = LinkSite::new(interface, uniform.token, "the uniform");
-            let label = format!("the member of `{}`", member.block);
+            let first = LinkSite::new(interface, uniform.token, "declared as a uniform");
+            let label = format!("member of block `{}`", member.block);
             let second = LinkSite::new(member.interface, member.token, label);
             if let Some(d) = found.differ(error::LINK_BLOCK, message, first, second) {
                 d.notes.push(GLOBAL.to_string());
@@ -175,7 +173,7 @@ const GLOBAL: &str = "members of a block without an instance name are global nam
 
 fn clash(name: &str, this: &GlobalMember, other: &GlobalMember, found: &mut LinkErrors) {
     let message = format!(
-        "`{name}` is a member of the block `{}` in one stage and of `{}` in the other",
+        "`{name}` is a member of block `{}` in one stage and of `{}` in the other",
         this.block, other.block
     );
     let first = LinkSite::new(this.interface, this.token, format!("in `{}`", this.block));

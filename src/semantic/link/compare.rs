@@ -1,42 +1,42 @@
-//! Whether two declarations of one thing are the same, and where they differ first.
+//! Comparison of declarations in the two stages.
 
 use super::interface::{Interface, PrecisionWord};
 use crate::{Base, Field, Type};
 use rustc_hash::FxHashMap;
 use shaderlint_syntax::ast::TokenId;
 
-/// One of the two declarations: the token that names it, its type and its precision.
+/// A declaration to compare.
 #[derive(Clone, Copy, Debug)]
 pub struct DeclaredType {
-    /// The token.
+    /// The token that names it.
     pub token: TokenId,
-    /// The type.
+    /// Its type, including the array size.
     pub ty: Type,
-    /// The precision, where the type has one.
+    /// Its precision, if the type has one.
     pub precision: Option<PrecisionWord>,
 }
 
-/// Where two declarations differ, and what each of them says there.
+/// The first difference between two declarations.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Difference {
-    /// The members that lead there: `.light.color`.
+    /// Path to the differing member: `.light.color`.
     pub path: String,
-    /// What differs.
+    /// Kind of difference.
     pub kind: Differing,
-    /// The token in the vertex shader, and what it declares.
+    /// The token in the vertex shader, and its declaration as text.
     pub vertex: (TokenId, String),
-    /// The token in the fragment shader, and what it declares.
+    /// The token in the fragment shader, and its declaration as text.
     pub fragment: (TokenId, String),
 }
 
-/// What differs.
+/// Kinds of differences.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Differing {
     /// The type or the array size.
     Type,
     /// The precision.
     Precision,
-    /// The names of two structs.
+    /// The names of the structs.
     StructName,
     /// Names or number of members.
     Members,
@@ -45,9 +45,9 @@ pub enum Differing {
 /// Whether precisions are compared.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum PrecisionMatch {
-    /// They must be the same.
+    /// They must match.
     Same,
-    /// Each stage may have its own.
+    /// They may differ.
     Free,
 }
 
@@ -55,12 +55,12 @@ pub enum PrecisionMatch {
 pub struct InterfaceComparison<'a, 'p> {
     vertex: &'a Interface<'p>,
     fragment: &'a Interface<'p>,
-    /// Structs that were compared, and how they differ: each pair is looked at once.
+    /// Results for pairs of structs compared so far.
     known: FxHashMap<(u16, u16, PrecisionMatch), Option<Difference>>,
 }
 
 impl<'a, 'p> InterfaceComparison<'a, 'p> {
-    /// Nothing is compared yet.
+    /// A comparison of two shaders.
     pub fn new(
         vertex: &'a Interface<'p>,
         fragment: &'a Interface<'p>,
@@ -72,7 +72,7 @@ impl<'a, 'p> InterfaceComparison<'a, 'p> {
         }
     }
 
-    /// Where two declarations differ first, if they do.
+    /// The first difference between two declarations, if any.
     pub fn difference(
         &mut self,
         vertex: DeclaredType,
@@ -124,7 +124,7 @@ impl<'a, 'p> InterfaceComparison<'a, 'p> {
         })
     }
 
-    /// Where two structs or blocks of one name differ first. Structs nest at most four deep.
+    /// The first difference between two structs or blocks. Structs nest at most four levels deep.
     pub fn records(
         &mut self,
         vertex: u16,
@@ -180,7 +180,7 @@ impl<'a, 'p> InterfaceComparison<'a, 'p> {
     }
 }
 
-/// The members in the order of the linker: samplers behind all others.
+/// Members in the order of the linker: samplers last.
 fn in_order(fields: &[Field]) -> impl Iterator<Item = &Field> {
     let others = fields.iter().filter(|f| !f.ty.is_sampler());
     others.chain(fields.iter().filter(|f| f.ty.is_sampler()))
@@ -191,14 +191,14 @@ fn is_record(ty: Type) -> bool {
 }
 
 impl Interface<'_> {
-    /// Name of a struct or block; empty where it has none.
+    /// Name of a struct or block; empty if it has none.
     pub fn record_name(&self, id: u16) -> &str {
         let record = self.program.structs.get(id as usize);
         let name = record.and_then(|s| s.name);
         name.map_or("", |n| self.program.names.text(n))
     }
 
-    /// A type in messages.
+    /// A type as shown in messages.
     fn type_name(&self, ty: Type) -> String {
         match ty.base {
             Base::Struct(id) if !self.record_name(id).is_empty() => {

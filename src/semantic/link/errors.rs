@@ -1,4 +1,4 @@
-//! What keeps two shaders from being linked, and where it stands.
+//! Link errors and their positions.
 
 use super::compare::{Difference, Differing};
 use super::interface::Interface;
@@ -7,25 +7,25 @@ use shaderlint_diagnostic::{Diagnostic, ErrorKind, error};
 use shaderlint_syntax::ast::TokenId;
 use shaderlint_text::Span;
 
-/// Most errors that are looked for between two shaders.
+/// Maximum number of link errors.
 pub const MAX_ERRORS: usize = 200;
 
-/// What was found.
+/// Errors found so far.
 #[derive(Default)]
 pub struct LinkErrors {
     pub diagnostics: Vec<Diagnostic>,
-    /// Places that an error stands at: each mistake is told once.
+    /// Spans with an error; each mistake is reported once.
     pub told: FxHashSet<Span>,
 }
 
 impl LinkErrors {
-    /// Whether so much is wrong that looking on is of no use.
+    /// Whether the error limit is reached.
     pub fn is_full(&self) -> bool {
         self.diagnostics.len() >= MAX_ERRORS
     }
 
-    /// Reports what two places say differently: at the first that the user wrote. Gives the
-    /// diagnostic, so that more can be said; `None` where it was told before.
+    /// Reports a mismatch between two declarations at the first one written by the user. Returns
+    /// the diagnostic for further notes; `None` if it was reported before.
     pub fn differ(
         &mut self,
         rule: ErrorKind,
@@ -46,7 +46,7 @@ impl LinkErrors {
         d.macros = at.interface.program.macros_at(at.token);
         let d = if is_hosts(&other) {
             d.note(format!(
-                "the host puts the other before it: {}",
+                "the other declaration is part of the host: {}",
                 other.label
             ))
         } else {
@@ -56,7 +56,7 @@ impl LinkErrors {
         self.diagnostics.last_mut()
     }
 
-    /// Reports something at one place.
+    /// Reports an error at one position.
     pub fn at(
         &mut self,
         rule: ErrorKind,
@@ -72,7 +72,7 @@ impl LinkErrors {
         self.diagnostics.last_mut()
     }
 
-    /// Reports two declarations that should be the same. `what` is the thing in words.
+    /// Reports two declarations that should match. `what` is the name of the declared thing.
     pub fn difference(
         &mut self,
         rule: ErrorKind,
@@ -89,17 +89,19 @@ impl LinkErrors {
         } = difference;
         let subject = format!("{what}{path}");
         let message = match kind {
-            Differing::Type | Differing::Precision => format!(
-                "`{subject}` is `{in_fragment}` in the fragment shader and `{in_vertex}` in the \
-                 vertex shader"
+            Differing::Type => format!(
+                "`{subject}` is `{in_fragment}` in the fragment but `{in_vertex}` in the vertex shader"
+            ),
+            Differing::Precision => format!(
+                "`{subject}` is `{}` in the fragment but `{}` in the vertex shader",
+                precision_of(in_fragment),
+                precision_of(in_vertex)
             ),
             Differing::StructName => format!(
-                "`{subject}` is a {in_fragment} in the fragment shader and a {in_vertex} in the \
-                 vertex shader"
+                "`{subject}` is a {in_fragment} in the fragment but a {in_vertex} in the vertex shader"
             ),
             Differing::Members => format!(
-                "`{subject}` has {in_fragment} in the fragment shader where the vertex shader has \
-                 {in_vertex}"
+                "`{subject}` has {in_fragment} in the fragment but {in_vertex} in the vertex shader"
             ),
         };
         let label = |text: &str, of: &str| format!("{} in the {of} shader", quoted(text, *kind));
@@ -111,29 +113,29 @@ impl LinkErrors {
         d.notes.push(
             match (kind, rule) {
                 (Differing::Precision, _) => {
-                    "`highp` is the default of vertex shaders; a uniform of both stages needs one precision (section 4.5.3)"
+                    "a uniform must have the same precision in both stages; vertex shaders default to `highp` (section 4.5.3)"
                 }
                 (Differing::StructName, _) => {
-                    "structs of both stages are the same only if their names are, too (section 4.3.10)"
+                    "a struct shared by both stages must have the same name in both (section 4.3.10)"
                 }
                 (_, error::LINK_VARYING) => {
-                    "what the vertex shader passes on arrives as what it was (section 4.3.10)"
+                    "an output and the input of the same name must have the same type (section 4.3.10)"
                 }
                 (_, error::LINK_BLOCK) => SAME,
-                _ => "a uniform of both stages is one variable (section 4.3.5)",
+                _ => "a uniform declared in both stages is a single variable (section 4.3.5)",
             }
             .to_string(),
         );
         if *kind == Differing::Precision {
             d.help.push(format!(
-                "write `{}` in both",
+                "use `{}` in both stages",
                 higher(in_vertex, in_fragment)
             ));
         }
     }
 }
 
-/// A place in one of the shaders, and what stands there.
+/// A position in one of the shaders, with its label.
 pub struct LinkSite<'a, 'p> {
     pub interface: &'a Interface<'p>,
     pub token: TokenId,
@@ -163,13 +165,18 @@ fn quoted(text: &str, kind: Differing) -> String {
     }
 }
 
-/// The one of two types with the higher precision.
+/// The precision of a type such as `highp float`.
+fn precision_of(text: &str) -> &str {
+    text.split(' ').next().unwrap_or(text)
+}
+
+/// The type with the higher precision.
 fn higher<'a>(a: &'a str, b: &'a str) -> &'a str {
     let order = ["highp ", "mediump ", "lowp "];
     let rank = |t: &str| order.iter().position(|p| t.starts_with(p));
     if rank(a) <= rank(b) { a } else { b }
 }
 
-/// Why blocks must be the same.
-pub const SAME: &str = "a block of both stages is one block: the same members, layout and arrays \
+/// Rule for blocks in both stages.
+pub const SAME: &str = "a block used in both stages must have the same members, layout and array size \
                     (section 4.3.7)";

@@ -1,5 +1,5 @@
-//! What one stage shows to the other: inputs, outputs, uniforms and blocks, with all that their
-//! declarations say.
+//! The interface of a stage: inputs, outputs, uniforms and blocks with the properties of their
+//! declarations.
 
 use super::live::named;
 use crate::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
@@ -8,71 +8,71 @@ use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::{self, *};
 use shaderlint_text::{Role, Span};
 
-/// A precision, as it is written.
+/// A precision qualifier as text.
 pub type PrecisionWord = &'static str;
 
-/// A variable that the other stage or the page can see.
+/// A variable visible to the other stage or the page.
 #[derive(Clone, Copy, Debug)]
 pub struct InterfaceVariable {
-    /// Its name.
+    /// Declared name.
     pub name: Name,
     /// The token that declares it.
     pub token: TokenId,
-    /// Its type.
+    /// Declared type.
     pub ty: Type,
-    /// Its precision, given or by default; `None` for a type that has none.
+    /// Precision, explicit or by default; `None` if the type has none.
     pub precision: Option<PrecisionWord>,
-    /// Whether it is `flat`.
+    /// Whether it is declared `flat`.
     pub is_flat: bool,
-    /// Whether it is `invariant`.
+    /// Whether it is declared `invariant`.
     pub is_invariant: bool,
-    /// Its `layout(location = ...)`.
+    /// Value of `layout(location = ...)`.
     pub location: Option<i32>,
-    /// Whether anything in the shader names it.
+    /// Whether any code refers to it.
     pub is_used: bool,
-    /// Whether code names it that the browser does not drop.
+    /// Whether code that the browser does not remove refers to it.
     pub is_active: bool,
 }
 
 /// A uniform block.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Its name.
+    /// Block name.
     pub name: Name,
     /// The token that names it.
     pub token: TokenId,
-    /// Its number among the structs of its program.
+    /// Index among the structs of its program.
     pub record: u16,
-    /// Its instance: the token that names it, and the size of the array, or 0.
+    /// Instance name token and array size, 0 for no array.
     pub instance: Option<(TokenId, u32)>,
-    /// Whether matrices lie by rows, as its own layout or the default says.
+    /// Whether matrices are row-major, from its own layout or the default.
     pub by_rows: bool,
-    /// By member: whether its matrices lie by rows.
+    /// By member: whether its matrices are row-major.
     pub members_by_rows: Vec<bool>,
 }
 
-/// What a stage shows.
+/// The interface of a stage.
 pub struct Interface<'a> {
-    /// The shader.
+    /// The checked shader.
     pub program: &'a Program,
-    /// What it takes: attributes, or what the vertex shader passes on.
+    /// Attributes of a vertex shader, or varyings of a fragment shader.
     pub inputs: Vec<InterfaceVariable>,
-    /// What it gives.
+    /// Varyings of a vertex shader, or outputs of a fragment shader.
     pub outputs: Vec<InterfaceVariable>,
-    /// Its uniforms outside of blocks.
+    /// Uniforms outside blocks.
     pub uniforms: Vec<InterfaceVariable>,
-    /// Its blocks.
+    /// Uniform blocks.
     pub blocks: Vec<Block>,
-    /// By the token of a member: its precision.
+    /// Precision of members, by the member's token.
     members: FxHashMap<TokenId, PrecisionWord>,
-    /// What was declared `invariant`, built-in variables included.
+    /// Names declared `invariant`, including built-in variables.
     invariant: FxHashSet<Name>,
-    /// By variable: whether anything names it, and whether code that is left does.
+    /// By variable: whether any code refers to it, and whether live code does.
     named: Vec<(bool, bool)>,
 }
 
 impl<'a> Interface<'a> {
-    /// Reads the declarations of a shader that has no errors.
+    /// Reads the declarations of a shader without errors.
     pub fn of(program: &'a Program) -> Interface<'a> {
         let mut reader = Reader::new(program);
         for item in &program.tree.items {
@@ -82,7 +82,7 @@ impl<'a> Interface<'a> {
             }
         }
         let mut found = reader.found;
-        // A host declares what it gives; it counts where it is used.
+        // Declarations of a host count only if they are used.
         let is_user = |token: TokenId| {
             let span = program.token(token).map_or(Span::default(), |t| t.span);
             let file = program.sources.file_at(span.start);
@@ -101,12 +101,12 @@ impl<'a> Interface<'a> {
         found
     }
 
-    /// A name as it is written.
+    /// The text of a name.
     pub fn text(&self, name: Name) -> &'a str {
         self.program.names.text(name)
     }
 
-    /// The precision of a struct's or block's member.
+    /// The precision of a struct or block member.
     pub fn member_precision(&self, token: TokenId) -> Option<PrecisionWord> {
         self.members.get(&token).copied()
     }
@@ -118,7 +118,7 @@ impl<'a> Interface<'a> {
             || (self.program.stage == Stage::Vertex && self.program.tokens.invariant_all)
     }
 
-    /// The first token that names a built-in variable, where code that is left does.
+    /// The first token that refers to a built-in variable, if live code does.
     pub fn builtin_use(&self, builtin: &str) -> Option<TokenId> {
         let name = self.program.names.get(builtin)?;
         let is_it = |v: &crate::Variable| v.name == name && v.token.is_none();
@@ -129,7 +129,7 @@ impl<'a> Interface<'a> {
         Some(first.extent.first)
     }
 
-    /// Whether a token stands in what the host puts before the shader.
+    /// Whether a token is in the host's prelude.
     pub fn is_hosts(&self, token: TokenId) -> bool {
         let start = self.program.token(token).map_or(0, |t| t.span.start);
         let file = self.program.sources.file_at(start);
@@ -137,16 +137,16 @@ impl<'a> Interface<'a> {
     }
 }
 
-/// The walk over the declarations.
+/// Traversal of the declarations.
 struct Reader<'a> {
     found: Interface<'a>,
-    /// By the token that declares it.
+    /// Variables by the token that declares them.
     variables: FxHashMap<TokenId, VariableId>,
-    /// By the token that names it.
+    /// Structs by the token that names them.
     records: FxHashMap<TokenId, u16>,
     float: Option<PrecisionWord>,
     int: Option<PrecisionWord>,
-    /// `layout(row_major) uniform;`
+    /// Default set by `layout(row_major) uniform;`.
     by_rows: bool,
 }
 
@@ -216,14 +216,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the members of a struct that a type defines.
+    /// Reads the members of a struct defined in a type.
     fn type_spec(&mut self, ty: TypeId) {
         if let TypeBase::Struct(id) = self.found.program.tree.ty(ty).base {
             self.record(id);
         }
     }
 
-    /// Reads the precisions of members; gives the struct's number.
+    /// Reads the precisions of members; returns the index of the struct.
     fn record(&mut self, id: StructId) -> Option<u16> {
         let program = self.found.program;
         let tree = &program.tree;
@@ -256,7 +256,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The precision of a variable or member, given or by default.
+    /// The precision of a variable or member, explicit or by default.
     fn precision(&self, qualifiers: List, ty: Type) -> Option<PrecisionWord> {
         let default = match ty.base {
             Base::Numeric { scalar, .. } => match scalar {
@@ -264,7 +264,7 @@ impl<'a> Reader<'a> {
                 Scalar::Float => self.float,
                 Scalar::Int | Scalar::Uint => self.int,
             },
-            // The browser does not compare those of samplers.
+            // The browser does not compare precisions of samplers.
             _ => return None,
         };
         let all = self.found.program.tree.qualifiers(qualifiers).iter();
@@ -336,7 +336,7 @@ impl<'a> Reader<'a> {
         self.found.blocks.push(block);
     }
 
-    /// Whether these qualifiers, or else what held before, lay matrices by rows.
+    /// Whether these qualifiers, or else the default, make matrices row-major.
     fn matrices_by_rows(&self, qualifiers: List, before: bool) -> bool {
         let program = self.found.program;
         let mut by_rows = before;
@@ -356,7 +356,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The location that qualifiers give.
+/// The location given by qualifiers.
 fn location(program: &Program, qualifiers: &[Qualifier]) -> Option<i32> {
     let entries = qualifiers.iter().filter_map(|q| match q.kind {
         QualifierKind::Layout(entries) => Some(program.tree.layout(entries)),

@@ -1,5 +1,5 @@
-//! Too many of anything. What one device takes and another does not is no error: the limits here are
-//! those that no implementation of WebGL exceeds.
+//! Resource limits. Devices differ, so only what exceeds the limits of every WebGL implementation
+//! is an error.
 
 use super::errors::{LinkErrors, LinkSite};
 use super::interface::{Block, Interface, InterfaceVariable};
@@ -8,18 +8,19 @@ use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, error};
 use shaderlint_syntax::Feature;
 
-/// Places for attributes.
+/// Number of attribute locations.
 const MAX_ATTRIBUTES: usize = 16;
-/// Vectors of `uniform`s in one stage.
+/// Uniform vectors per stage.
 const MAX_UNIFORM_VECTORS: u64 = 4096;
-/// Samplers in one stage.
+/// Samplers per stage.
 const MAX_SAMPLERS: u64 = 32;
-/// Blocks in one stage, each element of an array counted.
+/// Uniform blocks per stage, counting each array element.
 const MAX_BLOCKS: u64 = 16;
-/// Vectors that pass between the stages.
+/// Varying vectors between the stages.
 const MAX_VARYING_VECTORS: u64 = 32;
 
-/// Asks that all attributes have a place, and each its own (GLSL ES 3.00 sections 4.3.8.1 and 12.46).
+/// Checks that every attribute has a location and that none overlap (GLSL ES 3.00 sections 4.3.8.1
+/// and 12.46).
 pub fn attributes(vertex: &Interface, found: &mut LinkErrors) {
     let counts_all = vertex.program.version.has(Feature::UnreadAttributes);
     let all: Vec<&InterfaceVariable> = vertex
@@ -35,12 +36,12 @@ pub fn attributes(vertex: &Interface, found: &mut LinkErrors) {
         let end = first.saturating_add(columns(item.ty) as usize);
         let name = vertex.text(item.name);
         if end > MAX_ATTRIBUTES {
-            let message = format!("the attribute `{name}` goes past the last location, 15");
-            let place = LinkSite::new(
-                vertex,
-                item.token,
-                format!("it takes {} of them", columns(item.ty)),
-            );
+            let message = format!("attribute `{name}` exceeds the last location, 15");
+            let label = match columns(item.ty) {
+                1 => "needs 1 location".to_string(),
+                n => format!("needs {n} locations"),
+            };
+            let place = LinkSite::new(vertex, item.token, label);
             found.at(error::LINK_ATTRIBUTE, message, place);
             continue;
         }
@@ -48,10 +49,10 @@ pub fn attributes(vertex: &Interface, found: &mut LinkErrors) {
             match taken.get_mut(at) {
                 Some(Some(other)) => {
                     let message = format!(
-                        "the attributes `{name}` and `{}` share location {at}",
+                        "attributes `{name}` and `{}` both use location {at}",
                         vertex.text(other.name)
                     );
-                    let second = LinkSite::new(vertex, other.token, "the other attribute");
+                    let second = LinkSite::new(vertex, other.token, "also at this location");
                     let first = LinkSite::new(vertex, item.token, "");
                     found.differ(error::LINK_ATTRIBUTE, message, first, second);
                     break;
@@ -66,7 +67,7 @@ pub fn attributes(vertex: &Interface, found: &mut LinkErrors) {
     }
 }
 
-/// Gives those without a location the first free places, as the browser does.
+/// Assigns the first free locations to attributes without one, as the browser does.
 fn places(
     vertex: &Interface,
     all: &[&InterfaceVariable],
@@ -79,16 +80,15 @@ fn places(
         let free = taken.windows(width).position(|w| w.iter().all(|t| !t));
         let Some(free) = free else {
             let message = format!(
-                "there is no place for the attribute `{}`: WebGL has {MAX_ATTRIBUTES}",
+                "no location left for attribute `{}`; WebGL has {MAX_ATTRIBUTES}",
                 vertex.text(item.name)
             );
             let place = LinkSite::new(vertex, item.token, "");
             if let Some(d) = found.at(error::LINK_ATTRIBUTE, message, place) {
-                d.notes.push(
-                    "each attribute takes one place, a matrix one for each column".to_string(),
-                );
+                d.notes
+                    .push("each attribute uses one location, a matrix one per column".to_string());
                 d.help
-                    .push("put several values into one `vec4`".to_string());
+                    .push("pack several values into one `vec4`".to_string());
             }
             return;
         };
@@ -105,14 +105,14 @@ fn columns(ty: Type) -> u8 {
     }
 }
 
-/// What a uniform takes.
+/// Resources used by a uniform.
 #[derive(Clone, Copy, Default)]
 struct Need {
     vectors: u64,
     samplers: u64,
 }
 
-/// Counts what one stage needs.
+/// Counts the resources that a stage uses.
 pub fn counts(interface: &Interface, found: &mut LinkErrors) {
     let mut known = FxHashMap::default();
     let mut sum = Need::default();
@@ -121,7 +121,7 @@ pub fn counts(interface: &Interface, found: &mut LinkErrors) {
         sum.vectors = sum.vectors.saturating_add(need.vectors);
         sum.samplers = sum.samplers.saturating_add(need.samplers);
         let (count, limit, what) = if sum.vectors > MAX_UNIFORM_VECTORS {
-            (sum.vectors, MAX_UNIFORM_VECTORS, "vectors of uniforms")
+            (sum.vectors, MAX_UNIFORM_VECTORS, "uniform vectors")
         } else if sum.samplers > MAX_SAMPLERS {
             (sum.samplers, MAX_SAMPLERS, "samplers")
         } else {
@@ -149,7 +149,7 @@ pub fn counts(interface: &Interface, found: &mut LinkErrors) {
     }
 }
 
-/// Counts vectors as if they were packed without a gap, which is the best that a browser can do.
+/// Counts vectors as if packed without gaps, which is the best that a browser can do.
 fn varyings(fragment: &Interface, found: &mut LinkErrors) {
     let mut by_width = [0_u64; 5];
     for input in fragment.inputs.iter().filter(|i| i.is_used) {
@@ -160,7 +160,7 @@ fn varyings(fragment: &Interface, found: &mut LinkErrors) {
         let beside_pairs = beside_three.saturating_sub((pairs * 2 - two) * 2);
         let vectors = four + three + pairs + beside_pairs.div_ceil(4);
         if vectors > MAX_VARYING_VECTORS {
-            let what = "vectors between the stages";
+            let what = "varying vectors";
             return too_many(
                 fragment,
                 input.token,
@@ -179,7 +179,7 @@ fn add_vectors(interface: &Interface, ty: Type, by_width: &mut [u64; 5]) {
                 *slot = slot.saturating_add(count.saturating_mul(columns as u64));
             }
         }
-        // Structs that are passed on hold no other structs.
+        // Varying structs contain no nested structs.
         Base::Struct(id) => {
             let record = interface.program.structs.get(id as usize);
             for field in record.map_or(&[][..], |r| &r.fields) {
@@ -192,7 +192,7 @@ fn add_vectors(interface: &Interface, ty: Type, by_width: &mut [u64; 5]) {
     }
 }
 
-/// What a uniform of a type takes. Each struct is looked into once.
+/// Resources used by a uniform of a type; cached per struct.
 fn need(interface: &Interface, ty: Type, known: &mut FxHashMap<u16, Need>) -> Need {
     let one = match ty.base {
         Base::Numeric { columns, .. } => Need {
@@ -236,13 +236,12 @@ fn too_many(
         Stage::Vertex => "vertex",
         Stage::Fragment => "fragment",
     };
-    let message = format!(
-        "the {stage} shader needs {count} {what} up to here; no browser has more than {limit}"
-    );
+    let message = format!("{stage} shader needs {count} {what}; the limit is {limit}");
     let place = LinkSite::new(interface, token, "");
     if let Some(d) = found.at(error::BROWSER_LIMIT, message, place) {
         let d: &mut Diagnostic = d;
-        d.notes
-            .push("what both stages of a program may use is limited".to_string());
+        d.notes.push(format!(
+            "counted up to this declaration; no browser has more than {limit}"
+        ));
     }
 }

@@ -1,11 +1,11 @@
-//! Which code is left when the browser has dropped what does nothing: functions that `main` does not
-//! reach, statements and locals whose value nobody uses, branches that never run.
+//! Live code: what remains when the browser has removed functions that `main` does not reach,
+//! statements and locals with unused values, and branches that never run.
 
 use crate::CallGraph;
 use crate::{FunctionRef, Program, Resolution, Value};
 use shaderlint_syntax::ast::*;
 
-/// By variable: whether anything names it, and whether code that is left does.
+/// By variable: whether any code refers to it, and whether live code does.
 pub fn named(program: &Program) -> Vec<(bool, bool)> {
     let tree = &program.tree;
     let names = || {
@@ -32,11 +32,11 @@ pub fn named(program: &Program) -> Vec<(bool, bool)> {
     named
 }
 
-/// Stretches of code.
+/// Ranges of live code.
 struct Live {
-    /// Functions that run, in the order of the text.
+    /// Reachable functions, in source order.
     running: Vec<Extent>,
-    /// What is dropped, in the order of the text; none in another.
+    /// Removed code, in source order and without overlaps.
     dropped: Vec<Extent>,
 }
 
@@ -66,7 +66,7 @@ impl Live {
     }
 }
 
-/// The functions that `main` reaches.
+/// The functions reachable from `main`.
 fn running(program: &Program) -> Vec<Extent> {
     let is_main = |f: &crate::Function| program.names.text(f.name) == "main" && f.params.is_empty();
     let Some(main) = program.functions.iter().position(is_main) else {
@@ -81,7 +81,7 @@ fn running(program: &Program) -> Vec<Extent> {
     running
 }
 
-/// What does nothing.
+/// Code without effect.
 fn dropped(program: &Program, named: &[(bool, bool)]) -> Vec<Extent> {
     let tree = &program.tree;
     let mut dropped = Vec::new();
@@ -122,11 +122,11 @@ fn dropped(program: &Program, named: &[(bool, bool)]) -> Vec<Extent> {
     dropped
 }
 
-/// Whether an expression may do more than give a value: at its top, so that what is dropped is
-/// certain to be.
+/// Whether an expression may have side effects; conservative, so that everything reported as
+/// removed is.
 fn acts(program: &Program, expr: ExprId) -> bool {
     let extent = program.tree.expr(expr).extent;
-    // The parts of an expression stand before it.
+    // Operands are stored before the expression.
     let before = program.tree.exprs.get(..=expr.0 as usize).unwrap_or(&[]);
     let parts = before.iter().rev();
     let parts = parts.take_while(|e| extent.first <= e.extent.first);

@@ -1,4 +1,5 @@
-//! Vertex and fragment shader together: what the browser's linker asks of two shaders that compile.
+//! Linking of vertex and fragment shader: the checks that the browser's linker makes on two shaders
+//! that compile.
 //!
 //! The rules are those of GLSL ES 3.00 (4.3.4 to 4.3.10 and 9) and 1.00 (4.3.3 to 4.6.4) as ANGLE
 //! applies them: what a fragment shader names counts as used, whether or not the code runs.
@@ -17,7 +18,7 @@ use errors::{LinkErrors, MAX_ERRORS};
 pub use interface::{Block, Interface, InterfaceVariable};
 use shaderlint_diagnostic::{Diagnostic, error};
 
-/// Finds what keeps two shaders without errors from being linked. Both stand in one address space.
+/// Finds link errors between two shaders without compile errors. Both are in one address space.
 pub fn link(vertex: &Program, fragment: &Program) -> Vec<Diagnostic> {
     let (vertex, fragment) = (Interface::of(vertex), Interface::of(fragment));
     let mut found = LinkErrors::default();
@@ -35,7 +36,7 @@ pub fn link(vertex: &Program, fragment: &Program) -> Vec<Diagnostic> {
     found.diagnostics
 }
 
-/// Both stages are of one version.
+/// Both stages must have the same version.
 fn versions(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     let place = |i: &Interface| {
         let tokens = &i.program.tokens;
@@ -44,15 +45,15 @@ fn versions(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     };
     let name = |i: &Interface| i.program.version.profile().name;
     let message = format!(
-        "the fragment shader is {}, and its vertex shader {}",
+        "fragment shader is {}, vertex shader is {}",
         name(fragment),
         name(vertex)
     );
     found.diagnostics.push(
         Diagnostic::error(error::LINK_VERSION, place(fragment), message)
             .label(place(vertex), format!("{} here", name(vertex)))
-            .note("both stages of a program are of one version (section 3.3)")
-            .help("start both with the same `#version`"),
+            .note("both stages of a program must use the same version (section 3.3)")
+            .help("use the same `#version` in both shaders"),
     );
 }
 

@@ -1,12 +1,12 @@
-//! Pairs of shaders, and what is wrong with them.
+//! Link errors of pairs of shaders.
 
 use super::link;
 use crate::{Dialect, Stage, Unit, Wholeness, analyze};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
-/// Links two shaders and gives what is wrong, a line each: rule, place in the fragment or vertex
-/// shader, message.
+/// Links two shaders and compares the errors, one per line: rule, position in the fragment or
+/// vertex shader, message.
 #[track_caller]
 fn check(vertex: &str, fragment: &str, expected: &str) {
     let mut sources = Sources::new();
@@ -44,7 +44,7 @@ fn check(vertex: &str, fragment: &str, expected: &str) {
     assert_eq!(lines.join("\n"), expected);
 }
 
-/// Links two shaders of GLSL ES 3.00 that declare this.
+/// Links two GLSL ES 3.00 shaders with these declarations.
 #[track_caller]
 fn check_300(vertex: &str, fragment: &str, expected: &str) {
     let of = |declarations: &str, rest: &str| {
@@ -72,7 +72,7 @@ fn what_is_read_must_be_given() {
     );
     check_300("", "in highp vec2 v;", "");
     check_300("out vec2 v;", "in lowp vec2 v;| color.xy = v;", "");
-    // What the page may turn on is not missing.
+    // An output in an `#if` that the page may enable is not missing.
     check_300(
         "#ifdef UV\nout vec2 v;\n#endif",
         "in highp vec2 v;| color.xy = v;",
@@ -85,18 +85,18 @@ fn what_is_given_arrives_as_it_is() {
     check_300(
         "out vec3 v;",
         "in highp vec2 v;| color.xy = v;",
-        "a.frag:2 link-varying: `v` is `vec2` in the fragment shader and `vec3` in the vertex shader",
+        "a.frag:2 link-varying: `v` is `vec2` in the fragment but `vec3` in the vertex shader",
     );
     check_300("out vec3 v;", "in highp vec2 v;", "");
     check_300(
         "struct S { vec2 a; vec3 b; }; out S v;",
         "struct S { highp vec2 a; highp vec2 b; }; in S v;| color.xy = v.a;",
-        "a.frag:2 link-varying: `v.b` is `vec2` in the fragment shader and `vec3` in the vertex shader",
+        "a.frag:2 link-varying: `v.b` is `vec2` in the fragment but `vec3` in the vertex shader",
     );
     check_300(
         "flat out float v;",
         "in highp float v;| color.x = v;",
-        "a.frag:2 link-varying: `v` is `flat` in the vertex shader and not in the fragment shader",
+        "a.frag:2 link-varying: `v` is `flat` in the vertex but not in the fragment shader",
     );
     check_300(
         "centroid out float v;",
@@ -110,9 +110,9 @@ fn uniforms_of_one_name_are_one() {
     check_300(
         "uniform float u;",
         "uniform highp vec2 u;",
-        "a.frag:2 link-uniform: `u` is `vec2` in the fragment shader and `float` in the vertex shader",
+        "a.frag:2 link-uniform: `u` is `vec2` in the fragment but `float` in the vertex shader",
     );
-    // Precisions count where both stages name it.
+    // Precisions are compared if both stages use the uniform.
     check_300(
         "uniform int u;| gl_Position.x = float(u);",
         "uniform int u;",
@@ -121,17 +121,17 @@ fn uniforms_of_one_name_are_one() {
     check_300(
         "uniform int u;| gl_Position.x = float(u);",
         "uniform int u;| color.x = float(u);",
-        "a.frag:2 link-uniform: `u` is `mediump int` in the fragment shader and `highp int` in the vertex shader",
+        "a.frag:2 link-uniform: `u` is `mediump` in the fragment but `highp` in the vertex shader",
     );
     check_300(
         "struct S { float a; }; uniform S u, v;| gl_Position.x = u.a + v.a;",
         "struct S { mediump float a; }; uniform S u, v;| color.x = u.a + v.a;",
-        "a.frag:2 link-uniform: `u.a` is `mediump float` in the fragment shader and `highp float` in the vertex shader",
+        "a.frag:2 link-uniform: `u.a` is `mediump` in the fragment but `highp` in the vertex shader",
     );
     check_300(
         "struct S { highp float a; }; uniform S u;",
         "struct T { highp float a; }; uniform T u;",
-        "a.frag:2 link-uniform: `u` is a struct T in the fragment shader and a struct S in the vertex shader",
+        "a.frag:2 link-uniform: `u` is a struct T in the fragment but a struct S in the vertex shader",
     );
     check_300(
         "in float a;| gl_Position.x = a;",
@@ -145,22 +145,22 @@ fn blocks_of_one_name_are_one() {
     check_300(
         "uniform B { highp vec4 a; highp vec4 b; };",
         "uniform B { highp vec4 a; };",
-        "a.frag:2 link-block: `B` has 1 member in the fragment shader where the vertex shader has 2 members",
+        "a.frag:2 link-block: `B` has 1 member in the fragment but 2 members in the vertex shader",
     );
     check_300(
         "uniform B { highp vec4 a; } one;",
         "uniform B { highp vec4 a; } two[2];",
-        "a.frag:2 link-block: the block `B` is an array of 2 in the fragment shader, and has an instance name in the vertex shader",
+        "a.frag:2 link-block: instances of block `B` differ between the stages",
     );
     check_300(
         "layout(row_major) uniform; uniform B { highp mat4 m; } b;",
         "uniform B { highp mat4 m; } b;",
-        "a.frag:2 link-block: the block `B` is `column_major` in the fragment shader and `row_major` in the vertex shader",
+        "a.frag:2 link-block: block `B` is `column_major` in the fragment but `row_major` in the vertex shader",
     );
     check_300(
         "uniform highp vec4 a;",
         "uniform B { highp vec4 a; };",
-        "a.vert:2 link-block: `a` is a uniform in one stage and a member of the block `B` in the other",
+        "a.vert:2 link-block: `a` is a uniform in one stage but a member of block `B` in the other",
     );
     check_300(
         "uniform highp vec4 a;",
@@ -174,12 +174,12 @@ fn attributes_have_places() {
     check_300(
         "layout(location = 0) in mat2 m; layout(location = 1) in float f;",
         "",
-        "a.vert:2 link-attribute: the attributes `f` and `m` share location 1",
+        "a.vert:2 link-attribute: attributes `f` and `m` both use location 1",
     );
     check_300(
         "in mat4 a, b, c, d; in float e;",
         "",
-        "a.vert:2 link-attribute: there is no place for the attribute `e`: WebGL has 16",
+        "a.vert:2 link-attribute: no location left for attribute `e`; WebGL has 16",
     );
     let all: String = (0..17).map(|i| format!("attribute vec4 a{i};")).collect();
     check(&format!("{all}\nvoid main() {{}}"), "void main() {}", "");
@@ -188,7 +188,8 @@ fn attributes_have_places() {
 #[test]
 fn invariance_of_webgl1_is_said_twice() {
     let fragment = "varying mediump float v; void main() { gl_FragColor.x = v; }";
-    let wrong = "a.frag:1 link-varying: `v` is `invariant` in the vertex shader and not in the fragment shader";
+    let wrong =
+        "a.frag:1 link-varying: `v` is `invariant` in the vertex but not in the fragment shader";
     check(
         "invariant varying float v; void main() { v = 1.0; }",
         fragment,
@@ -207,7 +208,7 @@ fn invariance_of_webgl1_is_said_twice() {
     check(
         "void main() {}",
         "invariant gl_FragCoord; void main() { gl_FragColor = gl_FragCoord; }",
-        "a.frag:1 link-varying: `gl_FragCoord` is `invariant`, and the vertex shader's `gl_Position` is not",
+        "a.frag:1 link-varying: `gl_FragCoord` is `invariant` but `gl_Position` in the vertex shader is not",
     );
 }
 
@@ -227,7 +228,7 @@ fn what_no_browser_has_is_too_much() {
     check_300(
         &vertex,
         &fragment,
-        "a.frag:2 browser-limit: the fragment shader needs 33 vectors between the stages up to here; no browser has more than 32",
+        "a.frag:2 browser-limit: fragment shader needs 33 varying vectors; the limit is 32",
     );
 }
 
@@ -236,6 +237,6 @@ fn both_stages_are_of_one_version() {
     check(
         "#version 300 es\nvoid main() {}",
         "void main() {}",
-        "a.frag:1 link-version: the fragment shader is GLSL ES 1.00, and its vertex shader GLSL ES 3.00",
+        "a.frag:1 link-version: fragment shader is GLSL ES 1.00, vertex shader is GLSL ES 3.00",
     );
 }

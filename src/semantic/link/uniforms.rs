@@ -1,4 +1,4 @@
-//! Uniforms outside of blocks: of one name in both stages, they are one variable (GLSL ES 3.00
+//! Uniforms outside blocks: uniforms of the same name in both stages are one variable (GLSL ES 3.00
 //! section 4.3.5).
 
 use super::compare::{InterfaceComparison, PrecisionMatch};
@@ -8,7 +8,8 @@ use super::varyings::declared;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::error;
 
-/// Asks that uniforms of one name are of one type, and where both stages name them, of one precision.
+/// Checks that uniforms of the same name have the same type and, if both stages use them, the same
+/// precision.
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     let mut comparison = InterfaceComparison::new(vertex, fragment);
     let of_vertex = vertex.uniforms.iter().map(|u| (vertex.text(u.name), u));

@@ -1,4 +1,4 @@
-//! What passes from the vertex to the fragment shader (GLSL ES 3.00 section 4.3.10).
+//! Varyings from the vertex to the fragment shader (GLSL ES 3.00 section 4.3.10).
 
 use super::compare::{DeclaredType, InterfaceComparison, PrecisionMatch};
 use super::errors::{LinkErrors, LinkSite};
@@ -9,13 +9,13 @@ use shaderlint_diagnostic::{Label, error};
 use shaderlint_syntax::Feature;
 use shaderlint_syntax::ast::TokenId;
 
-/// Asks that what the fragment shader reads is what the vertex shader gives.
+/// Checks that the inputs used by the fragment shader match outputs of the vertex shader.
 pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     let mut comparison = InterfaceComparison::new(vertex, fragment);
     let given = vertex.outputs.iter().map(|o| (vertex.text(o.name), o));
     let given: FxHashMap<&str, &InterfaceVariable> = given.collect();
     let left_out = left_out(vertex);
-    // What the fragment shader declares and never names may be missing.
+    // Inputs that are declared but never used may be missing.
     for input in fragment.inputs.iter().filter(|i| i.is_used) {
         if found.is_full() {
             return;
@@ -41,7 +41,7 @@ pub fn check(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     }
 }
 
-/// A variable as it is compared.
+/// The properties of a variable that are compared.
 pub fn declared(item: &InterfaceVariable) -> DeclaredType {
     DeclaredType {
         token: item.token,
@@ -50,7 +50,7 @@ pub fn declared(item: &InterfaceVariable) -> DeclaredType {
     }
 }
 
-/// `flat`, and in GLSL ES 1.00 `invariant`, are said of both or of none.
+/// `flat`, and in GLSL ES 1.00 `invariant`, must match.
 fn qualifiers(
     vertex: &Interface,
     fragment: &Interface,
@@ -79,20 +79,18 @@ fn qualifiers(
         ("vertex", "fragment")
     };
     let name = fragment.text(input.name);
-    let message =
-        format!("`{name}` is `{word}` in the {with} shader and not in the {without} shader");
+    let message = format!("`{name}` is `{word}` in the {with} but not in the {without} shader");
     let first = LinkSite::new(fragment, input.token, label(input, "fragment"));
     let second = LinkSite::new(vertex, output.token, label(output, "vertex"));
     if let Some(d) = found.differ(error::LINK_VARYING, message, first, second) {
         d.notes.push(format!(
-            "both stages say it, or none does (section {section})"
+            "`{word}` must be used in both stages or in neither (section {section})"
         ));
-        d.help
-            .push(format!("write `{word}` in the {without} shader, too"));
+        d.help.push(format!("add `{word}` in the {without} shader"));
     }
 }
 
-/// What nothing in the vertex shader gives.
+/// Reports an input without a vertex shader output.
 fn missing(
     vertex: &Interface,
     fragment: &Interface,
@@ -106,11 +104,11 @@ fn missing(
         return;
     };
     d.notes.push(
-        "what a fragment shader reads must be an output of its vertex shader (section 4.3.10)"
+        "an input that the fragment shader uses must be an output of its vertex shader (section 4.3.10)"
             .to_string(),
     );
     let ty = fragment.program.type_name(input.ty);
-    // A host may have made it a macro.
+    // A host may have defined it as a macro.
     let has_varying = fragment.program.names.get("varying").is_some();
     let word = match (has_varying, input.is_flat) {
         (true, _) => "varying",
@@ -119,19 +117,16 @@ fn missing(
     };
     let (seen, help) = match (own_variable(vertex, name), nearest(vertex, fragment, name)) {
         (Some((token, what)), _) => (
-            Some((
-                token,
-                format!("the vertex shader declares {what} of this name"),
-            )),
-            format!("write `{word} {ty} {name};` in the vertex shader"),
+            Some((token, format!("declared as {what} here"))),
+            format!("declare `{word} {ty} {name};` in the vertex shader"),
         ),
         (None, Some(near)) => (
-            Some((near.token, "the vertex shader gives this".to_string())),
+            Some((near.token, "similar vertex shader output".to_string())),
             format!("did you mean `{}`?", vertex.text(near.name)),
         ),
         (None, None) => (
             None,
-            format!("add `{word} {ty} {name};` to the vertex shader, and write to it"),
+            format!("add `{word} {ty} {name};` to the vertex shader and assign to it"),
         ),
     };
     if let Some((token, message)) = seen {
@@ -141,7 +136,7 @@ fn missing(
     d.help.push(help);
 }
 
-/// The vertex shader's own global of a name, that is no output.
+/// A global of this name in the vertex shader that is not an output.
 fn own_variable(vertex: &Interface, name: &str) -> Option<(TokenId, &'static str)> {
     let id = vertex.program.names.get(name)?;
     let mut all = vertex.program.variables.iter();
@@ -155,7 +150,8 @@ fn own_variable(vertex: &Interface, name: &str) -> Option<(TokenId, &'static str
     }
 }
 
-/// The output that a name probably means: one that nothing else in the fragment shader reads.
+/// The output that a name is probably a typo of, among those that the fragment shader does not
+/// read.
 fn nearest<'a>(
     vertex: &'a Interface,
     fragment: &Interface,
@@ -183,7 +179,7 @@ fn nearest<'a>(
     distances.min_by_key(|(d, _)| *d).map(|(_, o)| o)
 }
 
-/// The words of the text that `#if` leaves out: what it declares there, the page may turn on.
+/// Words in text skipped by `#if`, because the page may enable declarations there.
 fn left_out<'a>(interface: &Interface<'a>) -> FxHashSet<&'a str> {
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let inactive = interface.program.tokens.inactive.iter();
@@ -192,14 +188,14 @@ fn left_out<'a>(interface: &Interface<'a>) -> FxHashSet<&'a str> {
     words.filter(|w| !w.is_empty()).collect()
 }
 
-/// `invariant gl_FragCoord` wants `invariant gl_Position`, and `gl_PointCoord` `gl_PointSize`
-/// (GLSL ES 1.00 section 4.6.4).
+/// `invariant gl_FragCoord` requires `invariant gl_Position`, and `gl_PointCoord` requires
+/// `gl_PointSize` (GLSL ES 1.00 section 4.6.4).
 fn invariant_builtins(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
     for (input, output) in [
         ("gl_FragCoord", "gl_Position"),
         ("gl_PointCoord", "gl_PointSize"),
     ] {
-        // What no statement names is not there for the linker.
+        // The linker does not see variables that no statement uses.
         let is_given = vertex.is_invariant(output) && vertex.builtin_use(output).is_some();
         if !fragment.is_invariant(input) || is_given {
             continue;
@@ -208,11 +204,11 @@ fn invariant_builtins(vertex: &Interface, fragment: &Interface, found: &mut Link
             continue;
         };
         let message =
-            format!("`{input}` is `invariant`, and the vertex shader's `{output}` is not");
+            format!("`{input}` is `invariant` but `{output}` in the vertex shader is not");
         let place = LinkSite::new(fragment, token, "");
         if let Some(d) = found.at(error::LINK_VARYING, message, place) {
             d.help
-                .push(format!("write `invariant {output};` in the vertex shader"));
+                .push(format!("add `invariant {output};` to the vertex shader"));
         }
     }
 }

@@ -4,7 +4,7 @@ use super::meaning::Types;
 use super::misfit::Misfit;
 use crate::types::*;
 
-/// A type with the size that its constructor's arguments give it.
+/// A type with the array size that its constructor's arguments imply.
 pub fn sized(mut ty: Type, arguments: usize) -> Type {
     if ty.array == Type::UNSIZED {
         ty.array = (arguments as u32).max(1);
@@ -12,7 +12,7 @@ pub fn sized(mut ty: Type, arguments: usize) -> Type {
     ty
 }
 
-/// A value of `ty`, which has a size, made of arguments. One whose type is not known fits.
+/// Checks a constructor call of `ty`, which has a size. Arguments of unknown type are accepted.
 pub fn construct(
     types: Types,
     ty: Type,
@@ -49,7 +49,7 @@ pub fn construct(
     }
 }
 
-/// Each argument is one part of the value.
+/// Each argument initialises one element or member.
 fn each(
     ty: Type,
     parts: impl ExactSizeIterator<Item = Type>,
@@ -65,8 +65,8 @@ fn each(
     }
 }
 
-/// All numbers of the arguments in a row become the components of the value, which needs as many;
-/// one number fills it, and a matrix is made of another of any size.
+/// The components of all arguments in sequence form the value and must suffice for it; a single
+/// scalar fills it, and a matrix can be built from another of any size.
 fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(), Misfit> {
     let wanted = ty.components();
     let count = arguments.len();

@@ -1,25 +1,25 @@
-//! What types mean in one shader.
+//! Type information of one shader.
 
 use crate::types::*;
 use shaderlint_syntax::{Feature, Version};
 
-/// What types mean in one shader: its structs, and the version of the language.
+/// Type information of one shader: its structs and the version of the language.
 #[derive(Clone, Copy)]
 pub struct Types<'a> {
-    /// The structs and blocks, by number.
+    /// Structs and blocks, by index.
     pub structs: &'a [Struct],
     /// The version of the language.
     pub version: Version,
 }
 
 impl Types<'_> {
-    /// What lies inside a type, at any depth.
+    /// The contents of a type, at any depth.
     pub fn inside(self, ty: Type) -> Inside {
         let record = |id: u16| self.structs.get(id as usize).map(|s| s.inside);
         Inside::of(ty, |id| record(id).unwrap_or_default())
     }
 
-    /// Number of scalars that a value of a type is made of.
+    /// Number of scalars in a value of a type.
     pub fn scalars_in(self, ty: Type) -> u32 {
         let one = match ty.base {
             Base::Numeric { columns, rows, .. } => columns as u32 * rows as u32,

@@ -5,21 +5,21 @@ use super::misfit::Misfit;
 use crate::types::*;
 use shaderlint_syntax::Name;
 
-/// What a member is of its object.
+/// What a member expression selects.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Member {
-    /// Components of a vector, as many as the type has.
+    /// Components of a vector: the resulting type and the component indices.
     Components(Type, [u8; 4]),
-    /// A member of a struct or block, whose scalars start behind so many others.
+    /// A member of a struct or block: its type and the number of scalars before it.
     Field(Type, u32),
 }
 
-/// The one method there is, of arrays.
+/// The only method, available for arrays.
 pub const LENGTH: &str = "length";
-/// The letters of components, by set.
+/// The letters of component names, by set.
 pub const SWIZZLES: [&str; 3] = ["xyzw", "rgba", "stpq"];
 
-/// `object.name`; `text` is the name.
+/// Resolves `object.name`; `text` is the name.
 pub fn member(types: Types, object: Type, name: Name, text: &str) -> Result<Member, Misfit> {
     if let Some((scalar, 1, rows @ 2..)) = object.numeric() {
         let lanes = components(text).ok_or(Misfit::Letters(object))?;
@@ -55,7 +55,7 @@ fn field(types: Types, index: u16, name: Name) -> Result<Member, Misfit> {
     Err(Misfit::Field(index))
 }
 
-/// The components that letters pick, if they do.
+/// The component indices of a swizzle; `None` if it is not one.
 pub fn components(text: &str) -> Option<[u8; 4]> {
     let set = SWIZZLES
         .iter()
@@ -68,7 +68,7 @@ pub fn components(text: &str) -> Option<[u8; 4]> {
     Some(lanes)
 }
 
-/// The type of an element, and how many there are: of an array, a matrix (its columns) or a vector.
+/// Element type and count of an array, a matrix (its columns) or a vector.
 pub fn element(object: Type) -> Result<(Type, u32), Misfit> {
     match object.numeric() {
         _ if object.is_array() => Ok((object.element(), object.array)),
@@ -78,7 +78,7 @@ pub fn element(object: Type) -> Result<(Type, u32), Misfit> {
     }
 }
 
-/// An index is an integer.
+/// Checks that an index is an integer.
 pub fn index(ty: Type) -> Result<(), Misfit> {
     match ty {
         Type::INT | Type::UINT => Ok(()),

@@ -1,94 +1,95 @@
-//! What does not fit, as data.
+//! Type errors as data.
 
 use crate::types::*;
 
-/// What does not fit, with the types at fault. Operands and arguments are numbered from 0.
+/// A type error with the types involved. Operands and arguments are numbered from 0.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Misfit {
-    /// The operand or argument of this number has no value.
+    /// The operand or argument with this index is `void`.
     Void(usize),
-    /// An operator with one operand has no meaning for its type.
+    /// A unary operator does not accept this type.
     Operand(Type),
-    /// Two operands do not go together.
+    /// Two operands are incompatible.
     Operands(Clash),
-    /// A value cannot become one of another type.
+    /// A value cannot be converted to the required type.
     Value(Clash),
-    /// A condition is no single truth value.
+    /// A condition is not a `bool`.
     Condition(Type),
-    /// The two values of `? :` are of different types.
+    /// The two values of `?:` have different types.
     Arms,
-    /// `? :` cannot choose between values of such a kind.
+    /// `?:` does not accept values of this kind.
     Unchosen(NonNumber),
-    /// `,` cannot stand between such values.
+    /// The comma operator does not accept these values.
     Sequence,
     /// A type without members.
     NoMembers(Type),
     /// An array, which has no member but `length()`.
     ArrayMember,
-    /// Letters that pick no components.
+    /// A swizzle with letters that are not components.
     Letters(Type),
-    /// The letter of this number picks a component that the vector has not.
+    /// The letter with this index selects a component that the vector does not have.
     Component(Type, usize),
-    /// The struct or block of this number has no such member.
+    /// The struct or block with this index has no such member.
     Field(u16),
     /// A type without elements.
     NoElements(Type),
-    /// An index that is no integer.
+    /// An index that is not an integer.
     Index(Type),
-    /// A type of which no value can be constructed.
+    /// A type without a constructor.
     NotConstructible(Type),
     /// A constructor without arguments.
     NoArguments(Type),
-    /// The argument of this number is a sampler or holds one.
+    /// The argument with this index is or contains a sampler.
     SamplerArgument(usize),
-    /// A struct or array takes another number of arguments.
+    /// Wrong number of arguments for a struct or array constructor.
     Count(Type),
-    /// The argument of this number has to be of another type, since it becomes a part of its own.
+    /// The argument with this index must have another type, that of its element or member.
     Part(usize, Type),
-    /// The argument of this number is made of no numbers.
+    /// The argument with this index is not numeric.
     NoNumber(usize, Type),
-    /// A matrix is made of a matrix and something else.
+    /// A matrix constructor with a matrix and other arguments.
     MatrixBeside,
-    /// The arguments have fewer components than the type: so many.
+    /// The arguments have fewer components than the type; the number is given.
     TooFew(Type, u32),
-    /// The arguments have more components than the type; nothing is left for the one of this number.
+    /// The arguments have more components than the type, with their number; the argument with this
+    /// index is unused.
     TooMany(Type, u32, usize),
-    /// `return` without the value that the function gives.
+    /// `return` without a value in a function that returns one.
     NothingReturned(Type),
-    /// `return` with a value in a function that gives none.
+    /// `return` with a value in a `void` function.
     ValueReturned,
-    /// `return` with a value of another type than the function's.
+    /// `return` with a value of the wrong type.
     Returned(Type),
 }
 
-/// Why two types do not go together.
+/// Why two types are incompatible.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Clash {
     /// One is a sampler.
     Sampler,
-    /// One is a struct or block and the operator is not for those, or they are of two types.
+    /// One is a struct or block that the operator does not accept, or they are different ones.
     Struct,
-    /// A struct that holds an array or a sampler cannot be compared or assigned.
+    /// A struct that contains an array or a sampler cannot be compared or assigned.
     StructInside,
-    /// One is an array, the other is not; or arrays have no such operator.
+    /// Only one is an array, or the operator does not accept arrays.
     Array,
     /// Two arrays of different sizes.
     ArraySize,
-    /// `int`, `uint`, `float` or `bool` mixed.
+    /// Different component types: `int`, `uint`, `float` or `bool`.
     Scalars,
-    /// Vectors or matrices of sizes that do not fit.
+    /// Vectors or matrices of incompatible sizes.
     Shape,
-    /// The operator is for integers.
+    /// The operator requires integers.
     NeedsInteger,
-    /// The operator is for numbers.
+    /// The operator requires numbers.
     NeedsNumber,
-    /// The operator is for single truth values.
+    /// The operator requires `bool` scalars.
     NeedsBool,
-    /// The operator compares single numbers.
+    /// The operator requires scalars.
     NeedsScalar,
 }
 
-/// Kinds of values that are no numbers.
+/// Kinds of non-numeric values.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NonNumber {
     /// `void`

@@ -1,7 +1,6 @@
-//! Typing: from the types of operands to the type of a result, or to what does not fit.
+//! Type rules: from the types of operands to the type of the result, or to a type error.
 //!
-//! Nothing here knows of places or words. Every decision is a function of types; what is said of a
-//! [`Misfit`] is made in `explain`.
+//! Every decision is a function of types only; the messages for a [`Misfit`] are made in `explain`.
 
 mod construct;
 mod meaning;
@@ -19,7 +18,7 @@ pub use operator::{assign, binary, choice, compound, condition, returned, sequen
 
 use super::types::Type;
 
-/// The type that is common to some, if it is.
+/// The common type, if all are equal.
 pub fn common(mut types: impl Iterator<Item = Type>) -> Option<Type> {
     let first = types.next()?;
     types.all(|ty| ty == first).then_some(first)

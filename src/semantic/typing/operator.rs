@@ -6,12 +6,12 @@ use crate::types::*;
 use shaderlint_syntax::Feature;
 use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
 
-/// What becomes of a result.
+/// What the result is used for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Use {
-    /// It is a value of its own.
+    /// As a value of its own.
     Value,
-    /// It takes the place of the left operand.
+    /// It replaces the left operand.
     Update,
 }
 
@@ -67,7 +67,7 @@ pub fn assign(types: Types, l: Type, r: Type) -> Result<(), Misfit> {
     ))
 }
 
-/// A condition is a single truth value.
+/// A condition must be a `bool`.
 pub fn condition(ty: Type) -> Result<(), Misfit> {
     match ty {
         Type::BOOL => Ok(()),
@@ -76,7 +76,7 @@ pub fn condition(ty: Type) -> Result<(), Misfit> {
     }
 }
 
-/// `c ? yes : no`. WebGL2 chooses between numbers, vectors and matrices alone (WebGL 2.0 section
+/// `c ? yes : no`. WebGL2 allows it only for scalars, vectors and matrices (WebGL 2.0 section
 /// 5.26).
 pub fn choice(yes: Type, no: Type) -> Result<Type, Misfit> {
     if yes != no {
@@ -97,7 +97,8 @@ pub fn choice(yes: Type, no: Type) -> Result<Type, Misfit> {
     Err(Misfit::Unchosen(kind))
 }
 
-/// `l, r`. WebGL2 has it not for arrays and what holds them (WebGL 2.0 section 5.26).
+/// `l, r`. WebGL2 does not allow it for arrays and types that contain them (WebGL 2.0 section
+/// 5.26).
 pub fn sequence(types: Types, l: Type, r: Type) -> Result<Type, Misfit> {
     let fits =
         |ty: Type| !ty.is_void() && !matches!(ty.base, Base::Block(_)) && !types.inside(ty).array;
@@ -107,7 +108,7 @@ pub fn sequence(types: Types, l: Type, r: Type) -> Result<Type, Misfit> {
     }
 }
 
-/// `return` with a value or without one, in a function that gives `wanted`.
+/// `return` with or without a value, in a function with return type `wanted`.
 pub fn returned(wanted: Type, value: Option<Type>) -> Result<(), Misfit> {
     let is_unknown = wanted.is_error() || value.is_some_and(Type::is_error);
     match value {
@@ -123,7 +124,7 @@ pub fn returned(wanted: Type, value: Option<Type>) -> Result<(), Misfit> {
     }
 }
 
-/// Asks that both operands have a value.
+/// Checks that neither operand is `void`.
 fn values(l: Type, r: Type) -> Result<(), Misfit> {
     match (l.is_void(), r.is_void()) {
         (true, _) => Err(Misfit::Void(0)),
@@ -132,8 +133,8 @@ fn values(l: Type, r: Type) -> Result<(), Misfit> {
     }
 }
 
-/// What holds for every operator: no sampler, structs and arrays only where whole values are
-/// compared or assigned.
+/// Rules for all operators: no samplers, and structs and arrays only in comparison and assignment
+/// of whole values.
 fn aggregates(types: Types, takes_whole: bool, l: Type, r: Type) -> Result<(), Clash> {
     if l.is_sampler() || r.is_sampler() {
         return Err(Clash::Sampler);
@@ -167,7 +168,7 @@ fn aggregates(types: Types, takes_whole: bool, l: Type, r: Type) -> Result<(), C
     Ok(())
 }
 
-/// The result of an operator between operands that [`aggregates`] lets pass.
+/// The result type of an operator, for operands that [`aggregates`] accepts.
 fn operate(op: BinaryOp, l: Type, r: Type, goes: Use) -> Result<Type, Clash> {
     use BinaryOp as B;
     if l.is_array() || matches!(l.base, Base::Struct(_)) {

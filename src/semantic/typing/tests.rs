@@ -1,4 +1,4 @@
-//! Types in, a type or a misfit out.
+//! Type rules, from operand types to a result or type error.
 
 use super::*;
 use crate::types::*;
@@ -80,7 +80,7 @@ fn written(ty: Type) -> String {
     })
 }
 
-/// `vec2`, or `! ` and what does not fit, in which types are as they are written.
+/// The result as text: `vec2`, or `! ` and the type error.
 fn shown(result: Result<Type, Misfit>) -> String {
     let misfit = match result {
         Ok(ty) => return written(ty),

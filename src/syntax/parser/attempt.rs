@@ -1,5 +1,5 @@
-//! Corrections inside one statement or declaration: each change of one token before the place
-//! where the grammar fails is tried, and those stay under which the reading gets furthest.
+//! Error recovery inside one statement or declaration: tries every one-token edit before the point
+//! where parsing fails and keeps the edits that let the parser get furthest.
 
 use super::correction::{Certainty, Change, Choice, VALUE_TYPES, change_tokens};
 use super::{ParseOptions, Parser};
@@ -7,44 +7,44 @@ use crate::set::{self, TokenSet};
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::Diagnostic;
 
-/// Tokens behind what has to fit that a trial reads.
+/// Number of tokens parsed after the part that must parse.
 const LOOKAHEAD: usize = 20;
-/// Longest rest of a statement that has to fit.
+/// Longest remainder of a statement that must parse, in tokens.
 const MAX_REST: usize = 300;
-/// Tokens behind the place that have to fit.
+/// Number of tokens after the error that must parse.
 const MUST_FIT: usize = 8;
-/// Most tokens before the place that changes are tried at.
+/// Number of tokens before the error at which edits are tried.
 const WINDOW: usize = 120;
-/// Longest beginning of a statement that is read again for each trial.
+/// Longest start of a statement that is parsed again for each candidate, in tokens.
 const MAX_HEAD: usize = 600;
-/// Most corrections of a shader.
+/// Maximum number of corrections per shader.
 const MAX_CORRECTIONS: usize = 20;
-/// Most corrections of one place that the checker is asked about.
+/// Maximum number of alternatives at one place that the checker compares.
 const MAX_ALTERNATIVES: usize = 16;
-/// How much less plausible than the best a correction may be to be among the alternatives.
+/// Maximum cost difference to the best candidate for an alternative to be kept.
 const MARGIN: u32 = 3;
 
-/// Where the code that cannot be read stands.
+/// Context of the code that cannot be parsed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Scope {
-    /// Outside functions.
+    /// At global scope.
     Global,
-    /// Between braces.
+    /// Inside a block.
     Block,
-    /// The one statement that an `if` or a loop holds.
+    /// The single statement that is the body of an `if` or loop.
     Body,
 }
 
-/// How far a trial has to read.
+/// How far a trial parse must get.
 #[derive(Clone, Copy)]
 struct Reach {
-    /// The last token that has to fit.
+    /// Index of the last token that must parse.
     goal: usize,
-    /// Whether the shader goes on behind what the trial is given.
+    /// Whether the trial input ends before the shader does.
     is_cut: bool,
 }
 
-/// A change, and how implausible it is.
+/// An edit and its cost; lower is more plausible.
 #[derive(Clone, Copy)]
 struct Candidate {
     at: usize,
@@ -53,7 +53,7 @@ struct Candidate {
 }
 
 impl<'a> Parser<'a> {
-    /// A parser of other tokens, which makes no corrections itself.
+    /// A parser over other tokens that performs no error recovery itself.
     pub(super) fn trial(&self, tokens: Vec<Token>) -> Parser<'a> {
         let options = ParseOptions {
             version: self.version,
@@ -67,8 +67,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether a place that could not be read since `start` has been corrected, so that reading
-    /// starts there again. `reported` is what was said of it.
+    /// Tries to correct the code that could not be parsed since `start`; returns whether it did, so
+    /// that parsing resumes at `start`. `reported` is the error reported without a correction.
     pub(super) fn mend(
         &mut self,
         start: usize,
@@ -81,7 +81,7 @@ impl<'a> Parser<'a> {
         let Some(fault) = self.fault.take() else {
             return false;
         };
-        // What the last correction was made for has to be behind.
+        // Parsing must have passed the point of the last correction.
         let is_stuck = self.repairs.reached.is_some_and(|reached| fault <= reached);
         let is_long = fault.saturating_sub(start) > MAX_HEAD;
         if is_stuck || is_long || self.repairs.choices.len() >= MAX_CORRECTIONS {
@@ -110,7 +110,7 @@ impl<'a> Parser<'a> {
         true
     }
 
-    /// The changes under which the code from `start` on can be read past `fault`.
+    /// The edits with which the code from `start` on parses past `fault`.
     fn plausible(&mut self, start: usize, fault: usize, scope: Scope) -> Vec<Candidate> {
         let last = self.tokens.len().saturating_sub(1);
         let goal = self.behind_statement(fault).max(fault + MUST_FIT);
@@ -143,7 +143,7 @@ impl<'a> Parser<'a> {
         found
     }
 
-    /// The end of the statement, or of the head, that the token at `fault` stands in.
+    /// The end of the statement or header that contains the token at `fault`.
     fn behind_statement(&self, fault: usize) -> usize {
         let ends = |&at: &usize| {
             use TokenKind as T;
@@ -156,7 +156,7 @@ impl<'a> Parser<'a> {
         found.map_or(fault, |at| at + 1)
     }
 
-    /// Whether everything up to the goal, or to the end of the block, can be read.
+    /// Whether everything up to the goal, or to the end of the block, parses.
     fn reads_past(&mut self, reach: Reach, scope: Scope) -> bool {
         let Reach { goal, is_cut } = reach;
         while !self.is(TokenKind::End) && self.at <= goal {
@@ -181,7 +181,7 @@ impl<'a> Parser<'a> {
         true
     }
 
-    /// What one slip may have changed between `start` and `fault`.
+    /// The one-token edits to try between `start` and `fault`.
     fn candidates(&self, start: usize, fault: usize, scope: Scope) -> Vec<Candidate> {
         let mut around = Around::of(self, start, fault, scope);
         for at in (start.max(fault.saturating_sub(WINDOW))..=fault).rev() {
@@ -202,12 +202,12 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// Collects the changes that are worth a trial.
+/// Collects the edits worth trying.
 struct Around<'p, 'a> {
     parser: &'p Parser<'a>,
     start: usize,
     fault: usize,
-    /// For every token from `start` on the brackets that are open before it.
+    /// For every token from `start` on, the brackets open before it.
     open: Vec<Vec<TokenKind>>,
     scope: Scope,
     found: Vec<Candidate>,
@@ -242,7 +242,7 @@ impl<'p, 'a> Around<'p, 'a> {
         self.parser.token(at).kind
     }
 
-    /// The bracket that is open before a token.
+    /// The innermost bracket open before a token.
     fn bracket(&self, at: usize) -> Option<TokenKind> {
         self.open.get(at - self.start)?.first().copied()
     }
@@ -277,7 +277,8 @@ impl<'p, 'a> Around<'p, 'a> {
         if ends_operand(before) || before == T::LeftParen {
             let cost = if is_last { 0 } else { 1 };
             match bracket {
-                // One more among several means the same wherever it stands.
+                // Adding one more of several closing parentheses is the same edit wherever it is
+                // placed.
                 Some(T::LeftParen) if next == T::RightParen && !is_last => {}
                 Some(T::LeftParen) => self.insert(at, T::RightParen, cost),
                 Some(_) => self.insert(at, T::RightBracket, cost),
@@ -293,7 +294,7 @@ impl<'p, 'a> Around<'p, 'a> {
         self.types(at, before, next);
     }
 
-    /// `(` and `[` that may be missing.
+    /// Candidates for a missing `(` or `[`.
     fn openings(&mut self, at: usize, before: TokenKind) {
         use TokenKind as T;
         let is_head = set::HEADS.contains(before);
@@ -302,7 +303,7 @@ impl<'p, 'a> Around<'p, 'a> {
             self.kind(self.fault),
             T::RightParen | T::RightBracket | T::Comma | T::Semicolon | T::LeftBrace
         );
-        // `f((` is rarer than one `)` too many.
+        // `f((` is less likely than an extra `)`.
         let doubles = is_callee && self.kind(at) == T::LeftParen;
         if (is_head || is_callee) && !doubles {
             self.insert(at, T::LeftParen, 0);
@@ -314,7 +315,7 @@ impl<'p, 'a> Around<'p, 'a> {
         }
     }
 
-    /// What may be missing between two operands.
+    /// Candidates for a missing token between two operands.
     fn separators(&mut self, at: usize, before: TokenKind, next: TokenKind) {
         use TokenKind as T;
         let starts_type = next == T::Type || set::QUALIFIES_PARAMETER.contains(next);
@@ -344,12 +345,12 @@ impl<'p, 'a> Around<'p, 'a> {
         }
     }
 
-    /// Whether nothing is assigned before the place.
+    /// Whether there is no assignment before the error.
     fn scope_allows_assignment(&self) -> bool {
         (self.start..self.fault).all(|i| self.kind(i) != TokenKind::Equal)
     }
 
-    /// The type that a function lacks.
+    /// Candidates for a missing type.
     fn types(&mut self, at: usize, before: TokenKind, next: TokenKind) {
         use TokenKind as T;
         let names_function = next == T::Identifier && self.kind(at + 1) == T::LeftParen;
@@ -372,7 +373,7 @@ impl<'p, 'a> Around<'p, 'a> {
     fn removals(&mut self, at: usize) {
         let distance = self.fault - at;
         let is_bracket = matches!(self.kind(at), TokenKind::LeftParen | TokenKind::RightParen);
-        // Of several it makes no difference which one goes.
+        // Removing any one of several adjacent brackets has the same effect.
         if is_bracket && distance > 0 && self.kind(at + 1) == self.kind(at) {
             return;
         }
@@ -426,7 +427,7 @@ impl<'p, 'a> Around<'p, 'a> {
     }
 }
 
-/// Whether an operand may end with such a token, a faulty one included.
+/// Whether an operand can end with such a token, including an invalid one.
 fn ends_operand(kind: TokenKind) -> bool {
     use TokenKind as T;
     const FAULTY: TokenSet =
@@ -434,7 +435,7 @@ fn ends_operand(kind: TokenKind) -> bool {
     FAULTY.contains(kind)
 }
 
-/// Whether an operand may start with such a token, a faulty one included.
+/// Whether an operand can start with such a token, including an invalid one.
 fn starts_operand(kind: TokenKind) -> bool {
     const FAULTY: TokenSet = set::STARTS_OPERAND.and(&[TokenKind::Reserved, TokenKind::Bad]);
     FAULTY.contains(kind)
@@ -445,7 +446,7 @@ mod tests {
     use crate::{ParseOptions, Search, Version, parse, preprocess};
     use shaderlint_text::{Role, Sources, apply_edits};
 
-    /// What is reported of a text, and the text with the fixes of the corrections made.
+    /// Checks the messages reported for a text and the text after applying the fixes.
     fn check(text: &str, messages: &[&str], mended: &str) {
         let mut sources = Sources::new();
         let prelude = sources.add("", None, Role::Prelude, "#version 300 es\n");
@@ -492,12 +493,12 @@ mod tests {
     fn a_stray_semicolon_may_stand_before_what_does_not_fit() {
         check(
             "float f(float x); {\n    return x;\n}\n",
-            &["`;` cannot stand here"],
+            &["unexpected `;`"],
             "float f(float x) {\n    return x;\n}\n",
         );
         check(
             "void f() {\n    if (a); {\n        b();\n    } else {\n        c();\n    }\n}\n",
-            &["`;` cannot stand here"],
+            &["unexpected `;`"],
             "void f() {\n    if (a) {\n        b();\n    } else {\n        c();\n    }\n}\n",
         );
     }
@@ -516,7 +517,7 @@ mod tests {
         );
         check(
             "void f() {\n    b();\n    }\n    c();\n}\nvoid g() {}\n",
-            &["this `}` has no `{`"],
+            &["unmatched `}`"],
             "void f() {\n    b();\n    \n    c();\n}\nvoid g() {}\n",
         );
     }

@@ -1,8 +1,8 @@
-//! Braces that do not match: which one is missing or too many, and where.
+//! Unbalanced braces: finds which brace is missing or superfluous.
 //!
-//! GLSL has no functions inside functions, so the braces between two heads of functions match, and
-//! the fault lies where they do not. There every place for one more brace, and every brace that may
-//! be one too many, is weighed by the indentation of the lines under it, and the best are read.
+//! GLSL has no nested functions, so braces are balanced between two function headers, and the error
+//! is in a range where they are not. In that range, each possible insertion and deletion of a brace
+//! is rated by the indentation of the following lines, and the best candidates are parsed.
 
 use super::correction::{Change, Choice, change_tokens};
 use super::{Correction, Parser};
@@ -11,55 +11,55 @@ use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Facet, Fix, Subject, error};
 use shaderlint_text::{Edit, Span};
 
-/// Most functions whose braces are mended.
+/// Maximum number of functions with corrected braces.
 const MAX_PIECES: usize = 6;
-/// Longest function whose braces are mended, in tokens.
+/// Longest function that is corrected, in tokens.
 const MAX_PIECE: usize = 50_000;
-/// Most corrections in one function.
+/// Maximum number of corrections per function.
 const MAX_ROUNDS: usize = 2;
-/// Most corrections of a function that are weighed, times its length.
+/// Limit for rated candidates times function length in tokens.
 const MAX_WORK: usize = 400_000;
-/// Most corrections of a function that are tried.
+/// Maximum number of candidates per function that are parsed.
 const MAX_TRIALS: usize = 16;
-/// Most corrections that the checker is asked about.
+/// Maximum number of alternatives that the checker compares.
 const MAX_ALTERNATIVES: usize = 6;
-/// Most braces that are looked at to see how they are laid out.
+/// Number of braces inspected to detect the brace style.
 const MAX_BRACES: usize = 200;
-/// Longest head of a function, in tokens.
+/// Longest function header, in tokens.
 const MAX_HEAD: usize = 500;
 
-/// A token with what its line tells of it.
+/// A token with the layout of its line.
 #[derive(Clone, Copy)]
 struct Laid {
     kind: TokenKind,
-    /// Index of the token; of the next one for a brace that is put in.
+    /// Index of the token; for an inserted brace, of the token after it.
     at: usize,
     starts_line: bool,
-    /// Number of its line.
+    /// Line number, counted from the start of the range.
     line: usize,
     indent: usize,
     is_put_in: bool,
 }
 
-/// A correction and what speaks against it.
+/// A candidate correction and its cost.
 struct Weighed {
     at: usize,
     change: Change,
-    /// Lines that are indented otherwise under it, then how unusual it is.
+    /// Number of lines with unexpected indentation, then how unusual the edit is.
     cost: (usize, usize),
-    /// The brace that an inserted one closes.
+    /// The brace that an inserted `}` closes.
     partner: Option<usize>,
     faults: usize,
 }
 
 impl Parser<'_> {
-    /// Corrects the braces of every function in which they do not match.
+    /// Corrects the braces of every function where they are unbalanced.
     pub(super) fn balance(&mut self) {
         for _ in 0..MAX_PIECES * MAX_ROUNDS {
             let Some((first, end, net)) = self.unbalanced_piece() else {
                 return;
             };
-            // What is too long to be tried, or lacks more than can be put right, is left as it is.
+            // Ranges that are too long or lack too many braces are left unchanged.
             let is_hopeless = net.unsigned_abs() as usize > MAX_PIECES * MAX_ROUNDS;
             let is_long = end - first > MAX_PIECE;
             if is_long || is_hopeless || !self.balance_piece(first, end, net) {
@@ -68,8 +68,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The first stretch between two heads of functions whose braces do not match, and how many
-    /// more are opened than closed in it.
+    /// The first range between two function headers with unbalanced braces, and the number of `{`
+    /// minus `}` in it.
     fn unbalanced_piece(&self) -> Option<(usize, usize, i64)> {
         let mut first = 0;
         let mut net = 0_i64;
@@ -95,7 +95,7 @@ impl Parser<'_> {
         (net != 0).then_some((first, end, net))
     }
 
-    /// Where the head of a function's definition ends, if one starts here. Its `{` may be missing.
+    /// Where the header of a function definition ends, if one starts here. Its `{` may be missing.
     fn head_at(&self, at: usize) -> Option<usize> {
         use TokenKind as T;
         let is_type = matches!(self.token(at).kind, T::Type | T::Void | T::Identifier);
@@ -127,7 +127,7 @@ impl Parser<'_> {
                     }
                 }
                 T::LeftBrace => return Some(i),
-                // Another head starts.
+                // Another function header starts.
                 T::Void if i > at + 3 && self.token(i + 1).kind == T::Identifier => return None,
                 T::Semicolon | T::RightBrace | T::End => return None,
                 _ => {}
@@ -136,7 +136,7 @@ impl Parser<'_> {
         None
     }
 
-    /// Whether parameters are declared from a token on, not arguments given.
+    /// Whether the tokens from `at` on declare parameters rather than pass arguments.
     fn lists_parameters(&self, at: usize) -> bool {
         use TokenKind as T;
         match self.token(at).kind {
@@ -180,7 +180,7 @@ impl Parser<'_> {
         true
     }
 
-    /// Number of places that cannot be read in `code` after a change.
+    /// Number of syntax errors in `code` after an edit.
     fn faults_under(&self, code: &[Token], at: usize, change: Change) -> usize {
         let mut tokens = code.to_vec();
         change_tokens(&mut tokens, at, change);
@@ -218,7 +218,7 @@ impl Parser<'_> {
             .collect()
     }
 
-    /// All corrections of one brace that bring `net` nearer to 0, with their weights.
+    /// All edits of one brace that bring `net` closer to 0, with their costs.
     fn weigh_braces(&self, laid: &[Laid], net: i64) -> Vec<Weighed> {
         let changes = match net > 0 {
             true => self.closings(laid),
@@ -251,7 +251,7 @@ impl Parser<'_> {
         laid.last().map_or(0, |l| l.at + 1)
     }
 
-    /// Where a `}` may be missing, or a `{` be one too many.
+    /// Candidates for a missing `}` or an extra `{`.
     fn closings(&self, laid: &[Laid]) -> Vec<(usize, Change, usize)> {
         use TokenKind as T;
         let mut found = Vec::new();
@@ -286,7 +286,7 @@ impl Parser<'_> {
         found
     }
 
-    /// Where a `{` may be missing, or a `}` be one too many.
+    /// Candidates for a missing `{` or an extra `}`.
     fn openings(&self, laid: &[Laid]) -> Vec<(usize, Change, usize)> {
         use TokenKind as T;
         let mut found = Vec::new();
@@ -298,7 +298,7 @@ impl Parser<'_> {
                 || (before.0 == T::Struct && before.1 == T::Identifier);
             let starts = !set::CONTINUES.contains(now.kind);
             if is_head && starts && now.kind != T::LeftBrace {
-                // A function without a body is none.
+                // At global scope a header must have a body, so a missing `{` is likeliest there.
                 let oddness = usize::from(open > 0);
                 found.push((index, Change::Insert(T::LeftBrace, 0), oddness));
             }
@@ -351,10 +351,10 @@ impl Parser<'_> {
         Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `{`")
             .about(Subject::Brace)
             .mark("expected `{` here")
-            .fix(Fix::suggestion("put `{` here", vec![edit]))
+            .fix(Fix::suggestion("add `{`", vec![edit]))
     }
 
-    /// Whether more `{` start a line than not.
+    /// Whether most `{` are at the start of a line.
     fn braces_start_lines(&self) -> bool {
         let is_open = |&at: &usize| self.token(at).kind == TokenKind::LeftBrace;
         let (mut alone, mut all) = (0, 0);
@@ -371,15 +371,15 @@ impl Parser<'_> {
         let d = Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `}`")
             .about(Subject::MissingClose)
             .mark("expected `}` here")
-            .fix(Fix::suggestion("put `}` here", vec![edit]));
+            .fix(Fix::suggestion("add `}`", vec![edit]));
         match partner {
-            Some(open) => d.label(self.token(open).span, "this `{` is not closed"),
+            Some(open) => d.label(self.token(open).span, "unclosed `{`"),
             None => d,
         }
     }
 
-    /// Where a `}` before a token belongs: an empty line before it, or else the end of the code
-    /// before it.
+    /// Where to insert a `}` before a token: on an empty line before it, or after the preceding
+    /// code.
     fn place_of_close(&self, at: usize, blanks: &str) -> (Span, Edit) {
         let before = self.token(at.saturating_sub(1)).span;
         let next = self.token(at);
@@ -421,7 +421,7 @@ impl Parser<'_> {
         Span::new(from, if is_inside { next } else { end.max(from) })
     }
 
-    /// The lines in a span that hold nothing but blanks.
+    /// The whitespace-only lines in a span.
     fn empty_lines(&self, between: Span) -> Vec<Span> {
         let lines: Vec<&str> = self.sources.text(between).split('\n').collect();
         let mut start = between.start;
@@ -437,7 +437,7 @@ impl Parser<'_> {
         empty
     }
 
-    /// The blanks from an address on.
+    /// The spaces and tabs from an address on.
     fn rest_of_line(&self, from: u32) -> Span {
         let file = self.sources.file_at(from);
         let text = file.and_then(|f| f.text.get((from - f.base) as usize..));
@@ -446,7 +446,7 @@ impl Parser<'_> {
         Span::new(from, from + blanks as u32)
     }
 
-    /// The blanks that the line of a token starts with.
+    /// The indentation of a token's line.
     fn blanks_before_line(&self, at: usize) -> &str {
         let start = self.token(at).span.start;
         let Some(file) = self.sources.file_at(start) else {
@@ -460,8 +460,8 @@ impl Parser<'_> {
     }
 }
 
-/// How many lines of `laid` are not indented as a change of one brace would have it, and the brace
-/// that an inserted `}` closes.
+/// Number of lines in `laid` whose indentation contradicts an edit of one brace, and the brace that
+/// an inserted `}` closes.
 fn misfits(laid: &[Laid], index: usize, change: Change) -> (usize, Option<usize>) {
     let mut layout = Layout::default();
     for (i, token) in laid.iter().enumerate() {
@@ -487,15 +487,15 @@ fn misfits(laid: &[Laid], index: usize, change: Change) -> (usize, Option<usize>
     (layout.misfits, layout.partner)
 }
 
-/// A block that is open.
+/// An open block.
 #[derive(Clone, Copy)]
 struct Block {
-    /// Its `{`.
+    /// Index of its `{`.
     at: usize,
     line: usize,
-    /// Indentation of the line that its head starts in.
+    /// Indentation of the line where its header starts.
     outer: usize,
-    /// Indentation of its first statement that starts a line.
+    /// Indentation of its first statement at the start of a line.
     inner: Option<usize>,
 }
 
@@ -503,7 +503,7 @@ struct Block {
 #[derive(Default)]
 struct Layout {
     open: Vec<Block>,
-    /// Indentation of the line that the statement at hand starts in.
+    /// Indentation of the line where the current statement starts.
     head: usize,
     parens: u32,
     before: Option<TokenKind>,
@@ -554,8 +554,8 @@ impl Layout {
         self.before = Some(token.kind);
     }
 
-    /// A line inside a block stands further right than the block, and its statements stand below
-    /// each other.
+    /// Lines inside a block are indented more than the block, and its statements have equal
+    /// indentation.
     fn line(&mut self, token: Laid, starts_statement: bool) {
         let is_label = matches!(token.kind, TokenKind::Case | TokenKind::Default);
         let Some(block) = self.open.last_mut() else {
@@ -590,7 +590,7 @@ impl Layout {
     }
 }
 
-/// The parentheses and square brackets of a statement that are open.
+/// The open parentheses and square brackets of a statement.
 #[derive(Default)]
 struct OpenBrackets(Vec<TokenKind>);
 
@@ -608,7 +608,7 @@ impl OpenBrackets {
         }
     }
 
-    /// What closes the innermost.
+    /// The token that closes the innermost bracket.
     fn close(&self) -> Option<TokenKind> {
         self.0.last().copied()
     }

@@ -1,8 +1,8 @@
-//! Corrections: one token put in, taken out or exchanged, under which the rest reads as it was meant.
+//! Corrections: inserting, removing or replacing one token so that the rest of the code parses.
 //!
-//! A shader that cannot be read is read a second time. For each place where its grammar fails the
-//! corrections are tried that one slip of the author could call for, and those stay under which
-//! what follows can be read. Where several do, the checker decides: see `semantic::unit`.
+//! A shader with syntax errors is parsed a second time. Where parsing fails, the one-token edits
+//! that a typo could explain are tried, and those that let the following code parse are kept. If
+//! several remain, the checker decides; see `semantic::settle`.
 
 use super::Parser;
 use crate::Search;
@@ -12,7 +12,7 @@ use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
 use shaderlint_text::{Edit, Role, Span};
 
-/// The types that a missing one may be, the most frequent first.
+/// Candidates for a missing type, most frequent first.
 pub(super) const VALUE_TYPES: &[(&str, TypeWord)] = &[
     ("float", TypeWord::Float),
     ("vec3", TypeWord::Vec3),
@@ -26,7 +26,7 @@ pub(super) const VALUE_TYPES: &[(&str, TypeWord)] = &[
     ("uint", TypeWord::Uint),
 ];
 
-/// Keywords of which a name may be a slip.
+/// Keywords that a misspelt name is compared with.
 pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
     ("return", TokenKind::Return),
     ("while", TokenKind::While),
@@ -49,24 +49,24 @@ pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
     ("inout", TokenKind::Inout),
 ];
 
-/// A change of the tokens at one place.
+/// An edit of the token list at one index.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Change {
-    /// A token of this kind and value is missing before the token at the place.
+    /// Insert a token of this kind and value before the index.
     Insert(TokenKind, u32),
-    /// The token at the place is one too many.
+    /// Remove the token at the index.
     Delete,
-    /// The token at the place should be this one.
+    /// Replace the token at the index with one of this kind.
     Replace(TokenKind),
 }
 
-/// What was probably meant at a place that cannot be read.
+/// A probable correction of code that cannot be parsed.
 #[derive(Clone, Debug)]
 pub struct Correction {
-    /// Index of the token among those that the preprocessor left.
+    /// Index of the token in the preprocessor's output.
     pub(super) at: usize,
     pub(super) change: Change,
-    /// What to say of it.
+    /// Reported if this correction is chosen.
     pub(super) diagnostic: Diagnostic,
 }
 
@@ -76,23 +76,23 @@ impl Correction {
     }
 }
 
-/// The corrections between which the syntax alone cannot decide, the most probable first.
+/// Alternative corrections that syntax alone cannot decide between, most probable first.
 pub type Choice = Vec<Correction>;
 
-/// What corrections are found and made while reading.
+/// State of error recovery.
 #[derive(Default)]
 pub(super) struct Repairs {
-    /// What may still be tried.
+    /// Remaining search budget.
     pub search: Search,
-    /// For every token its index before any correction; empty where there was none.
+    /// For each token its index before any correction; empty if there was none.
     pub origin: Vec<u32>,
-    /// What was corrected.
+    /// The corrections made, with their alternatives.
     pub choices: Vec<Choice>,
-    /// The token that could not be read before the last correction.
+    /// Index of the token where parsing failed before the last correction.
     pub reached: Option<usize>,
 }
 
-/// Makes a change in a list of tokens.
+/// Applies an edit to a list of tokens.
 pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: Change) {
     match change {
         Change::Insert(kind, value) => {
@@ -119,7 +119,7 @@ pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: Change) 
     }
 }
 
-/// How a token of this kind is written, where it can be put in.
+/// Source text of an insertable token of this kind.
 pub(super) fn symbol(kind: TokenKind, value: u32) -> &'static str {
     use TokenKind as T;
     match kind {
@@ -154,7 +154,7 @@ impl Parser<'_> {
         self.repairs.origin.get(at).map_or(at, |&o| o as usize)
     }
 
-    /// Makes a change in what is read, and keeps the indices of the tokens as they were.
+    /// Applies an edit to the parsed tokens and updates the original indices.
     pub(super) fn apply(&mut self, at: usize, change: Change) {
         if self.repairs.origin.is_empty() {
             self.repairs.origin = (0..self.tokens.len() as u32).collect();
@@ -170,8 +170,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The correction as it is told. `reported` is what was said of the place without it, and
-    /// `is_sure` whether nothing else can have been meant.
+    /// Creates a correction with its diagnostic. `reported` is the error reported without the
+    /// correction; `certainty` tells whether other corrections are possible.
     pub(super) fn correction(
         &self,
         at: usize,
@@ -197,8 +197,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The keyword that a name is a slip of: a letter of three is another one, two letters have
-    /// changed places, or some are capitals.
+    /// The keyword that a name is probably a typo of: few differing letters, two transposed
+    /// letters, or wrong capitals.
     pub(super) fn keyword_like(&self, at: usize) -> Option<TokenKind> {
         let word = self.names.text(Name(self.token(at).value));
         keyword_near(word).map(|(_, kind)| kind)
@@ -226,7 +226,7 @@ impl Parser<'_> {
         };
         let mark = match kind {
             T::LeftParen if set::BEFORE_PAREN.contains(self.token(at.saturating_sub(1)).kind) => {
-                "expected `(` behind this".to_string()
+                "expected `(` after this".to_string()
             }
             T::Star | T::Plus => "expected an operator here".to_string(),
             _ => format!("expected `{symbol}` here"),
@@ -236,10 +236,8 @@ impl Parser<'_> {
             _ => symbol.to_string(),
         };
         let title = match kind {
-            T::Star | T::Plus => {
-                format!("put the operator that was meant here, perhaps `{symbol}`")
-            }
-            _ => format!("put `{symbol}` here"),
+            T::Star | T::Plus => format!("add the missing operator, such as `{symbol}`"),
+            _ => format!("add `{symbol}`"),
         };
         let callee = self.token(at.saturating_sub(1));
         let place_told = match kind == T::LeftParen && set::BEFORE_PAREN.contains(callee.kind) {
@@ -254,13 +252,10 @@ impl Parser<'_> {
                 vec![Edit::insert(place.start, text)],
             ));
         let open = self.unclosed_before(at, kind);
-        // One that a correction put in is not there to see.
+        // A bracket inserted by a correction has no place in the text.
         if let Some(open) = open.filter(|&open| !self.token(open).span.is_empty()) {
             let partner = self.text(&self.token(open));
-            d = d.label(
-                self.token(open).span,
-                format!("this `{partner}` is not closed"),
-            );
+            d = d.label(self.token(open).span, format!("unclosed `{partner}`"));
         }
         d
     }
@@ -268,18 +263,18 @@ impl Parser<'_> {
     fn missing_type(&self, at: usize, word: &str) -> Diagnostic {
         let token = self.token(at);
         let name = self.text(&token);
-        let (what, subject) = match self.token(at + 1).kind {
-            TokenKind::LeftParen => ("function", Subject::UntypedFunction),
-            _ => ("parameter", Subject::Other),
+        let (what, missing, subject) = match self.token(at + 1).kind {
+            TokenKind::LeftParen => ("function", "return type", Subject::UntypedFunction),
+            _ => ("parameter", "type", Subject::Other),
         };
         Diagnostic::error(
             error::SYNTAX_ERROR,
             token.span,
-            format!("the {what} `{name}` has no type"),
+            format!("{what} `{name}` has no {missing}"),
         )
         .about(subject)
         .fix(Fix::suggestion(
-            format!("put its type here, perhaps `{word}`"),
+            format!("add the {missing}, such as `{word}`"),
             vec![Edit::insert(token.span.start, format!("{word} "))],
         ))
     }
@@ -287,31 +282,28 @@ impl Parser<'_> {
     fn stray(&self, at: usize, reported: Option<&Diagnostic>) -> Diagnostic {
         let token = self.token(at);
         let text = self.text(&token);
-        let partner = match token.kind {
-            TokenKind::RightParen => Some("("),
-            TokenKind::RightBracket => Some("["),
-            TokenKind::RightBrace => Some("{"),
-            TokenKind::LeftParen => Some(")"),
-            TokenKind::LeftBracket => Some("]"),
-            TokenKind::LeftBrace => Some("}"),
-            _ => None,
+        let is_bracket = matches!(
+            token.kind,
+            TokenKind::LeftParen
+                | TokenKind::RightParen
+                | TokenKind::LeftBracket
+                | TokenKind::RightBracket
+                | TokenKind::LeftBrace
+                | TokenKind::RightBrace
+        );
+        let (message, subject) = match (is_bracket, reported) {
+            (true, _) => (format!("unmatched `{text}`"), brace_subject(token.kind)),
+            (false, Some(d)) if d.span == token.span => (d.message.clone(), d.subject),
+            _ => (format!("unexpected `{text}`"), Subject::Other),
         };
-        let (message, subject) = match (partner, reported) {
-            (Some(partner), _) => (
-                format!("this `{text}` has no `{partner}`"),
-                brace_subject(token.kind),
-            ),
-            (None, Some(d)) if d.span == token.span => (d.message.clone(), d.subject),
-            _ => (format!("`{text}` cannot stand here"), Subject::Other),
-        };
-        let rule = match partner {
-            Some(_) => error::UNCLOSED_DELIMITER,
-            None => error::SYNTAX_ERROR,
+        let rule = match is_bracket {
+            true => error::UNCLOSED_DELIMITER,
+            false => error::SYNTAX_ERROR,
         };
         let edit = Edit::delete(self.with_blanks(at));
         Diagnostic::error(rule, token.span, message)
             .about(subject)
-            .fix(Fix::suggestion(format!("take `{text}` out"), vec![edit]))
+            .fix(Fix::suggestion(format!("remove `{text}`"), vec![edit]))
     }
 
     fn exchanged(&self, at: usize, kind: TokenKind) -> Diagnostic {
@@ -328,12 +320,12 @@ impl Parser<'_> {
             subject => subject,
         })
         .fix(Fix::suggestion(
-            format!("write `{symbol}`"),
+            format!("use `{symbol}`"),
             vec![Edit::replace(token.span, symbol)],
         ))
     }
 
-    /// A token with the blanks before it in its line, or, where it starts a line, those behind it.
+    /// The span of a token with the blanks before it on its line, unless it starts the line.
     fn with_blanks(&self, at: usize) -> Span {
         let token = self.token(at).span;
         let before = Span::new(self.token(at.saturating_sub(1)).span.end, token.start);
@@ -343,7 +335,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether a span is nothing but blanks of one line.
+    /// Whether a span consists only of blanks on one line.
     pub(super) fn is_blank(&self, span: Span) -> bool {
         let is_blank = |b| matches!(b, b' ' | b'\t');
         span.start <= span.end
@@ -351,8 +343,8 @@ impl Parser<'_> {
             && self.sources.text(span).bytes().all(is_blank)
     }
 
-    /// The place between a token and the one before it: the blanks between them, or, where a line
-    /// ends there, the blanks up to its end.
+    /// The gap between a token and the one before it: the blanks between them, or the end of the
+    /// line if the line ends there.
     fn gap_before(&self, at: usize) -> Span {
         let before = at.checked_sub(1).filter(|&before| self.is_user(before));
         let Some(before) = before else {
@@ -366,13 +358,13 @@ impl Parser<'_> {
         last.after()
     }
 
-    /// Whether a token stands in the text of the user, not in what its host puts before it.
+    /// Whether a token is in the user's text rather than in a host's prelude.
     pub(super) fn is_user(&self, at: usize) -> bool {
         let file = self.sources.file_at(self.token(at).span.start);
         file.is_none_or(|f| f.role == Role::User)
     }
 
-    /// The bracket that a missing one would close.
+    /// The open bracket that a missing closing bracket would match.
     fn unclosed_before(&self, at: usize, kind: TokenKind) -> Option<usize> {
         let open = match kind {
             TokenKind::RightParen => TokenKind::LeftParen,
@@ -395,7 +387,7 @@ impl Parser<'_> {
     }
 }
 
-/// The keyword that a word is a slip of.
+/// The keyword that a word is probably a typo of.
 pub fn keyword_near(word: &str) -> Option<(&'static str, TokenKind)> {
     let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(word, keyword));
     found.copied()
@@ -416,17 +408,17 @@ fn is_slip(word: &str, keyword: &str) -> bool {
     slips <= most || (slips == 1 && letters(keyword) == letters(&word))
 }
 
-/// How far a partner is looked for, in tokens.
+/// Maximum distance at which a matching bracket is searched, in tokens.
 const MAX_LOOK: usize = 1_000;
 
-/// Whether something else may have been meant.
+/// Whether other corrections are plausible.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Certainty {
     Sure,
     Likely,
 }
 
-/// What an error about a token is about: braces are told apart from all else.
+/// The subject of an error about a token: braces are distinguished from everything else.
 pub(super) fn brace_subject(kind: TokenKind) -> Subject {
     match kind {
         TokenKind::LeftBrace | TokenKind::RightBrace => Subject::Brace,

@@ -8,18 +8,18 @@ use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
 use shaderlint_text::{Edit, Span};
 
-/// Longest rest of a list of parameters that is looked at to its end, in tokens.
+/// Longest remainder of a parameter list that is scanned, in tokens.
 const MAX_PARAMS: usize = 60;
 
 impl Parser<'_> {
-    /// Everything up to the end.
+    /// Parses all items up to the end of the shader.
     pub(super) fn translation_unit(&mut self) {
         while !self.is(TokenKind::End) {
             self.item_or_error();
         }
     }
 
-    /// What stands at global scope; where it cannot be read, the place behind it.
+    /// Parses one item at global scope; on errors, skips to the next one.
     pub(super) fn item_or_error(&mut self) {
         let start = self.checkpoint();
         loop {
@@ -61,7 +61,7 @@ impl Parser<'_> {
                 return Ok(None);
             }
             TokenKind::RightBrace => {
-                let d = self.error_here(error::UNCLOSED_DELIMITER, "this `}` has no `{`");
+                let d = self.error_here(error::UNCLOSED_DELIMITER, "unmatched `}`");
                 self.report(d.about(Subject::Brace));
                 self.advance();
                 return Ok(None);
@@ -98,7 +98,7 @@ impl Parser<'_> {
         ) && self.kind(1) == TokenKind::LeftParen
     }
 
-    /// A declaration inside a function.
+    /// Parses a declaration inside a function.
     pub(super) fn declaration(&mut self) -> Parsed<DeclId> {
         if self.is(TokenKind::Precision) {
             return self.precision();
@@ -118,7 +118,7 @@ impl Parser<'_> {
         self.variables(first, qualifiers, ty)
     }
 
-    /// `bool go = ...` as the condition of a loop.
+    /// Parses `bool go = ...` as the condition of a loop.
     pub(super) fn condition_declaration(&mut self) -> Parsed<DeclId> {
         let first = self.id();
         let qualifiers = self.qualifiers()?;
@@ -155,7 +155,7 @@ impl Parser<'_> {
         Ok(self.push_decl(DeclKind::Precision { precision, ty }, first))
     }
 
-    /// `invariant a;`, `layout(std140) uniform;` or `uniform Block { ... };`, if one is there.
+    /// Parses `invariant a;`, `layout(std140) uniform;` or `uniform Block { ... };`, if present.
     fn qualified_name_or_block(
         &mut self,
         first: TokenId,
@@ -187,7 +187,7 @@ impl Parser<'_> {
 
     fn interface_block(&mut self, qualifiers: List) -> Parsed<DeclKind> {
         let first = self.id();
-        let name = self.ident("the block's name")?;
+        let name = self.ident("a block name")?;
         let members = self.members(Some(name), first)?.ok_or(Reported)?;
         let instance = if self.is(TokenKind::Semicolon) {
             None
@@ -209,7 +209,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `{ type a; ... }`; `None` where a member cannot be read.
+    /// Parses `{ type a; ... }`; `None` if a member cannot be parsed.
     fn members(&mut self, name: Option<Ident>, first: TokenId) -> Parsed<Option<StructId>> {
         let open = self.id();
         self.expect(TokenKind::LeftBrace, "`{`")?;
@@ -255,14 +255,12 @@ impl Parser<'_> {
         let mut declarators = Vec::new();
         loop {
             let first = self.id();
-            let ident = self.ident("the member's name")?;
+            let ident = self.ident("a member name")?;
             let arrays = self.array_sizes()?;
             if self.is(TokenKind::Equal) {
-                let d = self.error_here(
-                    error::FOREIGN_SYNTAX,
-                    "a member cannot have an initial value",
-                );
-                self.report(d.note("GLSL sets members through the constructor or by assignment"));
+                let d =
+                    self.error_here(error::FOREIGN_SYNTAX, "a member cannot have an initializer");
+                self.report(d.note("members are set by the constructor or by assignment"));
                 return Err(Reported);
             }
             let extent = self.extent_from(first);
@@ -302,7 +300,7 @@ impl Parser<'_> {
                 self.tree.declarator_lists.push(declarator);
             }
         }
-        // The names count even where the rest cannot be read.
+        // The names count as declared even if the rest cannot be parsed.
         if !is_whole || self.semicolon().is_err() {
             self.forget_initializer(start);
             let from = self.id();
@@ -320,7 +318,7 @@ impl Parser<'_> {
         ))
     }
 
-    /// What the last of the declarators from `start` on starts as is not known.
+    /// Marks the initializer of the last declarator from `start` on as unknown.
     fn forget_initializer(&mut self, start: usize) {
         let own = self.tree.declarator_lists.get(start..);
         let Some(last) = own.and_then(<[_]>::last).filter(|d| d.init.is_some()) else {
@@ -361,7 +359,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `*` or `&` where a name is declared: C's pointers and C++'s references.
+    /// Reports `*` or `&` before a declared name: C pointers and C++ references.
     fn refuse_pointer(&mut self) {
         if !matches!(self.peek(), TokenKind::Star | TokenKind::And) {
             return;
@@ -372,11 +370,11 @@ impl Parser<'_> {
             "references"
         };
         let d = self.error_here(error::FOREIGN_SYNTAX, format!("GLSL has no {what}"));
-        self.report(d.help("a parameter that is written to is declared `out` or `inout`"));
+        self.report(d.help("declare the parameter `out` or `inout` to write to it"));
         self.advance();
     }
 
-    /// `[2]`, `[]`, `[2][3]`; the last is an error of its own, found later.
+    /// Parses `[2]`, `[]` or `[2][3]`; the last form is reported later.
     pub(super) fn array_sizes(&mut self) -> Parsed<List> {
         if !self.is(TokenKind::LeftBracket) {
             return Ok(List::default());
@@ -398,7 +396,7 @@ impl Parser<'_> {
         Ok(append(&mut self.tree.array_lists, sizes))
     }
 
-    /// A type, with the array sizes behind it.
+    /// Parses a type with the array sizes after it.
     pub(super) fn type_spec(&mut self) -> Parsed<TypeId> {
         let first = self.id();
         let token = self.next();
@@ -451,7 +449,7 @@ impl Parser<'_> {
         })
     }
 
-    /// The qualifiers in front of a type.
+    /// Parses the qualifiers before a type.
     pub(super) fn qualifiers(&mut self) -> Parsed<List> {
         let start = self.tree.qualifier_lists.len();
         loop {
@@ -489,14 +487,14 @@ impl Parser<'_> {
         Ok(since(&self.tree.qualifier_lists, start))
     }
 
-    /// `layout(std140, location = 1)`
+    /// Parses `layout(std140, location = 1)`.
     fn layout(&mut self) -> Parsed<List> {
         self.advance();
         let open = self.id();
-        self.expect(TokenKind::LeftParen, "`(` behind `layout`")?;
+        self.expect(TokenKind::LeftParen, "`(` after `layout`")?;
         let mut entries = Vec::new();
         loop {
-            let ident = self.ident("a layout's name")?;
+            let ident = self.ident("a layout qualifier")?;
             let mut value = None;
             if self.eat(TokenKind::Equal).is_some() {
                 let token = self.next();
@@ -517,9 +515,9 @@ impl Parser<'_> {
         Ok(append(&mut self.tree.layout_lists, entries))
     }
 
-    /// A function or a prototype; qualifiers and return type have been read.
+    /// Parses a function or prototype after its qualifiers and return type.
     fn function(&mut self, first: TokenId, qualifiers: List, ty: TypeId) -> Parsed<Item> {
-        let ident = self.ident("the function's name")?;
+        let ident = self.ident("a function name")?;
         let open = self.advance();
         let params = self.params(open)?;
         let header = self.extent_from(first);
@@ -577,12 +575,12 @@ impl Parser<'_> {
         );
         if unnamed && self.lacks_type(ty) {
             self.at = self.tree.ty(ty).extent.first as usize;
-            return Err(self.unexpected("the parameter's type"));
+            return Err(self.unexpected("a parameter type"));
         }
         let ident = if unnamed {
             None
         } else {
-            Some(self.ident("the parameter's name")?)
+            Some(self.ident("a parameter name")?)
         };
         let arrays = if ident.is_some() {
             self.array_sizes()?
@@ -602,8 +600,8 @@ impl Parser<'_> {
         })
     }
 
-    /// Whether what was read as the type of a parameter without a name is its name: nothing declares
-    /// such a type.
+    /// Whether the type of an unnamed parameter is really the parameter's name, because no such
+    /// type is declared.
     fn lacks_type(&self, ty: TypeId) -> bool {
         let TypeBase::Name(name) = self.tree.ty(ty).base else {
             return false;
@@ -612,13 +610,13 @@ impl Parser<'_> {
         is_apart && self.is_unknown_type(name) && self.is_in_head()
     }
 
-    /// Whether no struct that was read so far has a name.
+    /// Whether no struct of this name has been parsed so far.
     pub(super) fn is_unknown_type(&self, name: Name) -> bool {
         let structs = self.structs.as_ref();
         structs.is_some_and(|structs| !structs.contains(&name))
     }
 
-    /// Whether the parameters at hand end before a `{`.
+    /// Whether the current parameter list ends before a `{`.
     fn is_in_head(&self) -> bool {
         let ends = |&at: &usize| {
             use TokenKind as T;
@@ -634,7 +632,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `= value` behind a parameter: C++'s way, reported and skipped.
+    /// `= value` after a parameter, a default argument of C++: reports and skips it.
     fn default_argument(&mut self) -> Parsed<()> {
         let first = self.advance();
         let mark = self.tree.exprs.len();
@@ -643,14 +641,14 @@ impl Parser<'_> {
         value?;
         let span = self.span(self.extent_from(first));
         let d = Diagnostic::error(error::FOREIGN_SYNTAX, span, "GLSL has no default arguments")
-            .note("every call gives every argument")
-            .help("declare a second function of the same name with fewer parameters");
+            .note("a call must pass every argument")
+            .help("add an overload with fewer parameters");
         let token = self.token(first as usize);
         self.report_at(d, &token);
         Ok(())
     }
 
-    /// A function inside a function, which C++ calls a lambda and GLSL does not have.
+    /// A function inside a function, which GLSL does not have: reports and skips it.
     pub(super) fn nested_function(&mut self) -> StmtId {
         let first = self.id();
         let mark = self.tree.exprs.len();
@@ -667,27 +665,27 @@ impl Parser<'_> {
         let d = Diagnostic::error(
             error::LOCAL_FUNCTION,
             span,
-            "a function cannot stand inside a function",
+            "a function cannot be defined inside another function",
         )
-        .note("either it has to move out, or a `}` is missing before it");
+        .note("a `}` may be missing before it");
         let token = self.token(first as usize);
         self.report_at(d, &token);
         self.push_stmt(StmtKind::Error, first)
     }
 
-    /// `;` at global scope, most often behind the `}` of a function.
+    /// `;` at global scope, usually after the `}` of a function.
     fn stray_semicolon(&mut self) {
         let span = self.next().span;
         let behind_brace = self.at > 0 && self.token(self.at - 1).kind == TokenKind::RightBrace;
         let message = if behind_brace {
-            "no `;` may stand behind a function's `}`"
+            "unexpected `;` after the function body"
         } else {
-            "a `;` alone cannot stand outside a function"
+            "unexpected `;` outside a function"
         };
         let d = Diagnostic::error(error::STRAY_SEMICOLON, span, message)
-            .note("GLSL ES has no empty declarations at global scope; C and desktop GLSL do")
+            .note("GLSL ES has no empty declarations at global scope, unlike C and desktop GLSL")
             .fix(Fix::safe(
-                "take it out",
+                "remove `;`",
                 vec![Edit::delete(Span::new(span.start, span.end))],
             ));
         self.report(d);

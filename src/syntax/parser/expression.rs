@@ -7,13 +7,13 @@ use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_text::{Edit, Span};
 
-/// How tightly an operator binds; a higher number binds more tightly.
+/// Binding power of an operator; a higher number binds more tightly.
 type Power = u8;
 const COMMA: Power = 1;
 const ASSIGN: Power = 2;
 const TERNARY: Power = 3;
 
-/// The operator a token stands for between two operands.
+/// The binary operator of a token.
 fn binary(kind: TokenKind) -> Option<(BinaryOp, Power)> {
     use TokenKind as T;
     Some(match kind {
@@ -40,7 +40,7 @@ fn binary(kind: TokenKind) -> Option<(BinaryOp, Power)> {
     })
 }
 
-/// The operator that an assignment holds: `None` inside for the plain `=`.
+/// The operator of a compound assignment; the inner `None` stands for plain `=`.
 fn assignment(kind: TokenKind) -> Option<Option<BinaryOp>> {
     use TokenKind as T;
     Some(match kind {
@@ -72,13 +72,13 @@ fn unary(kind: TokenKind) -> Option<UnaryOp> {
 }
 
 impl Parser<'_> {
-    /// An expression, commas included, that belongs to a statement. On an error nothing of it
-    /// stays in the tree.
+    /// Parses an expression of a statement, including commas. On an error, nothing of it stays in
+    /// the tree.
     pub(super) fn root_expression(&mut self) -> Parsed<ExprId> {
         self.root(COMMA)
     }
 
-    /// An expression without commas that belongs to a declaration.
+    /// Parses an expression of a declaration, without commas.
     pub(super) fn root_assignment(&mut self) -> Parsed<ExprId> {
         self.root(ASSIGN)
     }
@@ -96,7 +96,7 @@ impl Parser<'_> {
         result
     }
 
-    /// Stands for an expression that could not be read.
+    /// Adds a placeholder for an expression that could not be parsed.
     pub(super) fn error_expr(&mut self, first: TokenId) -> ExprId {
         let extent = self.extent_from(first);
         self.push_expr(ExprKind::Error, extent)
@@ -107,7 +107,7 @@ impl Parser<'_> {
         self.operators_behind(left, min)
     }
 
-    /// Reads the operators behind `left` that bind at least as tightly as `min`.
+    /// Parses the operators after `left` that bind at least as tightly as `min`.
     fn operators_behind(&mut self, mut left: ExprId, min: Power) -> Parsed<ExprId> {
         loop {
             let kind = self.peek();
@@ -149,7 +149,7 @@ impl Parser<'_> {
         self.advance();
         self.enter()?;
         let yes = self.operators(COMMA)?;
-        self.expect(TokenKind::Colon, "`:` of the `? :`")?;
+        self.expect(TokenKind::Colon, "`:` of the `?:` operator")?;
         let no = self.operators(ASSIGN)?;
         self.leave();
         Ok(self.join(condition, no, ExprKind::Ternary(condition, yes, no)))
@@ -176,14 +176,14 @@ impl Parser<'_> {
         self.postfix(primary)
     }
 
-    /// Any number of parentheses around an expression, without recursion for those that open right
-    /// behind each other.
+    /// Parses any number of parentheses around an expression, without recursion for directly nested
+    /// ones.
     fn parens(&mut self) -> Parsed<ExprId> {
         let (first, mut open) = (self.id(), 0);
         while self.is(TokenKind::LeftParen) && !self.is_c_cast() {
             if open >= MAX_PARENS {
-                let d = self.error_here(error::BROWSER_LIMIT, "too many parentheses are open");
-                self.report(d.note("the browser's parser gives up here"));
+                let d = self.error_here(error::BROWSER_LIMIT, "too many nested parentheses");
+                self.report(d.note("the browser's parser stack overflows here"));
                 return Err(Reported);
             }
             self.advance();
@@ -212,7 +212,7 @@ impl Parser<'_> {
             && self.kind(2) == TokenKind::RightParen
     }
 
-    /// `(float) x`, which C has and GLSL has not.
+    /// `(float) x`, a cast of C.
     fn c_cast(&mut self) -> Parsed<ExprId> {
         let first = self.advance();
         let ty = self.type_spec()?;
@@ -231,11 +231,11 @@ impl Parser<'_> {
         let operand_span = self.span(self.tree.expr(operand).extent);
         let text = self.sources.text(operand_span).to_string();
         let call = format!("{name}({text})");
-        let message = "GLSL has no casts in parentheses";
+        let message = "GLSL has no C-style casts";
         let d = Diagnostic::error(error::FOREIGN_SYNTAX, cast, message)
-            .note("a type is converted by calling it like a function (section 5.4)")
+            .note("use a constructor to convert a value (section 5.4)")
             .fix(Fix::safe(
-                format!("write `{call}`"),
+                format!("use `{call}`"),
                 vec![Edit::replace(cast.to(operand_span), call.clone())],
             ));
         let token = self.token(first as usize);
@@ -258,7 +258,7 @@ impl Parser<'_> {
             TokenKind::False => ExprKind::Bool(false),
             TokenKind::Bad => {
                 let first = self.advance();
-                // What was to be called, perhaps.
+                // Probably the arguments of a call.
                 if self.is(TokenKind::LeftParen) {
                     self.skip_parens();
                 }
@@ -292,8 +292,8 @@ impl Parser<'_> {
             .is_some_and(|at| self.token(at).kind == TokenKind::LeftParen)
     }
 
-    /// Index of the token behind the bracket that closes the one at `at`, if there is one before
-    /// the statement ends.
+    /// Index of the token after the bracket that closes the one at `at`, if it is closed before the
+    /// statement ends.
     pub(super) fn behind_brackets(&self, at: usize) -> Option<usize> {
         let mut open = 0_u32;
         for (i, token) in self.tokens.get(at..)?.iter().enumerate() {
@@ -312,7 +312,7 @@ impl Parser<'_> {
         None
     }
 
-    /// `vec3(...)`, `float[2](...)`, `S[](...)`
+    /// Parses `vec3(...)`, `float[2](...)` or `S[](...)`.
     fn constructor(&mut self) -> Parsed<ExprId> {
         let first = self.id();
         let ty = self.type_spec()?;
@@ -379,19 +379,20 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether a `++` on a new line belongs to the operand behind it: then a `;` is missing.
+    /// Whether a `++` on a new line belongs to the following operand, so that a `;` is missing
+    /// before it.
     fn starts_statement(&self) -> bool {
         matches!(self.kind(1), TokenKind::Identifier) && self.is_on_new_line()
     }
 
-    /// `.field` or `.method(args)`. Any word may stand behind the dot, even a keyword.
+    /// Parses `.field` or `.method(args)`. Any word may follow the dot, even a keyword.
     fn member(&mut self, object: ExprId) -> Parsed<ExprKind> {
         self.advance();
         let token = self.next();
         let name = match token.kind {
             TokenKind::Identifier => Name(token.value),
             TokenKind::Reserved => {
-                // No member can have such a name.
+                // A member cannot have a reserved name.
                 self.report_reserved(&token);
                 self.advance();
                 return Ok(ExprKind::Error);
@@ -400,7 +401,7 @@ impl Parser<'_> {
                 Some(name) => name,
                 None => {
                     let d =
-                        self.error_here(error::SYNTAX_ERROR, "expected a member's name behind `.`");
+                        self.error_here(error::SYNTAX_ERROR, "expected a member name after `.`");
                     self.report(d);
                     return Err(Reported);
                 }
@@ -414,7 +415,7 @@ impl Parser<'_> {
         Ok(ExprKind::Member(object, name))
     }
 
-    /// `{1.0, 2.0}` in the place of an initializer: C's way, reported and skipped.
+    /// `{1.0, 2.0}` as an initializer, as in C: reports and skips it.
     pub(super) fn initializer_list(&mut self, ty: TypeId, is_array: bool) -> ExprId {
         let first = self.id();
         let mut open = 0_u32;
@@ -433,7 +434,7 @@ impl Parser<'_> {
             }
         }
         let span = self.span(self.extent_from(first));
-        // A brace that was missing and is put there for the parser stands nowhere.
+        // A brace inserted by a correction has no place in the text.
         let last = self.token(self.last() as usize);
         is_flat &= last.kind == TokenKind::RightBrace && !last.span.is_empty();
         let name = self
@@ -446,8 +447,8 @@ impl Parser<'_> {
             span,
             "GLSL ES has no initializer lists",
         )
-        .note("arrays, structs and vectors are made by their constructors (section 5.4)")
-        .help(format!("write `{constructor}(...)`"));
+        .note("arrays, structs and vectors are built with constructors (section 5.4)")
+        .help(format!("use `{constructor}(...)`"));
         let edits = vec![
             Edit::replace(
                 Span::new(span.start, span.start + 1),
@@ -455,7 +456,7 @@ impl Parser<'_> {
             ),
             Edit::replace(Span::new(span.end.saturating_sub(1), span.end), ")"),
         ];
-        let fix = is_flat.then(|| Fix::safe(format!("write `{constructor}(...)`"), edits));
+        let fix = is_flat.then(|| Fix::safe(format!("use `{constructor}(...)`"), edits));
         let token = self.token(first as usize);
         self.report_at(d.fix(fix), &token);
         self.error_expr(first)

@@ -1,8 +1,8 @@
-//! The parser: recursive descent, with operator precedence for expressions.
+//! The parser: recursive descent with operator precedence for expressions.
 //!
-//! It never fails. A statement or declaration that cannot be read becomes an `Error` node, one
-//! error is reported for it, and reading goes on behind it. Names need no table: `Id Id` is a
-//! declaration, whatever the first one means (so `mat mat;` works).
+//! It never fails. A statement or declaration that cannot be parsed becomes an `Error` node with
+//! one reported error, and parsing continues after it. No symbol table is needed: `Id Id` is a
+//! declaration whatever the first name means (so `mat mat;` works).
 
 mod attempt;
 mod balance;
@@ -27,52 +27,52 @@ use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Facet, error};
 use shaderlint_text::{Sources, Span};
 
-/// Deepest nesting of statements and of expressions, parentheses not counted. The browser takes
-/// trees of a depth up to 256.
+/// Maximum nesting of statements and expressions, not counting parentheses. The browser accepts
+/// trees up to a depth of 256.
 const MAX_NESTING: u32 = 300;
-/// Most parentheses around an expression; the browser's parser stack ends there.
+/// Maximum nesting of parentheses around an expression, where the browser's parser stack overflows.
 const MAX_PARENS: u32 = 9_980;
-/// Most errors that are looked for in one shader.
+/// Maximum number of errors reported per shader.
 const MAX_ERRORS: usize = 200;
 
-/// Tokens that the trials of one shader may read, beside some times its own.
+/// Base token budget for trial parses of one shader; a multiple of its length is added.
 const TRIAL_TOKENS: usize = 40_000;
-/// Most that they may read.
+/// Upper limit of the token budget for trial parses.
 const MAX_TRIAL_TOKENS: usize = 70_000;
 
-/// Most places that cannot be read in a shader in which slips are looked for; one lost brace makes
+/// Maximum number of syntax errors for which corrections are searched; one missing brace causes
 /// many.
 const MAX_BROKEN: usize = 80;
 
-/// A shader as the parser understood it.
+/// Result of parsing a shader.
 pub struct Parse {
-    /// What was read.
+    /// The syntax tree.
     pub tree: Tree,
-    /// What is wrong with the syntax.
+    /// Syntax errors.
     pub diagnostics: Vec<Diagnostic>,
-    /// What was corrected so that it can be read; the first correction of each choice was made.
+    /// Corrections made to parse the shader; the first alternative of each choice was applied.
     pub choices: Vec<Choice>,
-    /// The tokens before any correction, where there was one.
+    /// The tokens before any correction; empty if there was none.
     pub original: Vec<Token>,
-    /// What was put into GLSL before.
+    /// Constructs of other languages that were translated to GLSL first.
     pub translated: Translated,
-    /// Whether a name stands in the place of a type that no struct before it has.
+    /// Whether a type name does not refer to a preceding struct.
     has_unknown_types: bool,
 }
 
-/// How a shader is written.
+/// Version and stage of a shader.
 #[derive(Clone, Copy)]
 pub struct ParseOptions {
-    /// The version that it states.
+    /// Version from the `#version` directive.
     pub version: Version,
-    /// The stage, which the advice on `varying` needs.
+    /// Whether this is a fragment shader; needed for advice on `varying`.
     pub is_fragment: bool,
 }
 
-/// Parses what the preprocessor left of a shader.
+/// Parses the output of the preprocessor.
 ///
-/// Where that cannot be read, the forms of other languages are put into GLSL; where it still
-/// cannot, the slips that explain it are searched for. `tokens` are what was probably meant.
+/// If it has syntax errors, constructs of other languages are translated to GLSL; if errors remain,
+/// corrections are searched. `tokens` becomes the token list that was parsed.
 pub fn parse(
     sources: &Sources,
     tokens: &mut Tokens,
@@ -115,8 +115,8 @@ pub fn parse(
     parse
 }
 
-/// Parses with corrections that [`parse`] proposed, and makes no others. `tokens` become what is
-/// meant under them.
+/// Parses with corrections proposed by [`parse`] and makes no others. `tokens` becomes the
+/// corrected token list.
 pub fn parse_corrected(
     sources: &Sources,
     tokens: &mut Tokens,
@@ -126,9 +126,9 @@ pub fn parse_corrected(
 ) -> Parse {
     let mut list = std::mem::take(&mut tokens.tokens);
     let mut sorted = corrections.to_vec();
-    // What is put in before a token comes before what happens to the token itself.
+    // Insertions before a token come before edits of the token itself.
     sorted.sort_by_key(|c| (c.at, !c.is_insertion()));
-    // Two alternatives may take out the same token, which is not there a second time.
+    // Two alternatives may remove the same token.
     sorted.dedup_by(|b, a| a.at == b.at && !a.is_insertion() && !b.is_insertion());
     for correction in sorted.iter().rev() {
         change_tokens(&mut list, correction.at, correction.change);
@@ -143,7 +143,7 @@ pub fn parse_corrected(
     parse
 }
 
-/// The code at hand cannot be read; the error has been reported.
+/// Parsing failed; the error has been reported.
 #[derive(Clone, Copy, Debug)]
 struct Reported;
 
@@ -157,34 +157,34 @@ struct Parser<'a> {
     names: &'a Names,
     version: Version,
     is_fragment: bool,
-    /// The next token.
+    /// Index of the next token.
     at: usize,
     depth: u32,
-    /// The `{` of the function that is being read.
+    /// Index of the `{` of the current function.
     function_open: TokenId,
-    /// The place behind the last statement that could not be read.
+    /// Index after the last statement that could not be parsed.
     behind_error: Option<usize>,
-    /// Where a missing `}` was reported.
+    /// Index where a missing `}` was reported.
     missing_brace_at: Option<usize>,
-    /// The first token that did not fit, since the statement at hand started.
+    /// Index of the first unexpected token since the current statement started.
     fault: Option<usize>,
     repairs: Repairs,
-    /// Where the last item before the one at hand started.
+    /// Start of the item before the current one.
     item_before: Option<Checkpoint>,
-    /// The structs that were declared so far; nothing where not all is read.
+    /// Structs declared so far; `None` if only a part of the shader is parsed.
     structs: Option<FxHashSet<Name>>,
     has_unknown_types: bool,
     tree: Tree,
-    /// The arguments of all calls that are being read, the innermost call's last.
+    /// Arguments of all open calls, the innermost call's last.
     open_args: Vec<ExprId>,
-    /// The statements of all blocks that are being read, the innermost block's last.
+    /// Statements of all open blocks, the innermost block's last.
     open_stmts: Vec<StmtId>,
-    /// Reserved words that have been reported.
+    /// Reserved words already reported.
     reserved: Vec<Name>,
     diagnostics: Vec<Diagnostic>,
 }
 
-/// What a parser goes back to where it reads a statement again.
+/// Parser state restored before a statement is parsed again.
 #[derive(Clone, Copy)]
 struct Checkpoint {
     at: usize,
@@ -301,7 +301,7 @@ impl<'a> Parser<'a> {
         self.at as TokenId
     }
 
-    /// The token before the next one.
+    /// Index of the token before the next one.
     fn last(&self) -> TokenId {
         self.at.saturating_sub(1) as TokenId
     }
@@ -339,20 +339,20 @@ impl<'a> Parser<'a> {
         self.token(id as usize).span
     }
 
-    /// The text of a token as the user sees it.
+    /// The text of a token as it appears in the user's source.
     fn text(&self, token: &Token) -> &'a str {
         self.sources.text(token.span)
     }
 
-    /// Counts one level of nesting; reports and gives up where there are too many.
+    /// Enters one nesting level; reports an error if there are too many.
     fn enter(&mut self) -> Parsed<()> {
         self.depth += 1;
         if self.depth <= MAX_NESTING {
             return Ok(());
         }
         self.depth -= 1;
-        let d = self.error_here(error::BROWSER_LIMIT, "this is nested too deeply");
-        self.report(d.note("the browser takes code up to a depth of 256"));
+        let d = self.error_here(error::BROWSER_LIMIT, "code is nested too deeply");
+        self.report(d.note("the browser accepts a nesting depth of at most 256"));
         Err(Reported)
     }
 
@@ -364,7 +364,7 @@ impl<'a> Parser<'a> {
         Diagnostic::error(kind, self.next().span, message)
     }
 
-    /// Whether no further error is reported, so that none needs its place to be looked for.
+    /// Whether the error limit is reached, so that no further error needs to be located.
     fn has_many_errors(&self) -> bool {
         self.diagnostics.len() >= MAX_ERRORS
     }
@@ -375,7 +375,7 @@ impl<'a> Parser<'a> {
         self.report_at(diagnostic, &token);
     }
 
-    /// Reports an error at `token`, with the macros that the token came through.
+    /// Reports an error at `token` with the macro calls that produced it.
     fn report_at(&mut self, mut diagnostic: Diagnostic, token: &Token) {
         if diagnostic.has(Facet::Grammar) && self.fault.is_none() {
             self.fault = Some(self.at);
@@ -402,7 +402,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// What was appended to a list of the tree since it had a length of `start`.
+/// The entries added to a list since its length was `start`.
 fn since<T>(all: &[T], start: usize) -> List {
     List {
         start: start as u32,

@@ -1,4 +1,4 @@
-//! What to say where the text does not fit, and where to go on.
+//! Syntax errors: what is reported, and where parsing resumes.
 
 use super::correction::{brace_subject, symbol};
 use super::{Parsed, Parser, Reported};
@@ -9,15 +9,15 @@ use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
 use shaderlint_text::{Edit, Span};
 
-/// Where a line starts further right, it makes no difference how far.
+/// Maximum indentation that is measured, in columns.
 const MAX_INDENT: usize = 200;
-/// Longest list of parameters, in tokens, that is taken for one; 255 parameters are allowed.
+/// Longest parameter list, in tokens; GLSL allows 255 parameters.
 const MAX_PARAM_TOKENS: usize = 4_000;
-/// Longest type that a message repeats with its sizes, in bytes.
+/// Longest type, in bytes, that a message quotes with its array sizes.
 const MAX_QUOTED: usize = 40;
 
 impl Parser<'_> {
-    /// Whether the next token stands on another line than the one before it.
+    /// Whether the next token is on another line than the one before it.
     pub(super) fn is_on_new_line(&self) -> bool {
         self.starts_line(self.at)
     }
@@ -32,12 +32,12 @@ impl Parser<'_> {
             || self.sources.text(between).contains(['\n', '\r'])
     }
 
-    /// The next token in words.
+    /// Description of the next token for messages.
     fn found(&self) -> String {
         let token = self.next();
         match token.kind {
-            TokenKind::End => "the end of the shader".to_string(),
-            // What a correction put in has no text.
+            TokenKind::End => "end of shader".to_string(),
+            // A token inserted by a correction has no text.
             kind if token.span.is_empty() => format!("`{}`", symbol(kind, token.value)),
             _ => {
                 let line = self.text(&token).lines().next().unwrap_or("");
@@ -47,7 +47,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports that something else was expected.
+    /// Reports an error of the form "expected X, found Y".
     pub(super) fn unexpected(&mut self, what: &str) -> Reported {
         if !self.is(TokenKind::Bad) {
             let message = format!("expected {what}, found {}", self.found());
@@ -96,18 +96,18 @@ impl Parser<'_> {
         if name.len() > MAX_QUOTED || name.contains('\n') {
             name = self.text(&self.token(extent.first as usize));
         }
-        self.unexpected(&format!("`(` behind the type `{name}`"))
+        self.unexpected(&format!("`(` after type `{name}`"))
     }
 
-    /// Reports the word at hand, which is a slip of a keyword.
+    /// Reports the current word as a misspelt keyword.
     pub(super) fn misspelt_keyword(&mut self) -> Reported {
         let word = self.next();
         let keyword = self
             .keyword_like(self.at)
             .map_or("", |kind| symbol(kind, 0));
-        let message = format!("there is no `{}`: `{keyword}` is meant", self.text(&word));
+        let message = format!("expected `{keyword}`, found `{}`", self.text(&word));
         let edit = Edit::replace(word.span, keyword);
-        let fix = Fix::suggestion(format!("write `{keyword}`"), vec![edit]);
+        let fix = Fix::suggestion(format!("did you mean `{keyword}`?"), vec![edit]);
         let d = self.error_here(error::SYNTAX_ERROR, message).fix(fix);
         self.report(d);
         Reported
@@ -115,20 +115,18 @@ impl Parser<'_> {
 
     pub(super) fn else_without_if(&mut self) -> Reported {
         let d = self
-            .error_here(error::SYNTAX_ERROR, "this `else` has no `if`")
-            .note(
-                "a `;` behind the `if (...)`, or a second statement without braces, ends it early",
-            );
+            .error_here(error::SYNTAX_ERROR, "`else` without a matching `if`")
+            .note("a `;` after `if (...)`, or a second statement without braces, ends it early");
         self.report(d);
         Reported
     }
 
     pub(super) fn no_body(&mut self) -> Reported {
-        self.expected_brace("`{` or `;` behind the function's parameters")
+        self.expected_brace("`{` or `;` after the parameter list")
     }
 
-    /// The `;` of a statement. Where it is missing although the statement is complete, it is
-    /// reported at the end of the statement and reading goes on.
+    /// Parses the `;` of a statement. If it is missing after a complete statement, the error is
+    /// reported at the end of the statement and parsing continues.
     pub(super) fn semicolon(&mut self) -> Parsed<()> {
         if self.eat(TokenKind::Semicolon).is_some() {
             return Ok(());
@@ -144,15 +142,12 @@ impl Parser<'_> {
         let place = self.gap();
         let d = Diagnostic::error(error::MISSING_SEMICOLON, place, "missing `;`")
             .mark("expected `;` here")
-            .fix(Fix::safe(
-                "put `;` here",
-                vec![Edit::insert(place.start, ";")],
-            ));
+            .fix(Fix::safe("add `;`", vec![Edit::insert(place.start, ";")]));
         self.report_at(d, &last);
         Ok(())
     }
 
-    /// Whether a statement starts at the next token, as far as its first words tell.
+    /// Whether the next tokens look like the start of a statement.
     fn looks_like_statement(&self) -> bool {
         use TokenKind as T;
         match self.peek() {
@@ -168,7 +163,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The place behind the last token, with the blanks up to the next one in the same line.
+    /// The position after the last token, extended over the blanks up to the next token on the same
+    /// line.
     fn gap(&self) -> Span {
         let last = self.token(self.last() as usize).span;
         let next = self.next().span;
@@ -185,8 +181,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The bracket that closes the one at `open`. Where it is missing although what it holds is
-    /// complete, that is reported there and reading goes on.
+    /// Parses the bracket that closes the one at `open`. If it is missing after complete contents,
+    /// the error is reported there and parsing continues.
     pub(super) fn close(&mut self, kind: TokenKind, open: TokenId) -> Parsed<()> {
         if self.eat(kind).is_some() {
             return Ok(());
@@ -217,20 +213,17 @@ impl Parser<'_> {
             format!("missing `{symbol}`"),
         )
         .mark(format!("expected `{symbol}` here"))
-        .label(
-            self.token_span(open),
-            format!("this `{partner}` is not closed"),
-        )
+        .label(self.token_span(open), format!("unclosed `{partner}`"))
         .fix(Fix::suggestion(
-            format!("put `{symbol}` here"),
+            format!("add `{symbol}`"),
             vec![Edit::insert(place.start, symbol)],
         ));
         self.report_at(d, &last);
         Ok(())
     }
 
-    /// The `)` of the head of a statement. A `;` that stands before it in the same line is what is
-    /// wrong then, and the head ends at the `)` all the same.
+    /// Parses the `)` of a statement header. If a `;` comes before it on the same line, that is the
+    /// error, and the header still ends at the `)`.
     pub(super) fn close_head(&mut self, open: TokenId) -> Parsed<()> {
         if !self.is(TokenKind::Semicolon) || self.has_many_errors() || !self.closes_in_line() {
             return self.close(TokenKind::RightParen, open);
@@ -241,7 +234,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Whether the parentheses around are closed before the line ends.
+    /// Whether the enclosing parentheses are closed before the line ends.
     fn closes_in_line(&self) -> bool {
         let mut open = 0_u32;
         let last = self.tokens.len().min(self.at + MAX_PARAM_TOKENS);
@@ -260,16 +253,16 @@ impl Parser<'_> {
         false
     }
 
-    /// The bracket that closes the one at `open` inside an expression. Where it is missing, nobody
-    /// knows what belongs into the brackets, so that the expression is not judged further.
+    /// Parses the closing bracket inside an expression. If it is missing, the extent of the
+    /// brackets is unknown, so the expression is not checked further.
     pub(super) fn close_operand(&mut self, kind: TokenKind, open: TokenId) -> Parsed<()> {
         let is_there = self.is(kind);
         self.close(kind, open)?;
         if is_there { Ok(()) } else { Err(Reported) }
     }
 
-    /// Takes the names that seem to be declared in the skipped tokens from `first` on, outside
-    /// braces, as declared: what they are is unknown, and no use of them is an error.
+    /// Treats names that appear to be declared in the skipped tokens from `first` on, outside
+    /// braces, as declared with an unknown type, so that uses of them are not errors.
     pub(super) fn lose_names(&mut self, first: TokenId) {
         use TokenKind as T;
         let mut open = 0_u32;
@@ -309,8 +302,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports that the block opened at `open`, or one inside it, is never closed. Says so once for
-    /// all blocks that end at the same place.
+    /// Reports that the block opened at `open`, or one inside it, is not closed; once for all
+    /// blocks that end at the same place.
     pub(super) fn missing_brace(&mut self, open: TokenId) {
         if self.missing_brace_at == Some(self.at) || self.has_many_errors() {
             return;
@@ -325,17 +318,16 @@ impl Parser<'_> {
         let d = Diagnostic::error(error::UNCLOSED_DELIMITER, place, "missing `}`")
             .about(Subject::MissingClose)
             .mark("expected `}` here")
-            .label(self.token_span(open), "this `{` is not closed")
+            .label(self.token_span(open), "unclosed `{`")
             .fix(Fix::suggestion(
-                "put `}` here",
+                "add `}`",
                 vec![Edit::insert(place.start, "\n}")],
             ));
         let token = self.token(self.last() as usize);
         self.report_at(d, &token);
     }
 
-    /// The brace that was left open, by the indentation of the lines, and where its partner should
-    /// stand.
+    /// Finds the unclosed brace by indentation, and where its `}` belongs.
     fn find_unclosed(&self, outermost: TokenId) -> (TokenId, Span) {
         let default = self.token(self.at.saturating_sub(1)).span.after();
         let mut open: Vec<(usize, usize)> = Vec::new();
@@ -365,14 +357,14 @@ impl Parser<'_> {
         }
     }
 
-    /// Behind the last token of the lines that are indented more than the line of `brace`.
+    /// The position after the last line that is indented more than the line of `brace`.
     fn place_of_brace(&self, brace: usize, indent: usize, default: Span) -> Span {
         (brace + 1..self.at)
             .find(|&at| self.starts_line(at) && self.indent(at) <= indent)
             .map_or(default, |at| self.token(at - 1).span.after())
     }
 
-    /// Number of blanks before the line that holds a token, as far as they matter.
+    /// Indentation of the line that contains a token, up to a limit.
     pub(super) fn indent(&self, at: usize) -> usize {
         let start = self.token(at).span.start;
         let Some(file) = self.sources.file_at(start) else {
@@ -388,8 +380,8 @@ impl Parser<'_> {
             .sum()
     }
 
-    /// Whether the function that starts here shows that the block opened at `open` was left open:
-    /// it does not stand further right than the block's own line.
+    /// Whether the function that starts here indicates that the block opened at `open` is unclosed:
+    /// it is not indented more than the line of that block.
     pub(super) fn is_left_open(&self, open: TokenId) -> bool {
         self.starts_line(self.at) && self.indent(self.at) <= self.indent(open as usize)
     }
@@ -429,7 +421,7 @@ impl Parser<'_> {
     pub(super) fn skip_statement(&mut self, first: TokenId) {
         loop {
             match self.peek() {
-                // A `}` before these ends no block.
+                // A `}` before these tokens does not end a block.
                 TokenKind::RightBrace
                     if matches!(self.kind(1), TokenKind::Comma | TokenKind::RightParen) =>
                 {
@@ -452,7 +444,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the next token can only be the start of a statement.
+    /// Whether the next token can only start a statement.
     fn starts_afresh(&self) -> bool {
         use TokenKind as T;
         match self.peek() {
@@ -462,7 +454,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Skips the rest of what started at global scope at `first`.
+    /// Skips the rest of an item at global scope that started at `first`.
     pub(super) fn skip_item(&mut self, first: TokenId) {
         if self.id() == first {
             self.advance();
@@ -494,12 +486,13 @@ impl Parser<'_> {
         }
     }
 
-    /// Skips to the `)` that closes the parentheses around, which stays the next token.
+    /// Skips to the `)` that closes the enclosing parentheses, without consuming it.
     pub(super) fn skip_to_close(&mut self) {
         self.skip_inside(const { TokenSet::of(&[TokenKind::LeftBrace, TokenKind::RightBrace]) });
     }
 
-    /// Skips to the `)` that closes the parentheses around, or to what none of them may hold.
+    /// Skips to the `)` that closes the enclosing parentheses, or to a token that cannot be inside
+    /// them.
     fn skip_inside(&mut self, ends: TokenSet) {
         let mut open = 0_u32;
         loop {
@@ -515,7 +508,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Skips to the `,` or `;` behind an initializer that started at `start`.
+    /// Skips to the `,` or `;` after an initializer that started at `start`.
     pub(super) fn skip_initializer(&mut self, start: TokenId) {
         let mut open = 0_u32;
         for at in start as usize..self.at {
@@ -547,7 +540,7 @@ impl Parser<'_> {
     pub(super) fn skip_parens(&mut self) {
         use TokenKind as T;
         self.advance();
-        // Arguments hold no statement: what is not closed ends with it.
+        // Arguments contain no statements, so unclosed parentheses end with the statement.
         self.skip_inside(const { TokenSet::of(&[T::LeftBrace, T::RightBrace, T::Semicolon]) });
         self.eat(T::RightParen);
     }

@@ -1,4 +1,4 @@
-//! Words that the language keeps for itself, used as if they were free.
+//! Reserved words and keywords used as names.
 
 use super::{Parsed, Parser, Reported};
 use crate::ast::*;
@@ -9,7 +9,7 @@ use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
 use shaderlint_text::Edit;
 
-/// Reserved words that stand for a type in other languages, and what GLSL has instead.
+/// Reserved words that name a type in other languages, with the GLSL equivalent.
 #[rustfmt::skip]
 const TYPES: &[(&str, &str)] = &[
     ("double", "float"), ("half", "float"), ("long", "int"), ("short", "int"), ("fixed", "float"),
@@ -20,7 +20,7 @@ const TYPES: &[(&str, &str)] = &[
     ("sampler1D", "sampler2D"), ("sampler2DRect", "sampler2D"), ("samplerExternalOES", "sampler2D"),
 ];
 
-/// Reserved words that stand before a declaration in other languages and versions.
+/// Reserved words that are declaration modifiers in other languages and versions.
 const MODIFIERS: &[&str] = &[
     "static",
     "inline",
@@ -41,7 +41,7 @@ const MODIFIERS: &[&str] = &[
     "superp",
 ];
 
-/// Free names that read well in the place of the words most often tripped over.
+/// Suggested replacement names for frequently used reserved words.
 #[rustfmt::skip]
 const NAMES: &[(&str, &str)] = &[
     ("cast", "castRay"), ("sample", "sampleColor"), ("filter", "filterColor"),
@@ -50,7 +50,7 @@ const NAMES: &[(&str, &str)] = &[
 ];
 
 impl Parser<'_> {
-    /// A name; a reserved word is reported and taken for one.
+    /// Parses a name; reports a reserved word and accepts it as a name.
     pub(super) fn ident(&mut self, what: &str) -> Parsed<Ident> {
         while self.is(TokenKind::Bad) {
             self.advance();
@@ -78,7 +78,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Whether a keyword stands where a name was meant: the declaration goes on behind it.
+    /// Whether a keyword is used as a name, so that the declaration continues after it.
     fn is_keyword(&self, token: &Token) -> bool {
         let is_word = self
             .text(token)
@@ -94,12 +94,12 @@ impl Parser<'_> {
         let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
-            format!("`{word}` is a keyword and cannot be a name"),
+            format!("`{word}` is a keyword and cannot be used as a name"),
         );
-        self.report_at(d.help("take another name"), token);
+        self.report_at(d.help("use another name"), token);
     }
 
-    /// Reports a reserved word used as a name, once for all of its uses.
+    /// Reports a reserved word used as a name, once for all its uses.
     pub(super) fn report_reserved(&mut self, token: &Token) {
         let name = Name(token.value);
         if self.reserved.contains(&name) {
@@ -117,10 +117,10 @@ impl Parser<'_> {
         let mut d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
-            format!("`{word}` is a reserved word and cannot be a name"),
+            format!("`{word}` is a reserved word and cannot be used as a name"),
         )
         .note(format!(
-            "{language} {reserved_words} keeps it for the future"
+            "{language} reserves it for future use ({reserved_words})"
         ));
         d = match edits {
             Some(edits) => {
@@ -131,12 +131,12 @@ impl Parser<'_> {
                 };
                 d.fix(Fix::safe(title, edits))
             }
-            None => d.help(format!("rename it, to `{free}` for example")),
+            None => d.help(format!("rename it, for example to `{free}`")),
         };
         self.report_at(d, token);
     }
 
-    /// A name like `word` that the shader does not use yet.
+    /// A name based on `word` that the shader does not use.
     fn free_name(&self, word: &str) -> String {
         let known = NAMES
             .iter()
@@ -146,8 +146,8 @@ impl Parser<'_> {
         self.names.unused(&base)
     }
 
-    /// Edits that rename every use of a reserved word, or nothing where a use stands in a macro,
-    /// whose body might mean something else elsewhere.
+    /// Edits that rename every use of a reserved word; `None` if a use is inside a macro, where the
+    /// word may mean something else in other calls.
     fn rename(&self, name: Name, to: &str) -> Option<Vec<Edit>> {
         let mut edits = Vec::new();
         for (i, token) in self.tokens.iter().enumerate() {
@@ -171,7 +171,7 @@ impl Parser<'_> {
         Some(edits)
     }
 
-    /// A reserved word where an expression starts.
+    /// Parses a reserved word at the start of an expression.
     pub(super) fn reserved_primary(&mut self) -> Parsed<ExprId> {
         let token = self.next();
         let word = self.names.text(Name(token.value));
@@ -185,7 +185,7 @@ impl Parser<'_> {
         self.name_or_call()
     }
 
-    /// A reserved word where a type must stand.
+    /// Parses a reserved word used as a type.
     pub(super) fn reserved_type(&mut self) -> TypeBase {
         let token = self.next();
         let name = Name(token.value);
@@ -198,15 +198,15 @@ impl Parser<'_> {
                 token.span,
                 format!("WebGL2 has no type `{word}`"),
             )
-            .note("the word is reserved");
+            .note("it is a reserved word");
             let other = TYPES.iter().find(|(w, _)| *w == word).map(|(_, t)| *t);
             let d = match other {
                 Some("uint") if self.is(TokenKind::Type) => d.fix(Fix::safe(
-                    "write `uint`",
+                    "use `uint`",
                     vec![Edit::replace(token.span.to(self.next().span), "uint")],
                 )),
                 Some(other) => d.fix(Fix::suggestion(
-                    format!("write `{other}`"),
+                    format!("use `{other}`"),
                     self.rename(name, other).unwrap_or_default(),
                 )),
                 None => d,
@@ -219,9 +219,9 @@ impl Parser<'_> {
         TypeBase::Error
     }
 
-    /// A reserved word among qualifiers: `attribute` and `varying` of GLSL ES 1.00, which have a
-    /// meaning (`Some(Some(..))`), or a modifier of another language, which is reported and
-    /// dropped (`Some(None)`). `None` where the word is no qualifier.
+    /// Parses a reserved word among qualifiers: `attribute` and `varying` of GLSL ES 1.00, which
+    /// have a meaning (`Some(Some(..))`), or a modifier of another language, which is reported and
+    /// dropped (`Some(None)`). `None` if the word is not a qualifier.
     pub(super) fn reserved_qualifier(&mut self) -> Option<Option<QualifierKind>> {
         let token = self.next();
         let word = self.names.text(Name(token.value));
@@ -246,9 +246,9 @@ impl Parser<'_> {
             token.span,
             format!("WebGL2 has no qualifier `{word}`"),
         )
-        .note("the word is reserved")
+        .note("it is a reserved word")
         .fix(Fix::safe(
-            "take it out",
+            format!("remove `{word}`"),
             vec![Edit::delete(
                 token.span.to(self.token(self.at + 1).span.before()),
             )],
@@ -272,21 +272,21 @@ impl Parser<'_> {
         let d = Diagnostic::error(
             error::LEGACY_GLSL,
             token.span,
-            format!("`{word}` is gone since GLSL ES 3.00"),
+            format!("`{word}` was removed in GLSL ES 3.00"),
         )
         .note(match word {
-            "attribute" => "an input of the vertex shader is declared `in`",
-            _ => "it is `out` in the vertex shader and `in` in the fragment shader",
+            "attribute" => "inputs of the vertex shader are declared `in`",
+            _ => "varyings are declared `out` in the vertex shader and `in` in the fragment shader",
         })
         .fix(Fix::safe(
-            format!("write `{now}`"),
+            format!("use `{now}`"),
             vec![Edit::replace(token.span, now)],
         ));
         self.report_at(d, token);
         kind
     }
 
-    /// Whether a declaration starts here, seen from inside a function.
+    /// Whether a declaration starts here, inside a function.
     pub(super) fn at_declaration(&self) -> bool {
         use TokenKind as T;
         match self.peek() {
@@ -319,7 +319,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether a declaration starts here, seen from global scope.
+    /// Whether a declaration starts here, at global scope.
     pub(super) fn at_global_declaration(&self) -> bool {
         match self.peek() {
             TokenKind::Identifier | TokenKind::Reserved => !set::FOLLOWS_USE.contains(self.kind(1)),
@@ -328,16 +328,13 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports code where only declarations may stand.
+    /// Reports code where only declarations are allowed.
     pub(super) fn code_outside_function(&mut self) -> Reported {
         if set::STARTS_OUTER_STATEMENT.contains(self.peek()) {
             let d = self
-                .error_here(
-                    error::SYNTAX_ERROR,
-                    "statements can only stand inside a function",
-                )
+                .error_here(error::SYNTAX_ERROR, "statement outside a function")
                 .about(Subject::OuterStatement)
-                .note("perhaps a `}` too many closed the function before");
+                .note("an extra `}` may have closed the previous function");
             self.report(d);
             return Reported;
         }

@@ -7,21 +7,21 @@ use crate::names::Name;
 use crate::token::TokenKind;
 use shaderlint_diagnostic::error;
 
-/// Most tokens that are read again before a statement that does not fit.
+/// Maximum number of tokens before a failing statement that are parsed again.
 const MAX_BEFORE: usize = 300;
 
-/// Number of statements that are read again.
+/// Number of statements that must be parsed again.
 struct TakenBack(usize);
 
 impl Parser<'_> {
-    /// `{ ... }`
+    /// Parses `{ ... }`.
     pub(super) fn block(&mut self) -> Parsed<StmtId> {
         let first = self.id();
         let body = self.braces()?;
         Ok(self.push_stmt(StmtKind::Block(body), first))
     }
 
-    /// The statements between braces. An error inside never leaves them.
+    /// Parses the statements between braces. An error inside does not propagate.
     fn braces(&mut self) -> Parsed<List> {
         let open = self.id();
         self.expect(TokenKind::LeftBrace, "`{`")?;
@@ -67,7 +67,7 @@ impl Parser<'_> {
         Ok(append(&mut self.tree.stmt_lists, body))
     }
 
-    /// A statement; where it cannot be read, an `Error` and the place behind it.
+    /// Parses a statement; on errors, adds an `Error` node and skips the statement.
     pub(super) fn statement_or_error(&mut self) -> StmtId {
         let first = self.id();
         match self.statement_behind(&[], Scope::Body) {
@@ -76,8 +76,8 @@ impl Parser<'_> {
         }
     }
 
-    /// A statement that stands behind others. Where one of those had to be corrected, reading goes
-    /// on there again.
+    /// Parses a statement after others. If an earlier statement was corrected, parsing resumes
+    /// there.
     fn statement_behind(
         &mut self,
         before: &[Option<Checkpoint>],
@@ -106,8 +106,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Where a trial starts: where nothing of the statement at `start` fits, the fault may lie in
-    /// those before it.
+    /// Start of a trial parse: if no token of the statement at `start` parses, the error may be in
+    /// the statements before it.
     pub(super) fn first_to_read(
         &self,
         start: Checkpoint,
@@ -155,19 +155,19 @@ impl Parser<'_> {
             T::Case => {
                 self.advance();
                 let value = self.root_expression()?;
-                self.expect(T::Colon, "`:` behind the label")?;
+                self.expect(T::Colon, "`:` after the `case` label")?;
                 StmtKind::Case(value)
             }
             T::Default => {
                 self.advance();
-                self.expect(T::Colon, "`:` behind `default`")?;
+                self.expect(T::Colon, "`:` after `default`")?;
                 StmtKind::Default
             }
             T::Break => self.jump(StmtKind::Break)?,
             T::Continue => self.jump(StmtKind::Continue)?,
             T::Discard => self.jump(StmtKind::Discard)?,
             T::Return => self.return_statement()?,
-            // Its `if` is what could not be read.
+            // The `if` before it could not be parsed.
             T::Else if self.behind_error == Some(self.at) => {
                 self.advance();
                 return self.statement();
@@ -189,8 +189,8 @@ impl Parser<'_> {
         Ok(self.push_stmt(kind, first))
     }
 
-    /// Whether a slip of a keyword reads as the type of a declaration, `retrun x;`, or as a value
-    /// with a block behind it, `esle {`.
+    /// Whether a misspelt keyword would parse as the type of a declaration, `retrun x;`, or as a
+    /// value before a block, `esle {`.
     fn at_misspelt_keyword(&self) -> bool {
         use TokenKind as T;
         let next = self.kind(1);
@@ -222,7 +222,7 @@ impl Parser<'_> {
         Ok(StmtKind::Return(value))
     }
 
-    /// `if (c) a else if (d) b else e`: a chain of any length, without recursion.
+    /// Parses `if (c) a else if (d) b else e`: a chain of any length, without recursion.
     fn if_statement(&mut self) -> Parsed<StmtId> {
         let mut arms = Vec::new();
         let mut last = None;
@@ -253,11 +253,11 @@ impl Parser<'_> {
         otherwise.ok_or(Reported)
     }
 
-    /// `( expression )`; where the expression cannot be read, what stands in the parentheses is
-    /// skipped, so that the body is still looked at.
+    /// Parses `( expression )`. If the expression cannot be parsed, skips the parentheses so that
+    /// the body is still checked.
     fn condition_in_parens(&mut self, keyword: &str) -> Parsed<ExprId> {
         let open = self.id();
-        self.expect(TokenKind::LeftParen, &format!("`(` behind `{keyword}`"))?;
+        self.expect(TokenKind::LeftParen, &format!("`(` after `{keyword}`"))?;
         let first = self.id();
         let condition = match self.root_expression() {
             Ok(condition) => condition,
@@ -270,8 +270,8 @@ impl Parser<'_> {
         Ok(condition)
     }
 
-    /// Skips the rest of a condition, the `)` included. A body in braces may follow even where the
-    /// `)` is missing.
+    /// Skips the rest of a condition including the `)`. A braced body may follow even if the `)` is
+    /// missing.
     fn skip_condition(&mut self) -> Parsed<()> {
         self.skip_to_close();
         let is_closed = self.eat(TokenKind::RightParen).is_some();
@@ -281,7 +281,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The statement that an `if` or a loop holds.
+    /// Parses the body of an `if` or loop.
     fn body(&mut self) -> Parsed<StmtId> {
         if self.is(TokenKind::End) || self.is(TokenKind::RightBrace) {
             let d = self.error_here(error::SYNTAX_ERROR, "expected a statement");
@@ -297,7 +297,7 @@ impl Parser<'_> {
     fn for_statement(&mut self) -> Parsed<StmtKind> {
         self.advance();
         let open = self.id();
-        self.expect(TokenKind::LeftParen, "`(` behind `for`")?;
+        self.expect(TokenKind::LeftParen, "`(` after `for`")?;
         let mark = self.tree.exprs.len();
         match self.for_header(open) {
             Ok((init, condition, step)) => {
@@ -310,7 +310,7 @@ impl Parser<'_> {
                 })
             }
             Err(Reported) => {
-                // The names it declares are unknown, so its body cannot be judged.
+                // The names it declares are unknown, so its body cannot be checked.
                 self.tree.exprs.truncate(mark);
                 self.skip_to_close();
                 self.eat(TokenKind::RightParen).ok_or(Reported)?;
@@ -331,7 +331,7 @@ impl Parser<'_> {
             StmtKind::Decl(self.declaration()?)
         } else {
             let expr = self.root_expression()?;
-            self.expect(TokenKind::Semicolon, "`;` behind the loop's start")?;
+            self.expect(TokenKind::Semicolon, "`;` after the loop initializer")?;
             StmtKind::Expr(expr)
         };
         let init = self.push_stmt(init, first);
@@ -340,7 +340,7 @@ impl Parser<'_> {
         } else {
             Some(self.loop_condition()?)
         };
-        self.expect(TokenKind::Semicolon, "`;` behind the loop's condition")?;
+        self.expect(TokenKind::Semicolon, "`;` after the loop condition")?;
         let step = if self.is(TokenKind::RightParen) {
             None
         } else {
@@ -350,7 +350,7 @@ impl Parser<'_> {
         Ok((init, condition, step))
     }
 
-    /// An expression, or `bool go = ...`.
+    /// Parses an expression or `bool go = ...`.
     fn loop_condition(&mut self) -> Parsed<StmtId> {
         let first = self.id();
         let kind = if self.at_declaration() {
@@ -364,7 +364,7 @@ impl Parser<'_> {
     fn while_statement(&mut self) -> Parsed<StmtKind> {
         self.advance();
         let open = self.id();
-        self.expect(TokenKind::LeftParen, "`(` behind `while`")?;
+        self.expect(TokenKind::LeftParen, "`(` after `while`")?;
         let first = self.id();
         let condition = match self.loop_condition() {
             Ok(condition) => {
@@ -384,7 +384,7 @@ impl Parser<'_> {
     fn do_statement(&mut self) -> Parsed<StmtKind> {
         self.advance();
         let body = self.body()?;
-        self.expect(TokenKind::While, "`while` behind the body of `do`")?;
+        self.expect(TokenKind::While, "`while` after the `do` body")?;
         let condition = self.condition_in_parens("while")?;
         self.semicolon()?;
         Ok(StmtKind::Do { body, condition })

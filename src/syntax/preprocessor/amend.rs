@@ -1,4 +1,4 @@
-//! What to write in the place of a directive that cannot be read.
+//! Fixes for malformed directives.
 
 use super::Preprocessor;
 use super::macros::Piece;
@@ -7,7 +7,7 @@ use crate::token::TokenKind;
 use shaderlint_diagnostic::Fix;
 use shaderlint_text::{Edit, Span};
 
-/// The directives of the language.
+/// All directives of GLSL.
 pub const DIRECTIVES: [&str; 13] = [
     "define",
     "undef",
@@ -24,7 +24,7 @@ pub const DIRECTIVES: [&str; 13] = [
     "line",
 ];
 
-/// What other languages call a directive, or an operator of conditions, and what GLSL has.
+/// Names of directives and condition operators in other languages, with the GLSL equivalent.
 const FOREIGN: [(&str, &str); 10] = [
     ("elseif", "elif"),
     ("elsif", "elif"),
@@ -38,7 +38,7 @@ const FOREIGN: [(&str, &str); 10] = [
     ("not", "!"),
 ];
 
-/// The directive that a word is meant to be.
+/// The directive that a misspelt or foreign word probably stands for.
 pub(super) fn meant(word: &str) -> Option<&'static str> {
     let lower = word.to_ascii_lowercase();
     if let Some((_, known)) = FOREIGN.iter().find(|(foreign, _)| *foreign == lower) {
@@ -52,7 +52,7 @@ pub(super) fn meant(word: &str) -> Option<&'static str> {
 }
 
 impl Preprocessor<'_> {
-    /// `#ifdef A && B` as `#if defined(A) && defined(B)`.
+    /// Rewrites `#ifdef A && B` as `#if defined(A) && defined(B)`.
     pub(super) fn as_condition(
         &self,
         span: Span,
@@ -88,17 +88,16 @@ impl Preprocessor<'_> {
             }
             wants_name = !wants_name;
         }
-        let title = format!("write `{out}`");
+        let title = format!("use `{out}`");
         (!wants_name).then(|| Fix::safe(title, vec![Edit::replace(span, out)]))
     }
 
-    /// What makes a condition whole that cannot go on with the token at `at`.
+    /// A fix for a condition that has an unexpected token at `at`.
     pub(super) fn mend_condition(&self, rest: &[Piece], at: Span) -> Option<Fix> {
         let index = rest.iter().position(|p| p.token.span == at)?;
         let piece = rest.get(index)?;
         let text = self.sources.text(at);
-        let write =
-            |what: &str| Fix::safe(format!("write `{what}`"), vec![Edit::replace(at, what)]);
+        let write = |what: &str| Fix::safe(format!("use `{what}`"), vec![Edit::replace(at, what)]);
         match piece.token.kind {
             TokenKind::Equal => return Some(write("==")),
             TokenKind::Float => {
@@ -106,7 +105,7 @@ impl Preprocessor<'_> {
                 return Some(write(digits));
             }
             TokenKind::Semicolon if index + 1 == rest.len() => {
-                return Some(Fix::safe("take it out", vec![Edit::delete(at)]));
+                return Some(Fix::safe("remove `;`", vec![Edit::delete(at)]));
             }
             TokenKind::Identifier => {
                 let foreign = FOREIGN.iter().find(|(word, _)| *word == text);
@@ -117,13 +116,13 @@ impl Preprocessor<'_> {
             TokenKind::Int | TokenKind::Not | TokenKind::LeftParen => {}
             _ => return None,
         }
-        // A second operand.
+        // A second operand without an operator.
         index
             .checked_sub(1)
-            .map(|_| Fix::suggestion("put `&&` between them", vec![Edit::insert(at.start, "&& ")]))
+            .map(|_| Fix::suggestion("add `&&`", vec![Edit::insert(at.start, "&& ")]))
     }
 
-    /// `and`, `or` and `not` in a condition.
+    /// A fix for `and`, `or` and `not` in a condition.
     pub(super) fn foreign_operator(&self, rest: &[Piece], at: Span) -> Option<Fix> {
         let text = self.sources.text(at);
         let is_operator = FOREIGN
@@ -136,7 +135,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// `#define F(float x, int y)`: C functions' types in a macro's parameters.
+    /// Removes the types from `#define F(float x, int y)`.
     pub(super) fn without_types(&self, rest: &[Piece]) -> Option<Fix> {
         let is_type = |p: &Piece| {
             p.token.kind == TokenKind::Identifier
@@ -161,6 +160,6 @@ impl Preprocessor<'_> {
                 )));
             }
         }
-        (!edits.is_empty()).then(|| Fix::safe("take the types out", edits))
+        (!edits.is_empty()).then(|| Fix::safe("remove the types", edits))
     }
 }

@@ -4,30 +4,31 @@ use super::macros::Piece;
 use crate::token::TokenKind;
 use shaderlint_text::Span;
 
-/// How deep parentheses and unary operators may nest.
+/// Maximum nesting of parentheses and unary operators.
 const MAX_DEPTH: u32 = 1_000;
 
-/// Why an expression has no value.
+/// Why an expression cannot be evaluated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ConditionProblem {
-    /// There is nothing to evaluate.
+    /// The expression is empty.
     Empty,
-    /// A name that no macro defines, where its value counts.
+    /// A name that is not defined as a macro, in an operand that is evaluated.
     Undefined(Span),
-    /// Not what can stand here.
+    /// A token that is not allowed here.
     Unexpected(Span),
-    /// Something ends too early.
+    /// The expression ends too early.
     Incomplete(Span),
-    /// `/` or `%` by zero.
+    /// Division or remainder by zero.
     DivisionByZero(Span),
-    /// A shift by less than 0 or more than 31.
+    /// A shift by a negative number or by more than 31.
     Shift(Span),
     /// Nested too deeply.
     TooDeep(Span),
 }
 
-/// Value of the fully expanded tokens of a condition. Operands that `&&` and `||` leave out may
-/// hold undefined names and divisions by zero, as in the browser.
+/// Evaluates the fully expanded tokens of a condition. Operands skipped by `&&` and `
+///
+/// ` may contain undefined names and divisions by zero, as in the browser.
 pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, ConditionProblem> {
     if pieces.is_empty() {
         return Err(ConditionProblem::Empty);
@@ -44,7 +45,8 @@ pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, ConditionProblem> {
     }
 }
 
-/// Value of the first expression, and how many tokens it took: for `#line`, which may hold two.
+/// Evaluates the first expression and returns how many tokens it used; for `#line`, which may have
+/// two.
 pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), ConditionProblem> {
     if pieces.is_empty() {
         return Err(ConditionProblem::Empty);
@@ -61,7 +63,7 @@ pub(super) fn evaluate_prefix(pieces: &[Piece]) -> Result<(i32, usize), Conditio
 struct ConditionParser<'a> {
     pieces: &'a [Piece],
     at: usize,
-    /// Over 0 inside an operand whose value does not count.
+    /// Greater than 0 inside an operand that is not evaluated.
     skipping: u32,
 }
 
@@ -166,7 +168,7 @@ impl ConditionParser<'_> {
     }
 }
 
-/// Operators by binding power, the loosest first. `^^` does not exist here.
+/// Binary operators with their binding power, loosest first. `^^` is not allowed here.
 fn infix(kind: TokenKind) -> Option<(TokenKind, u8)> {
     use TokenKind::*;
     let power = match kind {

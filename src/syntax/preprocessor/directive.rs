@@ -11,7 +11,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
 use shaderlint_text::{Edit, Role, Span};
 
-/// Extensions that a WebGL2 context knows without being asked, measured in Chromium.
+/// Extensions that are predefined in a WebGL2 context, measured in Chromium.
 pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [
     "GL_OES_EGL_image_external",
     "GL_OES_EGL_image_external_essl3",
@@ -26,7 +26,7 @@ const CORE_EXTENSIONS: [&str; 4] = [
 ];
 
 impl Preprocessor<'_> {
-    /// Defines the macros that the language has from the start.
+    /// Defines the predefined macros of the language.
     pub(super) fn define_predefined(&mut self) {
         for (name, value) in [
             ("GL_ES", 1),
@@ -70,7 +70,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Reads the directive whose `#` stands at `hash`, up to the end of its line.
+    /// Parses the directive that starts with the `#` at `hash`, up to the end of its line.
     #[inline(never)]
     pub(super) fn directive(&mut self, hash: Span) {
         let mut line = Vec::new();
@@ -138,13 +138,15 @@ impl Preprocessor<'_> {
     fn unknown_directive(&mut self, span: Span, first: &Piece) {
         let text = self.raw_text(first.token.span);
         let text: String = text.chars().take(40).collect();
-        let message = format!("there is no directive `#{text}`");
+        let message = format!("unknown directive `#{text}`");
         let mut d = error_at(error::BAD_DIRECTIVE, span, message);
         if text == "include" || text == "import" {
-            d = d.note("GLSL ES cannot include files: put the text in before it is compiled");
+            d = d.note(
+                "GLSL ES cannot include files; insert their text before compiling the shader",
+            );
         } else if let Some(near) = meant(&text) {
             let edit = Edit::replace(first.token.span, near);
-            d = d.fix(Fix::safe(format!("write `#{near}`"), vec![edit]));
+            d = d.fix(Fix::safe(format!("did you mean `#{near}`?"), vec![edit]));
         }
         self.report(d);
     }
@@ -153,26 +155,26 @@ impl Preprocessor<'_> {
         self.expected_or(span, rest, what, None);
     }
 
-    /// Reports what is missing, with what to write.
+    /// Reports a missing part of a directive, with an optional fix.
     pub(super) fn expected_or(&mut self, span: Span, rest: &[Piece], what: &str, fix: Option<Fix>) {
         let at = rest.first().map_or(span.after(), |p| p.token.span);
         let message = format!("expected {what}");
         self.report(error_at(error::BAD_DIRECTIVE, at, message).fix(fix));
     }
 
-    /// Reports what stands behind the end of a directive.
+    /// Reports tokens after the end of a directive.
     pub(super) fn expect_end(&mut self, rest: &[Piece], directive: &str) {
         self.expect_end_or(rest, directive, None);
     }
 
-    /// Reports what stands behind the end of a directive, with what to write.
+    /// Reports tokens after the end of a directive, with an optional fix.
     pub(super) fn expect_end_or(&mut self, rest: &[Piece], directive: &str, fix: Option<Fix>) {
         if let Some(first) = rest.first() {
             let last = rest.last().unwrap_or(first);
             let span = first.token.span.to(last.token.span);
-            let message = format!("nothing may stand behind `#{directive}`");
+            let message = format!("extra tokens at the end of `#{directive}`");
             let fix = fix.unwrap_or_else(|| {
-                Fix::safe("make it a comment", vec![Edit::insert(span.start, "// ")])
+                Fix::safe("comment them out", vec![Edit::insert(span.start, "// ")])
             });
             self.report(error_at(error::BAD_DIRECTIVE, span, message).fix(fix));
         }
@@ -180,13 +182,13 @@ impl Preprocessor<'_> {
 
     fn define(&mut self, span: Span, rest: &[Piece]) {
         let Some((first, rest)) = rest.split_first() else {
-            return self.expected(span, &[], "the macro's name behind `#define`");
+            return self.expected(span, &[], "a macro name after `#define`");
         };
         if first.token.kind != TokenKind::Identifier {
             return self.expected(
                 span,
                 std::slice::from_ref(first),
-                "the macro's name behind `#define`",
+                "a macro name after `#define`",
             );
         }
         let name = Name(first.token.value);
@@ -236,10 +238,10 @@ impl Preprocessor<'_> {
         let d = error_at(
             error::MACRO_REDEFINITION,
             definition.name_span,
-            format!("macro `{name}` is defined again, and differently"),
+            format!("conflicting definitions of macro `{name}`"),
         )
-        .mark("second definition")
-        .label(previous.name_span, "first definition")
+        .mark("redefined here")
+        .label(previous.name_span, "first defined here")
         .fix(self.undefine_before(name, definition.name_span));
         self.report(d);
     }
@@ -249,7 +251,7 @@ impl Preprocessor<'_> {
         let before = self.text.get(..before).unwrap_or("");
         let line = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
         let edit = Edit::insert(self.base + line as u32, format!("#undef {name}\n"));
-        Fix::suggestion(format!("put `#undef {name}` before it"), vec![edit])
+        Fix::suggestion(format!("add `#undef {name}` before it"), vec![edit])
     }
 
     fn check_macro_name(&mut self, name: Name, span: Span) -> bool {
@@ -259,11 +261,11 @@ impl Preprocessor<'_> {
             .and_then(|id| self.macros.get(id.0 as usize))
             .is_some_and(|m| m.predefined);
         let why = if is_predefined {
-            "the language defines it"
+            "it is predefined by the language"
         } else if text.starts_with("GL_") {
-            "names that start with `GL_` belong to the language"
+            "names that start with `GL_` are reserved"
         } else if text == "defined" {
-            "it is the operator of `#if`"
+            "`defined` is an operator of `#if`"
         } else {
             return true;
         };
@@ -272,7 +274,7 @@ impl Preprocessor<'_> {
         false
     }
 
-    /// Reads `a, b)` and gives the parameters and what stands behind.
+    /// Parses `a, b)` and returns the parameters and the tokens after them.
     fn params<'p>(
         &mut self,
         span: Span,
@@ -290,19 +292,19 @@ impl Preprocessor<'_> {
             let (first, more) = match rest.split_first() {
                 Some((first, more)) if first.token.kind == TokenKind::Identifier => (first, more),
                 _ => {
-                    self.expected(span, rest, "a parameter's name");
+                    self.expected(span, rest, "a parameter name");
                     return None;
                 }
             };
             let name = Name(first.token.value);
             if !seen.insert(name) {
-                let message = format!("parameter `{}` stands twice", self.names.text(name));
+                let message = format!("duplicate macro parameter `{}`", self.names.text(name));
                 self.report(error_at(error::BAD_DIRECTIVE, first.token.span, message));
                 return None;
             }
             params.push(name);
             match more.split_first() {
-                // A comma may stand before the `)`.
+                // A comma may precede the `)`.
                 Some((p, [close, behind @ ..]))
                     if p.token.kind == TokenKind::Comma
                         && close.token.kind == TokenKind::RightParen =>
@@ -315,7 +317,7 @@ impl Preprocessor<'_> {
                 }
                 _ => {
                     let close = || Edit::insert(first.token.span.end, ")");
-                    let close = || Fix::suggestion("put `)` here", vec![close()]);
+                    let close = || Fix::suggestion("add `)`", vec![close()]);
                     let fix = self.without_types(all).unwrap_or_else(close);
                     self.expected_or(span, more, "`,` or `)`", Some(fix));
                     return None;
@@ -329,7 +331,7 @@ impl Preprocessor<'_> {
             .split_first()
             .filter(|(p, _)| p.token.kind == TokenKind::Identifier)
         else {
-            return self.expected(span, rest, "the macro's name behind `#undef`");
+            return self.expected(span, rest, "a macro name after `#undef`");
         };
         let name = Name(first.token.value);
         if let Some(MacroId(id)) = self.macro_named(name)
@@ -339,10 +341,9 @@ impl Preprocessor<'_> {
             if definition.predefined {
                 let message = format!("`{text}` cannot be undefined");
                 let d = error_at(error::RESERVED_MACRO, first.token.span, message);
-                self.report(d.note("the language defines it"));
+                self.report(d.note("it is predefined by the language"));
             } else if definition.is_open() {
-                let message =
-                    format!("macro `{text}` is undefined while a call of it is being read");
+                let message = format!("macro `{text}` is undefined during its own expansion");
                 self.report(error_at(error::BAD_DIRECTIVE, first.token.span, message));
             } else if let Some(slot) = self.macro_of.get_mut(name.0 as usize) {
                 *slot = 0;
@@ -371,7 +372,7 @@ impl Preprocessor<'_> {
             Some((&"STDGL", more)) => (true, more),
             _ => (false, words.as_slice()),
         };
-        // What does not look like a pragma of the language is none, and nobody's business.
+        // Other pragmas are implementation-defined and ignored.
         let value = rest
             .get(2)
             .filter(|p| p.token.kind == TokenKind::Identifier);
@@ -381,14 +382,14 @@ impl Preprocessor<'_> {
                 if !self.is_fragment || self.version.has(Feature::InvariantInputs) {
                     return;
                 }
-                "`#pragma STDGL invariant(all)` cannot stand in a fragment shader"
+                "`#pragma STDGL invariant(all)` is not allowed in a fragment shader"
             }
             _ if is_standard => return,
             ["optimize" | "debug", "(", "on" | "off", ")"] => return,
             ["optimize" | "debug", "(", _, ")"] if value.is_some() => {
-                "this pragma takes `on` or `off`"
+                "this pragma expects `on` or `off`"
             }
-            ["optimize" | "debug"] => "this pragma takes `on` or `off`",
+            ["optimize" | "debug"] => "this pragma expects `on` or `off`",
             _ => return,
         };
         self.report(error_at(error::BAD_DIRECTIVE, span, message));
@@ -407,9 +408,9 @@ impl Preprocessor<'_> {
             let d = error_at(
                 error::EXTENSION_PLACEMENT,
                 span,
-                "`#extension` stands behind code",
+                "`#extension` must come before any code",
             )
-            .note("it must come before everything but other directives and comments (section 3.4)");
+            .note("only directives and comments may come before it (section 3.4)");
             self.report(d);
         }
         self.out.extensions.push(ExtensionUse {
@@ -422,15 +423,13 @@ impl Preprocessor<'_> {
             self.names.text(behavior).to_string(),
         );
         let message = match how.as_str() {
-            "require" if text == "all" => "`all` cannot be required".to_string(),
-            "enable" if text == "all" => "`all` cannot be enabled".to_string(),
+            "require" if text == "all" => "`all` cannot be combined with `require`".to_string(),
+            "enable" if text == "all" => "`all` cannot be combined with `enable`".to_string(),
             "require" if !KNOWN_EXTENSIONS.contains(&text.as_str()) => {
-                format!("WebGL2 has no extension `{text}` for shaders")
+                format!("WebGL2 has no shader extension `{text}`")
             }
             "require" | "enable" | "warn" | "disable" => return,
-            _ => format!(
-                "`{how}` is no behavior; there are `require`, `enable`, `warn` and `disable`"
-            ),
+            _ => format!("expected `require`, `enable`, `warn` or `disable`, found `{how}`"),
         };
         let d = error_at(error::UNKNOWN_EXTENSION, span, message);
         let is_core =
@@ -444,8 +443,8 @@ impl Preprocessor<'_> {
             false => span,
         };
         self.report(
-            d.note("GLSL ES 3.00 has what it added to WebGL1 built in")
-                .fix(Fix::safe("take it out", vec![Edit::delete(gone)])),
+            d.note("its features are built into GLSL ES 3.00")
+                .fix(Fix::safe("remove the directive", vec![Edit::delete(gone)])),
         );
     }
 
@@ -456,7 +455,7 @@ impl Preprocessor<'_> {
             is_int && p.token.value > i32::MAX as u32
         };
         if let Some(large) = pieces.iter().find(is_large) {
-            let message = "a number behind `#line` is larger than 2147483647";
+            let message = "number in `#line` is larger than 2147483647";
             let d = error_at(error::INVALID_NUMBER, large.token.span, message);
             return self.report_token(d, &large.token);
         }
@@ -467,9 +466,9 @@ impl Preprocessor<'_> {
             let d = error_at(
                 error::BAD_DIRECTIVE,
                 span,
-                "`#line` takes numbers, not a file's name",
+                "`#line` expects numbers, not a file name",
             );
-            return self.report(d.help("write `#line 10` or `#line 10 1`"));
+            return self.report(d.help("use `#line 10` or `#line 10 1`"));
         }
         let result = evaluate_prefix(&pieces).and_then(|(line, taken)| {
             match pieces.get(taken..).unwrap_or(&[]) {
@@ -487,14 +486,14 @@ impl Preprocessor<'_> {
                 self.report(error_at(
                     error::BAD_DIRECTIVE,
                     span,
-                    "`#line` needs a line number",
+                    "expected a line number after `#line`",
                 ));
             }
             Err(problem) => self.report_condition(span, &[], problem),
         }
     }
 
-    /// The count of lines may not pass the largest `int` before `#line` sets it anew.
+    /// The line number must not exceed the largest `int` before the next `#line`.
     fn check_line_count(&mut self, span: Span, line: i32) {
         let left = (i32::MAX - line.max(0)) as usize;
         let rest = self
@@ -513,7 +512,7 @@ impl Preprocessor<'_> {
         let before_next = behind.position(sets_it).map(|i| i + 1);
         let count = before_next.unwrap_or_else(|| rest.matches('\n').count());
         if count > left {
-            let message = "the lines behind `#line` pass number 2147483647";
+            let message = "line numbers after `#line` exceed 2147483647";
             self.report(error_at(error::INVALID_NUMBER, span, message));
         }
     }

@@ -40,7 +40,7 @@ impl Preprocessor<'_> {
             self.groups.push(group);
         } else if !self.gave_up {
             self.gave_up = true;
-            let d = error_at(error::BROWSER_LIMIT, span, "too many `#if` are open");
+            let d = error_at(error::BROWSER_LIMIT, span, "too many nested `#if`");
             self.report(d);
         }
     }
@@ -52,10 +52,10 @@ impl Preprocessor<'_> {
         else {
             let always = format!("#if {}", (directive == "ifdef") as u8);
             let fix = rest.is_empty().then(|| {
-                let title = format!("give it a condition, such as `{always}`");
+                let title = format!("use a condition, such as `{always}`");
                 Fix::suggestion(title, vec![Edit::replace(span, always)])
             });
-            self.expected_or(span, rest, &format!("a name behind `#{directive}`"), fix);
+            self.expected_or(span, rest, &format!("a name after `#{directive}`"), fix);
             return false;
         };
         let defined = self.ask_defined(Name(first.token.value));
@@ -97,7 +97,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Whether a condition asks for a name that nothing defines, and that a host may define.
+    /// Whether a condition tests a name that is not defined here but may be defined by a host.
     fn is_undecided(&self, condition: &[Piece]) -> bool {
         condition.iter().any(|p| {
             let name = Name(p.token.value);
@@ -107,7 +107,7 @@ impl Preprocessor<'_> {
         })
     }
 
-    /// Notes that a macro is defined, which may make the group at hand an include guard.
+    /// Records a macro definition, which may make the current group an include guard.
     pub(super) fn note_definition(&mut self, definition: &Macro) {
         if definition.body.is_empty()
             && definition.params.is_none()
@@ -118,7 +118,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Notes a group that ends at an address.
+    /// Records a group that ends at an address.
     pub(super) fn close_group(&mut self, group: &ConditionGroup, end: u32) {
         if group.is_undecided && end >= group.start.start {
             self.out.undecided.push(Span::new(group.start.start, end));
@@ -141,7 +141,7 @@ impl Preprocessor<'_> {
         let goes_on = rest.first().filter(|p| self.raw_text(p.token.span) == "if");
         let fix = goes_on.map(|p| {
             let word = Span::new(span.start, p.token.span.end);
-            Fix::safe("write `#elif`", vec![Edit::replace(word, "#elif")])
+            Fix::safe("use `#elif`", vec![Edit::replace(word, "#elif")])
         });
         self.expect_end_or(rest, "else", fix);
     }
@@ -158,19 +158,20 @@ impl Preprocessor<'_> {
     }
 
     pub(super) fn without_if(&mut self, word: &str, span: Span) {
-        let message = format!("`#{word}` has no `#if`");
+        let message = format!("`#{word}` without a matching `#if`");
         let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
-        self.report(d.fix(Fix::suggestion("take it out", vec![Edit::delete(span)])));
+        let title = format!("remove `#{word}`");
+        self.report(d.fix(Fix::suggestion(title, vec![Edit::delete(span)])));
     }
 
     pub(super) fn behind_else(&mut self, word: &str, span: Span, at: Span) {
-        let message = format!("`#{word}` stands behind `#else`");
+        let message = format!("`#{word}` after `#else`");
         let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
-        let fix = Fix::suggestion("take it out", vec![Edit::delete(span)]);
-        self.report(d.label(at, "the `#else` is here").fix(fix));
+        let fix = Fix::suggestion(format!("remove `#{word}`"), vec![Edit::delete(span)]);
+        self.report(d.label(at, "`#else` here").fix(fix));
     }
 
-    /// Value of the condition of `#if` or `#elif`; false where it has none, which is reported.
+    /// Evaluates the condition of `#if` or `#elif`; reports errors and returns false for them.
     pub(super) fn condition(&mut self, span: Span, rest: &[Piece]) -> bool {
         let Some(pieces) = self.resolve_defined(span, rest) else {
             return false;
@@ -198,7 +199,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// Puts 0 or 1 in the place of `defined X` and `defined(X)`, before macros are expanded.
+    /// Replaces `defined X` and `defined(X)` with 0 or 1 before macros are expanded.
     pub(super) fn resolve_defined(&mut self, span: Span, line: &[Piece]) -> Option<Vec<Piece>> {
         let mut out = Vec::with_capacity(line.len());
         let mut rest = line;
@@ -220,7 +221,7 @@ impl Preprocessor<'_> {
                     (name, behind)
                 }
                 _ => {
-                    self.expected(span, rest, "a name behind `defined`");
+                    self.expected(span, rest, "a name after `defined`");
                     return None;
                 }
             };
@@ -245,36 +246,41 @@ impl Preprocessor<'_> {
         problem: ConditionProblem,
     ) {
         let (span, message, note) = match problem {
-            ConditionProblem::Empty => (directive, "this has no condition".to_string(), None),
+            ConditionProblem::Empty => (
+                directive,
+                "missing preprocessor condition".to_string(),
+                None,
+            ),
             ConditionProblem::Undefined(span) => {
                 let name = self.sources.text(span);
-                let note =
-                    "in C an undefined name counts as 0; GLSL ES makes it an error (section 3.4)";
-                (span, format!("no macro `{name}` is defined"), Some(note))
+                let note = "an undefined name is an error in GLSL ES, not 0 as in C (section 3.4)";
+                (span, format!("macro `{name}` is not defined"), Some(note))
             }
             ConditionProblem::Unexpected(span) => {
                 let text = self.sources.text(span);
-                let note = "a condition is made of integers, macros and operators";
+                let note = "preprocessor expressions consist of integers, macros and operators";
                 (
                     span,
-                    format!("`{text}` cannot stand in a condition"),
+                    format!("unexpected `{text}` in a preprocessor expression"),
                     Some(note),
                 )
             }
             ConditionProblem::Incomplete(span) => {
-                (span, "the condition ends too early".to_string(), None)
+                (span, "incomplete preprocessor expression".to_string(), None)
             }
-            ConditionProblem::DivisionByZero(span) => {
-                (span, "this divides by zero".to_string(), None)
-            }
+            ConditionProblem::DivisionByZero(span) => (
+                span,
+                "division by zero in a preprocessor expression".to_string(),
+                None,
+            ),
             ConditionProblem::Shift(span) => (
                 span,
-                "this shifts by less than 0 or more than 31 bits".to_string(),
+                "shift by a negative number or by more than 31 bits".to_string(),
                 None,
             ),
             ConditionProblem::TooDeep(span) => (
                 span,
-                "this condition is nested too deeply".to_string(),
+                "preprocessor expression is nested too deeply".to_string(),
                 None,
             ),
         };
@@ -284,14 +290,14 @@ impl Preprocessor<'_> {
             ConditionProblem::Unexpected(at) => self.mend_condition(rest, at),
             ConditionProblem::Undefined(at) => self.foreign_operator(rest, at),
             ConditionProblem::Empty if self.sources.text(directive).ends_with("elif") => Some(
-                Fix::suggestion("write `#else`", vec![Edit::replace(directive, "#else")]),
+                Fix::suggestion("use `#else`", vec![Edit::replace(directive, "#else")]),
             ),
             _ => None,
         };
         if let ConditionProblem::Undefined(span) = problem {
             let name = self.sources.text(span);
             d = d.help(format!(
-                "ask `#ifdef {name}`, or `#if defined({name}) && {name} ...`"
+                "use `#ifdef {name}` or `#if defined({name}) && {name} ...`"
             ));
         }
         self.report(d);

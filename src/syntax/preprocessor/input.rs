@@ -1,22 +1,22 @@
-//! Where the expansion of macros takes its tokens from.
+//! Sources of tokens for macro expansion.
 
 use super::{Piece, Preprocessor, end_token};
 use crate::token::TokenKind;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// Where tokens come from.
+/// A source of tokens.
 pub(super) enum Input {
-    /// The files.
+    /// The source files.
     Files,
-    /// A stretch of a list.
+    /// A range of a token list.
     Pieces(Rc<List>, Range<usize>),
 }
 
-/// Tokens that are read where they lie, however deep calls stand in one another in them.
+/// A token list that nested macro calls read without copying.
 pub(super) struct List {
     pub pieces: Vec<Piece>,
-    /// For each left parenthesis the index of the one that closes it; for all else 0.
+    /// For each left parenthesis, the index of the matching right one; 0 for other tokens.
     closing: Vec<u32>,
 }
 
@@ -46,7 +46,7 @@ impl List {
 }
 
 impl Input {
-    /// All of a list.
+    /// An input over a whole list.
     pub fn of(pieces: Vec<Piece>) -> Input {
         let all = 0..pieces.len();
         Input::Pieces(Rc::new(List::new(pieces)), all)

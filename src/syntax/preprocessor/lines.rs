@@ -1,30 +1,30 @@
-//! The compiler's number of a line, which goes on through all texts; `#line` sets it.
+//! Line numbers as the compiler counts them, across all files and changed by `#line`.
 
 use shaderlint_text::Sources;
 
-/// The count of lines. Nothing is counted before `__LINE__` asks, which few shaders do.
+/// Line counter. It computes nothing until `__LINE__` is used, which is rare.
 #[derive(Default)]
 pub(super) struct LineCount {
-    /// The texts since the start or the last `#line`, of which the last is being read.
+    /// The texts since the start or the last `#line`; the last one is current.
     texts: Vec<CountedText>,
-    /// How far the compiler's count is ahead of the file's own in the first of them, as `#line` says;
-    /// without one the first line that is compiled is 1.
+    /// Offset of the compiler's line number from the line in the file, for the first of these
+    /// texts, as set by `#line`; without one, the first compiled line is 1.
     shift: Option<i64>,
-    /// The number of the text that is being read: 0, or what `#line` says.
+    /// Number of the current source string: 0, or the value from `#line`.
     file: i32,
 }
 
-/// A text whose lines count.
+/// A text that contributes to the line count.
 #[derive(Clone, Copy)]
 struct CountedText {
     start: u32,
     end: u32,
-    /// Whether a line break comes between it and the next, as behind each Common.
+    /// Whether a line break separates it from the next text, as after each Common pass.
     is_ended: bool,
 }
 
 impl LineCount {
-    /// A text comes next, from one address to another.
+    /// Adds the next text, given by its address range.
     pub(super) fn go_on(&mut self, start: u32, end: u32, is_ended: bool) {
         self.texts.push(CountedText {
             start,
@@ -33,7 +33,8 @@ impl LineCount {
         });
     }
 
-    /// `#line` gives a line of the text that is being read another number, and maybe the text itself.
+    /// `#line` sets the number of a line in the current text, and optionally the source string
+    /// number.
     pub(super) fn set(&mut self, sources: &Sources, address: u32, number: i64, file: Option<i32>) {
         self.file = file.unwrap_or(self.file);
         self.shift = Some(number - own_line(sources, address));
@@ -41,12 +42,12 @@ impl LineCount {
         self.texts.drain(..before);
     }
 
-    /// The number of the text that is being read.
+    /// Number of the current source string.
     pub(super) fn file(&self) -> i32 {
         self.file
     }
 
-    /// The number of the line of an address in the text that is being read.
+    /// Line number of an address in the current text.
     pub(super) fn at(&self, sources: &Sources, address: u32) -> i64 {
         let first = self.texts.first().map_or(0, |text| text.start);
         let mut shift = self.shift.unwrap_or_else(|| 1 - own_line(sources, first));
@@ -60,7 +61,7 @@ impl LineCount {
     }
 }
 
-/// The line of an address in its file.
+/// Line of an address within its own file.
 fn own_line(sources: &Sources, address: u32) -> i64 {
     let file = sources.file_at(address);
     file.map_or(0, |f| f.position(address).line as i64)

@@ -1,8 +1,8 @@
 //! Macro definitions and their expansion (GLSL ES 3.00 section 3.4).
 //!
-//! The expansion follows ANGLE's `MacroExpander`, whose answers are the ones a browser gives: a
-//! stack of replacement lists, a macro disabled while its own list is being read, arguments
-//! expanded alone before they are put in.
+//! Expansion follows ANGLE's `MacroExpander`, so results match the browser: a stack of replacement
+//! lists, macros disabled while their own list is active, and arguments expanded separately before
+//! substitution.
 
 use super::{Input, List, MAX_GATHERED, Preprocessor, bad, error_at};
 use crate::names::Name;
@@ -12,30 +12,29 @@ use shaderlint_text::{Sources, Span};
 use std::ops::Range;
 use std::rc::Rc;
 
-/// Longest replacement lists that may be open at once, in tokens; ANGLE's number.
+/// Maximum total length of open replacement lists, in tokens; same as ANGLE.
 const MAX_OPEN_TOKENS: usize = 10_000;
-/// How deep macro calls may stand in the arguments of macro calls; ANGLE's number is 1,000.
+/// Maximum nesting of macro calls in arguments; ANGLE uses 1,000.
 const MAX_ARGUMENT_DEPTH: u32 = 1_000;
 
 /// Index of a [`Macro`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct MacroId(pub u32);
 
-/// A `#define`.
+/// A macro definition, user-defined or predefined.
 #[derive(Debug)]
 pub struct Macro {
-    /// Its name.
+    /// Name of the macro.
     pub name: Name,
-    /// The name in the `#define`; empty for a predefined macro.
+    /// Span of the name in the `#define`; empty for a predefined macro.
     pub name_span: Span,
     /// Parameters of a function-like macro.
     pub params: Option<Vec<Name>>,
-    /// The replacement list. A token's `expansion` is the index of the parameter it stands for, or
-    /// [`Token::DIRECT`].
+    /// Replacement list. A token's `expansion` is the index of its parameter, or [`Token::DIRECT`].
     pub body: Vec<Piece>,
-    /// Whether the language defines it.
+    /// Whether it is predefined by the language.
     pub predefined: bool,
-    /// How many calls were expanded or asked for by `#ifdef` and its kin.
+    /// Number of expansions and of tests by `#ifdef` and `defined`.
     pub uses: u32,
     disabled: bool,
     open_calls: u32,
@@ -55,14 +54,14 @@ impl Macro {
         }
     }
 
-    /// Whether a call of it is being read right now.
+    /// Whether a call of it is being expanded.
     pub(super) fn is_open(&self) -> bool {
         self.open_calls > 0
     }
 
-    /// Whether `other` is the same definition, so that stating it again is no error.
+    /// Whether `other` is an identical definition, so that repeating it is not an error.
     pub(super) fn same_as(&self, other: &Macro, sources: &Sources) -> bool {
-        // Numbers of one value count as different where they are written differently.
+        // Equal numbers in different notation count as different.
         let same_text = |a: &Token, b: &Token| sources.text(a.span) == sources.text(b.span);
         self.params == other.params
             && self.body.len() == other.body.len()
@@ -73,30 +72,30 @@ impl Macro {
     }
 }
 
-/// A token on its way through the preprocessor.
+/// A token inside the preprocessor.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Piece {
-    /// The token; words are all `Identifier` until they leave the preprocessor.
+    /// The token; all words are `Identifier` until they leave the preprocessor.
     pub token: Token,
-    /// Whether blanks stand before it.
+    /// Whether whitespace precedes it.
     pub space: bool,
-    /// Whether it is a macro's name that must not be expanded any more.
+    /// Whether it names a macro that must not be expanded again.
     pub(super) frozen: bool,
 }
 
 /// One expanded call of a macro.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Expansion {
-    /// The macro.
+    /// The macro that was called.
     pub definition: MacroId,
-    /// Name to closing parenthesis, as far as they stand in the text; for a call inside another
-    /// macro's body the name there.
+    /// The call from its name to the closing parenthesis in the source; for a call inside another
+    /// macro's body, only the name there.
     pub call: Span,
-    /// The expansion whose result holds the call, or [`Token::DIRECT`].
+    /// The expansion that produced the call, or [`Token::DIRECT`].
     pub parent: u32,
 }
 
-/// What the parser sees in the place of a macro call that was reported.
+/// Placeholder that the parser sees for a macro call with a reported error.
 fn reported(name: Piece) -> Piece {
     let token = Token {
         kind: TokenKind::Bad,
@@ -112,13 +111,13 @@ struct OpenList {
     at: usize,
 }
 
-/// Expands the tokens of one input.
+/// Expands the macros of one input.
 #[derive(Default)]
 pub(super) struct Expander {
     open: Vec<OpenList>,
     put_back: Option<Piece>,
     open_tokens: usize,
-    /// While a call's arguments are looked for, macros that run out stay disabled.
+    /// While arguments are collected, macros that finish stay disabled.
     keep_disabled: bool,
     to_enable: Vec<MacroId>,
     depth: u32,
@@ -143,17 +142,17 @@ impl Expander {
         }
     }
 
-    /// Reads a token before all others.
+    /// Puts a token back; it will be read next.
     pub fn put_back(&mut self, piece: Piece) {
         self.put_back = Some(piece);
     }
 
-    /// Whether the next token comes straight from the input, as most do.
+    /// Whether the next token comes directly from the input, the usual case.
     pub fn is_idle(&self) -> bool {
         self.open.is_empty() && self.put_back.is_none()
     }
 
-    /// Expands the macro that `piece` names, or gives the piece back where it is no call.
+    /// Expands the macro that `piece` names, or returns the piece if it is not a call.
     #[inline(never)]
     fn call(
         &mut self,
@@ -224,7 +223,7 @@ impl Expander {
         }
     }
 
-    /// Expands the call whose name is `name` and opens its replacement list.
+    /// Expands the call that starts with `name` and pushes its replacement list.
     fn expand(&mut self, pp: &mut Preprocessor, input: &mut Input, id: MacroId, name: Piece) {
         let Some(definition) = pp.macros.get_mut(id.0 as usize) else {
             return;
@@ -262,8 +261,7 @@ impl Expander {
         });
     }
 
-    /// The replacement list of one call, with the arguments put in and every token told where it
-    /// came from.
+    /// The replacement list of a call with arguments substituted and each token's origin recorded.
     fn replace(
         &self,
         pp: &mut Preprocessor,
@@ -326,8 +324,8 @@ impl Expander {
         pieces
     }
 
-    /// Reads `( a, b )` and expands each argument. Returns the arguments and the closing
-    /// parenthesis, or nothing where the call is wrong, which has then been reported.
+    /// Parses `( a, b )` and expands each argument. Returns the arguments and the closing
+    /// parenthesis; `None` if the call is invalid, which has been reported.
     fn arguments(
         &mut self,
         pp: &mut Preprocessor,
@@ -345,8 +343,8 @@ impl Expander {
         Some((expanded, close))
     }
 
-    /// Reads `( a, b )`: the list that holds the arguments, where they stand in it, and the closing
-    /// parenthesis.
+    /// Parses `( a, b )`: returns the token list, the ranges of the arguments in it, and the
+    /// closing parenthesis.
     fn gather(
         &mut self,
         pp: &mut Preprocessor,
@@ -419,12 +417,12 @@ impl Expander {
         let name = pp.names.text(definition.name).to_string();
         let plural = |n: usize| if n == 1 { "argument" } else { "arguments" };
         let message = format!(
-            "macro `{name}` takes {wanted} {}, not {}",
+            "macro `{name}` expects {wanted} {}, found {}",
             plural(wanted),
             args.len()
         );
         let defined = definition.name_span;
-        // A call in another macro's body stands there.
+        // A call inside another macro's body is reported there.
         let call = match called.is_direct() {
             true => called.span.to(close),
             false => Span::new(called.spelled, called.spelled + name.len() as u32),
@@ -478,8 +476,8 @@ impl Expander {
     }
 }
 
-/// The arguments of a call that stands in a list, whose left parenthesis has just been read, and
-/// the closing one; the range goes on behind it. `None` where the list ends before.
+/// The arguments of a call inside a list, after its left parenthesis, and the closing parenthesis;
+/// `range` advances past it. `None` if the list ends first.
 fn written_arguments(
     list: &Rc<List>,
     range: &mut Range<usize>,

@@ -1,8 +1,8 @@
-//! The preprocessor, over tokens (GLSL ES 3.00 section 3.4).
+//! The preprocessor, which works on tokens (GLSL ES 3.00 section 3.4).
 //!
-//! Takes files one after the other, as if they were one text, and gives the tokens that the parser
-//! sees. Every token knows where it was spelled and through which macro call it came. What the
-//! preprocessor takes away (comments, skipped groups, definitions) is kept beside.
+//! Reads files in sequence as one text and produces the tokens for the parser. Each token records
+//! where it is spelled and which macro call produced it. What the preprocessor removes (comments,
+//! skipped groups, definitions) is kept separately.
 
 mod amend;
 mod condition;
@@ -31,66 +31,68 @@ use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, MacroUse, error};
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 
-/// Most tokens that all macro calls of one shader may expand to.
+/// Maximum number of tokens from all macro expansions of one shader.
 const MAX_EXPANDED: usize = 1_000_000;
-/// Most tokens that may be gathered again for calls inside arguments; calls that stand there in so
-/// many words are read where they stand, and count nothing.
+/// Maximum number of tokens copied for calls inside arguments; calls spelled out there are read in
+/// place and do not count.
 const MAX_GATHERED: usize = 10_000_000;
-/// Longest word that the browser takes, in bytes.
+/// Longest word that the browser accepts, in bytes.
 const MAX_WORD: usize = 1_024;
 
-/// What the preprocessor made of a shader.
+/// Output of the preprocessor.
 #[derive(Default)]
 pub struct Tokens {
-    /// What the parser sees; the last token is `End`.
+    /// Tokens for the parser; the last one is `End`.
     pub tokens: Vec<Token>,
-    /// The macro calls, in the order of expansion.
+    /// Macro calls in order of expansion.
     pub expansions: Vec<Expansion>,
-    /// All definitions, undefined ones too.
+    /// All macro definitions, including undefined ones.
     pub macros: Vec<Macro>,
-    /// All comments.
+    /// Spans of all comments.
     pub comments: Vec<Span>,
-    /// What `#if` and its kin left out, from the end of one directive to the start of the next.
+    /// Spans skipped by conditional directives, from the end of one directive to the start of the
+    /// next.
     pub inactive: Vec<Span>,
-    /// The groups from `#if` to `#endif` that hang on a name which nothing defines. A file that is
-    /// guarded against being included twice is none.
+    /// Groups from `#if` to `#endif` whose condition tests an undefined name. Include guards are
+    /// not listed.
     pub undecided: Vec<Span>,
-    /// `#extension` directives.
+    /// All `#extension` directives, in source order.
     pub extensions: Vec<ExtensionUse>,
-    /// The `#version` directive.
+    /// Span of the `#version` directive.
     pub version_span: Option<Span>,
     /// Whether `#pragma STDGL invariant(all)` makes every output invariant.
     pub invariant_all: bool,
-    /// The NUL that ends the shader before its text ends; for the browser nothing stands behind it.
+    /// The NUL character that ends the shader before its text ends; the browser ignores what
+    /// follows.
     pub cut: Option<Span>,
 }
 
-/// An `#extension NAME : behaviour` directive.
+/// An `#extension NAME : behavior` directive.
 #[derive(Clone, Debug)]
 pub struct ExtensionUse {
-    /// The extension.
+    /// Name of the extension.
     pub name: Name,
     /// `require`, `enable`, `warn` or `disable`.
     pub behavior: Name,
-    /// The directive.
+    /// Span of the directive.
     pub span: Span,
 }
 
 /// The result of [`preprocess`].
 pub struct Preprocessed {
-    /// The tokens and what was kept beside them.
+    /// The tokens and everything removed from them.
     pub tokens: Tokens,
-    /// All words.
+    /// All words of the shader.
     pub names: Names,
-    /// The version of the language.
+    /// Version of the language, from `#version`.
     pub version: Version,
-    /// What is wrong.
+    /// Errors and warnings found.
     pub diagnostics: Vec<Diagnostic>,
-    /// Whether a budget ended the work, so that the tokens are not the whole shader.
+    /// Whether a limit stopped preprocessing, so that the tokens are incomplete.
     pub gave_up: bool,
 }
 
-/// Runs the preprocessor over `files`, taken as one text, in a fragment (or vertex) shader.
+/// Preprocesses `files` as one text, for a fragment or vertex shader.
 pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Preprocessed {
     let mut pp = Preprocessor::new(sources, files, is_fragment);
     pp.define_predefined();
@@ -107,27 +109,27 @@ pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Pre
     }
 }
 
-/// What is wrong with a `Bad` token; its `value`.
+/// The `value` of a `Bad` token: what is wrong with it.
 mod bad {
     pub const NUMBER: u32 = 0;
     pub const CHARACTER: u32 = 1;
     pub const HASH: u32 = 2;
     pub const OVERFLOW: u32 = 3;
-    /// What stands for something that has been reported.
+    /// Placeholder for something already reported.
     pub const REPORTED: u32 = 4;
 }
 
 struct ConditionGroup {
     start: Span,
-    /// The whole `#if ... #endif` lies in a skipped group.
+    /// Whether the whole `#if ... #endif` is inside a skipped group.
     skip_all: bool,
-    /// The present group is skipped.
+    /// Whether the current branch is skipped.
     skip: bool,
     taken: bool,
     else_at: Option<Span>,
-    /// Whether its condition asks for a name that nothing defines.
+    /// Whether its condition tests an undefined name.
     is_undecided: bool,
-    /// The name of an `#ifndef`, which makes it an include guard where it is defined as nothing.
+    /// The name tested by `#ifndef`; defining it as empty makes the group an include guard.
     guard: Option<Name>,
 }
 
@@ -138,27 +140,27 @@ struct Preprocessor<'a> {
     text: &'a str,
     base: u32,
     role: Role,
-    /// Whether a host puts text before the user's.
+    /// Whether a host adds text before the user's.
     has_prelude: bool,
     is_fragment: bool,
     names: Names,
     version: Version,
     macros: Vec<Macro>,
-    /// By name, the macro's number plus one; 0 for none.
+    /// By name, the macro's index plus one; 0 for none.
     macro_of: Vec<u32>,
     groups: Vec<ConditionGroup>,
-    /// Start of the skipped text, while some is skipped.
+    /// Start of the skipped text, while text is skipped.
     skipped_from: Option<u32>,
     at_line_start: bool,
-    /// Where the line of the directive at hand ends.
+    /// End of the line of the current directive.
     line_end: u32,
     seen_directive: bool,
     seen_code: bool,
     expanded: usize,
-    /// Tokens that were gathered for calls in the arguments of calls.
+    /// Number of tokens copied for calls inside arguments of calls.
     gathered: usize,
     gave_up: bool,
-    /// A `#` was just seen.
+    /// Whether a `#` was just seen.
     pasting: bool,
     lines: LineCount,
     bad_words: FxHashSet<Name>,
@@ -214,7 +216,7 @@ impl<'a> Preprocessor<'a> {
 
     fn run(&mut self) {
         let codes = self.files.clone().filter_map(|&id| self.sources.code(id));
-        // Few texts have more than one token for four characters.
+        // Most texts have at most one token per four characters.
         let length: usize = codes.map(|code| code.text.len()).sum();
         self.out.tokens.reserve(length / 4);
         self.next_file();
@@ -245,14 +247,14 @@ impl<'a> Preprocessor<'a> {
             let d = error_at(
                 error::UNBALANCED_CONDITIONAL,
                 group.start,
-                "this has no `#endif`",
+                "missing `#endif`",
             );
-            self.report(d.note("the condition runs to the end of the shader"));
+            self.report(d.note("the conditional group extends to the end of the shader"));
         }
     }
 
-    /// Hands on what a macro call expands to, and whatever it took to see where the call ends; false
-    /// where the shader ends in it.
+    /// Emits the expansion of a macro call and the lookahead needed to find its end; false if the
+    /// shader ends inside it.
     #[inline(never)]
     fn emit_expanded(&mut self, expander: &mut Expander) -> bool {
         while !expander.is_idle() {
@@ -269,7 +271,7 @@ impl<'a> Preprocessor<'a> {
         true
     }
 
-    /// Goes on with the next file; false when there is none.
+    /// Switches to the next file; false if there is none.
     fn next_file(&mut self) -> bool {
         let id = self.files.next();
         let Some(file) = id.and_then(|&id| self.sources.code(id)) else {
@@ -300,7 +302,7 @@ impl<'a> Preprocessor<'a> {
         self.groups.last().is_some_and(|g| g.skip_all || g.skip)
     }
 
-    /// The next token of the files that is neither blank nor comment nor part of a directive.
+    /// The next token of the files outside whitespace, comments and directives.
     #[inline(always)]
     fn next_piece(&mut self) -> Piece {
         let mut space = false;
@@ -344,7 +346,7 @@ impl<'a> Preprocessor<'a> {
         }
     }
 
-    /// Ends the present file and goes on with the next; false when there is none.
+    /// Ends the current file and switches to the next; false if there is none.
     #[inline(never)]
     fn end_file(&mut self, end: u32) -> bool {
         if let Some(from) = self.skipped_from {
@@ -358,19 +360,15 @@ impl<'a> Preprocessor<'a> {
         self.out.comments.push(raw.span);
         if raw.kind == RawKind::OpenComment {
             let start = Span::new(raw.span.start, raw.span.start + 2);
-            let d = error_at(
-                error::UNTERMINATED_COMMENT,
-                start,
-                "this comment never ends",
-            )
-            .mark("opened here")
-            .note("everything up to the end of the file is taken for a comment")
-            .help("close it with `*/`");
+            let d = error_at(error::UNTERMINATED_COMMENT, start, "unterminated comment")
+                .mark("comment starts here")
+                .note("the comment extends to the end of the file")
+                .help("add `*/`");
             self.report(d);
         }
     }
 
-    /// Text of a raw token of the present file.
+    /// Text of a raw token of the current file.
     fn raw_text(&self, span: Span) -> &'a str {
         let (start, end) = (span.start - self.base, span.end - self.base);
         self.text.get(start as usize..end as usize).unwrap_or("")
@@ -398,7 +396,7 @@ impl<'a> Preprocessor<'a> {
         }
     }
 
-    /// Kind and value of a token; every word is an identifier as yet.
+    /// Kind and value of a token; at this point every word is an identifier.
     #[inline(always)]
     fn classify(&mut self, kind: RawKind, text: &str) -> (TokenKind, u32) {
         match kind {
@@ -415,7 +413,7 @@ impl<'a> Preprocessor<'a> {
         }
     }
 
-    /// The macro that a token names, where it may be expanded.
+    /// The macro that a token names, if it may be expanded.
     #[inline]
     fn macro_of_piece(&self, piece: &Piece) -> Option<MacroId> {
         match piece.token.kind == TokenKind::Identifier && !piece.frozen {
@@ -429,7 +427,7 @@ impl<'a> Preprocessor<'a> {
         number.checked_sub(1).map(MacroId)
     }
 
-    /// Hands a fully expanded token to the parser.
+    /// Passes a fully expanded token to the parser.
     #[inline(always)]
     fn emit(&mut self, mut token: Token) {
         if self.pasting && !self.goes_on_pasting(&token) {
@@ -460,7 +458,7 @@ impl<'a> Preprocessor<'a> {
         self.out.tokens.push(token);
     }
 
-    /// Reports a name that is too long or holds foreign letters.
+    /// Reports a name that is too long or contains non-ASCII letters.
     #[cold]
     fn check_odd(&mut self, name: Name, token: &Token) {
         let text = self.names.text(name);
@@ -471,23 +469,23 @@ impl<'a> Preprocessor<'a> {
             error_at(
                 error::BROWSER_LIMIT,
                 token.span,
-                format!("this name has {} characters; 1024 are allowed", text.len()),
+                format!("name has {} characters; the limit is 1024", text.len()),
             )
-            .note("GLSL ES 3.00 section 3.9 lets no name be longer")
+            .note("names are limited to 1024 characters (GLSL ES 3.00 section 3.9)")
         } else {
             let foreign = text.chars().find(|c| !c.is_ascii()).unwrap_or(' ');
             error_at(
                 error::INVALID_CHARACTER,
                 token.span,
-                format!("the name `{text}` holds `{foreign}`, which GLSL does not have"),
+                format!("unexpected character `{foreign}` in name `{text}`"),
             )
-            .note("GLSL ES knows only ASCII letters; others may stand in comments alone")
+            .note("names use ASCII letters; other letters are allowed only in comments")
         };
         self.bad_words.insert(name);
         self.report_token(d, token);
     }
 
-    /// Reports a token that is none, and gives back what the parser shall see in its place.
+    /// Reports an invalid token and returns its replacement for the parser.
     #[cold]
     fn emit_bad(&mut self, token: Token) -> Option<Token> {
         let own = Span::new(token.spelled, token.spelled + 1);
@@ -501,9 +499,9 @@ impl<'a> Preprocessor<'a> {
                     let d = error_at(
                         error::INVALID_NUMBER,
                         token.span,
-                        "this integer needs more than 32 bits",
+                        "integer does not fit in 32 bits",
                     )
-                    .note("the largest is 4294967295, or 0xFFFFFFFF");
+                    .note("the largest integer is 4294967295, or 0xFFFFFFFF");
                     self.report_token(d, &token);
                 }
                 Some(Token {
@@ -528,8 +526,8 @@ impl<'a> Preprocessor<'a> {
                     .last()
                     .is_some_and(|d| d.is(error::TOKEN_PASTE) && d.span == token.span);
                 if !again {
-                    let d = error_at(error::TOKEN_PASTE, token.span, "`#` cannot stand here")
-                        .note("GLSL ES has no `##` and no `#x`: a macro may hold them, but not be used")
+                    let d = error_at(error::TOKEN_PASTE, token.span, "unexpected `#`")
+                        .note("GLSL ES has no `##` and no `#x`; a macro that contains them cannot be used")
                         .label(own, "this `#`");
                     self.report_token(d, &token);
                 }
@@ -539,15 +537,14 @@ impl<'a> Preprocessor<'a> {
             _ => {
                 let c = rest.chars().next().unwrap_or('\0');
                 self.report_character(&token, c);
-                // Taken for a blank where it looks like one, else for something that has been
-                // reported.
+                // Whitespace-like characters are dropped; others become a reported token.
                 let is_blank = c.is_whitespace() || c.is_control() || is_invisible(c);
                 (!is_blank).then_some(token)
             }
         }
     }
 
-    /// `a ## b` stands for one token that nobody knows; gives what the parser shall see of it.
+    /// `a ## b` would form one unknown token; returns its replacement for the parser.
     fn start_pasting(&mut self, token: Token) -> Option<Token> {
         if std::mem::replace(&mut self.pasting, true) {
             return None;
@@ -559,8 +556,8 @@ impl<'a> Preprocessor<'a> {
         Some(token)
     }
 
-    /// Whether a token behind `#` is to be seen: another `#` is looked at, the word that belongs to
-    /// the paste goes away.
+    /// Whether a token after `#` is kept: another `#` is reported again, the pasted word is
+    /// dropped.
     fn goes_on_pasting(&mut self, token: &Token) -> bool {
         if token.kind == TokenKind::Bad && token.value == bad::HASH {
             return true;
@@ -576,7 +573,7 @@ impl<'a> Preprocessor<'a> {
         self.diagnostics.push(diagnostic);
     }
 
-    /// Reports something at a token, with the macros that it came through.
+    /// Reports an error at a token with the macro calls that produced it.
     fn report_token(&mut self, mut diagnostic: Diagnostic, token: &Token) {
         diagnostic.macros = macro_uses(&self.out.expansions, &self.macros, &self.names, token);
         if !token.is_direct() {
@@ -585,7 +582,7 @@ impl<'a> Preprocessor<'a> {
         self.report(diagnostic);
     }
 
-    /// Reports a character that GLSL does not have; several in a row are one mistake.
+    /// Reports an invalid character; adjacent ones are reported as one error.
     fn report_character(&mut self, token: &Token, c: char) {
         let d = bad_character(token, c);
         match self.diagnostics.last_mut() {
@@ -595,7 +592,7 @@ impl<'a> Preprocessor<'a> {
                     && token.is_direct() =>
             {
                 last.span.end = d.span.end;
-                last.message = "these characters are no part of GLSL".to_string();
+                last.message = "unexpected characters".to_string();
                 match (&mut last.fix, d.fix) {
                     (Some(fix), Some(more)) if fix.title == more.title => {
                         fix.edits.extend(more.edits);
@@ -610,12 +607,9 @@ impl<'a> Preprocessor<'a> {
     fn too_much_expansion(&mut self, span: Span) {
         if !self.gave_up {
             self.gave_up = true;
-            let d = error_at(
-                error::MACRO_BUDGET,
-                span,
-                "the macros used here expand to too much",
-            )
-            .note("the browser stops at 10,000 tokens in one call, shaderlint at 1,000,000 in all");
+            let d = error_at(error::MACRO_BUDGET, span, "macro expansion is too large").note(
+                "the browser stops at 10,000 tokens in one call, shaderlint at 1,000,000 in total",
+            );
             self.report(d);
         }
     }
@@ -625,7 +619,7 @@ impl<'a> Preprocessor<'a> {
             .macros
             .get(id.0 as usize)
             .map_or("", |m| self.names.text(m.name));
-        let message = format!("the call of macro `{name}` has no `)`");
+        let message = format!("missing `)` in the call of macro `{name}`");
         self.report(error_at(error::MACRO_ARGUMENTS, span, message));
     }
 
@@ -637,7 +631,7 @@ impl<'a> Preprocessor<'a> {
         }
         match self.names.text(definition.name) {
             "__LINE__" => {
-                // What a call expands to counts where the call ends.
+                // `__LINE__` in an expansion has the line where the call ends.
                 Some(self.lines.at(self.sources, token.span.end) as u32)
             }
             "__FILE__" => Some(self.lines.file() as u32),
@@ -646,7 +640,7 @@ impl<'a> Preprocessor<'a> {
     }
 }
 
-/// The macro calls that a token came through, innermost first.
+/// The macro calls that produced a token, innermost first.
 pub fn macro_uses(
     expansions: &[Expansion],
     macros: &[Macro],
@@ -677,18 +671,20 @@ fn is_invisible(c: char) -> bool {
 
 fn bad_character(token: &Token, c: char) -> Diagnostic {
     let shown = if c.is_control() || c.is_whitespace() || is_invisible(c) {
-        format!("the invisible character U+{:04X}", c as u32)
+        format!("invisible character U+{:04X}", c as u32)
+    } else if c.is_ascii() {
+        format!("character `{c}`")
     } else {
-        format!("`{c}`")
+        format!("character U+{:04X} `{c}`", c as u32)
     };
     let message = match c {
         '"' | '\'' if token.span.len() > 1 => "GLSL has no strings".to_string(),
-        _ => format!("{shown} is no part of GLSL"),
+        _ => format!("unexpected {shown}"),
     };
     let d = error_at(error::INVALID_CHARACTER, token.span, message);
     let plain = match c {
         '\u{2018}' | '\u{2019}' | '\u{201c}' | '\u{201d}' | '"' | '\'' => {
-            return d.note("GLSL has no strings and no quotes outside comments");
+            return d.note("quotes are allowed only in comments");
         }
         '\u{2013}' | '\u{2014}' | '\u{2212}' => "-",
         '\u{d7}' => "*",
@@ -702,12 +698,14 @@ fn bad_character(token: &Token, c: char) -> Diagnostic {
         '\u{ff1b}' | '\u{37e}' => ";",
         c if c.is_whitespace() || c == '\u{a0}' => " ",
         c if is_invisible(c) => "",
-        _ => return d.note("GLSL ES 3.00 section 3.1 lists the characters it knows; others may stand in comments alone"),
+        _ => return d.note(
+            "characters outside the GLSL character set are allowed only in comments (section 3.1)",
+        ),
     };
     let title = match plain {
-        "" => "take it out".to_string(),
-        " " => "put a blank in its place".to_string(),
-        _ => format!("write `{plain}`"),
+        "" => "remove it".to_string(),
+        " " => "replace it with a space".to_string(),
+        _ => format!("use `{plain}`"),
     };
     d.fix(Fix::safe(title, vec![Edit::replace(token.span, plain)]))
 }

@@ -1,12 +1,11 @@
-//! Numbers: what they are worth, and what was meant by those that are none (GLSL ES 3.00 sections
-//! 4.1.3 and 4.1.4).
+//! Values of number literals, and fixes for invalid ones (GLSL ES 3.00 sections 4.1.3 and 4.1.4).
 
 use super::error_at;
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_text::Edit;
 
-/// Kind and value of an integer; `None` where it needs more than 32 bits.
+/// Kind and value of an integer; `None` if it does not fit in 32 bits.
 pub(super) fn integer(text: &str) -> Option<(TokenKind, u32)> {
     let (kind, digits) = match text.strip_suffix(['u', 'U']) {
         Some(digits) => (TokenKind::Uint, digits),
@@ -21,15 +20,15 @@ pub(super) fn integer(text: &str) -> Option<(TokenKind, u32)> {
     value.ok().map(|v| (kind, v))
 }
 
-/// The value of a floating point literal; one that is too large becomes the largest there is.
+/// Value of a float literal; clamped to the largest finite float.
 pub(super) fn float(text: &str) -> f32 {
     let digits = text.strip_suffix(['f', 'F']).unwrap_or(text);
     let short = short_decimal(digits.as_bytes());
     short.unwrap_or_else(|| digits.parse::<f32>().map_or(0.0, |v| v.min(f32::MAX)))
 }
 
-/// The value of a decimal of few digits, as most are: both the digits and the power of ten are
-/// exact, so that one division rounds as it should.
+/// Fast path for short decimals: digits and power of ten are exact, so one division rounds
+/// correctly.
 fn short_decimal(digits: &[u8]) -> Option<f32> {
     const POWERS: [f32; 8] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7];
     if digits.len() > POWERS.len() {
@@ -48,16 +47,16 @@ fn short_decimal(digits: &[u8]) -> Option<f32> {
         }
     }
     let power = POWERS.get(behind_point.unwrap_or(0))?;
-    // A float holds whole numbers of up to 24 bits.
+    // A float represents integers of up to 24 bits exactly.
     (whole < 1 << 24).then_some(whole as f32 / power)
 }
 
-/// What is wrong with something that starts like a number.
+/// The error for text that starts like a number.
 pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
     let d = error_at(
         error::INVALID_NUMBER,
         token.span,
-        format!("`{text}` is not a number"),
+        format!("invalid number `{text}`"),
     );
     let lower = text.to_ascii_lowercase();
     let digits = lower.trim_end_matches(['f', 'l']);
@@ -65,15 +64,15 @@ pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
     if lower.ends_with('f') && is_int {
         let fixed = format!("{digits}.0");
         return d
-            .note("the suffix `f` needs a point or an exponent before it: `1.0f`, `1.f`")
+            .note("the suffix `f` requires a decimal point or an exponent: `1.0f`, `1.f`")
             .fix(Fix::safe(
-                format!("write `{fixed}`"),
+                format!("use `{fixed}`"),
                 vec![Edit::replace(token.span, fixed)],
             ));
     }
     if lower.ends_with('l') && is_int {
         return d
-            .note("GLSL has no long integers, hence no suffix `l`")
+            .note("GLSL has no long integers and no suffix `l`")
             .fix(rewritten(token, digits.to_string()));
     }
     if let Some(number) = foreign_number(&lower) {
@@ -82,9 +81,9 @@ pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
     if lower.starts_with('0') && lower.bytes().all(|b| b.is_ascii_digit()) {
         let fixed = lower.trim_start_matches('0').to_string();
         return d
-            .note("a leading 0 makes a number octal, with digits from 0 to 7")
+            .note("an integer with a leading 0 is octal, with digits from 0 to 7")
             .fix(Fix::suggestion(
-                format!("write `{fixed}`"),
+                format!("use `{fixed}`"),
                 vec![Edit::replace(token.span, fixed)],
             ));
     }
@@ -93,14 +92,14 @@ pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
 
 fn rewritten(token: &Token, number: String) -> Fix {
     let edit = Edit::replace(token.span, number.clone());
-    Fix::safe(format!("write `{number}`"), vec![edit])
+    Fix::safe(format!("use `{number}`"), vec![edit])
 }
 
-/// A number as other languages write it, in the way of GLSL, and what GLSL has not.
+/// Converts a number literal of another language to GLSL, with a note about the difference.
 fn foreign_number(lower: &str) -> Option<(String, &'static str)> {
     if let Some(bits) = lower.strip_prefix("0b") {
         let value = u32::from_str_radix(&bits.replace('_', ""), 2).ok()?;
-        return Some((format!("0x{value:X}"), "GLSL has no binary numbers"));
+        return Some((format!("0x{value:X}"), "GLSL has no binary literals"));
     }
     let plain = lower.replace(['_', '\''], "");
     let digits = plain.trim_end_matches(|c: char| c.is_ascii_alphabetic());
@@ -108,18 +107,21 @@ fn foreign_number(lower: &str) -> Option<(String, &'static str)> {
     let is_float = digits.contains('.') && digits.parse::<f32>().is_ok();
     let is_int = digits.parse::<u32>().is_ok() && (digits == "0" || !digits.starts_with('0'));
     Some(match suffix {
-        "" | "f" if is_float && plain != lower => (plain, "digits stand together in GLSL"),
-        "" | "u" if is_int && plain != lower => (plain, "digits stand together in GLSL"),
-        "h" | "d" | "lf" | "l" | "m" | "f16" | "f32" | "f64" if is_float => {
-            (digits.to_string(), "every number with a point is a `float`")
-        }
+        "" | "f" if is_float && plain != lower => (plain, "GLSL has no digit separators"),
+        "" | "u" if is_int && plain != lower => (plain, "GLSL has no digit separators"),
+        "h" | "d" | "lf" | "l" | "m" | "f16" | "f32" | "f64" if is_float => (
+            digits.to_string(),
+            "a number with a decimal point is a `float`",
+        ),
         "h" | "d" | "lf" | "m" | "f16" | "f32" | "f64" if is_int => {
-            (format!("{digits}.0"), "a `float` is written with a point")
+            (format!("{digits}.0"), "a `float` needs a decimal point")
         }
         "i" | "s" | "i32" | "i64" | "ll" if is_int => {
-            (digits.to_string(), "GLSL has no such suffix")
+            (digits.to_string(), "GLSL has no such number suffix")
         }
-        "ul" | "ull" | "u32" | "u64" if is_int => (format!("{digits}u"), "the suffix is `u` alone"),
+        "ul" | "ull" | "u32" | "u64" if is_int => {
+            (format!("{digits}u"), "the only integer suffix is `u`")
+        }
         _ => return None,
     })
 }

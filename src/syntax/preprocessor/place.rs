@@ -1,24 +1,24 @@
-//! Where code stands: in the text, or in the macro body that supplied all of it.
+//! Source positions of code: in the text, or in the macro body that supplied all of it.
 
 use super::Tokens;
 use crate::Lexer;
 use crate::token::Token;
 use shaderlint_text::{Role, Sources, Span};
 
-/// Deepest chain of macro calls that is followed.
+/// Longest chain of macro calls that is followed.
 const MAX_LEVELS: usize = 32;
-/// Longest stretch of tokens that is looked at.
+/// Longest token range that is examined.
 const MAX_TOKENS: usize = 4_000;
 
 impl Tokens {
-    /// Whether the tokens from `first` to `last` stand in the text just so, outside any macro call.
+    /// Whether the tokens from `first` to `last` are in the source text, outside any macro call.
     pub fn are_direct(&self, first: u32, last: u32) -> bool {
         let tokens = self.tokens.get(first as usize..=last as usize);
         tokens.is_some_and(|all| all.iter().all(Token::is_direct))
     }
 
-    /// Where the tokens from `first` to `last` stand. Where the body of one macro supplied all of
-    /// them, that is in its definition; otherwise it is where the user's text calls for them.
+    /// Source span of the tokens from `first` to `last`: if one macro body supplied all of them,
+    /// the span in its definition; otherwise the span in the user's text.
     pub fn place(&self, sources: &Sources, first: u32, last: u32) -> Span {
         let all = self.tokens.get(first as usize..=last as usize);
         let (Some(all), Some(a)) = (all, self.tokens.get(first as usize)) else {
@@ -40,8 +40,8 @@ impl Tokens {
         common.unwrap_or(seen)
     }
 
-    /// Where a token of a macro's body stands in that body, then where the macro is called in the
-    /// body of another, and so on outwards, as far as these are the user's definitions.
+    /// The position of a token in the macro body that supplied it, then of that macro's call in the
+    /// next outer body, and so on, for user-defined macros.
     fn levels(&self, sources: &Sources, token: &Token) -> Vec<(u32, Span)> {
         let mut levels = Vec::new();
         let mut at = token.expansion;
@@ -65,12 +65,12 @@ impl Tokens {
     }
 }
 
-/// Whether a macro's body supplied the token, and not an argument in the text.
+/// Whether a macro's body supplied the token, rather than an argument.
 fn is_of_body(token: &Token) -> bool {
     !token.is_direct() && token.span.start != token.spelled
 }
 
-/// The token's own text.
+/// Span of the token where it is spelled.
 fn own_span(sources: &Sources, token: &Token) -> Option<Span> {
     let code = sources.code_at(token.spelled)?;
     let rest = code

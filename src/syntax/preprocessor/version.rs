@@ -1,4 +1,4 @@
-//! `#version`, and where it may stand (GLSL ES 3.00 section 3.3).
+//! The `#version` directive and its placement (GLSL ES 3.00 section 3.3).
 
 use super::directive::KNOWN_EXTENSIONS;
 use super::macros::Piece;
@@ -19,7 +19,7 @@ impl Preprocessor<'_> {
             .filter(|p| matches!(p.token.kind, TokenKind::Int | TokenKind::Uint))
             .map(|p| p.token.value);
         let Some(number) = number else {
-            return self.expected(span, rest, "a version: `#version 300 es`");
+            return self.expected(span, rest, "a version, such as `#version 300 es`");
         };
         let behind = rest.get(1..).unwrap_or(&[]);
         let words: Vec<&str> = behind.iter().map(|p| self.raw_text(p.token.span)).collect();
@@ -31,14 +31,11 @@ impl Preprocessor<'_> {
             }
             (300, []) => {
                 self.set_version(Version::Es300);
-                let fix = Fix::safe(
-                    "write `#version 300 es`",
-                    vec![Edit::insert(span.end, " es")],
-                );
+                let fix = Fix::safe("use `#version 300 es`", vec![Edit::insert(span.end, " es")]);
                 let d = error_at(
                     error::UNSUPPORTED_VERSION,
                     span,
-                    "version 300 needs `es` behind it",
+                    "`#version 300` must be followed by `es`",
                 );
                 self.report(d.fix(fix));
             }
@@ -52,20 +49,20 @@ impl Preprocessor<'_> {
             }
             (300, [word, ..]) => {
                 self.set_version(Version::Es300);
-                let message = format!("`{word}` stands in the place of `es`");
+                let message = format!("expected `es` after `#version 300`, found `{word}`");
                 let edits = vec![Edit::replace(span, "#version 300 es")];
-                let fix = Fix::safe("write `#version 300 es`", edits);
+                let fix = Fix::safe("use `#version 300 es`", edits);
                 self.report(error_at(error::UNSUPPORTED_VERSION, span, message).fix(fix));
             }
             _ => {
                 self.set_version(Version::Es300);
-                let message = format!("WebGL2 has no GLSL version {number}");
+                let message = format!("WebGL2 does not support GLSL version {number}");
                 let fix = Fix::safe(
-                    "write `#version 300 es`",
+                    "use `#version 300 es`",
                     vec![Edit::replace(span, "#version 300 es")],
                 );
                 let d = error_at(error::UNSUPPORTED_VERSION, span, message).note(
-                    "it compiles `#version 300 es`, and `#version 100` (or none) as WebGL1 did",
+                    "WebGL2 supports `#version 300 es`, and `#version 100` (or none) as in WebGL1",
                 );
                 self.report(d.fix(fix));
             }
@@ -89,7 +86,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// GLSL ES 3.00 wants `#version` on the first line; comments and blanks may stand before it.
+    /// GLSL ES 3.00 requires `#version` on the first line; comments and blanks may come before it.
     pub(super) fn check_first_line(&mut self, span: Span) {
         let before = self
             .text
@@ -104,7 +101,7 @@ impl Preprocessor<'_> {
             let d = error_at(
                 error::VERSION_PLACEMENT,
                 span,
-                "`#version 300 es` must end with the first line",
+                "`#version 300 es` must end on the first line",
             );
             let whole = Span::new(span.start, self.line_end);
             let fix = Fix::safe(
@@ -122,9 +119,7 @@ impl Preprocessor<'_> {
             let d = error_at(
                 error::VERSION_PLACEMENT,
                 span,
-                format!(
-                    "`#version 300 es` must stand on the first line, but {what} comes before it"
-                ),
+                format!("`#version 300 es` must be on the first line, not after {what}"),
             )
             .note("no line may come before `#version 300 es`, not even an empty one")
             .fix(self.move_version(span));
@@ -140,10 +135,10 @@ impl Preprocessor<'_> {
             let d = error_at(
                 error::VERSION_PLACEMENT,
                 span,
-                "a ShaderToy pass cannot hold `#version`",
+                "`#version` is not allowed in a ShaderToy pass",
             )
-            .note("the player puts `#version 300 es` and its own header before the pass")
-            .fix(Fix::safe("take it out", vec![Edit::delete(span)]));
+            .note("ShaderToy adds `#version 300 es` and its own header before the pass")
+            .fix(Fix::safe("remove the directive", vec![Edit::delete(span)]));
             return self.report(d);
         }
         let d = error_at(
@@ -151,18 +146,16 @@ impl Preprocessor<'_> {
             span,
             "`#version` must come before everything else",
         )
-        .note(
-            "only blanks and comments may stand before it, and for `300 es` not even a line break",
-        )
+        .note("only whitespace and comments may come before it, and for `300 es` no line break")
         .fix(self.move_version(span));
         self.report(d);
-        // Judge the rest as what it says it is.
+        // Check the rest in the version that it states.
         if self.raw_text(span).contains("300") {
             self.set_version(Version::Es300);
         }
     }
 
-    /// Moves the directive to the very start of the file.
+    /// Moves the directive to the start of the file.
     pub(super) fn move_version(&self, span: Span) -> Fix {
         let text = self.raw_text(span);
         let from = (span.end - self.base) as usize;
@@ -178,7 +171,7 @@ impl Preprocessor<'_> {
             .unwrap_or("");
         if before.trim_start_matches('\u{feff}').trim().is_empty() {
             return Fix::safe(
-                "take out what stands before it",
+                "remove everything before it",
                 vec![Edit::delete(Span::new(self.base, span.start))],
             );
         }
@@ -195,8 +188,8 @@ impl Preprocessor<'_> {
         span.start == self.base && self.raw_text(span) == "\u{feff}"
     }
 
-    /// A byte order mark at the start of the text, which the browser takes for code. That of a file
-    /// is left out by a page that fetches the file as text.
+    /// A byte order mark at the start of the text, which the browser treats as code. In a file that
+    /// a page fetches as text, `fetch` removes it.
     #[cold]
     pub(super) fn byte_order_mark(&mut self, span: Span) {
         let file = self.sources.file_at(span.start);
@@ -205,8 +198,8 @@ impl Preprocessor<'_> {
             let kind = error::INVALID_CHARACTER;
             let d = Diagnostic::of(kind, Severity::Warning, span, message);
             return self.report(
-                d.note("the invisible character U+FEFF is no part of GLSL; `fetch` leaves it out, other ways to load a file may not")
-                    .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
+                d.note("U+FEFF is not part of GLSL; `fetch` strips it, other ways to load a file may not")
+                    .fix(Fix::safe("remove the byte order mark", vec![Edit::delete(span)])),
             );
         }
         let before_version = self.text.get(span.len() as usize..).is_some_and(|rest| {
@@ -218,7 +211,7 @@ impl Preprocessor<'_> {
             error_at(
                 error::VERSION_PLACEMENT,
                 span,
-                "a byte order mark stands before `#version`",
+                "byte order mark before `#version`",
             )
         } else {
             error_at(
@@ -228,8 +221,11 @@ impl Preprocessor<'_> {
             )
         };
         self.report(
-            d.note("the invisible character U+FEFF is no part of GLSL; save the file as UTF-8 without BOM")
-                .fix(Fix::safe("take it out", vec![Edit::delete(span)])),
+            d.note("U+FEFF is not part of GLSL; save the file as UTF-8 without BOM")
+                .fix(Fix::safe(
+                    "remove the byte order mark",
+                    vec![Edit::delete(span)],
+                )),
         );
     }
 }

@@ -1,15 +1,15 @@
-//! Declarations that GLSL has not, or that it writes in another way.
+//! Declarations of other languages that GLSL does not have or spells differently.
 
 use super::*;
 use shaderlint_diagnostic::Applicability;
 
-/// Words that start a function.
+/// Keywords that introduce a function.
 const FUNCTIONS: &[&str] = &["def", "function", "fn", "func", "fun", "sub", "proc"];
-/// Words that start a line which takes in other code.
+/// Keywords that introduce an import.
 const IMPORTS: &[&str] = &[
     "import", "include", "from", "require", "use", "using", "package", "module",
 ];
-/// Words that are written before a declaration, and what GLSL has for them.
+/// Declaration modifiers and their GLSL equivalents.
 const MODIFIERS: &[(&str, TokenKind)] = &[
     ("constexpr", TokenKind::Const),
     ("readonly", TokenKind::Const),
@@ -31,7 +31,7 @@ impl Translator<'_> {
             || self.semantic()
     }
 
-    /// A name that a `typedef` gave to a type.
+    /// A type name introduced by `typedef`.
     fn alias(&mut self) -> bool {
         let token = self.token(0);
         let is_word = token.kind == TokenKind::Identifier;
@@ -68,7 +68,7 @@ impl Translator<'_> {
             let fix = self
                 .remove(0, end)
                 .map(|fix| Fix::suggestion(fix.title, fix.edits));
-            let message = format!("GLSL has no `{}`: a shader is one text", self.text(0));
+            let message = format!("GLSL has no `{}`; a shader is a single text", self.text(0));
             self.report(self.span(0, end), message, fix);
             self.at += end;
         }
@@ -78,7 +78,7 @@ impl Translator<'_> {
     /// `typedef vec3 color;`
     fn typedef(&mut self) -> bool {
         use TokenKind as T;
-        // As the name of a variable it is a reserved word and nothing else.
+        // Used as a variable name, it is only a reserved word.
         if self.text(0) != "typedef" || !self.starts_statement() || self.kind(1) == T::Equal {
             return false;
         }
@@ -95,7 +95,7 @@ impl Translator<'_> {
             .filter(|&(_, behind)| self.kind(behind) == T::Identifier && behind + 1 == end);
         let fix = alias.map(|(word, _)| {
             let line = format!("#define {} {}", self.text(end - 1), word.name());
-            Fix::suggestion(format!("write `{line}`"), vec![Edit::replace(span, line)])
+            Fix::suggestion(format!("use `{line}`"), vec![Edit::replace(span, line)])
         });
         let is_line = self.starts_line(0) && self.starts_line(end + 1);
         self.report(span, "GLSL has no `typedef`", fix.filter(|_| is_line));
@@ -108,7 +108,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `enum`, `class`, `namespace` and `template`, with all that they hold.
+    /// `enum`, `class`, `namespace` and `template`, including their contents.
     fn type_of_classes(&mut self) -> bool {
         use TokenKind as T;
         let word = self.text(0);
@@ -133,11 +133,9 @@ impl Translator<'_> {
         end += (self.kind(end) == T::Semicolon) as usize;
         self.report(self.span(0, open), format!("GLSL has no `{word}`"), None);
         match word {
-            "enum" => self.note("numbers get names with `const int A = 0, B = 1;`"),
-            "class" => self.note("values are put together in a `struct`, functions stand alone"),
-            "template" => {
-                self.note("a function is written once for each type; they may share the name")
-            }
+            "enum" => self.note("use `const int A = 0, B = 1;` for named numbers"),
+            "class" => self.note("use a `struct` for data and separate functions"),
+            "template" => self.note("write one overload of the function for each type"),
             _ => {}
         }
         for ahead in 1..end {
@@ -164,11 +162,8 @@ impl Translator<'_> {
             let binding = Span::new(self.token(1).span.end, self.token(open - 1).span.end);
             edits.push(Edit::delete(binding));
         }
-        let message = format!(
-            "GLSL has no `{}`: a block of uniforms is written `uniform`",
-            self.text(0)
-        );
-        self.report(span, message, Some(Fix::safe("write `uniform`", edits)));
+        let message = format!("GLSL has no `{}`; use a `uniform` block", self.text(0));
+        self.report(span, message, Some(Fix::safe("use `uniform`", edits)));
         self.put(T::Uniform, 0, span);
         self.at += 1;
         self.keep();
@@ -207,10 +202,12 @@ impl Translator<'_> {
         let head = self.span(0, body);
         self.report(
             head,
-            format!("a function of GLSL does not start with `{}`", self.text(0)),
+            format!("expected a return type, found `{}`", self.text(0)),
             None,
         );
-        self.note("it starts with the type that it returns, and each parameter has a type: `float f(vec2 p) { ... }`");
+        self.note(
+            "a function and each of its parameters start with a type: `float f(vec2 p) { ... }`",
+        );
         self.lost.push(Name(self.token(1).value));
         self.at += end;
         true
@@ -231,17 +228,17 @@ impl Translator<'_> {
         let span = self.span(0, end);
         let before = self.out.last().map_or(span, |t| t.span);
         let edit = Edit::delete(Span::new(before.end, span.end));
-        let message = "the type that a function returns stands before its name";
+        let message = "the return type must come before the function name";
         self.report(
             span,
             message,
-            Some(Fix::suggestion("take it out here", vec![edit])),
+            Some(Fix::suggestion("remove it here", vec![edit])),
         );
         self.at += end;
         true
     }
 
-    /// Writes the head of a function in the way of GLSL.
+    /// Rewrites a function header in GLSL syntax.
     fn rewrite_function(
         &mut self,
         returns: Option<TypeWord>,
@@ -256,7 +253,7 @@ impl Translator<'_> {
             .collect();
         let word = returns.map_or("void", TypeWord::name);
         let text = format!("{word} {}({})", self.text(1), list.join(", "));
-        let message = format!("a function of GLSL does not start with `{}`", self.text(0));
+        let message = format!("expected a return type, found `{}`", self.text(0));
         self.report(head, message, Self::write(head, &text));
         match returns {
             Some(word) => self.put_type(word, head),
@@ -275,7 +272,7 @@ impl Translator<'_> {
         self.at += body;
     }
 
-    /// Parameters whose types are known, however they are written.
+    /// Parameters with known types, in any notation.
     fn parameters(&self, first: usize, close: usize) -> Option<Vec<(TypeWord, Token)>> {
         use TokenKind as T;
         let mut found = Vec::new();
@@ -303,7 +300,7 @@ impl Translator<'_> {
         Some(found)
     }
 
-    /// Index behind the lines that are indented more than the one that starts here.
+    /// Index after the lines that are indented more than the current one.
     fn end_of_indented(&self) -> usize {
         let column = |ahead: usize| {
             let start = self.token(ahead).span.start;
@@ -346,7 +343,7 @@ impl Translator<'_> {
         let text = format!("{} {}", word.name(), self.text(name));
         self.report(
             span,
-            "GLSL writes the type before the name",
+            "the type must come before the variable name",
             Self::write(span, &text),
         );
         if !is_let {
@@ -359,7 +356,7 @@ impl Translator<'_> {
         true
     }
 
-    /// Whether a declaration may start here, at the start of a statement or of a loop's head.
+    /// Whether a declaration can start here: at the start of a statement or loop header.
     fn starts_declaration(&self) -> bool {
         let behind_head = || match self.out.as_slice() {
             [.., head, open] => (head.kind, open.kind) == (TokenKind::For, TokenKind::LeftParen),
@@ -368,7 +365,7 @@ impl Translator<'_> {
         self.starts_statement() || behind_head()
     }
 
-    /// `const auto& x = ...`: the word alone is what the checker knows.
+    /// `const auto& x = ...`: reduced to the single word that the checker understands.
     fn reference(&mut self) -> bool {
         use TokenKind as T;
         let first = (self.kind(0) == T::Const) as usize;
@@ -387,7 +384,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `constexpr float`, `let mut x`: a word that stands before a declaration.
+    /// `constexpr float`, `let mut x`: a modifier before a declaration.
     fn modifier(&mut self) -> bool {
         use TokenKind as T;
         if self.kind(0) != T::Identifier || !self.starts_declaration() {
@@ -408,7 +405,7 @@ impl Translator<'_> {
             return false;
         }
         if three && self.word(1) == "mut" {
-            // The first word alone is what the checker knows.
+            // Reduced to the first word, which the checker understands.
             self.put(T::Identifier, self.token(0).value, self.span(0, 2));
             self.at += 2;
             self.changed = true;
@@ -441,7 +438,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `const x = 1.0`: the type of a literal or of a constructor.
+    /// `const x = 1.0`: adds the type of a literal or constructor.
     fn constant(&mut self) -> bool {
         use TokenKind as T;
         let is_one = self.kind(0) == T::Const
@@ -466,12 +463,8 @@ impl Translator<'_> {
         let name = self.token(1).span;
         let text = self.sources.text(name);
         let edit = Edit::insert(name.start, format!("{} ", word.name()));
-        let fix = Fix::safe(format!("write `const {} {text}`", word.name()), vec![edit]);
-        self.report(
-            name,
-            format!("the constant `{text}` has no type"),
-            Some(fix),
-        );
+        let fix = Fix::safe(format!("use `const {} {text}`", word.name()), vec![edit]);
+        self.report(name, format!("constant `{text}` has no type"), Some(fix));
         self.keep();
         self.put_type(word, name);
         true
@@ -513,15 +506,15 @@ impl Translator<'_> {
         let before = self.out.last().map_or(self.token(0).span, |t| t.span);
         let span = self.span(0, end);
         let gap = Span::new(before.end, span.end);
-        let fix = Fix::safe("take it out", vec![Edit::delete(gap)]);
-        self.report(span, "GLSL has no semantics behind a name", Some(fix));
-        self.note("inputs and outputs go by their names, or by `layout(location = 0)`");
+        let fix = Fix::safe("remove the semantic", vec![Edit::delete(gap)]);
+        self.report(span, "GLSL has no semantics", Some(fix));
+        self.note("inputs and outputs are matched by name or by `layout(location = 0)`");
         self.at += end;
         true
     }
 }
 
-/// The word for a storage of which another is a slip.
+/// The storage qualifier that a word is probably a typo of.
 fn storage_near(word: &str) -> Option<(&'static str, TokenKind)> {
     const WORDS: [(&str, TokenKind); 5] = [
         ("varying", TokenKind::Varying),

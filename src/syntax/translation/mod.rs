@@ -1,8 +1,7 @@
-//! Code of other languages, token by token put into GLSL.
+//! Translates constructs of other languages to GLSL, on tokens.
 //!
-//! Where a shader cannot be read, the forms are looked for that other languages have and GLSL has
-//! not, none of which can stand in a shader that compiles. Each is reported once, with the edit,
-//! and the parser reads what it means.
+//! If a shader has syntax errors, it is searched for constructs of other languages that are never
+//! valid GLSL. Each is reported once with a fix, and the parser sees the GLSL equivalent.
 
 mod declaration;
 mod operator;
@@ -15,31 +14,31 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_text::{Edit, Sources, Span};
 use std::cell::Cell;
 
-/// Most forms that are put into GLSL in one shader.
+/// Maximum number of translated constructs per shader.
 const MAX_FORMS: usize = 100;
-/// How far the end of a head or of a statement is looked for, in tokens.
+/// Maximum length of a header or statement that is scanned, in tokens.
 const MAX_INSIDE: usize = 400;
-/// Tokens that may be passed over in all while partners of brackets are looked for.
+/// Total number of tokens that may be scanned for matching brackets.
 const MAX_PASSED: usize = 4_000_000;
 
-/// A shader put into GLSL.
+/// A shader translated to GLSL.
 pub struct Translation {
-    /// Its tokens.
+    /// The translated tokens.
     pub tokens: Vec<Token>,
-    /// What was foreign in it.
+    /// Errors and names lost in the translation.
     pub translated: Translated,
 }
 
-/// What was foreign in a shader.
+/// Foreign constructs found in a shader.
 #[derive(Default)]
 pub struct Translated {
-    /// What was said of the forms that GLSL has not.
+    /// Errors for constructs that GLSL does not have.
     pub diagnostics: Vec<Diagnostic>,
-    /// Names whose declarations are gone.
+    /// Names whose declarations were dropped.
     pub lost: Vec<Name>,
 }
 
-/// Puts the foreign forms among `tokens` into GLSL; `None` where there are none.
+/// Translates the foreign constructs among `tokens`; `None` if there are none.
 pub fn translate(sources: &Sources, tokens: &[Token], version: Version) -> Option<Translation> {
     let mut translator = Translator {
         sources,
@@ -62,7 +61,7 @@ pub fn translate(sources: &Sources, tokens: &[Token], version: Version) -> Optio
     while translator.at < tokens.len() {
         translator.step();
     }
-    // Whatever was taken away, the end is there.
+    // Keep the end token whatever was removed.
     if let Some(&end) = tokens.last()
         && translator.before() != end.kind
     {
@@ -85,30 +84,30 @@ struct Translator<'a> {
     sources: &'a Sources,
     tokens: &'a [Token],
     version: Version,
-    /// The next token to read.
+    /// Index of the next token.
     at: usize,
-    /// The token that the step at hand began with, and its text, which all forms ask for.
+    /// Index and text of the first token of the current step, cached for all checks.
     here: (usize, &'a str),
-    /// Open braces, open parentheses and brackets, and `?` of the statement at hand.
+    /// Open braces, open parentheses and brackets, and `?` of the current statement.
     braces: u32,
     parens: u32,
     questions: u32,
-    /// Index in `out` of the first token of the statement at hand.
+    /// Index in `out` of the first token of the current statement.
     start: usize,
-    /// The words `end` that close what a `then` opened.
+    /// Indices of the `end` words that close a `then`.
     ends: Vec<usize>,
-    /// Names that a `typedef` gave to types.
+    /// Type names introduced by `typedef`.
     aliases: Vec<(u32, TypeWord)>,
     out: Vec<Token>,
     diagnostics: Vec<Diagnostic>,
     lost: Vec<Name>,
-    /// Whether something was put into GLSL without being reported.
+    /// Whether something was translated without a report.
     changed: bool,
     passed: Cell<usize>,
 }
 
 impl<'a> Translator<'a> {
-    /// Reads one token, or one foreign form.
+    /// Processes one token or one foreign construct.
     fn step(&mut self) {
         self.here = (self.at, self.sources.text(self.token(0).span));
         let may = self.diagnostics.len() < MAX_FORMS && self.token(0).is_direct();
@@ -118,7 +117,7 @@ impl<'a> Translator<'a> {
         self.keep();
     }
 
-    /// Takes the next token over as it is.
+    /// Copies the next token unchanged.
     fn keep(&mut self) {
         let token = self.token(0);
         self.at += 1;
@@ -147,7 +146,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// Puts a token of GLSL in the place of foreign text.
+    /// Emits a GLSL token in place of foreign text.
     fn put(&mut self, kind: TokenKind, value: u32, span: Span) {
         self.push(Token {
             kind,
@@ -178,7 +177,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// The free word that stands there.
+    /// The identifier at an offset; empty for other tokens.
     fn word(&self, ahead: usize) -> &'a str {
         match self.kind(ahead) {
             TokenKind::Identifier => self.text(ahead),
@@ -186,7 +185,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// What stands before the next token.
+    /// Kind of the last token emitted.
     fn before(&self) -> TokenKind {
         self.out.last().map_or(TokenKind::End, |t| t.kind)
     }
@@ -195,12 +194,12 @@ impl<'a> Translator<'a> {
         self.start == self.out.len()
     }
 
-    /// Whether no blank stands between a token and the next one.
+    /// Whether a token is directly followed by the next one, without whitespace.
     fn touches_next(&self, ahead: usize) -> bool {
         self.token(ahead).span.end == self.token(ahead + 1).span.start
     }
 
-    /// Whether a line ends between a token and the one before it.
+    /// Whether a line break separates a token from the one before it.
     fn starts_line(&self, ahead: usize) -> bool {
         let Some(before) = (self.at + ahead).checked_sub(1) else {
             return true;
@@ -210,7 +209,7 @@ impl<'a> Translator<'a> {
         span.start > span.end || self.sources.text(span).contains(['\n', '\r'])
     }
 
-    /// Index behind the bracket that closes the one at `open`, counted from the next token.
+    /// Offset after the bracket that closes the one at `open`, relative to the next token.
     fn behind(&self, open: usize) -> Option<usize> {
         use TokenKind as T;
         let mut depth = 0_u32;
@@ -235,7 +234,7 @@ impl<'a> Translator<'a> {
         None
     }
 
-    /// A type, foreign ones and `vec3<f32>` included, and the index behind it.
+    /// Parses a type, including foreign ones and `vec3<f32>`, and returns the offset after it.
     fn type_at(&self, ahead: usize) -> Option<(TypeWord, usize)> {
         let word = match self.kind(ahead) {
             TokenKind::Type => *TypeWord::ALL.get(self.token(ahead).value as usize)?,
@@ -278,14 +277,14 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// The span from one of the next tokens up to before another.
+    /// The span from one upcoming token to just before another.
     fn span(&self, from: usize, behind: usize) -> Span {
         self.token(from)
             .span
             .to(self.token(behind.saturating_sub(1)).span)
     }
 
-    /// Reports a form of other languages.
+    /// Reports a construct of another language.
     fn report(&mut self, span: Span, message: impl Into<String>, fix: Option<Fix>) {
         let d = Diagnostic::error(error::FOREIGN_SYNTAX, span, message);
         self.diagnostics.push(d.fix(fix));
@@ -297,21 +296,21 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// "write `text`" in the place of `span`.
+    /// A fix that replaces `span` with `text`.
     fn write(span: Span, text: &str) -> Option<Fix> {
         Some(Fix::safe(
-            format!("write `{text}`"),
+            format!("use `{text}`"),
             vec![Edit::replace(span, text)],
         ))
     }
 
-    /// Takes text away, with the blanks up to what stands behind it.
+    /// Removes text together with the blanks after it.
     fn remove(&self, from: usize, behind: usize) -> Option<Fix> {
         let span = self.span(from, behind);
         let next = self.token(behind).span.start;
         let blank = Span::new(span.end, next.max(span.end));
         let file = self.sources.file_at(span.start);
-        // The next token may be in the file after this one.
+        // The next token may be in another file.
         let is_blank = file.is_some_and(|f| f.span().contains(blank))
             && self
                 .sources
@@ -319,6 +318,6 @@ impl<'a> Translator<'a> {
                 .bytes()
                 .all(|b| matches!(b, b' ' | b'\t'));
         let span = if is_blank { span.to(blank) } else { span };
-        Some(Fix::safe("take it out", vec![Edit::delete(span)]))
+        Some(Fix::safe("remove it", vec![Edit::delete(span)]))
     }
 }

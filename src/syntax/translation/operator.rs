@@ -1,8 +1,8 @@
-//! Operators and operands that GLSL has not.
+//! Operators and operands that GLSL does not have.
 
 use super::*;
 
-/// Operators that are words elsewhere.
+/// Word operators of other languages.
 const WORDS: &[(&str, TokenKind, &str)] = &[
     ("and", TokenKind::AndAnd, "&&"),
     ("or", TokenKind::OrOr, "||"),
@@ -10,7 +10,7 @@ const WORDS: &[(&str, TokenKind, &str)] = &[
     ("is", TokenKind::EqualEqual, "=="),
 ];
 
-/// Operators of two symbols that GLSL has not, and what they mean.
+/// Two-character operators that GLSL does not have, with their equivalents.
 const PAIRS: &[(TokenKind, TokenKind, TokenKind, &str)] = {
     use TokenKind as T;
     &[
@@ -52,7 +52,7 @@ impl Translator<'_> {
                 let with_blank = Span::new(span.start, self.token(1).span.start);
                 self.report(
                     span,
-                    "GLSL has no `not`: it is written `!`",
+                    "GLSL has no `not`; use `!`",
                     Self::write(with_blank, "!"),
                 );
                 self.put(TokenKind::Not, 0, span);
@@ -71,14 +71,14 @@ impl Translator<'_> {
             let both = self.span(0, 2);
             self.report(
                 both,
-                "GLSL has no `is not`: it is written `!=`",
+                "GLSL has no `is not`; use `!=`",
                 Self::write(both, "!="),
             );
             self.put(TokenKind::NotEqual, 0, both);
             self.at += 2;
             return true;
         }
-        let message = format!("GLSL has no `{word}`: it is written `{symbol}`");
+        let message = format!("GLSL has no `{word}`; use `{symbol}`");
         self.report(span, message, Self::write(span, symbol));
         self.put(kind, 0, span);
         self.at += 1;
@@ -93,7 +93,7 @@ impl Translator<'_> {
             return false;
         };
         let is_between = self.before().ends_operand() && self.kind(2).starts_operand();
-        // `(q) => ...` is no comparison.
+        // `(q) => ...` is not a comparison.
         let is_arrow = kind == TokenKind::GreaterEqual
             && (self.before() == TokenKind::RightParen || self.parens == 0);
         if !is_between || is_arrow {
@@ -101,7 +101,7 @@ impl Translator<'_> {
         }
         let span = self.span(0, 2);
         let text = self.sources.text(span);
-        let message = format!("GLSL has no `{text}`: it is written `{symbol}`");
+        let message = format!("GLSL has no `{text}`; use `{symbol}`");
         self.report(span, message, Self::write(span, symbol));
         self.put(kind, 0, span);
         self.at += 2;
@@ -146,9 +146,9 @@ impl Translator<'_> {
             let whole = base.to(self.token(end - 1).span);
             let text = format!("pow({}, {to})", self.sources.text(base.to(last)));
             let edit = Edit::replace(whole, text.clone());
-            Fix::suggestion(format!("write `{text}`"), vec![edit])
+            Fix::suggestion(format!("use `{text}`"), vec![edit])
         });
-        self.report(span, "GLSL has no `**`: a power is `pow(a, b)`", fix);
+        self.report(span, "GLSL has no `**`; use `pow(a, b)`", fix);
         self.put(T::Star, 0, span);
         self.at += 2;
         if self.kind(0) == T::Int && exponent == Some(3) {
@@ -160,7 +160,7 @@ impl Translator<'_> {
         true
     }
 
-    /// Index in `out` where the operand starts that ends there.
+    /// Index in `out` where the last operand starts.
     fn operand_before(&self) -> Option<usize> {
         use TokenKind as T;
         let mut at = self.out.len().checked_sub(1)?;
@@ -193,7 +193,7 @@ impl Translator<'_> {
         }
     }
 
-    /// Index behind the operand that starts there.
+    /// Offset after the operand that starts at `ahead`.
     fn operand_behind(&self, ahead: usize) -> Option<usize> {
         use TokenKind as T;
         let mut at = ahead;
@@ -221,14 +221,14 @@ impl Translator<'_> {
         if !is_one || !self.before().ends_operand() || self.kind(2) != T::Identifier {
             return false;
         }
-        // `) -> type {` is the head of a function.
+        // `) -> type {` is a function header.
         if self.kind(3) == T::LeftBrace {
             return false;
         }
         let span = self.span(0, 2);
         self.report(
             span,
-            "GLSL has no pointers, hence no `->`",
+            "GLSL has no pointers and no `->`",
             Self::write(span, "."),
         );
         self.put(T::Dot, 0, span);
@@ -244,8 +244,10 @@ impl Translator<'_> {
             && self.touches_next(1)
             && matches!(self.kind(3), T::Identifier | T::Type);
         if is_one {
-            let message = format!("GLSL has no namespaces, hence no `{}::`", self.text(0));
-            let fix = Fix::safe("take it out", vec![Edit::delete(self.span(0, 3))]);
+            let word = self.text(0);
+            let message = format!("GLSL has no namespaces such as `{word}::`");
+            let title = format!("remove `{word}::`");
+            let fix = Fix::safe(title, vec![Edit::delete(self.span(0, 3))]);
             self.report(self.span(0, 3), message, Some(fix));
             self.at += 3;
         }
@@ -277,7 +279,7 @@ impl Translator<'_> {
         };
         self.report(
             span,
-            "a number is written with a point",
+            "expected a decimal point, found `,`",
             Self::write(span, &text),
         );
         self.out.pop();
@@ -311,10 +313,10 @@ impl Translator<'_> {
         };
         let (open, close) = (self.token(0).span, self.token(end - 1).span);
         let edits = vec![Edit::replace(open, call.clone()), Edit::replace(close, ")")];
-        let fix = Fix::safe(format!("write `{call}...)`"), edits);
+        let fix = Fix::safe(format!("use `{call}...)`"), edits);
         let span = self.span(0, end);
-        self.report(span, "GLSL has no lists in brackets", Some(fix));
-        self.note("arrays and vectors are made by their constructors (section 5.4)");
+        self.report(span, "GLSL has no `[...]` array literals", Some(fix));
+        self.note("arrays and vectors are built with constructors (section 5.4)");
         self.put(T::Type, ty.value, open);
         if is_array {
             self.put(T::LeftBracket, 0, open);
@@ -340,7 +342,7 @@ impl Translator<'_> {
         if is_one {
             let fix = self.remove(0, 1);
             self.report(self.token(0).span, "GLSL has no `new`", fix);
-            self.note("values are made by calling their type");
+            self.note("values are created with constructors (section 5.4)");
             self.at += 1;
         }
         is_one
@@ -367,7 +369,7 @@ impl Translator<'_> {
         }
         let span = self.span(0, end);
         let text = self.sources.text(span);
-        let message = format!("GLSL has no `{text}`: it is written `{}`", word.name());
+        let message = format!("GLSL has no `{text}`; use `{}`", word.name());
         self.report(span, message, Self::write(span, word.name()));
         self.put_type(word, span);
         self.at += end;
@@ -388,7 +390,7 @@ impl Translator<'_> {
         let last = self.out.last().map_or(start, |t| t.span);
         let text = format!("{}({})", word.name(), self.sources.text(start.to(last)));
         let whole = start.to(self.token(end - 1).span);
-        let message = "GLSL has no `as`: a type is called like a function";
+        let message = "GLSL has no `as`; use a constructor";
         self.report(self.span(0, end), message, Self::write(whole, &text));
         let operand = self.out.split_off(first);
         self.put_type(word, start);
@@ -399,7 +401,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `(float3) x`: the parser knows such a cast if the type is one of GLSL.
+    /// `(float3) x`: translates the type, so that the parser recognises the cast.
     fn cast_before(&mut self) -> bool {
         use TokenKind as T;
         let is_one = self.kind(0) == T::LeftParen

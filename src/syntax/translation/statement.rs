@@ -1,19 +1,19 @@
-//! Heads of statements, and statements, that GLSL has not.
+//! Statements and statement headers that GLSL does not have.
 
 use super::*;
 use crate::parser::keyword_near;
 
-/// Words for `else if`.
+/// Spellings of `else if` in other languages.
 const ELSE_IF: &[&str] = &["elif", "elseif", "elsif", "elsIf", "elseIf"];
 /// Words that end a block.
 const ENDS: &[&str] = &[
     "end", "endif", "fi", "endfor", "endwhile", "done", "End", "END",
 ];
-/// Statements of one word and a value.
+/// Statements that consist of a keyword and a value.
 const GONE: &[&str] = &[
     "throw", "raise", "delete", "del", "goto", "yield", "await", "defer",
 ];
-/// Words for a loop over all of something.
+/// Keywords of loops over collections.
 const EACH: &[&str] = &["foreach", "for_each", "forEach"];
 
 impl Translator<'_> {
@@ -31,7 +31,7 @@ impl Translator<'_> {
             || self.unknown_head()
     }
 
-    /// `throw x;`, `delete x;`: statements that GLSL has not.
+    /// `throw x;`, `delete x;`: statements without a GLSL equivalent.
     fn removed(&mut self) -> bool {
         use TokenKind as T;
         let is_word = matches!(self.kind(0), T::Identifier | T::Reserved);
@@ -49,7 +49,7 @@ impl Translator<'_> {
             return false;
         };
         let fix = self.remove(0, end + 1);
-        let fix = fix.map(|fix| Fix::suggestion("take the statement out", fix.edits));
+        let fix = fix.map(|fix| Fix::suggestion("remove the statement", fix.edits));
         self.report(
             self.span(0, end + 1),
             format!("GLSL has no `{}`", self.text(0)),
@@ -59,7 +59,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `loop {`, `try {`, `catch (e) {`: the head is unknown, the block is read.
+    /// `loop {`, `try {`, `catch (e) {`: drops the unknown header and keeps the block.
     fn unknown_head(&mut self) -> bool {
         use TokenKind as T;
         if self.kind(0) != T::Identifier || !self.starts_statement() || self.braces == 0 {
@@ -70,7 +70,7 @@ impl Translator<'_> {
             T::LeftParen => self.behind(1).filter(|&end| self.kind(end) == T::LeftBrace),
             _ => None,
         };
-        // `f(float x) {` is a function whose type is missing.
+        // `f(float x) {` is a function without a return type.
         let declares = |end: usize| {
             (2..end).any(|i| self.kind(i) == T::Type && self.kind(i + 1) == T::Identifier)
         };
@@ -78,16 +78,16 @@ impl Translator<'_> {
             return false;
         };
         let word = self.text(0);
-        // The parser mends a slip.
+        // The parser corrects typos of keywords.
         if keyword_near(word).is_some() {
             return false;
         }
         self.report(
             self.span(0, end),
-            format!("GLSL has no statement `{word}`"),
+            format!("GLSL has no `{word}` statement"),
             None,
         );
-        self.note("it has `if`, `switch`, `for`, `while` and `do`");
+        self.note("GLSL has `if`, `switch`, `for`, `while` and `do`");
         self.at += end;
         true
     }
@@ -100,7 +100,7 @@ impl Translator<'_> {
             && matches!(self.before(), T::RightBrace | T::Semicolon);
         if is_one {
             let span = self.token(0).span;
-            let message = format!("GLSL has no `{}`: it is written `else if`", self.text(0));
+            let message = format!("GLSL has no `{}`; use `else if`", self.text(0));
             self.report(span, message, Self::write(span, "else if"));
             self.put(T::Else, 0, span);
             self.put(T::If, 0, span);
@@ -109,7 +109,7 @@ impl Translator<'_> {
         is_one
     }
 
-    /// `then ... end` behind a condition, and `begin ... end`.
+    /// `then ... end` after a condition, and `begin ... end`.
     fn then(&mut self) -> bool {
         use TokenKind as T;
         let is_one = match self.word(0) {
@@ -135,14 +135,17 @@ impl Translator<'_> {
                 _ => {}
             }
         }
-        let message = format!("GLSL has no `{}`: a block stands in braces", self.text(0));
+        let message = format!(
+            "GLSL has no `{}`; a block is enclosed in braces",
+            self.text(0)
+        );
         match end {
             Some(end) => {
                 let edits = vec![
                     Edit::replace(span, "{"),
                     Edit::replace(self.token(end).span, "}"),
                 ];
-                self.report(span, message, Some(Fix::safe("write `{ ... }`", edits)));
+                self.report(span, message, Some(Fix::safe("use `{ ... }`", edits)));
                 self.ends.push(self.at + end);
                 self.put(T::LeftBrace, 0, span);
             }
@@ -155,7 +158,7 @@ impl Translator<'_> {
         true
     }
 
-    /// The `end` of a `then`, or one that stands alone.
+    /// The `end` of a `then`, or a lone one.
     fn end(&mut self) -> bool {
         use TokenKind as T;
         if !ENDS.contains(&self.word(0)) || !self.starts_statement() {
@@ -173,7 +176,7 @@ impl Translator<'_> {
         if is_alone {
             let behind = if self.kind(1) == T::Semicolon { 2 } else { 1 };
             let fix = self.remove(0, behind);
-            let message = format!("GLSL has no `{}`: a block ends with `}}`", self.text(0));
+            let message = format!("GLSL has no `{}`; a block ends with `}}`", self.text(0));
             self.report(span, message, fix);
             self.at += behind;
         }
@@ -199,13 +202,13 @@ impl Translator<'_> {
         }
         let span = self.span(0, end);
         let fix = self.remove(0, end);
-        self.report(span, "GLSL has no attributes in brackets", fix);
-        self.note("the browser's compiler decides by itself how code is run");
+        self.report(span, "GLSL has no `[...]` attributes", fix);
+        self.note("the browser's compiler decides how code is executed");
         self.at += end;
         true
     }
 
-    /// `-- text`, a comment of SQL and Lua.
+    /// `-- text`, a comment in SQL and Lua.
     fn comment(&mut self) -> bool {
         use TokenKind as T;
         let is_one = self.kind(0) == T::Decrement
@@ -222,7 +225,11 @@ impl Translator<'_> {
             let end = self.end_of_line();
             let span = self.token(0).span;
             let fix = Self::write(span, "//");
-            self.report(self.span(0, end), "a comment starts with `//`", fix);
+            self.report(
+                self.span(0, end),
+                "`--` does not start a comment in GLSL",
+                fix,
+            );
             self.at += end;
         }
         is_one
@@ -259,7 +266,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `for (x in list)`, `for (auto x : list)`, `foreach (...)`: with a range, a loop of GLSL.
+    /// `for (x in list)`, `for (auto x : list)`, `foreach (...)`: a range becomes a GLSL loop.
     fn loop_over(&mut self) -> bool {
         use TokenKind as T;
         let is_each = EACH.contains(&self.word(0)) && self.starts_statement();
@@ -301,13 +308,9 @@ impl Translator<'_> {
                 &format!("for (int {text} = {from}; {text} < {to}; {text}++)"),
             )
         });
-        self.report(
-            span,
-            "GLSL has no loops over ranges or lists",
-            fix.flatten(),
-        );
-        self.note("a loop counts: `for (int i = 0; i < n; i++)`");
-        // The body is read as one that runs once, with whatever the name is.
+        self.report(span, "GLSL has no range-based loops", fix.flatten());
+        self.note("use a counting loop: `for (int i = 0; i < n; i++)`");
+        // The body is parsed as a loop that never runs, with an unknown loop variable.
         self.lost.push(Name(name.value));
         for kind in [T::While, T::LeftParen, T::False, T::RightParen] {
             self.put(kind, 0, span);
@@ -316,7 +319,7 @@ impl Translator<'_> {
         true
     }
 
-    /// `range(to)`, `range(from, to)`, `from..to`: where a range starts and ends.
+    /// Start and end of `range(to)`, `range(from, to)` or `from..to`.
     fn range(&self, first: usize, close: usize) -> Option<(Option<&str>, Span)> {
         use TokenKind as T;
         if self.word(first) == "range" && self.kind(first + 1) == T::LeftParen && close > first + 3
@@ -362,8 +365,8 @@ impl Translator<'_> {
         };
         let spans = [first, second].map(|ahead| self.token(ahead).span);
         let edits = spans.map(|span| Edit::replace(span, ";")).to_vec();
-        let fix = Fix::safe("write `;`", edits);
-        let message = "`;` stands between the parts of a `for`, not `,`";
+        let fix = Fix::safe("use `;`", edits);
+        let message = "expected `;` in the header of `for`, found `,`";
         self.report(spans[0], message, Some(fix));
         for ahead in 0..end {
             match ahead == first || ahead == second {
@@ -407,12 +410,8 @@ impl Translator<'_> {
         let span = self.span(1, end);
         let text = self.text(0);
         let edits = vec![Edit::insert(span.start, "("), Edit::insert(span.end, ")")];
-        let message = format!("the condition of `{text}` stands in parentheses");
-        self.report(
-            span,
-            message,
-            Some(Fix::safe("put it in parentheses", edits)),
-        );
+        let message = format!("`{text}` needs parentheses around its condition");
+        self.report(span, message, Some(Fix::safe("add parentheses", edits)));
         self.keep();
         self.put(T::LeftParen, 0, span);
         for _ in 1..end {

@@ -1,20 +1,20 @@
-//! Literals of a script that are put together into one text: by `+`, by `.concat(...)`, or as the
-//! elements of an array that is joined.
+//! String literals of a script that are concatenated: with `+`, with `.concat(...)`, or as elements
+//! of an array that is joined.
 
 use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, skip_comments};
 use std::ops::Range;
 
-/// Literals that are put together.
+/// Concatenated literals.
 pub struct Chain {
-    /// Their indexes.
+    /// Indices of the literals.
     pub parts: Vec<usize>,
-    /// What else is put between them: the tokens of each, and the index of the literal before.
+    /// Expressions between them: the tokens of each, and the index of the previous literal.
     pub others: Vec<(usize, Range<usize>)>,
-    /// The last token that belongs to it.
+    /// Index of the last token that belongs to the chain.
     pub last: usize,
-    /// Whether each stands on a line of its own: `[...].join('\n')`.
+    /// Whether a line break separates the literals: `[...].join('\n')`.
     pub has_lines: bool,
-    /// Whether something is put before or behind them.
+    /// Whether other text precedes or follows.
     pub goes_on: bool,
 }
 
@@ -29,7 +29,7 @@ impl Chain {
         }
     }
 
-    /// Goes on with a literal, behind tokens that are none.
+    /// Appends a literal after other expressions.
     fn add(&mut self, others: Range<usize>, literal: usize) {
         if !others.is_empty() {
             let before = self.parts.last().copied().unwrap_or(literal);
@@ -39,7 +39,7 @@ impl Chain {
         self.last = literal;
     }
 
-    /// The literals that are put together with that at `first`.
+    /// The chain that starts with the literal at `first`.
     pub fn of(text: &str, tokens: &[ScriptToken], first: usize) -> Chain {
         let before = first.checked_sub(1);
         let starts_array = before.is_some_and(|b| is_mark(tokens, b, b'['));
@@ -77,8 +77,8 @@ fn added(text: &str, tokens: &[ScriptToken], first: usize) -> Chain {
     }
 }
 
-/// Goes on with the arguments of `.concat(...)`. Says whether the last of them is a literal, behind
-/// which it may go on.
+/// Continues with the arguments of `.concat(...)`. Returns whether the last is a literal, after
+/// which the chain may continue.
 fn concat(text: &str, tokens: &[ScriptToken], dot: usize, chain: &mut Chain) -> bool {
     let name = tokens.get(dot + 1).map_or(0..0, |t| t.range.clone());
     if text.get(name) != Some("concat") || !is_mark(tokens, dot + 2, b'(') {
@@ -129,9 +129,9 @@ fn argument_end(tokens: &[ScriptToken], mut at: usize) -> usize {
     at
 }
 
-/// The literal that follows an operand which is none: `+ (x) + "..."`.
+/// The literal after another operand: `+ (x) + "..."`.
 fn behind_operand(tokens: &[ScriptToken], mut at: usize) -> Option<usize> {
-    /// Longest operand that is looked through, in tokens.
+    /// Maximum length of this operand in tokens.
     const MAX_OPERAND: usize = 64;
     let mut depth = 0_u32;
     for _ in 0..MAX_OPERAND {
@@ -165,7 +165,7 @@ fn joined(text: &str, tokens: &[ScriptToken], first: usize) -> Option<Chain> {
             chain.add(others, at);
             from = end + 1;
         } else if at == first {
-            // The first element may be put together itself.
+            // The first element may be a chain itself.
             if !is_whole {
                 return None;
             }
@@ -186,7 +186,7 @@ fn joined(text: &str, tokens: &[ScriptToken], first: usize) -> Option<Chain> {
     };
     chain.goes_on = from < at;
     let is_list = is_mark(tokens, at, b']');
-    // Elements that are left out are none that count.
+    // `filter(Boolean)` only removes empty elements.
     if is_mark(tokens, at + 1, b'.') && word(at + 2) == "filter" && is_mark(tokens, at + 3, b'(') {
         at = argument_end(tokens, at + 4);
     }

@@ -1,10 +1,10 @@
-//! Shaders in the components of Vue, Svelte and Astro: in their scripts, and in the literals that
-//! stand in the text around these.
+//! Shaders in components of Vue, Svelte and Astro: in their scripts, and in literals of their
+//! templates.
 
 use super::html::{self, next_script};
 use super::{embedded::Embedded, script};
 
-/// Finds them.
+/// Finds the shaders of a component.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let count = found.len();
     let front = front_matter(text);
@@ -26,7 +26,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     }
 }
 
-/// Length of the script between two lines of `---` that an Astro component starts with.
+/// Length of the front matter of an Astro component, between two lines of `---`.
 fn front_matter(text: &str) -> usize {
     let Some(behind) = text.trim_start().strip_prefix("---") else {
         return 0;

@@ -1,16 +1,16 @@
-//! The constants of a script that are short texts or numbers.
+//! Constants of a script that are short strings or numbers.
 
 use super::token::{ScriptToken, ScriptTokenKind, is_mark};
 use std::collections::HashMap;
 
-/// Values by name.
+/// The constants by name.
 #[derive(Default)]
 pub struct Constants {
     values: HashMap<String, Option<String>>,
 }
 
 impl Constants {
-    /// Those that `const NAME = ...` declares, each once.
+    /// The constants that `const NAME = ...` declares exactly once.
     pub fn of(text: &str, tokens: &[ScriptToken]) -> Constants {
         let word = |at: usize| {
             let range = tokens.get(at).map_or(0..0, |t| t.range.clone());
@@ -27,7 +27,7 @@ impl Constants {
                 continue;
             }
             let mut equals = at + 2;
-            // A type of TypeScript.
+            // A type annotation of TypeScript.
             if is_mark(tokens, equals, b':') {
                 equals += 2;
             }
@@ -39,17 +39,17 @@ impl Constants {
         constants
     }
 
-    /// The value of an expression that is the name of one.
+    /// The value of an expression that is the name of a constant.
     pub fn value(&self, expression: &str) -> Option<&str> {
         self.values.get(expression)?.as_deref()
     }
 }
 
-/// The text of a literal that is all there is of a value.
+/// The text of a literal that is the complete value.
 fn value(text: &str, tokens: &[ScriptToken], at: usize) -> Option<String> {
     let first = tokens.get(at)?;
     let start = first.range.start;
-    // A number is put in as JavaScript writes it: `7` for 7.0.
+    // Numbers are interpolated as JavaScript prints them: 7.0 as `7`.
     let written;
     let (value, end) = match &first.kind {
         ScriptTokenKind::Quoted => (text.get(first.range.clone())?, first.range.end + 1),

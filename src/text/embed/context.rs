@@ -1,26 +1,26 @@
-//! What a script says of a literal: what it is given to, and by what.
+//! The context of a literal in a script: the variable, property or call that receives it.
 
 use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark};
 use std::collections::HashSet;
 
-/// What stands before a literal.
+/// What the code before a literal says about it.
 pub struct LiteralContext {
-    /// A tag or a comment says that it is GLSL.
+    /// A tag or comment marks it as GLSL.
     pub is_introduced: bool,
-    /// It is given to something whose name speaks of shaders, or to a call that compiles it.
+    /// Its variable, property or call is named like a shader, or compiles it.
     pub names_shader: bool,
-    /// It is given to something with "vert" in its name.
+    /// A name that contains "vert" receives it.
     pub is_vertex: bool,
-    /// It is looked for in a text, or put in the place of a stretch of one.
+    /// It is a search pattern or a replacement.
     pub is_pattern: bool,
-    /// It is told to somebody.
+    /// It is a message for a person.
     pub is_message: bool,
-    /// The variable that it is given to, if it is given to one.
+    /// Name of the variable or property that receives it.
     target: Option<String>,
 }
 
 impl LiteralContext {
-    /// Reads what stands before a literal.
+    /// Analyses the code before a literal.
     pub fn of(text: &str, tokens: &[ScriptToken], literal: usize) -> LiteralContext {
         let read = ContextReader { text, tokens };
         let target = read.target(literal);
@@ -37,13 +37,13 @@ impl LiteralContext {
         }
     }
 
-    /// Whether the literal is given to one of some names.
+    /// Whether one of some names receives the literal.
     pub fn is_given_to(&self, names: &HashSet<&str>) -> bool {
         self.target.as_deref().is_some_and(|t| names.contains(t))
     }
 }
 
-/// The names of a script behind whose texts more is put: `NAME += ...`.
+/// Variables of a script to which text is appended: `NAME += ...`.
 pub fn grown<'a>(text: &'a str, tokens: &[ScriptToken]) -> HashSet<&'a str> {
     let name = |at: usize| {
         let name = tokens.get(at).filter(|t| t.kind == ScriptTokenKind::Word)?;
@@ -53,12 +53,12 @@ pub fn grown<'a>(text: &'a str, tokens: &[ScriptToken]) -> HashSet<&'a str> {
     (0..tokens.len()).filter_map(name).collect()
 }
 
-/// Words of names that are given to shaders.
+/// Words in names of variables that hold shaders.
 const SHADERS: [&str; 13] = [
     "shader", "shaders", "vert", "vertex", "frag", "fragment", "vs", "fs", "vsh", "fsh", "glsl",
     "webgl", "chunk",
 ];
-/// Methods of texts that look for a stretch.
+/// String methods that search or replace.
 const PATTERNS: [&str; 13] = [
     "replace",
     "replaceAll",
@@ -79,7 +79,7 @@ const MESSAGES: [&str; 8] = [
     "log", "warn", "error", "info", "debug", "assert", "describe", "alert",
 ];
 
-/// Whether the name of a file, or of the folder that holds it, says that it holds shaders.
+/// Whether the name of a file or of its folder indicates shaders.
 pub fn is_file_of_shaders(name: &str) -> bool {
     let mut parts = name.rsplit(['/', '\\']);
     let file = parts.next().unwrap_or("");
@@ -91,7 +91,7 @@ pub fn is_file_of_shaders(name: &str) -> bool {
             .is_some_and(|f| words(f).iter().all(is_shader) && !words(f).is_empty())
 }
 
-/// The words of a name, in lower case: those of `aVertexShader_FS2` are a, vertex, shader and fs.
+/// The words of a name in lower case: `aVertexShader_FS2` has a, vertex, shader and fs.
 fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut before = ' ';
@@ -124,7 +124,7 @@ impl<'a> ContextReader<'a> {
         self.tokens.get(at).map(|t| &t.kind)
     }
 
-    /// Whether a tag or a comment says that a literal is GLSL.
+    /// Whether a tag or comment marks a literal as GLSL.
     fn is_introduced(&self, literal: usize) -> bool {
         let Some(before) = literal.checked_sub(1) else {
             return false;
@@ -152,15 +152,15 @@ impl<'a> ContextReader<'a> {
         }
     }
 
-    /// The name of the variable or the property that a literal is given to.
+    /// The name of the variable or property that receives a literal.
     fn target(&self, literal: usize) -> Option<&'a str> {
-        /// How far is looked back, in tokens.
+        /// Maximum distance in tokens.
         const FAR: usize = 12;
         let mut at = literal;
         for _ in 0..FAR {
             at = at.checked_sub(1)?;
             match self.kind(at)? {
-                // The other case of a condition.
+                // The alternative of a conditional expression.
                 ScriptTokenKind::Mark(b':') if self.is_case(at) => {}
                 ScriptTokenKind::Mark(b'=' | b':') => break,
                 ScriptTokenKind::Mark(b';' | b',' | b'{' | b'}' | b')') => return None,
@@ -186,16 +186,16 @@ impl<'a> ContextReader<'a> {
         .then(|| self.word(name))
     }
 
-    /// Whether a `:` stands behind one literal or word and a `?`.
+    /// Whether a `:` follows a `?` and one literal or word.
     fn is_case(&self, colon: usize) -> bool {
         colon
             .checked_sub(2)
             .is_some_and(|at| is_mark(self.tokens, at, b'?'))
     }
 
-    /// What is called with a literal as one of the arguments.
+    /// The function that is called with the literal as an argument.
     fn call(&self, literal: usize) -> Option<&'a str> {
-        /// How far is looked back, in tokens.
+        /// Maximum distance in tokens.
         const FAR: usize = 40;
         let mut depth = 0_u32;
         for at in (literal.saturating_sub(FAR)..literal).rev() {
@@ -212,7 +212,7 @@ impl<'a> ContextReader<'a> {
         None
     }
 
-    /// Whether a literal is compared: `a === "..."`, or is an expression in a list of such.
+    /// Whether a literal is compared: `a === "..."`, or in a list of such expressions.
     fn is_compared(&self, literal: usize) -> bool {
         let mark = |back: usize, mark: u8| {
             literal
@@ -222,7 +222,7 @@ impl<'a> ContextReader<'a> {
         mark(1, b'=') && (mark(2, b'=') || mark(2, b'!'))
     }
 
-    /// Whether a literal is given to something with "vert" in its name.
+    /// Whether a name that contains "vert" receives a literal.
     fn is_named_vertex(&self, literal: usize) -> bool {
         let from = literal.saturating_sub(6);
         let behind = |at: &usize| {
@@ -244,7 +244,7 @@ mod tests {
     use super::super::token::tokens;
     use super::*;
 
-    /// What is said of the last literal of a script.
+    /// Checks the context of the last literal in a script.
     #[track_caller]
     fn check(text: &str, expected: &str) {
         let all = tokens(text);

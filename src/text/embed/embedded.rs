@@ -1,32 +1,32 @@
-//! A shader inside a file, and what may be written into it.
+//! A shader embedded in a file, and which edits are safe.
 
 use crate::{Edit, Span};
 
-/// A shader inside a file.
+/// A shader embedded in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Embedded {
-    /// Offset of its first byte.
+    /// Offset of its first byte in the file.
     pub start: usize,
-    /// What the compiler reads, as long as what it stands for.
+    /// The code to compile, of the same length as in the file.
     pub code: String,
-    /// What stands around it.
+    /// The construct that contains it.
     pub wrapping: Wrapping,
-    /// Whether parts of the shader are put in when the program runs.
+    /// Whether parts of the shader are inserted at run time.
     pub has_holes: bool,
-    /// Whether the text around says that it is a vertex shader.
+    /// Whether the context says that it is a vertex shader.
     pub is_vertex: bool,
-    /// Number of the chapter that it stands in; excerpts of one chapter go on from each other.
+    /// Number of its chapter; excerpts of a chapter continue each other.
     pub chapter: u32,
 }
 
 impl Embedded {
-    /// One past its last byte.
+    /// Offset after its last byte.
     pub fn end(&self) -> usize {
         self.start + self.code.len()
     }
 
-    /// Whether an edit, whose span counts from the start of `outer`, leaves the outer language
-    /// intact: what it takes away is GLSL as it stands, and what it puts in means the same there.
+    /// Whether an edit, relative to the start of `outer`, keeps the outer language intact: the
+    /// replaced text is literal GLSL, and the replacement means the same there.
     pub fn admits(&self, outer: &str, edit: &Edit) -> bool {
         let (from, to) = (edit.span.start as usize, edit.span.end as usize);
         if from < self.start || to > self.end() {
@@ -43,8 +43,7 @@ impl Embedded {
         fits && self.is_verbatim(outer, edit.span)
     }
 
-    /// Whether a stretch, counted from the start of `outer`, is GLSL as it stands there: nothing in it
-    /// is put in by a program.
+    /// Whether a span, relative to the start of `outer`, is literal GLSL without interpolation.
     pub fn is_verbatim(&self, outer: &str, span: Span) -> bool {
         let (from, to) = (span.start as usize, span.end as usize);
         let Some(inside) = from.checked_sub(self.start) else {
@@ -54,7 +53,7 @@ impl Embedded {
         read.is_some() && read == outer.get(from..to)
     }
 
-    /// Takes `...` for something that is left out.
+    /// Replaces `...` that marks an omission.
     pub(super) fn leave_out(&mut self) {
         if !self.code.contains("...") {
             return;
@@ -78,7 +77,7 @@ impl Embedded {
         }
     }
 
-    /// Leaves out the blanks in front, as the program does before it hands the shader over.
+    /// Removes leading white space, as the program does before it compiles the shader.
     pub fn trim_start(&mut self) {
         let blanks = self.code.len() - self.code.trim_start().len();
         self.code.drain(..blanks);
@@ -86,24 +85,24 @@ impl Embedded {
     }
 }
 
-/// What stands around a shader, which decides what may be written into it.
+/// The construct that contains a shader, which limits safe edits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Wrapping {
-    /// An element of a page.
+    /// An element of a web page.
     Element,
     /// A template literal.
     Template,
-    /// A string in quotes, or several put together.
+    /// A string literal, or several that are concatenated.
     Quotes,
-    /// A fence of a Markdown text.
+    /// A fenced code block of Markdown.
     Fence,
-    /// An element of a page that shows code.
+    /// An element of a web page that shows code.
     Listing,
 }
 
-/// What stands for `...` behind a text: a value behind an operator, nothing between statements.
+/// The replacement of `...`: a value after an operator, nothing between statements.
 pub(super) fn left_out(before: &str) -> &'static str {
-    /// How far is looked back, in bytes.
+    /// Maximum distance in bytes.
     const NEAR: usize = 64;
     let mut near = before.bytes().rev().take(NEAR);
     let last = near.find(|b| !b.is_ascii_whitespace());

@@ -1,18 +1,18 @@
-//! What a page or script says of the shaders in it.
+//! What a page or script does with its shaders.
 
-/// What a file says of the shaders in it.
+/// What a file does with its shaders.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Embedder {
-    /// It asks for WebGL1, and nowhere for WebGL2.
+    /// It requests WebGL1, and never WebGL2.
     pub is_webgl1: bool,
-    /// It hands shaders over to the browser itself, without a library.
+    /// It compiles shaders itself, without a library.
     pub hands_over: bool,
-    /// What it does with the blanks before a shader.
+    /// What it does with leading white space of shaders.
     pub front: Front,
 }
 
 impl Embedder {
-    /// Reads what a page or script says.
+    /// Analyses a page or script.
     pub fn of(text: &str) -> Embedder {
         let asks_for_webgl1 = || {
             text.match_indices("getContext(").any(|(at, call)| {
@@ -29,20 +29,20 @@ impl Embedder {
     }
 }
 
-/// What becomes of the blanks before a shader until the browser reads it.
+/// What happens to leading white space before the shader is compiled.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Front {
-    /// Something else hands the shader over.
+    /// Unknown, because other code compiles the shader.
     #[default]
     Unknown,
-    /// They are taken away.
+    /// Removed.
     Trimmed,
-    /// They stay.
+    /// Kept.
     Kept,
 }
 
 impl Front {
-    /// Reads what a page or script does.
+    /// Analyses a page or script.
     pub(super) fn of(text: &str) -> Front {
         const TRIMS: [&str; 7] = [
             ".trim()",
@@ -63,5 +63,5 @@ impl Front {
     }
 }
 
-/// The call that hands a shader over to the browser.
+/// The call that passes a shader to the browser.
 const HANDS_OVER: &str = ".shaderSource(";

@@ -1,23 +1,23 @@
-//! A part of a shader that is put in when the program runs.
+//! A part of a shader that is inserted at run time.
 
 use std::ops::Range;
 
-/// A part of a shader that is put in.
+/// A part of a shader that is inserted at run time.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Hole {
-    /// Where it stands.
+    /// Range in the code.
     pub range: Range<usize>,
-    /// What is put in.
+    /// What is inserted.
     pub content: HoleContent,
 }
 
-/// What is put in.
+/// What is inserted.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum HoleContent {
-    /// What an expression says, whose text this is.
+    /// The value of this expression.
     Expression(String),
     /// This text.
     Known(String),
-    /// Nothing: it steers the program that writes the shader.
+    /// Nothing: a control construct of a template.
     Nothing,
 }

@@ -1,17 +1,18 @@
-//! The parts of a shader that are put in when the program runs: by `${...}` of a script, by `+`, or by
-//! the template language that the text is written in.
+//! Parts of a shader that are inserted at run time: by `${...}` in a script, by `+`, or by the
+//! template language of the text.
 //!
-//! Each becomes something that fits where it stands and is just as long: mostly a word that nothing
-//! declares, the same for the same expression; nothing between statements; a number beside digits.
+//! Each is replaced by code of the same length that fits the syntax around it: usually an
+//! undeclared name, the same for equal expressions; nothing between statements; a number next to
+//! digits.
 
 use super::hole::{Hole, HoleContent};
 use super::keyword::is_keyword;
 use std::ops::Range;
 
-/// What stands in the bytes of holes that are not filled yet.
+/// Placeholder in the bytes of holes that are not filled yet.
 pub(super) const OPEN: u8 = 1;
 
-/// Fills holes, in the order of the text. Says whether anything is put in that is not known.
+/// Fills holes in source order. Returns whether unknown code is inserted.
 pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
     for hole in holes {
         write(bytes, hole.range.clone(), |_| OPEN);
@@ -53,7 +54,7 @@ fn touches(byte: Option<&u8>) -> bool {
     byte.is_some_and(|b| is_word(*b) || *b == OPEN)
 }
 
-/// A value with blanks on the side where they part nothing; `None` where it does not fit.
+/// A value padded with blanks where they do not separate tokens; `None` if it does not fit.
 fn fitted(bytes: &[u8], range: &Range<usize>, value: &str) -> Option<String> {
     let length = range.len();
     if value.len() > length {
@@ -69,7 +70,7 @@ fn fitted(bytes: &[u8], range: &Range<usize>, value: &str) -> Option<String> {
     }
 }
 
-/// The words that stand for expressions.
+/// The names that replace expressions.
 #[derive(Default)]
 struct HoleWords {
     /// The expressions, each with the length of its hole.
@@ -77,7 +78,7 @@ struct HoleWords {
 }
 
 impl HoleWords {
-    /// The word for an expression.
+    /// The name for an expression.
     fn word(&mut self, key: &str, length: usize) -> String {
         let entry = (length, key.to_string());
         let of_length = self.keys.iter().filter(|(l, _)| *l == length);
@@ -90,7 +91,8 @@ impl HoleWords {
             }
         };
         let mut word = vec![b'h'; length];
-        // The number in letters and digits, from the end; the first keeps the plain word.
+        // The number is encoded in letters and digits from the end; the first expression gets the
+        // plain name.
         for place in word.iter_mut().skip(1).rev() {
             if number == 0 {
                 break;
@@ -102,7 +104,7 @@ impl HoleWords {
         String::from_utf8(word).unwrap_or_default()
     }
 
-    /// A number that differs from those of other expressions, for where there is only room for one.
+    /// A number that differs from those of other expressions, for holes with little room.
     fn number(&mut self, key: &str) -> usize {
         let entry = (0, key.to_string());
         let all = || self.keys.iter().filter(|(l, _)| *l == 0);
@@ -115,7 +117,7 @@ impl HoleWords {
     }
 }
 
-/// What stands around a hole.
+/// The code around a hole.
 struct HolePlace<'a> {
     length: usize,
     before: &'a [u8],
@@ -124,7 +126,7 @@ struct HolePlace<'a> {
 
 impl<'a> HolePlace<'a> {
     fn of(bytes: &'a [u8], range: &Range<usize>) -> HolePlace<'a> {
-        /// How far is looked back, in bytes.
+        /// Number of bytes searched before the hole.
         const NEAR: usize = 2048;
         let from = range.start.saturating_sub(NEAR);
         HolePlace {
@@ -134,9 +136,9 @@ impl<'a> HolePlace<'a> {
         }
     }
 
-    /// What fits there.
+    /// The replacement that fits the syntax.
     fn text(&self, words: &mut HoleWords, key: &str) -> String {
-        /// Longest word.
+        /// Maximum length of a name.
         const MAX_WORD: usize = 512;
         if self.length > MAX_WORD {
             return String::new();
@@ -160,7 +162,7 @@ impl<'a> HolePlace<'a> {
                 let precision = if self.length >= 5 { "highp" } else { "lowp" };
                 precision.to_string()
             }
-            // A qualifier, or none.
+            // An optional qualifier.
             HoleSign::Word(word) if is_declared && is_keyword(word) && word != "return" => {
                 String::new()
             }
@@ -173,7 +175,7 @@ impl<'a> HolePlace<'a> {
             HoleSign::Word(word) if !is_keyword(word) && !self.is_declaration(word) => {
                 self.behind_operand(next)
             }
-            // The rest of the statement, with its end.
+            // The rest of the statement, with its semicolon.
             HoleSign::Word("return") | HoleSign::Mark(b'=') if self.is_done(next) => {
                 words.word(key, self.length - 1) + ";"
             }
@@ -181,7 +183,7 @@ impl<'a> HolePlace<'a> {
         }
     }
 
-    /// What fits behind an operand: an operator, or nothing.
+    /// The replacement after an operand: an operator, or nothing.
     fn behind_operand(&self, next: Option<u8>) -> String {
         match next {
             Some(byte) if is_word(byte) || byte == b'(' || byte == b'.' => " +".to_string(),
@@ -189,7 +191,7 @@ impl<'a> HolePlace<'a> {
         }
     }
 
-    /// The line that the hole stands on, before it.
+    /// The part of the line before the hole.
     fn line(&self) -> &'a str {
         let from = self.before.iter().rposition(|b| *b == b'\n');
         let line = self.before.get(from.map_or(0, |f| f + 1)..);
@@ -213,7 +215,7 @@ impl<'a> HolePlace<'a> {
         })
     }
 
-    /// Whether digits or a decimal point stand beside it.
+    /// Whether digits or a decimal point are next to it.
     fn is_number(&self) -> bool {
         let is_point = |b: Option<&u8>| b == Some(&b'.');
         let behind = is_point(self.behind.first())
@@ -225,12 +227,12 @@ impl<'a> HolePlace<'a> {
         before || (behind && !touches(self.before.last()))
     }
 
-    /// The last sign before the hole, comments left out.
+    /// The last token before the hole that is not a comment.
     fn last_sign(&self) -> HoleSign<'a> {
         let text = match std::str::from_utf8(self.before) {
             Ok(text) => text,
             Err(error) => {
-                // Looking back may start inside a character.
+                // The searched range may start inside a character.
                 let rest = self.before.get(error.valid_up_to() + 1..).unwrap_or(&[]);
                 std::str::from_utf8(rest).unwrap_or("")
             }
@@ -253,13 +255,13 @@ impl<'a> HolePlace<'a> {
         HoleSign::Start
     }
 
-    /// The first byte behind it that is no blank.
+    /// The first byte after it that is not white space.
     fn next_sign(&self) -> Option<u8> {
         let mut all = self.behind.iter();
         all.find(|b| !b.is_ascii_whitespace()).copied()
     }
 
-    /// The word that is the next on the same line.
+    /// The next word on the same line.
     fn word_behind(&self) -> &'a str {
         let is_blank = |b: &u8| matches!(b, b' ' | b'\t');
         let from = self.behind.iter().position(|b| !is_blank(b));
@@ -269,7 +271,7 @@ impl<'a> HolePlace<'a> {
         std::str::from_utf8(word).unwrap_or("")
     }
 
-    /// Whether a statement can be over behind it.
+    /// Whether a statement may end after it.
     fn is_done(&self, next: Option<u8>) -> bool {
         let mut line = self.behind.iter().take_while(|b| **b != b'\n');
         let is_last = line.all(|b| b.is_ascii_whitespace());
@@ -279,7 +281,7 @@ impl<'a> HolePlace<'a> {
         }
     }
 
-    /// Whether the word before it is all that there is of its statement, which makes it a type.
+    /// Whether its statement has only one word before it, which therefore is a type.
     fn is_declaration(&self, word: &str) -> bool {
         let text = std::str::from_utf8(self.before).unwrap_or("").trim_end();
         let rest = text.strip_suffix(word).unwrap_or("").trim_end();
@@ -291,7 +293,7 @@ impl<'a> HolePlace<'a> {
             || self.line().trim_start().len() <= word.len() + 1
     }
 
-    /// Whether it stands in `layout(...)`.
+    /// Whether it is in `layout(...)`.
     fn is_layout(&self) -> bool {
         let line = self.line();
         let behind = line.rsplit("layout").next().unwrap_or(line);
@@ -299,10 +301,10 @@ impl<'a> HolePlace<'a> {
     }
 }
 
-/// What stands before a hole.
+/// The token before a hole.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum HoleSign<'a> {
-    /// Nothing, or what ends a line.
+    /// Nothing, or the end of a line.
     Start,
     Word(&'a str),
     Mark(u8),
@@ -319,8 +321,8 @@ fn starts_with_digit(text: &[u8]) -> bool {
     first.is_some_and(u8::is_ascii_digit)
 }
 
-/// A text in which the holes of templates are filled, byte for byte as long; `None` where there is
-/// none. What can be GLSL is none.
+/// A text of the same length with the holes of templates filled; `None` if it has none. Anything
+/// that may be GLSL is not a hole.
 pub fn mask(code: &str) -> Option<String> {
     let holes = super::template::holes(code);
     if holes.is_empty() {

@@ -1,4 +1,4 @@
-//! Shaders in the elements of a page.
+//! Shaders in the elements of a web page.
 
 use super::embedded::{Embedded, Wrapping};
 use super::embedder::Front;
@@ -7,7 +7,7 @@ use super::{holes::mask, listing, script};
 use crate::kind::Scanned;
 use std::ops::Range;
 
-/// Finds those of a page.
+/// Finds the shaders of a page.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let count = found.len();
     elements(text, base, found);
@@ -17,7 +17,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     }
 }
 
-/// Finds those in script elements.
+/// Finds the shaders in script elements.
 pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let lower = text.to_ascii_lowercase();
     let trims = Front::of(text) == Front::Trimmed;
@@ -55,7 +55,7 @@ pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
     }
 }
 
-/// Where the contents of the elements stand that a browser runs as scripts.
+/// The contents of elements that a browser runs as scripts.
 pub fn scripts(text: &str) -> Vec<Range<usize>> {
     let lower = text.to_ascii_lowercase();
     let mut found = Vec::new();
@@ -69,7 +69,7 @@ pub fn scripts(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// The `id` of the element that a shader is the content of.
+/// The `id` of the element that contains a shader.
 pub fn id_of<'a>(text: &'a str, shader: &Embedded) -> Option<&'a str> {
     if shader.wrapping != Wrapping::Element {
         return None;
@@ -78,17 +78,17 @@ pub fn id_of<'a>(text: &'a str, shader: &Embedded) -> Option<&'a str> {
     attribute(before.get(before.rfind('<')?..)?, "id")
 }
 
-/// A script element, in lower case.
+/// A script element of the page in lower case.
 pub(super) struct Element<'a> {
-    /// Its attributes.
+    /// Attributes of the element.
     head: &'a str,
-    /// Where its content starts.
+    /// Start of the content.
     pub start: usize,
-    /// Where its content ends.
+    /// End of the content.
     pub end: usize,
 }
 
-/// The first script element behind an offset.
+/// The first script element after an offset.
 pub(super) fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
     loop {
         let open = at + lower.get(at..)?.find('<')?;
@@ -113,7 +113,7 @@ pub(super) fn next_script(lower: &str, mut at: usize) -> Option<Element<'_>> {
     }
 }
 
-/// Whether brackets are written as in the text of a page, which no compiler reads.
+/// Whether angle brackets are escaped as in the text of a page, which is not valid GLSL.
 fn is_escaped(content: &str) -> bool {
     content.contains("&lt;") || content.contains("&gt;")
 }

@@ -1,8 +1,8 @@
-//! The words of GLSL that tell what fits into a hole.
+//! GLSL keywords that determine what fits into a hole.
 
 use crate::kind::is_type;
 
-/// Whether a word is one of those that declarations and statements begin with.
+/// Whether a word is a keyword at the start of declarations or statements.
 pub(super) fn is_keyword(word: &str) -> bool {
     let is_qualifier = matches!(
         word,

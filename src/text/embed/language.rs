@@ -27,7 +27,7 @@ impl fmt::Display for DocumentLanguage {
 }
 
 impl DocumentLanguage {
-    /// The language of files with this ending.
+    /// The language of files with this extension.
     pub fn of_extension(extension: &str) -> Option<DocumentLanguage> {
         Some(match extension {
             "html" | "htm" | "xhtml" => DocumentLanguage::Html,

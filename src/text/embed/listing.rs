@@ -1,13 +1,13 @@
-//! Shaders in the text of a page: in elements that show code, and in those that it is edited in.
+//! Shaders in the text of a web page: in elements that show code, and in editors.
 //!
-//! A browser reads entities there. Each becomes its character at the place of its last byte, with
-//! blanks before it; of several in a row the characters stay together.
+//! Entities are decoded. Each is replaced by its character, preceded by blanks to keep the length;
+//! consecutive entities are decoded to adjacent characters.
 
 use super::embedded::{Embedded, Wrapping};
 use super::tag::{attribute, tag_length};
 use crate::kind::Scanned;
 
-/// Finds them. `lower` is the text in lower case.
+/// Finds the shaders. `lower` is the text in lower case.
 pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) {
     let mut at = 0;
     while let Some(element) = next(lower, at) {
@@ -15,7 +15,7 @@ pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) 
         let Some(content) = text.get(element.start..element.end) else {
             return;
         };
-        // What is shown is inside.
+        // The code is in an inner element.
         if element.name == "pre"
             && content
                 .trim_start()
@@ -46,7 +46,7 @@ pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) 
     }
 }
 
-/// An element of code.
+/// An element that shows code.
 struct CodeElement<'a> {
     name: &'static str,
     head: &'a str,
@@ -93,7 +93,7 @@ fn opens(rest: &str, name: &str) -> bool {
     behind.is_some_and(|b| b.starts_with(|c: char| c.is_ascii_whitespace() || c == '>'))
 }
 
-/// Whether an element holds a shader: one of its attributes says so, or its text beyond doubt.
+/// Whether an element contains a shader: according to an attribute, or clearly by its text.
 fn is_taken(element: &CodeElement, code: &str) -> bool {
     let names = ["class", "lang", "data-lang", "data-language", "id", "name"];
     let values = names.iter().filter_map(|n| attribute(element.head, n));
@@ -104,14 +104,14 @@ fn is_taken(element: &CodeElement, code: &str) -> bool {
     if words().any(|w| w == "glsl") {
         return code.contains([';', '{', '#']);
     }
-    // Another language is named.
+    // An attribute names another language.
     let is_other = words().any(|w| matches!(w, "language" | "lang"));
     let scanned = Scanned::of(code);
     let is_clear = || scanned.evidence().is_glsl() || element.name == "textarea";
     !is_other && scanned.is_shader() && is_clear()
 }
 
-/// What a browser shows of the text of an element, byte for byte.
+/// The text of an element as shown by a browser, with the same length.
 fn decode(content: &str) -> String {
     let mut code = String::with_capacity(content.len());
     let mut rest = content;
@@ -132,7 +132,7 @@ fn decode(content: &str) -> String {
     code
 }
 
-/// Passes over a tag, as programs that colour code put them in; 0 where there is none.
+/// Skips a tag of syntax highlighting; 0 if there is none.
 fn tag(rest: &str, code: &mut String) -> usize {
     let inner = rest.get(1..).unwrap_or("");
     let inner = inner.strip_prefix('/').unwrap_or(inner);
@@ -149,7 +149,7 @@ fn tag(rest: &str, code: &mut String) -> usize {
     tag.len()
 }
 
-/// Reads entities in a row; gives their length, 0 where there is none.
+/// Decodes consecutive entities; returns their length, 0 if there are none.
 fn entities(rest: &str, code: &mut String) -> usize {
     let mut length = 0;
     let mut read = String::new();
@@ -162,7 +162,7 @@ fn entities(rest: &str, code: &mut String) -> usize {
     length
 }
 
-/// The character of an entity, of those that are a byte, and its length.
+/// The character of an entity that encodes one byte, and its length.
 fn entity(rest: &str) -> Option<(char, usize)> {
     let inner = rest.strip_prefix('&')?;
     let end = inner.bytes().take(8).position(|b| b == b';')?;
@@ -187,7 +187,7 @@ fn entity(rest: &str) -> Option<(char, usize)> {
 mod tests {
     use super::*;
 
-    /// The shaders of a page, with `|` between them.
+    /// Joins the shaders of a page with `|`.
     #[track_caller]
     fn check(text: &str, expected: &str) {
         let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! What the compiler reads of literals, byte for byte.
+//! Decodes string literals to code of the same length.
 
 use super::chain::Chain;
 use super::constants::Constants;
@@ -7,17 +7,17 @@ use super::holes::fill;
 use super::token::{ScriptToken, ScriptTokenKind};
 use std::ops::Range;
 
-/// What the compiler reads of literals that are put together.
+/// The code of concatenated literals.
 pub struct JoinedLiterals {
-    /// Where it starts.
+    /// Start offset in the file.
     pub start: usize,
-    /// As long as what it stands for.
+    /// Code of the same length as in the file.
     pub text: String,
-    /// Whether parts are put in when the program runs.
+    /// Whether parts are inserted at run time.
     pub has_holes: bool,
 }
 
-/// Reads literals that are put together.
+/// Decodes concatenated literals.
 pub fn read(
     text: &str,
     tokens: &[ScriptToken],
@@ -91,14 +91,14 @@ impl Mask<'_> {
         }
     }
 
-    /// Reads an escape; gives its length.
+    /// Decodes an escape sequence; returns its length.
     fn escape(&mut self, text: &str, at: usize) -> usize {
         let rest = text.get(at + 1..).unwrap_or("");
         let Some(c) = rest.chars().next() else {
             return 1;
         };
         match c {
-            // First, so that a backslash before it still goes on with the line.
+            // First, so that a backslash before it still continues the line.
             'n' => self.set(at, b'\n'),
             'x' => return self.number(at, rest.get(1..3), 4),
             'u' if rest.starts_with("u{") => {
@@ -113,7 +113,7 @@ impl Mask<'_> {
         1 + c.len_utf8()
     }
 
-    /// A character given by its number.
+    /// A character given by its code.
     fn number(&mut self, at: usize, digits: Option<&str>, length: usize) -> usize {
         let value = digits.and_then(|d| u8::from_str_radix(d, 16).ok());
         if let Some(value) = value.filter(u8::is_ascii) {
@@ -141,8 +141,8 @@ impl Mask<'_> {
         });
     }
 
-    /// What is no literal, and stands behind one that ends at `from`. All that parts it from the
-    /// literals around belongs to it, so that it touches these as it does when the program runs.
+    /// Other expressions after the literal that ends at `from`. Everything between the literals
+    /// belongs to it, so that it is adjacent to them as at run time.
     fn other(
         &mut self,
         text: &str,

@@ -1,11 +1,11 @@
-//! Shaders in the fences of a Markdown text.
+//! Shaders in fenced code blocks of Markdown.
 
 use super::embedded::{Embedded, Wrapping, left_out};
 use super::language::DocumentLanguage;
 use super::{component, holes, html, script};
 use crate::kind::Evidence;
 
-/// Finds them.
+/// Finds the shaders.
 pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let mut open: Option<OpenFence> = None;
     let mut at = 0;
@@ -49,13 +49,13 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     }
 }
 
-/// A fence that has been opened.
+/// An open fence.
 struct OpenFence {
     mark: char,
     count: usize,
-    /// The language that it names.
+    /// Language of the fence.
     label: String,
-    /// Where its content starts.
+    /// Start of the content.
     start: usize,
     /// Number of the chapter.
     chapter: u32,
@@ -90,11 +90,11 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
     if !is_glsl || content.trim().is_empty() {
         return;
     }
-    // A fence of GLSL that shows how a page holds it.
+    // A GLSL fence that shows a web page.
     if content.trim_start().starts_with('<') {
         return html::extract(content, start, found);
     }
-    // A fence of GLSL that shows how a script holds it.
+    // A GLSL fence that shows a script.
     if content.contains("= `") || content.contains("glsl`") {
         let count = found.len();
         script::extract(content, start, false, found);
@@ -122,7 +122,8 @@ fn language_of(label: &str) -> Option<DocumentLanguage> {
     }
 }
 
-/// Whether a fence of GLSL shows a change: lines start with `+` or `-` where no expression goes on.
+/// Whether a GLSL fence shows a diff: lines start with `+` or `-` and do not continue an
+/// expression.
 fn is_diff(content: &str) -> bool {
     let mut is_open = false;
     let mut changes = 0;
@@ -143,7 +144,7 @@ fn is_diff(content: &str) -> bool {
     changes > 0
 }
 
-/// The text that a change leaves, byte for byte: what it takes away is blank.
+/// The text after a diff, with the same length: removed lines are blank.
 fn renewed(content: &str) -> String {
     let mut text = String::with_capacity(content.len());
     for line in content.split_inclusive('\n') {
@@ -159,7 +160,7 @@ fn renewed(content: &str) -> String {
     text
 }
 
-/// Puts blanks in the place of quotation marks at the start of lines, and of `...`.
+/// Replaces quotation marks at the start of lines, and `...`, with blanks.
 fn mask(content: &str) -> String {
     let mut code = String::with_capacity(content.len());
     for line in content.split_inclusive('\n') {

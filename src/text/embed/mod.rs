@@ -1,9 +1,8 @@
-//! GLSL inside pages, scripts and texts.
+//! GLSL embedded in web pages, scripts and documents.
 //!
-//! What is found is a stretch of the outer text and what the compiler reads in its place: just as
-//! many bytes, with blanks where the outer language speaks. So every place in a shader is a place in
-//! the file that holds it. Escapes of strings are read (`\n` is a line break), `${...}` becomes a
-//! name that nothing declares.
+//! A shader is a range of the outer text together with code of the same length, in which the syntax
+//! of the outer language is blank. So offsets in a shader are offsets in the file. Escape sequences
+//! are decoded (`\n` is a line break), and `${...}` is replaced by an undeclared name.
 
 mod chain;
 mod component;
@@ -31,12 +30,12 @@ pub use holes::mask;
 pub use language::DocumentLanguage;
 pub use together::{Asked, asked, together};
 
-/// Finds the shaders in a file, in the order of the text.
+/// Finds the shaders in a file, in source order.
 pub fn extract(language: DocumentLanguage, text: &str) -> Vec<Embedded> {
     extract_named("", language, text)
 }
 
-/// Finds the shaders in a file of this name, which may speak of shaders itself.
+/// Finds the shaders in a file of this name, which may indicate shaders.
 pub fn extract_named(name: &str, language: DocumentLanguage, text: &str) -> Vec<Embedded> {
     let mut found = Vec::new();
     let words = [

@@ -1,4 +1,4 @@
-//! Shaders in the literals of a script.
+//! Shaders in string literals of a script.
 
 use super::chain::Chain;
 use super::constants::Constants;
@@ -10,7 +10,7 @@ use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, tokens};
 use crate::kind::{Chunk, Scanned};
 use std::collections::HashSet;
 
-/// Finds them. Where the name of the script speaks of shaders, its literals need less evidence.
+/// Finds the shaders. If the name of the script indicates shaders, its literals need less evidence.
 pub fn extract(text: &str, base: usize, is_named: bool, found: &mut Vec<Embedded>) {
     let tokens = tokens(text);
     let script = Script {
@@ -37,16 +37,16 @@ pub fn extract(text: &str, base: usize, is_named: bool, found: &mut Vec<Embedded
     }
 }
 
-/// What is known of a script.
+/// What is known about a script.
 struct Script<'a> {
     constants: Constants,
-    /// The names behind whose texts more is put.
+    /// Variables to which text is appended.
     grown: HashSet<&'a str>,
-    /// Whether the file's name speaks of shaders.
+    /// Whether the file name indicates shaders.
     is_named: bool,
 }
 
-/// The shader that a chain of literals holds, if it holds one.
+/// The shader in a chain of literals, if it contains one.
 fn shader(
     text: &str,
     tokens: &[ScriptToken],
@@ -54,7 +54,7 @@ fn shader(
     chain: &Chain,
     script: &Script,
 ) -> Option<Embedded> {
-    /// Shortest text that is looked at where nothing introduces it.
+    /// Minimum length of a text without a tag or comment.
     const SHORTEST: usize = 8;
     let context = LiteralContext::of(text, tokens, first);
     let end = chain.parts.last().and_then(|l| tokens.get(*l))?.range.end;
@@ -88,9 +88,9 @@ fn shader(
     Some(shader)
 }
 
-/// Whether a text is a shader, or a part of one that can be judged.
+/// Whether a text is a shader, or a shader fragment that can be checked.
 fn is_taken(code: &str, context: &LiteralContext, is_named: bool) -> bool {
-    // A stretch that is looked for, or put in the place of another.
+    // A search pattern or a replacement.
     if context.is_introduced {
         return true;
     }
@@ -113,7 +113,7 @@ fn is_taken(code: &str, context: &LiteralContext, is_named: bool) -> bool {
         }
 }
 
-/// Whether every bracket has its other.
+/// Whether all brackets match.
 fn is_balanced(code: &str) -> bool {
     let count = |open: char, close: char| {
         let mut depth = 0_i32;
@@ -128,7 +128,7 @@ fn is_balanced(code: &str) -> bool {
     count('{', '}') && count('(', ')')
 }
 
-/// Leaves out what `.trim()` or `.slice(1)` behind the literal takes away.
+/// Removes what `.trim()` or `.slice(1)` after the literal removes.
 fn cut_front(text: &str, tokens: &[ScriptToken], behind: usize, shader: &mut Embedded) {
     if !is_mark(tokens, behind, b'.') {
         return;

@@ -1,6 +1,6 @@
-//! The tags of a page.
+//! HTML tags.
 
-/// Length of a tag up to its `>`, which may stand in quotes too.
+/// Length of a tag up to its `>`; quoted `>` do not end it.
 pub(super) fn tag_length(head: &str) -> Option<usize> {
     let mut quote = None;
     head.char_indices().find_map(|(i, c)| {

@@ -1,15 +1,15 @@
-//! Where the template languages of other programs put something into a shader: `${x}`, `{{ x }}`,
-//! `{x}`, `[[x]]`, `<%= x %>`, `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
+//! Placeholders of template languages in shaders: `${x}`, `{{ x }}`, `{x}`, `[[x]]`, `<%= x %>`,
+//! `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
 
 use super::hole::{Hole, HoleContent};
 use super::keyword::is_keyword;
 use std::collections::HashSet;
 use std::ops::Range;
 
-/// Longest hole, in bytes.
+/// Maximum length of a hole in bytes.
 const MAX_HOLE: usize = 1_000;
 
-/// The holes in a text, in its order. What can be GLSL is none.
+/// The holes in a text, in source order. Anything that may be GLSL is not a hole.
 pub(super) fn holes(code: &str) -> Vec<Hole> {
     let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[["];
     let is_candidate =
@@ -31,7 +31,7 @@ pub(super) fn holes(code: &str) -> Vec<Hole> {
     scan.found
 }
 
-/// Whether a line imports a file, or gives a uniform a value behind a colon.
+/// Whether a line imports a file, or initialises a uniform after a colon.
 fn has_lines(code: &str) -> bool {
     let is_one = |line: &str| {
         let line = line.trim_start();
@@ -40,7 +40,7 @@ fn has_lines(code: &str) -> bool {
     (code.contains("import") || code.contains(':')) && code.lines().any(is_one)
 }
 
-/// Whether a word stands between braces, with no blank.
+/// Whether a word is in braces without blanks.
 fn has_braced(code: &str) -> bool {
     code.match_indices('{').any(|(at, _)| {
         let rest = code.get(at + 1..).unwrap_or("");
@@ -49,7 +49,7 @@ fn has_braced(code: &str) -> bool {
     })
 }
 
-/// The words of directives, which are macros and no holes.
+/// The words in directives, which are macros and not holes.
 fn defined(code: &str) -> HashSet<&str> {
     let lines = code.lines().map(str::trim_start);
     let directives = lines.filter_map(|l| l.strip_prefix('#'));
@@ -57,7 +57,7 @@ fn defined(code: &str) -> HashSet<&str> {
     let words = directives.map(|d| {
         let rest = d.trim_start();
         let is_test = rest.starts_with("if") || rest.starts_with("elif");
-        // What a macro stands for may be put in.
+        // The replacement of a macro may be a hole.
         let count = if is_test { usize::MAX } else { 2 };
         let split = rest.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         split.filter(|w| !w.is_empty()).take(count)
@@ -67,17 +67,17 @@ fn defined(code: &str) -> HashSet<&str> {
 
 struct TemplateScan<'a> {
     code: &'a str,
-    /// Macros.
+    /// Names of macros.
     known: HashSet<&'a str>,
-    /// The last token.
+    /// Range of the last token.
     last: Option<Range<usize>>,
-    /// The one before it.
+    /// Range of the token before it.
     before_last: Option<Range<usize>>,
-    /// Whether a list of values is open.
+    /// Whether an initialiser list is open.
     in_list: bool,
-    /// Whether the declaration of a uniform or of a block of them is open.
+    /// Whether the declaration of a uniform or a uniform block is open.
     is_uniform: bool,
-    /// How many braces are open.
+    /// Number of open braces.
     depth: u32,
     found: Vec<Hole>,
 }
@@ -135,7 +135,7 @@ impl<'a> TemplateScan<'a> {
         self.code.get(range).unwrap_or("")
     }
 
-    /// The hole that starts here: its length, and what is put in.
+    /// The hole that starts here: its length and content.
     fn hole(&self, at: usize, rest: &str) -> Option<(usize, HoleContent)> {
         let end = (0..=rest.len().min(MAX_HOLE)).rev();
         let end = end.into_iter().find(|end| rest.is_char_boundary(*end));
@@ -166,7 +166,7 @@ impl<'a> TemplateScan<'a> {
             b':' => self.annotation(rest),
             b'i' => self.import(rest),
             b'[' => {
-                // Nothing else is on its line.
+                // Nothing else is on the line.
                 let line = rest.split('\n').next()?.trim_end();
                 let name = line.strip_prefix("[[")?.strip_suffix("]]")?;
                 let before = self.code.get(..at)?.trim_end_matches([' ', '\t']);
@@ -215,7 +215,7 @@ impl<'a> TemplateScan<'a> {
         self.brace(at, line)
     }
 
-    /// `{x}`, with no blank; in GLSL that is a block only where `x` is a macro.
+    /// `{x}` without blanks; in GLSL this is a block only if `x` is a macro.
     fn brace(&self, at: usize, line: &str) -> Option<(usize, HoleContent)> {
         let Some(length) = braced(line) else {
             return self.dashed(line);
@@ -243,13 +243,13 @@ impl<'a> TemplateScan<'a> {
         (is_dashed && is_operand).then(|| (end + 1, expression(inner)))
     }
 
-    /// `%s`, `%NAME%` and `%(name)s`, where no remainder can be taken.
+    /// `%s`, `%NAME%` and `%(name)s`, where `%` cannot be an operator.
     fn percent(&self, rest: &str) -> Option<(usize, HoleContent)> {
         let last = self.text(&self.last);
         let line_start = self.last.as_ref().is_none_or(|l| l.end == 0);
         let is_operand = match last.bytes().next_back() {
             None => false,
-            // The sign of a format stands behind a hole too.
+            // The letter of a format may also be part of the next word.
             Some(byte) if is_word(byte) => {
                 let is_macro = self.text(&self.before_last) == "define";
                 !is_macro && !is_keyword(last)
@@ -285,7 +285,7 @@ impl<'a> TemplateScan<'a> {
         is_format.then(|| (digits + 2, HoleContent::Expression(format!("%{number}"))))
     }
 
-    /// The value of a uniform, as some libraries write it: `uniform float x : 1.0;`.
+    /// The initial value of a uniform, as some libraries write it: `uniform float x : 1.0;`.
     fn annotation(&self, rest: &str) -> Option<(usize, HoleContent)> {
         let line = rest.split(['\n', ';']).next()?;
         let is_line = rest.get(line.len()..)?.starts_with(';');
@@ -308,7 +308,7 @@ impl<'a> TemplateScan<'a> {
         is_path.then_some((line.len(), HoleContent::Nothing))
     }
 
-    /// Whether a brace closes a block, behind which no operator stands.
+    /// Whether a brace closes a block, after which no operator can follow.
     fn ends_statement(&self, byte: u8) -> bool {
         byte == b'}' && self.last.as_ref().is_some_and(|l| l.len() == 1)
     }
@@ -318,9 +318,9 @@ fn expression(text: &str) -> HoleContent {
     HoleContent::Expression(text.trim().to_string())
 }
 
-/// `${x}`, `$x` and `$x$`; no sign of GLSL.
+/// `${x}`, `$x` and `$x$`; `$` is not a GLSL character.
 fn dollar(rest: &str) -> Option<(usize, HoleContent)> {
-    /// Longest expression, in bytes.
+    /// Maximum length of an expression in bytes.
     const MAX: usize = 2000;
     if let Some(inner) = rest.strip_prefix("${") {
         let mut depth = 1_u32;
@@ -345,7 +345,7 @@ fn dollar(rest: &str) -> Option<(usize, HoleContent)> {
     Some((marks + name.len() + closing, expression(name)))
 }
 
-/// Length of a word between braces that may hold others: `{A_{i}}`.
+/// Length of a word in braces, which may be nested: `{A_{i}}`.
 fn braced(line: &str) -> Option<usize> {
     let mut depth = 0_u32;
     for (at, byte) in line.bytes().enumerate() {
@@ -361,7 +361,7 @@ fn braced(line: &str) -> Option<usize> {
     None
 }
 
-/// Whether what stands between two braces is a value: no statement ends in it, and no block.
+/// Whether the text in braces is an expression: it contains no complete statement or block.
 fn is_expression(inner: &str) -> bool {
     let is_bad = |c: char| matches!(c, ';' | '{' | '}' | '=' | '\n');
     let start = inner.trim().chars().next();
@@ -383,7 +383,7 @@ fn is_word(byte: u8) -> bool {
 mod tests {
     use super::*;
 
-    /// The holes of a text, each with what is put in.
+    /// Checks the holes of a text with their contents.
     #[track_caller]
     fn check(text: &str, expected: &str) {
         let all = holes(text);

@@ -1,5 +1,4 @@
-//! What a script says of its shaders besides their text: which of them it names together, and which
-//! uniforms it asks for.
+//! How a script uses its shaders: which ones it combines to a program, and which uniforms it sets.
 
 use super::embedded::Embedded;
 use super::html;
@@ -8,11 +7,11 @@ use super::token::{ScriptToken, ScriptTokenKind, tokens};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Most shaders in one pair of brackets that are told apart.
+/// Maximum number of shaders in one pair of brackets.
 const MAX_GROUP: usize = 8;
 
-/// The shaders that stand, or are named, in one pair of brackets of a script: a call, an object, the
-/// body of a function. Each is the index of a shader in `all`.
+/// The shaders that occur together in a pair of brackets of a script: a call, an object, the body
+/// of a function. Indices refer to `all`.
 pub fn together(language: DocumentLanguage, text: &str, all: &[Embedded]) -> Vec<Vec<usize>> {
     let mut groups = Vec::new();
     for script in scripts(language, text) {
@@ -34,12 +33,12 @@ fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
     }
 }
 
-/// The shaders that a script can name.
+/// The names of shaders in a script.
 struct ShaderNames<'a> {
     text: &'a str,
     base: usize,
     all: &'a [Embedded],
-    /// By variable, or by the `id` of an element; `None` where several have one name.
+    /// By variable, or by `id` of an element: the shader; `None` if several have the same name.
     named: HashMap<&'a str, Option<usize>>,
 }
 
@@ -96,7 +95,7 @@ impl<'a> ShaderNames<'a> {
         (shader.start <= end && end > start).then_some(index)
     }
 
-    /// The variable that a literal is the value of: `const NAME = glsl\`...\``.
+    /// The variable that a literal initialises: `const NAME = glsl\`...\``.
     fn variable(&self, tokens: &[ScriptToken], literal: usize) -> Option<&'a str> {
         let mut before = tokens.get(literal.saturating_sub(6)..literal)?.iter().rev();
         let tags = |t: &&ScriptToken| {
@@ -112,7 +111,7 @@ impl<'a> ShaderNames<'a> {
         is_name.then(|| self.word(Some(name)))
     }
 
-    /// The shader that a token stands for.
+    /// The shader that a token denotes.
     fn meant(&self, tokens: &[ScriptToken], at: usize) -> Option<usize> {
         let token = tokens.get(at)?;
         let mark = |at: Option<usize>, mark| {
@@ -129,7 +128,7 @@ impl<'a> ShaderNames<'a> {
                         .flatten()
                 })
             }
-            // A key or a member is no variable.
+            // A key or a member is not a variable.
             ScriptTokenKind::Word if mark(Some(at + 1), b':') || mark(at.checked_sub(1), b'.') => {
                 None
             }
@@ -138,7 +137,7 @@ impl<'a> ShaderNames<'a> {
         }
     }
 
-    /// Finds the shaders between each pair of brackets.
+    /// Finds the shaders in each pair of brackets.
     fn groups(&self, tokens: &[ScriptToken], found: &mut Vec<Vec<usize>>) {
         let mut open: Vec<Vec<usize>> = Vec::new();
         let add = |group: &mut Vec<usize>, index: usize| {
@@ -169,17 +168,17 @@ impl<'a> ShaderNames<'a> {
     }
 }
 
-/// A uniform that a script asks for.
+/// A uniform that a script refers to.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Asked {
-    /// Its name, without an index or a member.
+    /// Name without index and members.
     pub name: String,
-    /// Where the name stands in the file.
+    /// Range of the name in the file.
     pub range: Range<usize>,
 }
 
-/// The uniforms that the scripts of a file ask for by name: `getUniformLocation(program, "name")`,
-/// and the keys of `uniforms: { ... }`.
+/// The uniforms that the scripts of a file refer to: `getUniformLocation(program, "name")`, and
+/// keys of `uniforms: { ... }`.
 pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
     let mut found = Vec::new();
     for script in scripts(language, text) {
@@ -218,7 +217,7 @@ pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
     found
 }
 
-/// The keys of the object behind `uniforms:`, and the token at its end.
+/// The keys of the object after `uniforms:`, and the index of its last token.
 fn keys(tokens: &[ScriptToken], at: usize) -> (Vec<&ScriptToken>, usize) {
     let mark = |at: usize, mark| {
         tokens
@@ -246,10 +245,9 @@ fn keys(tokens: &[ScriptToken], at: usize) -> (Vec<&ScriptToken>, usize) {
     (keys, tokens.len())
 }
 
-/// The string that is the second argument of the call whose bracket stands at `open`, if that is all
-/// there is of it.
+/// The string that is the complete second argument of the call with its parenthesis at `open`.
 fn second_argument(tokens: &[ScriptToken], open: usize) -> Option<&ScriptToken> {
-    /// Longest first argument that is looked through, in tokens.
+    /// Maximum length of the first argument in tokens.
     const MAX_ARGUMENT: usize = 16;
     let mut depth = 0_u32;
     for at in open..open + MAX_ARGUMENT {
@@ -280,7 +278,7 @@ mod tests {
     use super::super::extract;
     use super::*;
 
-    /// The names of shaders that a script holds together; each shader is `void main() { NAME; }`.
+    /// Checks the groups of shaders in a script; each shader is `void main() { NAME; }`.
     #[track_caller]
     fn check(text: &str, expected: &str) {
         let language = if text.starts_with('<') {

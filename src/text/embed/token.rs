@@ -1,13 +1,13 @@
-//! The tokens of a script, as far as literals are concerned.
+//! The tokens of a script, as far as needed to find string literals.
 
 use std::ops::Range;
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ScriptTokenKind {
-    /// A string in quotes, without them.
+    /// The contents of a quoted string.
     Quoted,
-    /// A template literal, without its backticks, and the `${...}` in it.
+    /// The contents of a template literal, and the ranges of its `${...}`.
     Template(Vec<Range<usize>>),
     /// `// ...` or `/* ... */`.
     Comment,
@@ -17,12 +17,12 @@ pub enum ScriptTokenKind {
     Mark(u8),
 }
 
-/// A token; its range leaves out quotes.
+/// A token; its range excludes quotes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ScriptToken {
-    /// What it is.
+    /// Quoted string, template, comment, word or mark.
     pub kind: ScriptTokenKind,
-    /// Where it stands.
+    /// Range in the script.
     pub range: Range<usize>,
 }
 
@@ -34,14 +34,14 @@ pub fn is_literal(token: &ScriptToken) -> bool {
     )
 }
 
-/// Whether a token is this mark.
+/// Whether the token at an index is this mark.
 pub fn is_mark(tokens: &[ScriptToken], at: usize, mark: u8) -> bool {
     tokens
         .get(at)
         .is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
 }
 
-/// The first token from `at` on that is no comment.
+/// The index of the first token from `at` on that is not a comment.
 pub fn skip_comments(tokens: &[ScriptToken], mut at: usize) -> usize {
     while tokens
         .get(at)
@@ -52,7 +52,7 @@ pub fn skip_comments(tokens: &[ScriptToken], mut at: usize) -> usize {
     at
 }
 
-/// The tokens of a script. What cannot be read ends it.
+/// The tokens of a script up to the first error.
 pub fn tokens(text: &str) -> Vec<ScriptToken> {
     let bytes = text.as_bytes();
     let mut found: Vec<ScriptToken> = Vec::new();
@@ -68,7 +68,7 @@ pub fn tokens(text: &str) -> Vec<ScriptToken> {
             b'/' if may_be_regex(text, found.last()) => {
                 let end = regex_end(bytes, at);
                 at = end.unwrap_or(at + 1);
-                // It counts as a value, so that a `/` behind it divides.
+                // It counts as an operand, so that a following `/` is a division.
                 if end.is_some() {
                     ScriptTokenKind::Word
                 } else {
@@ -130,7 +130,7 @@ fn is_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'$' || byte >= 0x80
 }
 
-/// Whether a `'` stands inside a word of the text of an element: `don't`.
+/// Whether a `'` is an apostrophe in the text of an element: `don't`.
 fn is_apostrophe(text: &str, before: Option<&ScriptToken>, at: usize) -> bool {
     let is_letter = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_alphabetic);
     let word = before.filter(|t| t.kind == ScriptTokenKind::Word && t.range.end == at);
@@ -154,7 +154,7 @@ fn comment_end(text: &str, at: usize) -> usize {
     at + length.unwrap_or(rest.len())
 }
 
-/// Whether a `/` behind this token starts a regular expression.
+/// Whether a `/` after this token starts a regular expression.
 fn may_be_regex(text: &str, before: Option<&ScriptToken>) -> bool {
     match before {
         None => true,
@@ -170,7 +170,8 @@ fn may_be_regex(text: &str, before: Option<&ScriptToken>) -> bool {
     }
 }
 
-/// Whether a `/` in the code of a template starts a regular expression: it follows what ends no value.
+/// Whether a `/` in the code of a template starts a regular expression, because it does not follow
+/// an operand.
 fn starts_regex(bytes: &[u8], at: usize) -> bool {
     let before = bytes.get(..at).unwrap_or(&[]);
     let last = before.iter().rev().find(|b| !b.is_ascii_whitespace());
@@ -194,7 +195,7 @@ fn regex_end(bytes: &[u8], at: usize) -> Option<usize> {
     }
 }
 
-/// Offset of the closing quote; `None` where the line ends before.
+/// Offset of the closing quote; `None` if the line ends before.
 fn quoted_end(bytes: &[u8], at: usize) -> Option<usize> {
     let quote = bytes.get(at)?;
     let mut at = at + 1;
@@ -212,7 +213,7 @@ fn quoted_end(bytes: &[u8], at: usize) -> Option<usize> {
 
 /// Offset of the closing backtick, and the outermost `${...}`.
 fn template_end(text: &str, at: usize) -> Option<(usize, Vec<Range<usize>>)> {
-    /// What is open: a literal, or the code of a `${` with so many braces.
+    /// An open construct: a literal, or the code of `${` with a number of open braces.
     enum OpenToken {
         Literal,
         Code(u32),

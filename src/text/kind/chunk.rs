@@ -1,21 +1,21 @@
-//! Parts of shaders without a `main`, in the strings of programs: what is certain enough to be one.
+//! Detects shader fragments without `main` in strings of programs.
 
 use super::evidence::{Evidence, has_main, is_type};
 use super::scan::{ScanKind, ScanToken, tokens};
 use std::cell::OnceCell;
 
-/// How much speaks for a text being a part of a shader.
+/// How certain it is that a text is a shader fragment.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Chunk {
-    /// It defines functions or declares an interface as only GLSL does.
+    /// Certain: it defines functions or declares an interface as only GLSL does.
     Clear,
-    /// It does, and may be GLSL, where a name says so too.
+    /// Likely: it does, and is GLSL if the name of the file or variable agrees.
     Likely,
-    /// Anything else.
+    /// Unlikely.
     No,
 }
 
-/// The text of a string, read once for all that is asked of it.
+/// The text of a string, tokenised once for several checks.
 pub struct Scanned<'a> {
     text: &'a str,
     all: Vec<ScanToken<'a>>,
@@ -23,7 +23,7 @@ pub struct Scanned<'a> {
 }
 
 impl<'a> Scanned<'a> {
-    /// Reads a text.
+    /// Tokenises a text.
     pub fn of(text: &'a str) -> Scanned<'a> {
         Scanned {
             text,
@@ -32,14 +32,14 @@ impl<'a> Scanned<'a> {
         }
     }
 
-    /// What speaks for one language or another in it.
+    /// The evidence for each language.
     pub fn evidence(&self) -> &Evidence<'a> {
         let read = || Evidence::read(self.text, &self.all);
         self.evidence.get_or_init(read)
     }
 
-    /// How much speaks for its being a part of a shader that stands for itself: functions and
-    /// declarations, no statements.
+    /// How certain it is that the text is a shader fragment of functions and declarations, without
+    /// statements.
     pub fn chunk(&self) -> Chunk {
         let (functions, interface) = (has_function(&self.all), has_interface(&self.all));
         let may_be_part = self.text.contains([';', '{']) && (functions || interface);
@@ -51,7 +51,7 @@ impl<'a> Scanned<'a> {
         }
     }
 
-    /// Whether there is nothing in it but directives and comments.
+    /// Whether it contains only directives and comments.
     pub fn is_bare(&self) -> bool {
         let mut goes_on = false;
         let mut in_directive = false;
@@ -64,15 +64,15 @@ impl<'a> Scanned<'a> {
         })
     }
 
-    /// Whether it is a shader beyond doubt: it starts with `#version` or has a `main`, and is
-    /// nothing else.
+    /// Whether it clearly is a complete shader: it starts with `#version` or has a `main`, and is
+    /// not another language.
     pub fn is_shader(&self) -> bool {
         let is_candidate = self.text.trim_start().starts_with("#version") || has_main(self.text);
         is_candidate && self.evidence().may_be_glsl()
     }
 }
 
-/// The tokens outside of directives, with how many brackets are open.
+/// The tokens outside of directives, with the number of open brackets.
 fn outside<'t, 'a>(
     all: &'t [ScanToken<'a>],
 ) -> impl Iterator<Item = (usize, u32, &'t ScanToken<'a>)> {
@@ -108,7 +108,7 @@ fn has_function(all: &[ScanToken]) -> bool {
     })
 }
 
-/// Whether anything is taken from outside, or handed on.
+/// Whether an input, output or uniform is declared.
 fn has_interface(all: &[ScanToken]) -> bool {
     let text = |at: usize| all.get(at).map_or("", |t| t.text);
     let is_precision = |word: &str| matches!(word, "highp" | "mediump" | "lowp");

@@ -1,4 +1,4 @@
-//! What speaks for one language or another in a text, and the verdict.
+//! Evidence for the language of a text.
 
 use super::scan::{ScanKind, ScanToken, first_tokens, tokens};
 use super::signs::SIGNS;
@@ -6,20 +6,20 @@ use super::tongue::Tongue;
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
-/// Words in a row that make a sentence.
+/// Number of consecutive words that make a sentence.
 const SENTENCE: usize = 5;
-/// Names in a row of words, its keywords not counted, that no declaration has.
+/// Number of consecutive names, without keywords, that no declaration has.
 const NAMES: usize = 3;
 
-/// A row of [`SIGNS`], read.
+/// A parsed sequence of [`SIGNS`].
 struct SignRow {
     number: usize,
     tongue: Tongue,
-    /// Its tokens, with a blank between them.
+    /// Tokens of the sequence, separated by blanks.
     row: &'static str,
     is_enough: bool,
     starts_line: bool,
-    /// Number of the next row with the same first token.
+    /// Index of the next sequence with the same first token.
     next: Option<usize>,
 }
 
@@ -45,12 +45,12 @@ impl SignRow {
     }
 }
 
-/// The signs, and for each first token the first of its rows.
+/// The sequences, indexed by first token.
 struct Signs {
     all: Vec<SignRow>,
     heads: FxHashMap<&'static str, usize>,
-    /// By the first byte of a token, a bit for each length that a first token has: most tokens start
-    /// no row.
+    /// By first byte of a token, a bit for each length of a first token: most tokens start no
+    /// sequence.
     lengths: [u32; 256],
 }
 
@@ -86,13 +86,13 @@ impl Signs {
         }
     }
 
-    /// Whether a row may start with a token.
+    /// Whether a sequence may start with a token.
     fn may_start(&self, first: &str) -> bool {
         let lengths = self.lengths.get(first_byte(first)).copied().unwrap_or(0);
         lengths & length_bit(first) != 0
     }
 
-    /// Those that start with a token, in their order.
+    /// The sequences that start with a token, in order.
     fn starting_with(&self, first: &str) -> impl Iterator<Item = &SignRow> {
         let head = self.heads.get(first).and_then(|&head| self.all.get(head));
         std::iter::successors(head, |sign| self.all.get(sign.next?))
@@ -107,13 +107,13 @@ fn length_bit(token: &str) -> u32 {
     1 << token.len().min(31)
 }
 
-/// A sign that a text shows.
+/// A sequence found in a text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct SeenSign {
     number: usize,
     tongue: Tongue,
     is_enough: bool,
-    /// Where.
+    /// Start offset.
     start: usize,
     end: usize,
 }
@@ -121,16 +121,16 @@ struct SeenSign {
 /// The `#version` of a text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct VersionLine {
-    /// Its number.
+    /// Version number.
     pub number: u32,
-    /// Whether `es` stands behind it.
+    /// Whether `es` follows.
     pub is_es: bool,
-    /// Where it stands.
+    /// Start offset.
     pub at: usize,
 }
 
 impl VersionLine {
-    /// Whether OpenGL, OpenGL ES or Vulkan has this version, and WebGL has not.
+    /// Whether OpenGL, OpenGL ES or Vulkan has this version, but not WebGL.
     pub fn is_desktop(self) -> bool {
         match self.number {
             310 | 320 => self.is_es,
@@ -140,35 +140,35 @@ impl VersionLine {
     }
 }
 
-/// What speaks for one language or another in a text.
+/// Evidence for the language of a text.
 #[derive(Clone, Debug)]
 pub struct Evidence<'a> {
     text: &'a str,
-    /// Its `#version`.
+    /// The `#version` directive.
     pub version: Option<VersionLine>,
     seen: Vec<SeenSign>,
     has_quotes: bool,
-    /// Lines that are sentences.
+    /// Number of lines that are sentences.
     sentences: usize,
-    /// Whether a row of words is no code.
+    /// Whether consecutive words are prose.
     has_prose: bool,
-    /// Lines that begin as those of a diff.
+    /// Number of lines that start as in a diff.
     changes: usize,
-    /// What its first character gives away.
+    /// The language that the first characters determine.
     start: Option<Tongue>,
-    /// How many closing tags and escaped brackets there are.
+    /// Number of closing tags and escaped angle brackets.
     tags: usize,
-    /// Whether a type stands before a word, or a directive of GLSL on a line.
+    /// Whether a type precedes a word, or a line is a GLSL directive.
     has_types: bool,
 }
 
 impl<'a> Evidence<'a> {
-    /// Reads a text.
+    /// Collects the evidence in a text.
     pub fn of(text: &'a str) -> Evidence<'a> {
         Evidence::read(text, &tokens(text))
     }
 
-    /// Looks at the tokens of a text.
+    /// Collects the evidence in tokens.
     pub(super) fn read(text: &'a str, all: &[ScanToken]) -> Evidence<'a> {
         let mut evidence = Evidence {
             text,
@@ -183,7 +183,7 @@ impl<'a> Evidence<'a> {
             has_types: false,
         };
         let signs = Signs::get();
-        // Where the row of words at hand starts.
+        // Start of the current sequence of words.
         let mut row = 0;
         let mut in_directive = false;
         for (i, token) in all.iter().enumerate() {
@@ -218,7 +218,7 @@ impl<'a> Evidence<'a> {
         evidence
     }
 
-    /// Judges whether words in a row are a sentence.
+    /// Decides whether consecutive words are a sentence.
     fn judge_row(&mut self, all: &[ScanToken], row: std::ops::Range<usize>) {
         if row.len() < NAMES {
             return;
@@ -236,7 +236,7 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// Notes the signs that start with a token.
+    /// Records the sequences that start with a token.
     fn note(&mut self, signs: &Signs, all: &[ScanToken], at: usize) {
         let Some(token) = all.get(at) else { return };
         for sign in signs.starting_with(token.text) {
@@ -272,18 +272,18 @@ impl<'a> Evidence<'a> {
         self.seen.iter().filter(|s| s.tongue == tongue).count()
     }
 
-    /// Whether so many signs speak for a language; a strong one counts for three.
+    /// Whether there are `wanted` sequences of a language; strong ones count as three.
     fn has_enough(&self, tongue: Tongue, wanted: usize) -> bool {
         let of = self.seen.iter().filter(|s| s.tongue == tongue);
         of.map(|s| if s.is_enough { 3 } else { 1 }).sum::<usize>() >= wanted
     }
 
-    /// Whether something in it is found in no language but GLSL.
+    /// Whether it contains something that only GLSL has.
     fn speaks_glsl(&self) -> bool {
         self.count(Tongue::Glsl) + self.count(Tongue::Web) > 0
     }
 
-    /// Another shading language than GLSL ES that the text is clearly written in.
+    /// The shading language other than GLSL ES that the text is clearly written in.
     pub fn foreign(&self) -> Option<Tongue> {
         if let Some(version) = self.version {
             return version.is_desktop().then_some(Tongue::Desktop);
@@ -301,7 +301,7 @@ impl<'a> Evidence<'a> {
         (!self.speaks_glsl() && self.count(Tongue::Desktop) == 0).then_some(best)
     }
 
-    /// Another language, none for shaders, that the text is clearly written in.
+    /// The other language that the text is clearly written in.
     pub fn other(&self) -> Option<Tongue> {
         if self.start.is_some() {
             return self.start;
@@ -317,14 +317,14 @@ impl<'a> Evidence<'a> {
         }
         use Tongue::{C, FSharp, Python, Rust, Script};
         let all = [Script, C, FSharp, Rust, Python];
-        // Words of one language in declarations of another are mistakes.
+        // Words of another language next to GLSL declarations are mistakes.
         let wanted = if self.has_types { 4 } else { 2 };
         let named = all.into_iter().filter(|t| self.has_enough(*t, wanted));
         let prose = (self.sentences >= 2 && !self.has_types).then_some(Tongue::Prose);
         named.max_by_key(|t| self.count(*t)).or(prose)
     }
 
-    /// Whether it is GLSL ES beyond doubt, whatever holds it.
+    /// Whether it clearly is GLSL ES.
     pub fn is_glsl(&self) -> bool {
         let is_else = |s: &SeenSign| !matches!(s.tongue, Tongue::Glsl | Tongue::Web);
         if self.seen.iter().any(is_else) || self.start.is_some() || self.foreign().is_some() {
@@ -337,29 +337,29 @@ impl<'a> Evidence<'a> {
         self.version.is_some() || signs >= 2 || (signs >= 1 && has_main(self.text))
     }
 
-    /// Whether a text that has a `main` can be GLSL.
+    /// Whether a text with a `main` may be GLSL.
     pub fn may_be_glsl(&self) -> bool {
         self.other().is_none() && self.tags == 0 && (self.speaks_glsl() || !self.has_quotes)
     }
 
-    /// Whether a text that declares something as GLSL does can be a part of a shader.
+    /// Whether a text with GLSL declarations may be a shader fragment.
     pub fn may_be_part(&self) -> bool {
         let is_plain = !self.has_quotes && !self.has_prose && self.changes <= 1 && self.tags == 0;
         is_plain && self.has_glsl() && self.other().is_none() && self.foreign().is_none()
     }
 
-    /// Whether anything in it could be GLSL.
+    /// Whether anything in it may be GLSL.
     pub fn has_glsl(&self) -> bool {
         self.version.is_some() || self.speaks_glsl() || self.has_types
     }
 
-    /// Where the first sign of a language stands.
+    /// The range of the first typical code of a language.
     pub fn first_sign(&self, tongue: Tongue) -> Option<std::ops::Range<usize>> {
         let of = self.seen.iter().filter(|s| s.tongue == tongue);
         of.map(|s| s.start..s.end).next()
     }
 
-    /// The first signs of a language, as they are written.
+    /// The first typical code of a language, as written.
     pub fn told(&self, tongue: Tongue) -> Vec<&'a str> {
         const MOST: usize = 3;
         let of = self.seen.iter().filter(|s| s.tongue == tongue);
@@ -373,7 +373,7 @@ impl<'a> Evidence<'a> {
     }
 }
 
-/// Whether a closing tag or an escaped bracket starts here.
+/// Whether a closing tag or an escaped angle bracket starts here.
 fn is_tag(all: &[ScanToken], at: usize) -> bool {
     let text = |i: usize| all.get(at + i).map_or("", |t| t.text);
     match text(0) {
@@ -383,9 +383,9 @@ fn is_tag(all: &[ScanToken], at: usize) -> bool {
     }
 }
 
-/// Whether a text starts with the `#version` of a shader for WebGL, whatever stands behind it.
+/// Whether a text starts with the `#version` of a WebGL shader.
 pub fn starts_as_web(text: &str) -> bool {
-    /// `#version 300 es` and the first token behind it.
+    /// `#version 300 es` and the next token.
     const HEAD: usize = 5;
     let version = version(&first_tokens(text, HEAD));
     version.is_some_and(|v| !v.is_desktop())
@@ -407,7 +407,7 @@ fn version(all: &[ScanToken]) -> Option<VersionLine> {
     })
 }
 
-/// What the first tokens give away, since no shader starts so.
+/// The language that the first tokens determine, because no shader starts that way.
 fn start(all: &[ScanToken]) -> Option<Tongue> {
     let text = |i: usize| all.get(i).map_or("", |t| t.text);
     let is_word = |i: usize| all.get(i).is_some_and(|t| t.kind == ScanKind::Word);
@@ -419,13 +419,13 @@ fn start(all: &[ScanToken]) -> Option<Tongue> {
         ("-", "-") if text(2) == "-" && all.get(3).is_some_and(|t| !t.is_first) => {
             Some(Tongue::Diff)
         }
-        // The head of a page for a generator of sites.
+        // The front matter of a static site generator.
         ("-", "-") if text(2) == "-" => Some(Tongue::Prose),
         _ => None,
     }
 }
 
-/// Words that stand in a row in declarations of GLSL.
+/// Words that follow each other in GLSL declarations.
 fn is_of_declarations(word: &str) -> bool {
     let is_qualifier = matches!(
         word,
@@ -444,7 +444,7 @@ fn is_of_declarations(word: &str) -> bool {
     is_qualifier || is_type(word)
 }
 
-/// Whether a word is neither a number nor one that stands before names.
+/// Whether a word is neither a number nor a keyword before names.
 fn is_name(word: &str) -> bool {
     let is_keyword = matches!(
         word,
@@ -453,7 +453,7 @@ fn is_name(word: &str) -> bool {
     !is_keyword && !word.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// Whether a word is a type of GLSL.
+/// Whether a word is a GLSL type.
 pub fn is_type(word: &str) -> bool {
     let Some(digit) = word.bytes().position(|b| b.is_ascii_digit()) else {
         return matches!(

@@ -1,8 +1,8 @@
-//! What a file is, by its name and by what it holds: the one place that decides it.
+//! Decides what kind of file a file is, from its name and its content.
 //!
-//! Only what is GLSL ES is read as such, and nothing else is ever written. A name that says GLSL is
-//! believed unless the text is clearly something else; a name that says nothing asks for a text that
-//! is GLSL beyond doubt; a name of another language is believed.
+//! Only GLSL ES is checked, and nothing else is ever written. An extension of GLSL is believed
+//! unless the content is clearly something else; without a telling extension, the content must
+//! clearly be GLSL; an extension of another language is believed.
 
 mod chunk;
 mod evidence;
@@ -20,40 +20,40 @@ pub use tongue::Tongue;
 use super::embed::DocumentLanguage;
 use std::fmt;
 
-/// What a file is.
+/// What kind of file a file is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FileKind {
-    /// GLSL ES, all of it.
+    /// GLSL ES.
     Shader,
     /// JSON, which may be a ShaderToy export.
     Export,
-    /// Something that may hold shaders.
+    /// A document that may contain shaders.
     Holds(DocumentLanguage),
-    /// A shader in a language that WebGL does not compile.
+    /// A shader in a language that WebGL cannot compile.
     Foreign(Tongue),
-    /// Anything else, which is neither read nor written.
+    /// Anything else, which is neither checked nor written.
     Other,
 }
 
-/// What a file is, and how that is known.
+/// What kind of file a file is, and why.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Decision {
-    /// What it is.
+    /// What the file is checked as.
     pub kind: FileKind,
     reason: String,
 }
 
 impl fmt::Display for Decision {
-    /// How it is known, in words that go on behind the file's name.
+    /// The reason, as a phrase after the file name.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.reason)
     }
 }
 
 impl Decision {
-    /// Of JSON in which no export is found.
+    /// For JSON that is not an export.
     pub fn no_export() -> Decision {
-        Decision::new(FileKind::Other, "it is JSON, but no ShaderToy export")
+        Decision::new(FileKind::Other, "JSON, but not a ShaderToy export")
     }
 
     fn new(kind: FileKind, reason: impl Into<String>) -> Decision {
@@ -64,33 +64,33 @@ impl Decision {
     }
 }
 
-/// What is known of a file besides its name and text.
+/// What is known of a file besides its name and content.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
 pub enum Claim {
     /// Nothing.
     #[default]
     None,
-    /// The user says that it is a shader: by a pattern of the configuration, or by its dialect.
+    /// The user declares it as a shader, by a pattern of the configuration or by its dialect.
     Shader,
 }
 
-/// What the ending of a name says.
+/// What an extension indicates.
 enum Extension {
     /// GLSL.
     Shader,
-    /// GLSL, or something else that uses the same ending.
+    /// GLSL, or another language with the same extension.
     Shared,
-    /// A stage that WebGL does not have.
+    /// A shader stage that WebGL does not have.
     Stage,
     Export,
     Holds(DocumentLanguage),
     Foreign(Tongue),
-    /// Something else, in words.
+    /// Another language.
     Other(&'static str),
     Unknown,
 }
 
-/// The ending of a file's name, in lower case; empty where it has none.
+/// The extension of a file name in lower case; empty if there is none.
 pub fn ending(name: &str) -> String {
     let file = name.rsplit(['/', '\\']).next().unwrap_or("");
     let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
@@ -118,7 +118,7 @@ fn ending_of(name: &str) -> Extension {
     }
 }
 
-/// Languages whose files may hold GLSL, in strings or shared by macros, but are none.
+/// Languages whose files may contain GLSL in strings, or share it by macros, but are not GLSL.
 fn others(ending: &str) -> Option<&'static str> {
     Some(match ending {
         "c" | "h" | "cc" | "cpp" | "cxx" | "hh" | "hpp" | "hxx" | "inl" | "ipp" | "m" | "mm" => {
@@ -145,68 +145,72 @@ fn others(ending: &str) -> Option<&'static str> {
     })
 }
 
-/// Decides what a file is.
+/// Decides what kind of file a file is.
 pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
     let kind = match ending_of(name) {
         Extension::Other(what) => {
-            return Decision::new(FileKind::Other, format!("it is {what}, by its ending"));
+            return Decision::new(FileKind::Other, format!("the extension indicates {what}"));
         }
         Extension::Holds(DocumentLanguage::Script) if is_packed(name) => {
-            return Decision::new(FileKind::Other, "it is packed, by its ending");
+            return Decision::new(FileKind::Other, "the extension indicates a minified script");
         }
         Extension::Holds(language) => {
-            let reason = format!("it may hold shaders: it is {language}, by its ending");
+            let reason = format!("may contain shaders: the extension indicates {language}");
             return Decision::new(FileKind::Holds(language), reason);
         }
-        Extension::Export => return Decision::new(FileKind::Export, "it is JSON, by its ending"),
+        Extension::Export => {
+            return Decision::new(FileKind::Export, "the extension indicates JSON");
+        }
         Extension::Foreign(tongue) => {
-            let reason = format!("it is {tongue}, by its ending");
+            let reason = format!("the extension indicates {tongue}");
             return Decision::new(FileKind::Foreign(tongue), reason);
         }
         kind => kind,
     };
     let says_glsl = matches!(kind, Extension::Shader | Extension::Stage);
     if says_glsl && starts_as_web(text) && own_directive(text).is_none() {
-        return Decision::new(FileKind::Shader, "it is GLSL, by its ending");
+        return Decision::new(FileKind::Shader, "the extension indicates GLSL");
     }
     let evidence = Evidence::of(text);
     if let Some(tongue) = evidence.foreign() {
         return Decision::new(FileKind::Foreign(tongue), reason(&evidence, tongue));
     }
     if let Some(tongue) = evidence.other() {
-        return Decision::new(FileKind::Other, format!("it holds {tongue}"));
+        return Decision::new(FileKind::Other, format!("the content is {tongue}"));
     }
     if let Some(word) = own_directive(text) {
-        let reason = format!("`{word}` belongs to a program that makes GLSL of it");
+        let reason = format!("`{word}` is a directive of another preprocessor");
         return Decision::new(FileKind::Other, reason);
     }
     match (kind, claim) {
         (Extension::Stage, _) if evidence.version.is_none() => Decision::new(
             FileKind::Foreign(Tongue::Desktop),
-            "it is of a stage that WebGL does not have, by its ending",
+            "the extension indicates a shader stage that WebGL does not have",
         ),
         (Extension::Shader | Extension::Stage, _) => {
-            Decision::new(FileKind::Shader, "it is GLSL, by its ending")
+            Decision::new(FileKind::Shader, "the extension indicates GLSL")
         }
         (Extension::Shared, _) if text.trim().is_empty() || evidence.has_glsl() => {
-            Decision::new(FileKind::Shader, "it is GLSL, by its ending")
+            Decision::new(FileKind::Shader, "the extension indicates GLSL")
         }
-        (Extension::Shared, Claim::None) => Decision::new(FileKind::Other, "nothing in it is GLSL"),
-        (_, Claim::Shader) => Decision::new(FileKind::Shader, "it is GLSL, as you say"),
-        _ if evidence.is_glsl() => Decision::new(FileKind::Shader, "it is GLSL, by what it holds"),
+        (Extension::Shared, Claim::None) => {
+            Decision::new(FileKind::Other, "the content is not GLSL")
+        }
+        (_, Claim::Shader) => Decision::new(FileKind::Shader, "declared as GLSL"),
+        _ if evidence.is_glsl() => Decision::new(FileKind::Shader, "the content is GLSL"),
         _ => Decision::new(
             FileKind::Other,
-            "neither its name nor what it holds says that it is GLSL",
+            "neither the extension nor the content indicates GLSL",
         ),
     }
 }
 
-/// How a foreign shader is known: by its version, or by what it holds.
+/// The evidence for a language: the `#version`, or typical code.
 pub fn reason(evidence: &Evidence, tongue: Tongue) -> String {
     match evidence.version {
         Some(version) => {
             let es = if version.is_es { " es" } else { "" };
-            format!("it is {tongue}: `#version {}{es}`", version.number)
+            format!("detected {tongue} by `#version {}{es}`", version.number)
         }
         None => {
             let told: Vec<String> = evidence
@@ -214,12 +218,12 @@ pub fn reason(evidence: &Evidence, tongue: Tongue) -> String {
                 .iter()
                 .map(|t| format!("`{t}`"))
                 .collect();
-            format!("it is {tongue}: {}", told.join(", "))
+            format!("detected {tongue} by {}", told.join(", "))
         }
     }
 }
 
-/// Whether files of this name are looked for in folders.
+/// Whether files of this name are found when folders are searched.
 pub fn is_searched(name: &str) -> bool {
     let is_known = matches!(
         ending_of(name),
@@ -228,27 +232,27 @@ pub fn is_searched(name: &str) -> bool {
     is_known && !is_packed(name) && !is_declarations(name)
 }
 
-/// Whether a file of this name holds a script.
+/// Whether a file of this name is a script.
 pub fn is_script(name: &str) -> bool {
     matches!(ending_of(name), Extension::Holds(DocumentLanguage::Script))
 }
 
-/// Whether a file of TypeScript holds declarations alone, as the compiler writes them.
+/// Whether a file is a TypeScript declaration file.
 fn is_declarations(name: &str) -> bool {
     [".d.ts", ".d.mts", ".d.cts"]
         .iter()
         .any(|e| name.ends_with(e))
 }
 
-/// Whether a script is one that a program has made of others.
+/// Whether a script is minified, according to its name.
 fn is_packed(name: &str) -> bool {
     [".min.js", ".min.mjs", ".min.cjs"]
         .iter()
         .any(|e| name.ends_with(e))
 }
 
-/// A word behind an `@` at the start of a line, by which a program takes shaders out of a text. What
-/// it imports is a file like any other.
+/// A directive that starts with `@` at the start of a line, for a program that extracts shaders
+/// from the text. `@import` is an include like any other.
 pub fn own_directive(text: &str) -> Option<&str> {
     if !text.contains('@') {
         return None;
@@ -256,7 +260,7 @@ pub fn own_directive(text: &str) -> Option<&str> {
     let mut in_comment = false;
     text.lines().find_map(|line| {
         let was_in_comment = in_comment;
-        // The last mark of a line says whether a comment goes on behind it.
+        // The last comment delimiter of a line decides whether a comment continues on the next one.
         in_comment = match (line.rfind("/*"), line.rfind("*/")) {
             (Some(open), Some(close)) => open > close,
             (Some(open), None) => line.find("//").is_none_or(|at| at > open),
@@ -294,35 +298,43 @@ mod tests {
 
     #[test]
     fn names_are_believed_unless_the_text_is_clearly_something_else() {
-        check("a.glsl", GLSL, "shader: it is GLSL, by its ending");
+        check("a.glsl", GLSL, "shader: the extension indicates GLSL");
         check(
             "a.FRAG",
             "float f() { return 1 }",
-            "shader: it is GLSL, by its ending",
+            "shader: the extension indicates GLSL",
         );
-        check("a.frag", "", "shader: it is GLSL, by its ending");
+        check("a.frag", "", "shader: the extension indicates GLSL");
         check(
             "a.glsl",
             "<!DOCTYPE html>\n<p>void main() {}</p>",
-            "other: it holds markup",
+            "other: the content is markup",
         );
         check(
             "a.glsl",
             "import os\ndef f(x):\n    return 'vec3'\n",
-            "other: it holds Python",
+            "other: the content is Python",
         );
-        check("a.glsl", "{\"a\": \"vec3 x\"}", "other: it holds JSON");
+        check(
+            "a.glsl",
+            "{\"a\": \"vec3 x\"}",
+            "other: the content is JSON",
+        );
         check(
             "a.fs",
             "module A\nopen System\nlet f x = x\n",
-            "other: it holds F#",
+            "other: the content is F#",
         );
-        check("a.fs", ": square dup * ;\n", "other: nothing in it is GLSL");
-        check("a.fs", GLSL, "shader: it is GLSL, by its ending");
+        check(
+            "a.fs",
+            ": square dup * ;\n",
+            "other: the content is not GLSL",
+        );
+        check("a.fs", GLSL, "shader: the extension indicates GLSL");
         check(
             "a.vue",
             GLSL,
-            "holds: it may hold shaders: it is a component, by its ending",
+            "holds: may contain shaders: the extension indicates a component",
         );
     }
 
@@ -336,25 +348,21 @@ mod tests {
             "int main() {}",
         ] {
             let text = format!("uniform float t;\n{mistake}\n{GLSL}");
-            check("a.glsl", &text, "shader: it is GLSL, by its ending");
+            check("a.glsl", &text, "shader: the extension indicates GLSL");
         }
         check(
             "a.glsl",
             "float f(float x) { return lerp(0.0, saturate(x), 1.0); }",
-            "shader: it is GLSL, by its ending",
+            "shader: the extension indicates GLSL",
         );
     }
 
     #[test]
     fn names_that_say_nothing_want_a_text_beyond_doubt() {
-        check("a", GLSL, "shader: it is GLSL, by what it holds");
-        check("a.txt", GLSL, "shader: it is GLSL, by what it holds");
-        check(
-            "a.inc",
-            "#version 300 es\n",
-            "shader: it is GLSL, by what it holds",
-        );
-        let unknown = "other: neither its name nor what it holds says that it is GLSL";
+        check("a", GLSL, "shader: the content is GLSL");
+        check("a.txt", GLSL, "shader: the content is GLSL");
+        check("a.inc", "#version 300 es\n", "shader: the content is GLSL");
+        let unknown = "other: neither the extension nor the content indicates GLSL";
         check(
             "a.txt",
             "Use vec3 x and gl_FragColor, as you like it best.",
@@ -362,11 +370,11 @@ mod tests {
         );
         check("a.txt", "+vec3 a = vec3(1);\n-vec3 a = vec3(2);\n", unknown);
         check("a.png", "", unknown);
-        check("a.cpp", GLSL, "other: it is C or C++, by its ending");
+        check("a.cpp", GLSL, "other: the extension indicates C or C++");
         check(
             "a.py",
             "#version 300 es\nx = 1\n",
-            "other: it is Python, by its ending",
+            "other: the extension indicates Python",
         );
     }
 
@@ -391,43 +399,43 @@ mod tests {
             (
                 "a.glsl",
                 "#version 450\nvoid main() {}",
-                "it is GLSL for OpenGL or Vulkan: `#version 450`",
+                "detected GLSL for OpenGL or Vulkan by `#version 450`",
             ),
             (
                 "a.frag",
                 "// x\n#version 310 es\n",
-                "it is GLSL for OpenGL or Vulkan: `#version 310 es`",
+                "detected GLSL for OpenGL or Vulkan by `#version 310 es`",
             ),
             (
                 "a.frag",
                 vulkan,
-                "it is GLSL for OpenGL or Vulkan: `layout(set`",
+                "detected GLSL for OpenGL or Vulkan by `layout(set`",
             ),
             (
                 "a.comp",
                 "void main() {}",
-                "it is of a stage that WebGL does not have, by its ending",
+                "the extension indicates a shader stage that WebGL does not have",
             ),
-            ("a.hlsl", "", "it is HLSL, by its ending"),
+            ("a.hlsl", "", "the extension indicates HLSL"),
             (
                 "a.fx",
                 "cbuffer C : register(b0) { float4 c; };\nfloat4 main() : SV_Target { return c; }",
-                "it is HLSL: `cbuffer C :`, `: register(`, `float4 c`",
+                "detected HLSL by `cbuffer C :`, `: register(`, `float4 c`",
             ),
             (
                 "a.glsl",
                 "@vertex fn f(@builtin(x) i: u32) {}",
-                "it is WGSL: `@vertex`, `fn f(`, `@builtin(`",
+                "detected WGSL by `@vertex`, `fn f(`, `@builtin(`",
             ),
             (
                 "a.glsl",
                 "#include <metal_stdlib>\nkernel void f() {}",
-                "it is Metal: `metal_stdlib`, `kernel void`",
+                "detected Metal by `metal_stdlib`, `kernel void`",
             ),
             (
                 "a.shader",
                 "Shader \"x\" { SubShader { Pass { CGPROGRAM",
-                "it is Unity's ShaderLab: `Shader \"x\" {`, `SubShader {`, `CGPROGRAM`",
+                "detected Unity's ShaderLab by `Shader \"x\" {`, `SubShader {`, `CGPROGRAM`",
             ),
         ] {
             check(name, text, &format!("foreign: {reason}"));
@@ -435,7 +443,7 @@ mod tests {
         check(
             "a.frag",
             "#version 301 es\n",
-            "shader: it is GLSL, by its ending",
+            "shader: the extension indicates GLSL",
         );
     }
 

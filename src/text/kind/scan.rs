@@ -1,45 +1,45 @@
-//! The words and marks of a text in any language, as far as that is needed to tell which one it is.
+//! Tokens of a text in any language, as far as needed to detect the language.
 //!
-//! Comments of the C family are left out. What stands in quotes is one token, whatever it holds: a
-//! shader in a string of a program says nothing of the program.
+//! Comments of the C family are skipped. A string is one token, whatever it contains: a shader in a
+//! string does not determine the language of the program.
 
-/// Most tokens that are read: what a text is written in shows early.
+/// Maximum number of tokens that are read; the language shows early.
 const MAX_TOKENS: usize = 6000;
-/// Longest way to the end of a string that is gone, in bytes.
+/// Maximum length of a string in bytes.
 const MAX_STRING: usize = 1 << 16;
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ScanKind {
     /// A word or a number.
     Word,
     /// Any other character.
     Mark,
-    /// What stands in quotes.
+    /// A string.
     Quoted,
 }
 
-/// A token.
+/// A token of any language.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ScanToken<'a> {
-    /// What it is.
+    /// Word, mark or string.
     pub kind: ScanKind,
-    /// Its text; of a quoted one its quotes alone.
+    /// Source text; of a string the quotes only.
     pub text: &'a str,
-    /// Where it starts.
+    /// Start offset.
     pub at: usize,
     /// Whether it is the first of its line.
     pub is_first: bool,
 }
 
-/// Reads the tokens of a text, the first some thousands.
+/// The first [`MAX_TOKENS`] tokens of a text.
 pub fn tokens(text: &str) -> Vec<ScanToken<'_>> {
     first_tokens(text, MAX_TOKENS)
 }
 
-/// Reads the first tokens of a text, as many as are asked for.
+/// The first `count` tokens of a text.
 pub fn first_tokens(text: &str, count: usize) -> Vec<ScanToken<'_>> {
-    // Few texts have more than one for three characters.
+    // Few texts have more than one token per three characters.
     let mut found = Vec::with_capacity(count.min(text.len() / 3));
     let bytes = text.as_bytes();
     let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
@@ -114,7 +114,7 @@ fn behind_comment(text: &str, at: usize) -> usize {
     at + length.unwrap_or(rest.len())
 }
 
-/// One past a string that starts here; `None` where none does, as at an apostrophe.
+/// The end of a string that starts here; `None` if none does, as at an apostrophe.
 fn behind_string(text: &str, at: usize) -> Option<usize> {
     let rest = text.get(at..)?;
     let (open, before) = (rest.get(..1)?, text.get(..at)?);
@@ -127,7 +127,7 @@ fn behind_string(text: &str, at: usize) -> Option<usize> {
     match open {
         "\"" if rest.starts_with("\"\"\"") => near(3, "\"\"\""),
         "'" if rest.starts_with("'''") => near(3, "'''"),
-        // Raw strings of C++ and Rust, with the marks that people use.
+        // Raw strings of C++ and Rust, with common delimiters.
         "\"" if before.ends_with("R") => near(1, ")\"").or_else(|| near(1, "\"")),
         "\"" if before.ends_with("r#") => near(1, "\"#"),
         "`" => near(1, "`"),

@@ -1,11 +1,11 @@
-//! The signs by which languages are told apart, as data.
+//! Typical code of each language, as data.
 
 use super::tongue::Tongue::{self, *};
 
-/// Rows of tokens that, among the languages here, only one has, or few.
+/// Token sequences that few of these languages share.
 ///
-/// `_` stands for any word, `"` for anything in quotes, and a row that begins with `^` for the start
-/// of a line. One row that begins with `!` is enough, any other wants others beside it.
+/// `_` matches any word, `"` any string, and a leading `^` the start of a line. One sequence with a
+/// leading `!` is sufficient evidence; any other needs further evidence.
 #[rustfmt::skip]
 pub const SIGNS: &[(Tongue, &[&str])] = &[
     (Web, &[

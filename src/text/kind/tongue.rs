@@ -2,28 +2,28 @@
 
 use std::fmt;
 
-/// What a text is written in.
+/// A language that a text is written in.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Tongue {
-    /// GLSL ES as WebGL has it, or what ShaderToy makes of it; what no other GLSL has.
+    /// GLSL ES as in WebGL and ShaderToy, with features that no other GLSL has.
     Web,
     /// GLSL of any kind.
     Glsl,
-    /// GLSL of OpenGL or Vulkan: stages, qualifiers and functions that WebGL does not have.
+    /// GLSL for OpenGL or Vulkan, with stages, qualifiers and functions that WebGL does not have.
     Desktop,
-    /// HLSL, and Cg.
+    /// HLSL and Cg.
     Hlsl,
-    /// The Metal shading language.
+    /// Metal Shading Language.
     Metal,
     /// WGSL.
     Wgsl,
-    /// The shading language of Skia.
+    /// Skia's shading language, SkSL.
     Sksl,
     /// Unity's ShaderLab.
     ShaderLab,
     /// Godot's shading language.
     Godot,
-    /// C, C++ and those that look like them.
+    /// C, C++ and similar languages.
     C,
     /// Rust.
     Rust,
@@ -37,11 +37,11 @@ pub enum Tongue {
     Markup,
     /// JSON.
     Json,
-    /// What a program that compares files prints.
+    /// The output of a program that compares files.
     Diff,
-    /// A script that names its interpreter.
+    /// A script with an interpreter line.
     Shell,
-    /// Sentences.
+    /// Natural language.
     Prose,
 }
 
@@ -57,7 +57,7 @@ impl fmt::Display for Tongue {
             Tongue::Wgsl => "WGSL",
             Tongue::ShaderLab => "Unity's ShaderLab",
             Tongue::Godot => "Godot's shading language",
-            Tongue::C => "C or a language like it",
+            Tongue::C => "C or a similar language",
             Tongue::Rust => "Rust",
             Tongue::FSharp => "F#",
             Tongue::Python => "Python",

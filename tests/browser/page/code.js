@@ -1,4 +1,4 @@
-// The code, changed while the shader plays, and what is wrong with it.
+// The code editor while the shader plays, and its error messages.
 import assert from 'node:assert/strict';
 import { pixels } from '../browser.js';
 import { shader } from '../cases.js';
@@ -15,7 +15,7 @@ const becomes = (page, color) => page.waitForFunction((expected) => {
 }, color);
 const area = '.editor:not([hidden]) textarea';
 
-/** Puts the cursor behind some words of the code. */
+/** Puts the cursor after a part of the code. */
 const behind = (page, words) => page.evaluate(([selector, text]) => {
   const node = document.querySelector(selector);
   const at = node.value.indexOf(text) + text.length;
@@ -29,18 +29,18 @@ async function edited(context) {
   assert.equal(await page.inputValue(area), PLAIN);
   await behind(page, 'vec4(1.0, ');
   await page.keyboard.type('1.0 + ');
-  // It is compiled as one types.
+  // The code is compiled while typing.
   await becomes(page, [255, 255, 0]);
   await behind(page, 'O = vec4');
   await page.keyboard.type('x');
   await page.waitForSelector('.problems article');
-  assert.deepEqual(await red(page), [255, 255, 0], 'the last good program goes on');
+  assert.deepEqual(await red(page), [255, 255, 0], 'the last valid program keeps running');
   assert.equal(await page.textContent('.numbers .bad'), '2');
   assert.match(await page.textContent('.rows .bad'), /vec4x/);
-  assert.ok(!(await page.isVisible('#errors')), 'nothing covers the picture meanwhile');
+  assert.ok(!(await page.isVisible('#errors')), 'nothing covers the image');
   await page.keyboard.press('Control+z');
   await page.waitForSelector('.problems article', { state: 'detached' });
-  await page.click('#code button:text-is("reset")');
+  await page.click('#code button:text-is("Reset")');
   await page.waitForFunction((s) => document.querySelector(s).value.includes('vec4(1.0, 0.0'), area);
   await becomes(page, [255, 0, 0]);
   assert.deepEqual(complaints, []);
@@ -53,9 +53,9 @@ async function keysOfTheEditor(context) {
   await page.keyboard.press('Enter');
   await page.keyboard.press('Tab');
   await page.keyboard.type('// r f s');
-  assert.match(await page.inputValue(area), /1\.0\);\n {4}\/\/ r f s\n\}/, 'lines are indented like the one before');
+  assert.match(await page.inputValue(area), /1\.0\);\n {4}\/\/ r f s\n\}/, 'a new line is indented like the previous one');
   await page.keyboard.press('Escape');
-  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Image', 'there is a way out');
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Image', 'the focus can leave the editor');
   const shown = await page.$$eval('.rows .comment', (all) => all.map((n) => n.textContent));
   assert.deepEqual(shown, ['// r f s']);
 }
@@ -74,7 +74,7 @@ async function passes(context) {
   await becomes(page, [255, 0, 0]);
   await openTab(page, 'Controls');
   await page.fill('input[name=N]', '0');
-  // Sliders find their numbers in what was edited.
+  // Sliders find their numbers in the edited text.
   await becomes(page, [128, 0, 0]);
   await openTab(page, 'Code');
   assert.match(await page.inputValue(area), /N 0\.0 \/\/.*\n.*0\.5 \+ N/);
@@ -95,8 +95,8 @@ async function long(context) {
   await page.keyboard.type('1.0 * ');
   await page.waitForFunction(() => document.querySelector('.rows').textContent.includes('O = 1.0 * vec4'));
   const painted = await page.evaluate(() => globalThis.painted);
-  assert.ok(painted > 0 && painted < 6 * 1000, `six letters made ${painted} nodes`);
-  assert.ok((await page.locator('.rows > div').count()) < 100, 'only what is seen is painted');
+  assert.ok(painted > 0 && painted < 6 * 1000, `six letters created ${painted} nodes`);
+  assert.ok((await page.locator('.rows > div').count()) < 100, 'only visible lines are rendered');
   assert.match(await page.textContent('.rows'), /O = 1\.0 \* vec4/);
 }
 
@@ -111,21 +111,21 @@ async function errors(context) {
   assert.equal(new Set(places.map(String)).size, 2);
   const text = await page.textContent('#errors');
   assert.match(text, /2 errors/);
-  assert.match(text, /Image, line 3: .*smothstep.*\[undeclared-name\]/, 'the checker\'s words');
-  assert.match(text, /3 │ {3}O = vec4\(smothstep\(0\.0, 1\.0, U\.x\)\);\n {2}│ {12}\^{9}/, 'the line and carets');
+  assert.match(text, /Image, line 3: .*smothstep.*\[undeclared-name\]/, 'the checker\'s message');
+  assert.match(text, /3 │ {3}O = vec4\(smothstep\(0\.0, 1\.0, U\.x\)\);\n {2}│ {12}\^{9}/, 'the line with carets');
   assert.match(text, /help: did you mean smoothstep/);
-  await page.click('#errors [aria-label=close]');
+  await page.click('#errors [aria-label=Close]');
   assert.ok(!(await page.isVisible('#errors')));
   await page.click('#wrong');
   assert.ok(await page.isVisible('#errors'));
-  await page.click('#errors button:text-is("edit")');
+  await page.click('#errors button:text-is("Edit")');
   assert.ok(!(await page.isVisible('#errors')));
   await page.click('.problems button:text-is("Common, line 3")');
   const line = await page.evaluate((s) => {
     const node = document.querySelector(s);
     return node.value.slice(0, node.selectionStart).split('\n').length;
   }, area);
-  assert.equal(line, 3, 'an error leads to its line');
+  assert.equal(line, 3, 'clicking an error shows its line');
 }
 
 async function browserAlone(context) {
@@ -137,14 +137,14 @@ async function browserAlone(context) {
   });
   const text = await page.textContent('#errors');
   assert.match(text, /Image, line 2: 'lost' : undeclared identifier/);
-  assert.match(text, /2 │ {3}O = vec4\(lost\);\n {2}│ {12}\^{4}/, 'its words get carets too');
+  assert.match(text, /2 │ {3}O = vec4\(lost\);\n {2}│ {12}\^{4}/, 'browser errors have carets, too');
 }
 
 export const codeTests = [
-  { name: 'page: code is compiled as one types', run: edited, context: desk },
-  { name: 'page: keys of the editor', run: keysOfTheEditor, context: desk },
+  { name: 'page: code is compiled while typing', run: edited, context: desk },
+  { name: 'page: editor keys', run: keysOfTheEditor, context: desk },
   { name: 'page: the passes and their sliders', run: passes, context: desk },
-  { name: 'page: long code stays quick', run: long, context: desk },
-  { name: 'page: errors name pass and line, and say what helps', run: errors, context: desk },
-  { name: 'page: errors that the browser alone finds', run: browserAlone, context: desk },
+  { name: 'page: long code stays responsive', run: long, context: desk },
+  { name: 'page: errors have pass, line and help', run: errors, context: desk },
+  { name: 'page: errors found only by the browser', run: browserAlone, context: desk },
 ];

@@ -1,4 +1,4 @@
-// Sliders and their kin, and the address that keeps them.
+// Sliders and other controls, and the address that stores their values.
 import assert from 'node:assert/strict';
 import { becomes, pixels, port, put } from '../browser.js';
 import { desk, MOVING, noticed, openTab, show } from './show.js';
@@ -16,20 +16,20 @@ async function sliders(context) {
   const before = await pixels(page);
   await page.fill('input[name=STRIPES]', '9');
   await page.waitForFunction(() => globalThis.shaderport.player.project.files.some((f) => /STRIPES 9 /.test(f.text)));
-  // The picture follows the slider.
+  // The image follows the slider.
   await becomes(page, before, false);
   await page.fill('[aria-label="SPEED, number"]', '2.5');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => /SPEED 2\.5/.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
   assert.equal(await page.inputValue('input[name=SPEED]'), '2.5');
   await page.waitForFunction(() => location.hash.includes('u.SPEED=2.5') && location.hash.includes('u.STRIPES=9'));
-  assert.match(await hash(page), /^#size=64x36&t=0\.3&paused&/, 'the rest of the address stays');
+  assert.match(await hash(page), /^#size=64x36&t=0\.3&paused&/, 'the rest of the address is unchanged');
   await page.dblclick('input[name=SPEED]');
   await page.waitForFunction(() => !location.hash.includes('u.SPEED'));
   assert.equal(await define(page, 'SPEED'), '1.0');
-  await page.click('[aria-label="reset STRIPES"]');
+  await page.click('[aria-label="Reset STRIPES"]');
   await page.waitForFunction(() => !location.hash.includes('u.STRIPES'));
-  // All is as it came.
+  // Everything is back to its default.
   await becomes(page, before);
   assert.deepEqual(complaints, []);
 }
@@ -56,7 +56,7 @@ async function copied(context) {
     await noticed(page, `${what} copied`);
     return page.evaluate(() => navigator.clipboard.readText());
   };
-  const link = await copy('link');
+  const link = await copy('Link');
   assert.match(link, /^file:.*copied\.html#size=64x36&paused&u\.SPEED=3&t=12\.50$/);
   const glsl = await copy('GLSL');
   assert.match(glsl, /^#version 300 es/);
@@ -67,7 +67,7 @@ async function copied(context) {
   assert.equal(await again.evaluate(() => globalThis.shaderport.player.clock.time), 12.5);
   // The link shows the same.
   await becomes(again, await pixels(page));
-  const module = await copy('module');
+  const module = await copy('Module');
   const blank = await context.newPage();
   const plays = await blank.evaluate(async (text) => {
     const { mount } = await import(`data:text/javascript;base64,${btoa(Array.from(new TextEncoder().encode(text), (c) => String.fromCharCode(c)).join(''))}`);
@@ -90,7 +90,7 @@ async function scale(context) {
   assert.equal(await page.inputValue('#scale'), '0.5');
 }
 
-/** A page whose project has controls of every kind, and a player that keeps what they set. */
+/** A page with controls of every kind, and a player that stores their values. */
 async function kinds(context) {
   const address = await port(put('kinds.glsl', MOVING), 'kinds');
   const page = await context.newPage();
@@ -133,13 +133,13 @@ async function kinds(context) {
   await page.click('button[title=flash]');
   await page.waitForFunction(() => globalThis.shaderport.player.project.controls.find((c) => c.name === 'flash').value[0] === 0);
   await page.waitForFunction(() => ['u.invert=1', 'u.tint=0,1,0.502,1', 'u.axis=-0.5,1,0', 'u.mode=2'].every((w) => location.hash.includes(w)));
-  await page.click('#sliders > button:text-is("reset all")');
+  await page.click('#sliders > button:text-is("Reset all")');
   assert.deepEqual(await value('tint'), [1, 0.5, 0, 1]);
   assert.ok(!(await page.isChecked('input[name=invert]')));
   assert.deepEqual(errors, []);
 }
 
-/** Frames that take long, as the page's own clock has it, are told of, and the scale that helps is offered. */
+/** Slow frames, measured by the page's own clock, are reported, and a smaller scale is offered. */
 async function heavy(context) {
   await context.clock.install();
   const { page } = await show(context, 'heavy', MOVING, '');
@@ -147,18 +147,18 @@ async function heavy(context) {
   for (const each of [1 / 60, 0.3]) {
     for (let i = 0; i < 10; i++) await page.clock.fastForward(1000 * each);
     const words = await page.textContent('#notices');
-    assert.equal(words.includes('heavy'), each > 0.25, `frames of ${each} s: ${words}`);
+    assert.equal(words.includes('slow'), each > 0.25, `frames of ${each} s: ${words}`);
   }
-  assert.match(await page.textContent('#notices'), /this shader is heavy here: 3\.3 frames a second/);
-  await page.click('.notice button:text-is("draw at ½×")');
+  assert.match(await page.textContent('#notices'), /This shader is slow on this device: 3\.3 fps/);
+  await page.click('.notice button:text-is("Render at ½×")');
   assert.equal(await page.inputValue('#scale'), '0.5');
   assert.equal(await page.textContent('#notices'), '');
 }
 
 export const controlTests = [
   { name: 'page: sliders from tunable numbers', run: sliders, context: desk },
-  { name: 'page: what the address asks for', run: restored, context: desk },
-  { name: 'page: the link, the shader and the module are copied', run: copied, context: desk },
+  { name: 'page: options in the address', run: restored, context: desk },
+  { name: 'page: copying the link, the shader and the module', run: copied, context: desk },
   { name: 'page: the scale stays in the address', run: scale, context: desk },
   { name: 'page: controls of every kind', run: kinds, context: desk },
   { name: 'page: a heavy shader', run: heavy, context: desk },

@@ -1,4 +1,4 @@
-// Pictures, films, and who made the shader.
+// Images, recordings, and the author of the shader.
 import assert from 'node:assert/strict';
 import { shader } from '../cases.js';
 import { desk, MOVING, openTab, saved, show, time } from './show.js';
@@ -12,7 +12,7 @@ async function shot(context) {
   assert.ok(png.length > 200);
 }
 
-/** What a browser makes of a film: its size, its length, and how often it can be told apart. */
+/** The browser's view of a recording: its size, its duration, and how many frames are distinguishable. */
 function look(page, film) {
   return page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
@@ -53,15 +53,15 @@ async function exactFilm(context) {
   await page.selectOption('[name=size]', '1280x720');
   await page.check('[name="from start"]');
   const before = await page.evaluate(() => document.querySelector('canvas').width);
-  const [made] = await Promise.all([page.waitForEvent('download'), page.click('#export button:text-is("record")')]);
+  const [made] = await Promise.all([page.waitForEvent('download'), page.click('#export button:text-is("Record")')]);
   assert.match(made.suggestedFilename(), /^A-film-x-e.*-3\.00s\.webm$/);
   const seen = await look(page, await saved(made));
   assert.deepEqual([seen.width, seen.height], [1280, 720]);
-  assert.ok(Math.abs(seen.duration - 1) < 0.05, `it lasts ${seen.duration} s`);
+  assert.ok(Math.abs(seen.duration - 1) < 0.05, `duration ${seen.duration} s`);
   for (const [i, at] of [0.05, 0.55, 0.95].entries()) assert.ok(Math.abs(seen.reds[i] - 255 * at) < 16, `red is ${seen.reds[i]} at ${at} s`);
   // 440 Hz over 0.8 s cross zero 704 times.
-  assert.ok(Math.abs(seen.crossings - 704) < 12, `its sound crosses zero ${seen.crossings} times`);
-  assert.equal(await page.evaluate(() => document.querySelector('canvas').width), before, 'the picture has its size again');
+  assert.ok(Math.abs(seen.crossings - 704) < 12, `${seen.crossings} zero crossings of the sound`);
+  assert.equal(await page.evaluate(() => document.querySelector('canvas').width), before, 'the canvas has its original size');
   assert.equal(await time(page), 3);
   assert.deepEqual(complaints, []);
 }
@@ -70,7 +70,7 @@ async function stopped(context) {
   await context.clock.install();
   const { page } = await show(context, 'stopped', MOVING, '#scale=0.25');
   await openTab(page, 'Export');
-  // The page's clock goes by hand, so that the film does not end by itself.
+  // The page's clock is controlled manually, so that the recording does not end.
   await page.clock.pauseAt(Date.now() + 3600e3);
   await page.click('#record');
   assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'true');
@@ -80,9 +80,9 @@ async function stopped(context) {
   await page.clock.resume();
   const film = await download;
   assert.match(film.suggestedFilename(), /^stopped-[\d.]+s\.(webm|mp4)$/);
-  assert.ok((await saved(film)).length > 1000, 'the film has frames');
+  assert.ok((await saved(film)).length > 1000, 'the recording has frames');
   assert.equal(await page.getAttribute('#record', 'aria-pressed'), 'false');
-  // It plays on.
+  // The page keeps playing.
   await page.waitForFunction(() => globalThis.shaderport.player.isPlaying);
 }
 
@@ -93,12 +93,12 @@ async function liveFilm(context) {
   await openTab(page, 'Export');
   await page.fill('[name=seconds]', '600');
   const download = page.waitForEvent('download');
-  await page.click('#export button:text-is("record")');
+  await page.click('#export button:text-is("Record")');
   const number = await page.evaluate(() => globalThis.shaderport.player.clock.number);
   await page.waitForFunction((n) => globalThis.shaderport.player.clock.number > n + 20, number);
   await page.clock.fastForward(600e3);
   const made = await download;
-  assert.ok((await saved(made)).length > 1000, 'without an encoder it is filmed as time goes by');
+  assert.ok((await saved(made)).length > 1000, 'without an encoder the recording is in real time');
 }
 
 async function words(context) {
@@ -126,9 +126,9 @@ async function words(context) {
 }
 
 export const exportTests = [
-  { name: 'page: a picture is saved', run: shot, context: desk },
-  { name: 'page: a film, frame by frame and with its sound', run: exactFilm, context: desk },
-  { name: 'page: a film that is stopped', run: stopped, context: desk },
-  { name: 'page: a film as time goes by', run: liveFilm, context: desk },
+  { name: 'page: saving an image', run: shot, context: desk },
+  { name: 'page: recording frame by frame, with sound', run: exactFilm, context: desk },
+  { name: 'page: a stopped recording', run: stopped, context: desk },
+  { name: 'page: recording in real time', run: liveFilm, context: desk },
   { name: 'page: descriptions are text and links', run: words, context: desk },
 ];

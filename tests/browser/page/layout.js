@@ -1,11 +1,11 @@
-// Where things are: the panel beside the picture or below it, the bar, and pages without either.
+// Layout: the panel next to the canvas or below it, the bar, and pages without either.
 import assert from 'node:assert/strict';
 import { colors, frames, pixels } from '../browser.js';
 import { desk, MOVING, openTab, phone, playing, show, time } from './show.js';
 
 const box = (page, selector) => page.locator(selector).boundingBox();
 
-/** How much of two boxes is the same place. */
+/** The intersection area of two boxes. */
 function overlap(a, b) {
   const width = Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x);
   const height = Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y);
@@ -16,28 +16,28 @@ async function beside(context) {
   const { page, complaints } = await show(context, 'beside', MOVING, '#paused');
   const whole = await box(page, 'canvas');
   assert.equal(whole.width, 1000);
-  assert.equal(overlap(whole, await box(page, '#bar')), 0, 'the bar lies below the picture');
+  assert.equal(overlap(whole, await box(page, '#bar')), 0, 'the bar is below the canvas');
   await openTab(page, 'Controls');
   const small = await box(page, 'canvas');
-  assert.equal(overlap(small, await box(page, '#panel')), 0, 'the panel lies beside the picture');
+  assert.equal(overlap(small, await box(page, '#panel')), 0, 'the panel is next to the canvas');
   await page.waitForFunction((w) => globalThis.shaderport.player.canvas.width === w, Math.round(small.width));
-  assert.ok(colors(await pixels(page)) > 10, 'what is paused is drawn again');
+  assert.ok(colors(await pixels(page)) > 10, 'a paused shader is redrawn');
   const panel = await box(page, '#panel');
   await page.mouse.move(panel.x, 300);
   await page.mouse.down();
   await page.mouse.move(panel.x - 100, 300, { steps: 3 });
   await page.mouse.up();
-  assert.ok(Math.abs((await box(page, '#panel')).width - panel.width - 100) < 3, 'its edge can be dragged');
+  assert.ok(Math.abs((await box(page, '#panel')).width - panel.width - 100) < 3, 'the edge can be dragged');
   await page.focus('#grip');
   await page.keyboard.press('ArrowRight');
-  assert.ok(Math.abs((await box(page, '#panel')).width - panel.width - 60) < 3, 'and moved by keys');
+  assert.ok(Math.abs((await box(page, '#panel')).width - panel.width - 60) < 3, 'the edge can be moved with keys');
   await page.keyboard.press('Escape');
   assert.ok(!(await page.isVisible('#panel')));
   assert.equal((await box(page, 'canvas')).width, 1000);
   assert.deepEqual(complaints, []);
 }
 
-/** Drags the sheet by its grip, with a finger as the browser's own protocol has it. */
+/** Drags the sheet by its handle, with touch events of the DevTools protocol. */
 async function dragSheet(page, by) {
   const grip = await box(page, '#grip');
   const client = await page.context().newCDPSession(page);
@@ -54,14 +54,14 @@ async function sheet(context) {
   await page.tap('#more');
   const open = await box(page, '#panel');
   assert.ok(Math.abs(open.height - 422) < 3 && open.width === 390, 'half the height');
-  assert.equal(overlap(open, await box(page, 'canvas')), 0, 'the picture keeps the other half');
-  assert.ok((await box(page, '#panel header')).height < 125, 'its head leaves room for what it holds');
+  assert.equal(overlap(open, await box(page, 'canvas')), 0, 'the canvas keeps the other half');
+  assert.ok((await box(page, '#panel header')).height < 125, 'the header leaves room for the content');
   await dragSheet(page, -300);
-  assert.ok((await box(page, '#panel')).height > 700, 'dragged up it is tall');
+  assert.ok((await box(page, '#panel')).height > 700, 'dragging up enlarges the sheet');
   await dragSheet(page, 330);
   assert.ok(Math.abs((await box(page, '#panel')).height - 422) < 3);
   await dragSheet(page, 300);
-  assert.ok(!(await page.isVisible('#panel')), 'dragged down it is closed');
+  assert.ok(!(await page.isVisible('#panel')), 'dragging down closes the sheet');
   assert.equal((await box(page, 'canvas')).width, 390);
   assert.deepEqual(complaints, []);
 }
@@ -76,16 +76,16 @@ async function idleBar(context) {
   await page.mouse.move(305, 200);
   assert.ok(!(await isIdle(page)));
   await page.clock.fastForward(2000);
-  assert.ok(!(await isIdle(page)), 'it waits');
+  assert.ok(!(await isIdle(page)), 'the bar stays at first');
   await page.clock.fastForward(1000);
   await page.waitForFunction(() => document.querySelector('#stage').classList.contains('idle'));
   await page.waitForFunction(() => getComputedStyle(document.querySelector('#bar')).opacity === '0');
   await page.mouse.move(310, 200);
-  assert.ok(!(await isIdle(page)), 'it comes back');
+  assert.ok(!(await isIdle(page)), 'the bar comes back');
   await page.click('#play');
   await page.mouse.move(310, 200);
   await page.clock.fastForward(5000);
-  assert.ok(!(await isIdle(page)), 'it stays while the shader stands');
+  assert.ok(!(await isIdle(page)), 'the bar stays while paused');
 }
 
 async function fullScreen(context) {
@@ -98,16 +98,16 @@ async function fullScreen(context) {
   await page.mouse.move(300, 100);
   await page.clock.fastForward(3000);
   await page.waitForFunction(() => document.querySelector('#stage').classList.contains('idle'));
-  // Time stands, so that it does not go by itself meanwhile.
+  // The clock is stopped, so that the bar does not hide meanwhile.
   await page.clock.pauseAt(Date.now() + 3600e3);
   await page.mouse.move(310, 100);
-  assert.ok(!(await isIdle(page)), 'the pointer brings the bar');
+  assert.ok(!(await isIdle(page)), 'moving the pointer shows the bar');
   await page.hover('#play', { force: true });
   await page.clock.fastForward(3000);
-  assert.ok(await isIdle(page), 'it goes even from under a pointer that rests');
+  assert.ok(await isIdle(page), 'the bar hides even below a resting pointer');
   await page.keyboard.press('c');
   await page.waitForFunction(() => !document.fullscreenElement, null, { polling: 50 });
-  assert.ok(await page.isVisible('#code'), 'the code is shown beside the picture');
+  assert.ok(await page.isVisible('#code'), 'the code is shown next to the canvas');
 }
 
 async function bare(context) {
@@ -119,10 +119,10 @@ async function bare(context) {
   assert.ok(await playing(embedded.page));
   assert.ok(!(await embedded.page.isVisible('#begin')));
   await embedded.page.keyboard.press('c');
-  assert.ok(!(await embedded.page.isVisible('#panel')), 'no panel either');
+  assert.ok(!(await embedded.page.isVisible('#panel')), 'there is no panel either');
   const off = await show(context, 'bare', MOVING, '#bar=off');
   assert.ok(!(await off.page.isVisible('#bar')));
-  assert.ok(await playing(off.page), 'it plays by itself');
+  assert.ok(await playing(off.page), 'it plays automatically');
   assert.deepEqual([...embedded.complaints, ...off.complaints], []);
 }
 
@@ -131,14 +131,14 @@ async function calm(context) {
   await frames(page);
   assert.ok(!(await playing(page)));
   assert.equal(await time(page), 0);
-  assert.ok(colors(await pixels(page)) > 10, 'the first frame is there');
+  assert.ok(colors(await pixels(page)) > 10, 'the first frame is drawn');
   await page.click('#begin');
   assert.ok(await playing(page));
   assert.ok(!(await page.isVisible('#begin')));
   assert.deepEqual(complaints, []);
 }
 
-/** How far two colours lie apart, as WCAG has it. */
+/** The contrast of two colours as defined by WCAG. */
 function contrasts(page, selectors) {
   return page.evaluate((all) => {
     const parse = (color) => {
@@ -193,7 +193,7 @@ void main() {
 }
 `;
 
-/** Calls for what the page shows in each of its states. */
+/** Calls a function for each state of the page. */
 async function eachState(page, look) {
   await look('closed');
   for (const tab of ['Controls', 'About', 'Code', 'Export']) {
@@ -218,14 +218,14 @@ async function fingers(context) {
       count += sizes.length;
       small.push(...sizes.filter(([, w, h]) => w < 40 || h < 40).map((s) => [state, ...s]));
       const hidden = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-      assert.equal(hidden, 0, `${state} is as wide as the telephone`);
+      assert.equal(hidden, 0, `${state} fits the width of the phone`);
     });
     assert.ok(count > 60, `${count}`);
     assert.deepEqual(small, []);
   }
 }
 
-/** What a screen reader is told of, in the roles that have to have a name. */
+/** Elements exposed to screen readers whose roles require a name. */
 async function names(context) {
   const { page } = await show(context, 'names', EVERY_KIND, '#paused');
   const client = await context.newCDPSession(page);
@@ -241,7 +241,7 @@ async function names(context) {
   for (const role of ['button', 'slider', 'spinbutton', 'checkbox', 'combobox', 'tab', 'textbox', 'separator', 'dialog']) assert.ok(roles.has(role), role);
 }
 
-/** Everything without a pointer: in by the Tab key, through by arrows, out by Escape. */
+/** Keyboard operation: Tab enters, arrows move, Escape leaves. */
 async function keysAlone(context) {
   const { page, complaints } = await show(context, 'keys-alone', EVERY_KIND, '#paused');
   const focused = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute('aria-label') || document.activeElement.textContent);
@@ -260,24 +260,24 @@ async function keysAlone(context) {
   await page.focus('#more');
   await page.keyboard.press('Enter');
   const open = await walk();
-  for (const name of ['grip', 'help', 'close', 'Controls', 'speed', 'speed, number', 'steps', 'u.soft', 'ink', 'center.x', 'center.y, number', 'flash', 'file for Image inputImage']) assert.ok(open.includes(name), `${name} of ${open}`);
+  for (const name of ['grip', 'help', 'close', 'Controls', 'speed', 'speed, number', 'steps', 'u.soft', 'ink', 'center.x', 'center.y, number', 'flash', 'File for Image inputImage']) assert.ok(open.includes(name), `${name} of ${open}`);
   await page.focus('#tabs [aria-selected=true]');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
   assert.equal(await focused(), 'Code');
   await page.focus('.editor textarea');
   await page.keyboard.press('Escape');
-  assert.equal(await focused(), 'Image', 'Escape leaves the code');
+  assert.equal(await focused(), 'Image', 'Escape leaves the editor');
   await page.keyboard.press('Escape');
   assert.ok(!(await page.isVisible('#panel')));
-  assert.equal(await focused(), 'more', 'and then the panel, for where it was opened');
+  assert.equal(await focused(), 'more', 'a second Escape closes the panel and restores the focus');
   await page.keyboard.press('Enter');
   await page.click('#close');
   assert.equal(await focused(), 'more');
   assert.deepEqual(complaints, []);
 }
 
-/** The bar of a narrow picture holds what is needed, whole. */
+/** The bar of a narrow page shows the necessary buttons completely. */
 async function narrowBar(context) {
   const { page } = await show(context, 'narrow-bar', MOVING, '#paused');
   for (const width of [340, 420, 500, 1000]) {
@@ -293,16 +293,16 @@ async function narrowBar(context) {
 }
 
 export const layoutTests = [
-  { name: 'page: targets for fingers', run: fingers, context: phone },
+  { name: 'page: touch targets', run: fingers, context: phone },
   { name: 'page: names for screen readers', run: names, context: desk },
-  { name: 'page: reached by keys alone', run: keysAlone, context: desk },
-  { name: 'page: the bar of a narrow picture', run: narrowBar, context: desk },
-  { name: 'page: the panel lies beside the picture', run: beside, context: desk },
+  { name: 'page: keyboard operation', run: keysAlone, context: desk },
+  { name: 'page: the bar of a narrow page', run: narrowBar, context: desk },
+  { name: 'page: the panel is next to the canvas', run: beside, context: desk },
   { name: 'page: the panel is a sheet on a phone', run: sheet, context: phone },
-  { name: 'page: the bar goes when nobody uses it', run: idleBar, context: desk },
+  { name: 'page: the bar hides when idle', run: idleBar, context: desk },
   { name: 'page: full screen', run: fullScreen, context: desk },
   { name: 'page: embedded, or without its bar', run: bare, context: desk },
   { name: 'page: reduced motion starts with a button', run: calm, context: { ...desk, reducedMotion: 'reduce' } },
-  { name: 'page: readable in the light', run: readable, context: { ...desk, colorScheme: 'light' } },
-  { name: 'page: readable in the dark', run: readable, context: { ...desk, colorScheme: 'dark' } },
+  { name: 'page: readable in light mode', run: readable, context: { ...desk, colorScheme: 'light' } },
+  { name: 'page: readable in dark mode', run: readable, context: { ...desk, colorScheme: 'dark' } },
 ];

@@ -13,9 +13,9 @@ async function missing(context) {
   await openTab(page, 'Controls');
   assert.match(await page.textContent('#channels'), /Image iChannel0texture \(missing\)/);
   await drop(page, '#picture', { name: 'notes.txt', type: 'text/plain', base64: btoa('hello') });
-  await noticed(page, 'notes.txt is neither');
+  await noticed(page, 'notes.txt is not an image');
   await drop(page, '#picture', { name: 'bad.png', type: 'image/png', base64: btoa('hello') });
-  await noticed(page, 'bad.png cannot be read as a texture');
+  await noticed(page, 'Cannot read bad.png as a texture');
   await drop(page, '#picture', await png(page, 'four.png'));
   await page.waitForFunction(() => document.querySelector('#channels').textContent.includes('four.png'));
   assert.ok(!(await page.textContent('#notices')).includes('drop a file'), 'nothing is missing any more');
@@ -23,13 +23,13 @@ async function missing(context) {
   assert.deepEqual(complaints, []);
 }
 
-/** The channel that an export leaves empty is so on the site. */
+/** A channel that an export leaves empty is also empty on ShaderToy. */
 async function leftEmpty(context) {
   const toy = shader({ type: 'image', name: 'Image', outputs: [], inputs: [], code: READER });
   const { page } = await show(context, 'left_empty', toy, '#size=32x32&paused');
   assert.equal(await page.textContent('#notices'), '');
   await drop(page, '#picture', await png(page, 'four.png'));
-  await noticed(page, 'four.png is on iChannel0');
+  await noticed(page, 'four.png loaded into iChannel0');
 }
 
 async function onARow(context) {
@@ -45,7 +45,7 @@ async function onARow(context) {
   assert.equal(count, 2);
   await drop(page, '.channel:last-of-type', await png(page, 'second.png'));
   await page.waitForFunction(() => [...document.querySelectorAll('.channel')].at(-1).textContent.includes('second.png'));
-  assert.ok(!(await rows.first().textContent()).includes('second.png'), 'only its row is renamed');
+  assert.ok(!(await rows.first().textContent()).includes('second.png'), 'only the row of the channel is renamed');
   assert.ok(await page.evaluate(() => globalThis.shaderport.player.inputs[0][1].isLoaded));
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), rows.first().locator('button').click()]);
   await chooser.setFiles({ name: 'first.png', mimeType: 'image/png', buffer: Buffer.from(await picture(page), 'base64') });
@@ -54,16 +54,16 @@ async function onARow(context) {
 
 async function dismissed(context) {
   const { page } = await show(context, 'dismissed', READER, '#size=32x32&paused', '--no-stand-ins');
-  await page.click('.notice [aria-label=dismiss]');
+  await page.click('.notice [aria-label=Dismiss]');
   assert.equal(await page.textContent('#notices'), '');
   await page.evaluate(() => globalThis.shaderport.player.setSound(false));
   await frames(page);
-  assert.equal(await page.textContent('#notices'), '', 'it does not come again');
+  assert.equal(await page.textContent('#notices'), '', 'the notice does not reappear');
 }
 
 async function standIn(context) {
   const { page } = await show(context, 'stand_in', READER, '#size=32x32&paused');
-  assert.equal(await page.textContent('#notices'), '', 'what is drawn in its place is not missing');
+  assert.equal(await page.textContent('#notices'), '', 'a channel with a stand-in is not missing');
   await openTab(page, 'Controls');
   assert.match(await page.textContent('.channel'), /stand-in for/);
 }
@@ -71,14 +71,14 @@ async function standIn(context) {
 async function unread(context) {
   const { page } = await show(context, 'unread', 'void mainImage(out vec4 O, vec2 U) { O = vec4(1.0); }', '#size=32x32&paused');
   assert.equal(await page.textContent('#notices'), '');
-  assert.equal(await page.locator('.channel').count(), 0, 'channels that nothing reads are no channels');
+  assert.equal(await page.locator('.channel').count(), 0, 'unused channels are not listed');
 }
 
 export const mediaTests = [
-  { name: 'page: what is missing is said on the picture', run: missing, context: desk },
-  { name: 'page: what an export leaves empty is not missing', run: leftEmpty, context: desk },
-  { name: 'page: a file for a row', run: onARow, context: desk },
-  { name: 'page: a notice that is taken away', run: dismissed, context: desk },
-  { name: 'page: a stand-in is called one', run: standIn, context: desk },
-  { name: 'page: no words where nothing is missing', run: unread, context: desk },
+  { name: 'page: missing files are reported on the canvas', run: missing, context: desk },
+  { name: 'page: empty channels of an export are not missing', run: leftEmpty, context: desk },
+  { name: 'page: a file dropped on a row', run: onARow, context: desk },
+  { name: 'page: a dismissed notice', run: dismissed, context: desk },
+  { name: 'page: a stand-in is labelled', run: standIn, context: desk },
+  { name: 'page: no notice if nothing is missing', run: unread, context: desk },
 ];

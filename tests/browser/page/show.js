@@ -1,4 +1,4 @@
-// What the tests of the page share.
+// Shared by the tests of the page.
 import { randomUUID } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -16,7 +16,7 @@ void mainImage(out vec4 O, vec2 U) {
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
 export const desk = { viewport: { width: 1000, height: 600 } };
 
-/** Opens a page of the code; gives it with what it complained of. */
+/** Opens a page for the code; resolves to it with its complaints. */
 export async function show(context, name, code, hash = '', ...args) {
   const text = typeof code === 'string' ? code : JSON.stringify(code);
   const file = put(`${name}.${typeof code === 'string' ? 'glsl' : 'json'}`, text);
@@ -33,7 +33,7 @@ export async function show(context, name, code, hash = '', ...args) {
 export const time = (page) => page.evaluate(() => globalThis.shaderport.player.clock.time);
 export const playing = (page) => page.evaluate(() => globalThis.shaderport.player.isPlaying);
 
-/** Waits until the page says in a notice what holds some words; notices may be gone before one looks. */
+/** Waits until the page shows a notice that contains some words; notices may be gone before one looks. */
 export const noticed = (page, words) =>
   page.waitForFunction((w) => globalThis.noticed.some((text) => text.includes(w)), words);
 
@@ -43,14 +43,14 @@ export async function openTab(page, name) {
   await page.click(`#tabs button:text-is("${name}")`);
 }
 
-/** What a download holds. */
+/** The content of a download. */
 export async function saved(download) {
   const file = path.join(folder(), `${randomUUID()}.download`);
   await download.saveAs(file);
   return fs.readFileSync(file);
 }
 
-/** A picture of four colours, as a PNG that the browser makes. */
+/** An image with four colours, as a PNG that the browser encodes. */
 export function picture(page) {
   return page.evaluate(() => {
     const canvas = document.createElement('canvas');
@@ -64,7 +64,7 @@ export function picture(page) {
   });
 }
 
-/** Drops a file onto an element. */
+/** Drops a file on an element. */
 export function drop(page, selector, { name, type, base64 }) {
   return page.evaluate((file) => {
     const bytes = Uint8Array.from(atob(file.base64), (c) => c.charCodeAt(0));

@@ -1,5 +1,5 @@
-" shaderlint's language server for ALE: findings, hovers, definitions, references, renaming, fixes.
-" This file goes to ~/.vim/ale_linters/glsl/.
+" The shaderlint language server for ALE: findings, hovers, definitions, references, renaming, fixes.
+" Copy this file to ~/.vim/ale_linters/glsl/.
 
 call ale#linter#Define('glsl', {
 \   'name': 'shaderlint',

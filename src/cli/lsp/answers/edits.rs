@@ -1,4 +1,4 @@
-//! What changes texts: fixes, names, formatting.
+//! Answers that edit text: fixes, renaming, formatting.
 
 use super::super::buffers::{TextBuffer, whole};
 use super::super::capabilities::{EXPLAIN, FIX_ALL_KIND};
@@ -13,7 +13,7 @@ use gen_lsp_types::*;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The edits of one text, for its state that is known.
+/// A workspace edit of one document, for its current version.
 fn workspace_edit(buffer: &TextBuffer, edits: Vec<TextEdit>) -> WorkspaceEdit {
     WorkspaceEdit {
         changes: Some(HashMap::from([(buffer.uri.clone(), edits)])),
@@ -21,7 +21,7 @@ fn workspace_edit(buffer: &TextBuffer, edits: Vec<TextEdit>) -> WorkspaceEdit {
     }
 }
 
-/// What can be done about the findings of a range.
+/// The code actions for the findings in a range.
 pub fn actions(
     snapshot: &Snapshot,
     params: CodeActionParams,
@@ -45,7 +45,7 @@ pub fn actions(
             .filter_map(|action| of_finding(snapshot, buffer, &document, action));
         found.extend(told.map(CodeActionResponse::CodeAction));
     }
-    // All safe fixes together: where somebody asks for them, since shaders are drawn for it.
+    // All safe fixes together, only on request: verifying them draws the shader.
     let asks = only.is_some_and(|only| only.iter().any(|k| k.to_string().starts_with("source")));
     if asks && is_wanted(&FIX_ALL_KIND) {
         found.extend(fix_all(snapshot, buffer).map(CodeActionResponse::CodeAction));
@@ -70,7 +70,7 @@ fn of_finding(
     let edits = text_edits(buffer.lines(snapshot.columns()), &action.edits);
     Some(CodeAction {
         title: match action.kind {
-            ActionKind::UnsafeFix => format!("{} (may change the picture)", action.title),
+            ActionKind::UnsafeFix => format!("{} (may change the image)", action.title),
             _ => action.title.clone(),
         },
         kind: Some(CodeActionKind::QuickFix),
@@ -82,7 +82,7 @@ fn of_finding(
     })
 }
 
-/// Mends all that is safe in a text.
+/// Applies all safe fixes of a document.
 pub fn fix_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Option<CodeAction> {
     let text = ide::fix_all(&snapshot.document(buffer), &snapshot.files)?;
     let lines = buffer.lines(snapshot.columns());
@@ -91,14 +91,14 @@ pub fn fix_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Option<CodeAction> {
         new_text: text,
     };
     Some(CodeAction {
-        title: "Fix all that keeps the picture".to_string(),
+        title: "Apply all safe fixes".to_string(),
         kind: Some(FIX_ALL_KIND),
         edit: Some(workspace_edit(buffer, vec![edit])),
         ..CodeAction::default()
     })
 }
 
-/// Whether the name at a place can be changed.
+/// Checks whether the name at a position can be renamed.
 pub fn prepare_rename(
     snapshot: &Snapshot,
     params: PrepareRenameParams,
@@ -113,7 +113,7 @@ pub fn prepare_rename(
     )))
 }
 
-/// Changes the name at a place, in all files of the workspace.
+/// Renames the name at a position in all files of the workspace.
 pub fn rename(snapshot: &Snapshot, params: RenameParams) -> Answer<Option<WorkspaceEdit>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
@@ -124,7 +124,7 @@ pub fn rename(snapshot: &Snapshot, params: RenameParams) -> Answer<Option<Worksp
     let mut changes = HashMap::new();
     for (path, edits) in &renaming.edits {
         let edits = snapshot.with_lines(path, |lines| text_edits(lines, edits));
-        let edits = edits.ok_or_else(|| Failure::refused(format!("{path} cannot be read")))?;
+        let edits = edits.ok_or_else(|| Failure::refused(format!("cannot read {path}")))?;
         changes.insert(snapshot.uri(path), edits);
     }
     Ok(Some(WorkspaceEdit {
@@ -133,7 +133,7 @@ pub fn rename(snapshot: &Snapshot, params: RenameParams) -> Answer<Option<Worksp
     }))
 }
 
-/// The edits that set a text in its style; those inside of a stretch, where one is given.
+/// The edits that format a document, or a range of it.
 fn formatted(
     snapshot: &Snapshot,
     buffer: &TextBuffer,
@@ -159,8 +159,8 @@ fn formatted(
     Ok(Some(text_edits(lines, &edits)))
 }
 
-/// The part of an edit of white space that lies within whole lines: the indentation of their first, and
-/// what ends their last.
+/// The part of a white-space edit that belongs to complete lines: the indentation of the first, and
+/// the end of the last.
 fn clip(text: &str, edit: &Edit, within: Span) -> Option<Edit> {
     let mut edit = edit.clone();
     if edit.span.end < within.start || edit.span.start > within.end {
@@ -171,7 +171,7 @@ fn clip(text: &str, edit: &Edit, within: Span) -> Option<Edit> {
         edit.span.start = within.start;
     }
     if edit.span.end > within.end {
-        // The last line goes up to its line break, which is the text's own.
+        // Up to the line break, which belongs to the text outside.
         let end = text
             .get(..within.end as usize)?
             .trim_end_matches(['\n', '\r'])
@@ -183,7 +183,7 @@ fn clip(text: &str, edit: &Edit, within: Span) -> Option<Edit> {
     (old != edit.text).then_some(edit)
 }
 
-/// Sets a text in its style.
+/// Formats a document.
 pub fn format(
     snapshot: &Snapshot,
     params: DocumentFormattingParams,
@@ -192,7 +192,7 @@ pub fn format(
     formatted(snapshot, buffer, &params.options, None)
 }
 
-/// Sets the lines of a range in their style.
+/// Formats the lines of a range.
 pub fn format_range(
     snapshot: &Snapshot,
     params: DocumentRangeFormattingParams,
@@ -207,7 +207,7 @@ pub fn format_range(
     )
 }
 
-/// Sets what a `}` closes or the line that a `;` ends.
+/// Formats after typing: the block that a `}` closes, or the line that a `;` ends.
 pub fn format_typed(
     snapshot: &Snapshot,
     params: DocumentOnTypeFormattingParams,
@@ -231,11 +231,11 @@ pub fn format_typed(
     )
 }
 
-/// A stretch with the lines that it stands on, without the last line break.
+/// Extends a span to complete lines, without the last line break.
 fn whole_lines(buffer: &TextBuffer, span: Span) -> Span {
     let length = buffer.text.len() as u32;
     let (start, _) = buffer.lines.bounds(span.start, length);
-    // A range that ends where a line begins does not mean that line.
+    // A range that ends at the start of a line does not include that line.
     let last = if span.end > span.start {
         span.end - 1
     } else {

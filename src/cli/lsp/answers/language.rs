@@ -1,4 +1,4 @@
-//! What is known of a place and what may be written there.
+//! Hovers, completions and signature help.
 
 use super::super::pages::page;
 use super::super::snapshot::{Answer, Snapshot};
@@ -11,7 +11,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use gen_lsp_types::*;
 
-/// What is known of what stands at a place.
+/// The hover at a position.
 pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.best(buffer);
@@ -47,7 +47,7 @@ fn told(snapshot: &Snapshot, range: Range, text: String) -> Hover {
     }
 }
 
-/// A hover without its marks: fences, images, code.
+/// A hover as plain text, without fences, images and inline code.
 fn plain(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.starts_with("```"));
     let line = lines.map(|line| {
@@ -57,7 +57,7 @@ fn plain(text: &str) -> String {
     line.collect::<Vec<_>>().join("\n").trim().to_string()
 }
 
-/// The rule that a comment at a place allows, and what it is about.
+/// The rule that a suppression comment at a position names, and its documentation.
 fn rule_at(text: &str, offset: u32) -> Option<(Span, String)> {
     let is_name = |c: char| c.is_ascii_alphanumeric() || c == '-';
     let before = text.get(..offset as usize)?;
@@ -76,7 +76,7 @@ fn rule_at(text: &str, offset: u32) -> Option<(Span, String)> {
     ))
 }
 
-/// What the variable at a place looks like all over the picture, as an image in Markdown.
+/// The values of the variable at a position over the whole frame, as a Markdown image.
 fn picture(document: &ide::Document, offset: u32) -> Option<String> {
     let spot = document.spot(offset)?;
     let name = spot.name()?;
@@ -100,13 +100,13 @@ fn picture(document: &ide::Document, offset: u32) -> Option<String> {
     let picture = picture_of(analysis, variable, line)?;
     let png = png(&picture)?;
     Some(format!(
-        "\n![what it is all over the picture](data:image/png;base64,{})\n",
+        "\n![its values over the whole frame](data:image/png;base64,{})\n",
         STANDARD.encode(png)
     ))
 }
 
 fn png(picture: &Picture) -> Option<Vec<u8>> {
-    /// A pixel of the picture is so many of the image, so that something is seen.
+    /// Each pixel of the frame is scaled up to this many pixels.
     const ZOOM: usize = 3;
     let [width, height] = picture.size.map(|n| n as usize);
     let bytes = picture.bytes();
@@ -127,7 +127,7 @@ fn png(picture: &Picture) -> Option<Vec<u8>> {
     Some(out)
 }
 
-/// What may be written at a place.
+/// The completions at a position.
 pub fn completion(
     snapshot: &Snapshot,
     params: CompletionParams,
@@ -188,7 +188,7 @@ fn completion_kind(kind: CompletionKind) -> CompletionItemKind {
     }
 }
 
-/// What the call that is being written takes.
+/// The signatures of the call at a position.
 pub fn signature_help(
     snapshot: &Snapshot,
     params: SignatureHelpParams,
@@ -199,7 +199,7 @@ pub fn signature_help(
         return Ok(None);
     };
     let signatures = found.signatures.into_iter().map(|signature| {
-        // Labels are ASCII, so that bytes are units of whatever encoding.
+        // Labels are ASCII, so offsets are the same in every encoding.
         let parameters = signature
             .parameters
             .iter()

@@ -1,4 +1,4 @@
-//! How a text looks: colours, hints, folds, lenses.
+//! Semantic tokens, colours, inlay hints, folding and code lenses.
 
 use super::super::buffers::TextBuffer;
 use super::super::capabilities::{INACTIVE, PREVIEW, token_type};
@@ -8,7 +8,7 @@ use crate::ide::{self, FoldKind, HintKind, LensCommand, SemanticKind};
 use crate::text::Span;
 use gen_lsp_types::*;
 
-/// The colours of a text as the protocol has them: five numbers for each stretch.
+/// The semantic tokens in the encoding of the protocol: five numbers per token.
 fn colored(snapshot: &Snapshot, buffer: &TextBuffer, within: Option<Span>) -> Vec<u32> {
     let lines = buffer.lines(snapshot.columns());
     let mut data = Vec::new();
@@ -72,7 +72,7 @@ fn as_tokens(data: &[u32]) -> Vec<SemanticToken> {
     token.collect()
 }
 
-/// Keeps what was sent, and names it.
+/// Stores the tokens that are sent, and returns their result id.
 fn keep(snapshot: &Snapshot, buffer: &TextBuffer, data: Vec<u32>) -> String {
     let id = buffer.state.to_string();
     snapshot
@@ -81,7 +81,7 @@ fn keep(snapshot: &Snapshot, buffer: &TextBuffer, data: Vec<u32>) -> String {
     id
 }
 
-/// The colours of a text.
+/// The semantic tokens of a document.
 pub fn tokens(snapshot: &Snapshot, params: SemanticTokensParams) -> Answer<Option<SemanticTokens>> {
     let buffer = snapshot.buffer(&params.text_document.uri)?;
     let data = colored(snapshot, buffer, None);
@@ -91,7 +91,7 @@ pub fn tokens(snapshot: &Snapshot, params: SemanticTokensParams) -> Answer<Optio
     }))
 }
 
-/// How the colours of a text differ from those that were sent last.
+/// The changes to the semantic tokens that were sent last.
 pub fn tokens_delta(
     snapshot: &Snapshot,
     params: SemanticTokensDeltaParams,
@@ -127,7 +127,7 @@ pub fn tokens_delta(
     Ok(Some(answer))
 }
 
-/// The colours of a range.
+/// The semantic tokens of a range.
 pub fn tokens_range(
     snapshot: &Snapshot,
     params: SemanticTokensRangeParams,
@@ -140,7 +140,7 @@ pub fn tokens_range(
     }))
 }
 
-/// What is written between the words.
+/// The inlay hints of a range.
 pub fn hints(snapshot: &Snapshot, params: InlayHintParams) -> Answer<Option<Vec<InlayHint>>> {
     let buffer = snapshot.buffer(&params.text_document.uri)?;
     let within = snapshot.span(buffer, params.range);
@@ -164,7 +164,7 @@ pub fn hints(snapshot: &Snapshot, params: InlayHintParams) -> Answer<Option<Vec<
     Ok(Some(told.collect()))
 }
 
-/// What can be folded.
+/// The folding ranges of a document.
 pub fn folds(snapshot: &Snapshot, params: FoldingRangeParams) -> Answer<Option<Vec<FoldingRange>>> {
     let buffer = snapshot.buffer(&params.text_document.uri)?;
     let lines = buffer.lines(snapshot.columns());
@@ -172,7 +172,7 @@ pub fn folds(snapshot: &Snapshot, params: FoldingRangeParams) -> Answer<Option<V
     let told = found.into_iter().filter_map(|fold| {
         let Range { start, end } = lines.range(fold.span);
         let inside = snapshot.client.folds_inside_lines;
-        // By whole lines, that with the closing bracket stays to be seen.
+        // Complete lines are folded; the line with the closing bracket stays visible.
         let keeps_last = fold.kind != FoldKind::Comment && !inside;
         let end_line = end.line.checked_sub(u32::from(keeps_last))?;
         (end_line > start.line).then(|| FoldingRange {
@@ -191,7 +191,7 @@ pub fn folds(snapshot: &Snapshot, params: FoldingRangeParams) -> Answer<Option<V
     Ok(Some(told.collect()))
 }
 
-/// What surrounds places.
+/// The selection ranges around positions.
 pub fn selections(
     snapshot: &Snapshot,
     params: SelectionRangeParams,
@@ -213,7 +213,7 @@ pub fn selections(
     Ok(Some(params.positions.iter().map(around).collect()))
 }
 
-/// The colours that a text speaks of.
+/// The colours in a document.
 pub fn colors(snapshot: &Snapshot, params: DocumentColorParams) -> Answer<Vec<ColorInformation>> {
     let buffer = snapshot.buffer(&params.text_document.uri)?;
     let lines = buffer.lines(snapshot.columns());
@@ -233,7 +233,7 @@ pub fn colors(snapshot: &Snapshot, params: DocumentColorParams) -> Answer<Vec<Co
     Ok(told.collect())
 }
 
-/// How a colour may be written.
+/// The ways to write a colour.
 pub fn presentations(
     snapshot: &Snapshot,
     params: ColorPresentationParams,
@@ -254,7 +254,7 @@ pub fn presentations(
     Ok(told.collect())
 }
 
-/// What stands above functions and numbers.
+/// The code lenses above functions and numbers.
 pub fn lenses(snapshot: &Snapshot, params: CodeLensParams) -> Answer<Option<Vec<CodeLens>>> {
     if !snapshot.settings.lenses {
         return Ok(None);
@@ -270,7 +270,7 @@ pub fn lenses(snapshot: &Snapshot, params: CodeLensParams) -> Answer<Option<Vec<
                 let command = own_view.cloned().unwrap_or_else(|| PREVIEW.to_string());
                 (command, Some(vec![buffer.uri.0.clone().into()]))
             }
-            // Only a client with views of its own has sliders.
+            // Only clients with their own view have sliders.
             LensCommand::Tune {
                 value_span,
                 value,

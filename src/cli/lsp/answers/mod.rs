@@ -1,4 +1,4 @@
-//! What is answered to each request.
+//! The handlers of requests.
 
 mod edits;
 mod language;
@@ -15,24 +15,24 @@ use std::collections::HashMap;
 pub use edits::fix_all;
 pub use workspace::diagnostics_of;
 
-/// Where a request is answered.
+/// Where a request is handled.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Lane {
-    /// At once.
+    /// On the main loop.
     Quick,
-    /// On a thread, since it may look at many files or run a shader.
+    /// On a thread, because it may read many files or run a shader.
     Slow,
 }
 
-/// What answers a request.
+/// A handler of requests.
 pub type Job = fn(&Snapshot, Value) -> Answer<Value>;
 
-/// What answers requests, by their methods.
+/// The handlers by method.
 pub struct Jobs {
     all: HashMap<String, (Lane, Job)>,
 }
 
-/// Answers a request of a type by a function.
+/// Registers a handler for a request type.
 macro_rules! jobs {
     ($($lane:ident $request:ident $answer:path,)*) => {{
         let mut all: HashMap<String, (Lane, Job)> = HashMap::new();
@@ -56,7 +56,7 @@ fn write<T: Serialize>(answer: &T) -> Answer<Value> {
     serde_json::to_value(answer).map_err(|error| Failure::refused(error.to_string()))
 }
 
-/// The page of a text.
+/// The parameters of the preview request.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct PageParams {
@@ -69,7 +69,7 @@ struct PageResult {
 }
 
 impl Jobs {
-    /// All that the server answers.
+    /// All handlers of the server.
     pub fn new() -> Jobs {
         let mut all = jobs! {
             Slow HoverRequest language::hover,
@@ -113,7 +113,7 @@ impl Jobs {
         Jobs { all }
     }
 
-    /// What answers a method.
+    /// The handler of a method.
     pub fn get(&self, method: &str) -> Option<(Lane, Job)> {
         self.all.get(method).copied()
     }

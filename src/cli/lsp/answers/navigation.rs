@@ -1,4 +1,4 @@
-//! Where names are declared and used.
+//! Definitions, references, outlines and call hierarchies.
 
 use super::super::buffers::TextBuffer;
 use super::super::capabilities::symbol_kind;
@@ -22,7 +22,7 @@ fn find(
     Ok(found.and_then(|place| snapshot.location(&place)))
 }
 
-/// Where what stands at a place is defined.
+/// The definition of the symbol at a position.
 pub fn definition(
     snapshot: &Snapshot,
     params: DefinitionParams,
@@ -40,7 +40,7 @@ pub fn definition(
     Ok(found.map(|place| DefinitionResponse::Definition(Definition::Location(place))))
 }
 
-/// The file that the directive at a place includes.
+/// The file that the include directive at a position refers to.
 fn included(snapshot: &Snapshot, at: &TextDocumentPositionParams) -> Answer<Option<Location>> {
     let (buffer, offset) = snapshot.place(at)?;
     let text = &buffer.text;
@@ -72,7 +72,7 @@ fn included(snapshot: &Snapshot, at: &TextDocumentPositionParams) -> Answer<Opti
     }))
 }
 
-/// Where what stands at a place is first declared.
+/// The first declaration of the symbol at a position.
 pub fn declaration(
     snapshot: &Snapshot,
     params: DeclarationParams,
@@ -85,7 +85,7 @@ pub fn declaration(
     Ok(found.map(|place| DeclarationResponse::Declaration(Declaration::Location(place))))
 }
 
-/// Where the struct is declared that what stands at a place is.
+/// The declaration of the struct type of the symbol at a position.
 pub fn type_definition(
     snapshot: &Snapshot,
     params: TypeDefinitionParams,
@@ -98,7 +98,7 @@ pub fn type_definition(
     Ok(found.map(|place| TypeDefinitionResponse::Definition(Definition::Location(place))))
 }
 
-/// Where what stands at a place is named, in all files of the workspace.
+/// All references to the symbol at a position, in all files of the workspace.
 pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option<Vec<Location>>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
@@ -116,7 +116,7 @@ pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option
     ))
 }
 
-/// Where what stands at a place is named in the same text.
+/// All references to the symbol at a position in the same document.
 pub fn highlights(
     snapshot: &Snapshot,
     params: DocumentHighlightParams,
@@ -135,7 +135,7 @@ pub fn highlights(
     Ok(Some(told.collect()))
 }
 
-/// What a text declares.
+/// The outline of a document.
 pub fn outline(
     snapshot: &Snapshot,
     params: DocumentSymbolParams,
@@ -159,7 +159,7 @@ pub fn outline(
     )))
 }
 
-#[expect(deprecated, reason = "the field has to be filled in")]
+#[expect(deprecated, reason = "the field is required")]
 fn flat_symbol(
     snapshot: &Snapshot,
     buffer: &TextBuffer,
@@ -181,7 +181,7 @@ fn flat_symbol(
     }
 }
 
-#[expect(deprecated, reason = "the field has to be filled in")]
+#[expect(deprecated, reason = "the field is required")]
 fn document_symbol(snapshot: &Snapshot, buffer: &TextBuffer, item: &OutlineItem) -> DocumentSymbol {
     let lines = buffer.lines(snapshot.columns());
     let inner = item
@@ -201,7 +201,7 @@ fn document_symbol(snapshot: &Snapshot, buffer: &TextBuffer, item: &OutlineItem)
     }
 }
 
-/// The function that is named at a place.
+/// The function at a position, for the call hierarchy.
 pub fn prepare_calls(
     snapshot: &Snapshot,
     params: CallHierarchyPrepareParams,
@@ -230,15 +230,15 @@ fn hierarchy_item(snapshot: &Snapshot, item: CallItem) -> Option<CallHierarchyIt
     })
 }
 
-/// The document and the offset of an item that the client gives back.
+/// The document and offset of an item that the client sends back.
 fn place_of(snapshot: &Snapshot, item: &CallHierarchyItem) -> Answer<(Arc<Document>, u32)> {
     let document = match snapshot.buffer(&item.uri) {
         Ok(buffer) => snapshot.document(buffer),
-        // A file that is included and not open.
+        // An included file that is not open.
         Err(failure) => {
             let path = path_of(&item.uri).ok_or(failure)?;
             let read = super::workspace::document_at(snapshot, &path);
-            read.ok_or_else(|| Failure::refused("the file cannot be read"))?
+            read.ok_or_else(|| Failure::refused("cannot read the file"))?
         }
     };
     let start = item.selection_range.start;
@@ -253,7 +253,7 @@ fn ranges(snapshot: &Snapshot, path: &str, calls: &[Span]) -> Option<Vec<Range>>
     })
 }
 
-/// Who calls a function, in all files of the workspace.
+/// The callers of a function in all files of the workspace.
 pub fn incoming(
     snapshot: &Snapshot,
     params: CallHierarchyIncomingCallsParams,
@@ -271,7 +271,7 @@ pub fn incoming(
     Ok(Some(calls.collect()))
 }
 
-/// Whom a function calls.
+/// The callees of a function.
 pub fn outgoing(
     snapshot: &Snapshot,
     params: CallHierarchyOutgoingCallsParams,

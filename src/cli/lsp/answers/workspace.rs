@@ -1,4 +1,4 @@
-//! All files of the workspace.
+//! Requests about all files of the workspace.
 
 use super::super::super::input::collect;
 use super::super::buffers::TextBuffer;
@@ -12,12 +12,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Most files that are read for one question.
+/// Maximum number of files read for one request.
 const MOST_FILES: usize = 5_000;
-/// Most symbols that are listed.
+/// Maximum number of symbols in an answer.
 const MOST_SYMBOLS: usize = 256;
 
-/// The shader files of the workspace, and what else may hold shaders.
+/// The shader files of the workspace, and other files that may contain shaders.
 fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
     let collected = collect(&snapshot.folders, None, &snapshot.quick);
     let found = collected.inputs.into_iter().filter_map(|input| input.path);
@@ -26,7 +26,7 @@ fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
     all.into_iter().collect()
 }
 
-/// What is known of a file, open or not.
+/// The analysed document of a file, open or not.
 pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
     if let Some(buffer) = snapshot.files.open.get(path) {
         return Some(snapshot.document(buffer));
@@ -42,7 +42,8 @@ pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
     )))
 }
 
-/// The documents that may name what stands at an offset of one of them; that one comes first.
+/// The documents that may refer to the symbol at an offset of a document, which is the first of
+/// them.
 pub fn documents_with(
     snapshot: &Snapshot,
     document: &Arc<Document>,
@@ -69,7 +70,7 @@ pub fn documents_with(
     found
 }
 
-/// What the files of the workspace declare.
+/// The workspace symbols.
 pub fn symbols(
     snapshot: &Snapshot,
     params: WorkspaceSymbolParams,
@@ -109,7 +110,7 @@ pub fn symbols(
     Ok(Some(WorkspaceSymbolResponse::WorkspaceSymbolList(found)))
 }
 
-/// Whether a name has the letters of a query, in their order.
+/// Whether a name contains the letters of a query in order.
 fn is_like(name: &str, query: &str) -> bool {
     let mut letters = name.chars();
     query
@@ -117,7 +118,7 @@ fn is_like(name: &str, query: &str) -> bool {
         .all(|wanted| letters.any(|letter| letter == wanted))
 }
 
-/// The findings of an open text.
+/// The findings of an open document.
 pub fn diagnostics_of(snapshot: &Snapshot, buffer: &TextBuffer) -> PublishDiagnosticsParams {
     PublishDiagnosticsParams {
         uri: buffer.uri.clone(),
@@ -126,7 +127,7 @@ pub fn diagnostics_of(snapshot: &Snapshot, buffer: &TextBuffer) -> PublishDiagno
     }
 }
 
-/// The findings of a text that the client asks for.
+/// The findings of a document on request.
 pub fn document_diagnostics(
     snapshot: &Snapshot,
     params: DocumentDiagnosticParams,
@@ -153,7 +154,7 @@ pub fn document_diagnostics(
     .into())
 }
 
-/// The findings of all files of the workspace. Those that are not open are not run.
+/// The findings of all files of the workspace. Shaders that are not open are not executed.
 pub fn workspace_diagnostics(
     snapshot: &Snapshot,
     params: WorkspaceDiagnosticParams,

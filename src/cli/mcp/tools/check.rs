@@ -1,4 +1,4 @@
-//! `check`.
+//! The tool `check`.
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
@@ -13,17 +13,17 @@ use serde::Deserialize;
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CheckTool {
-    /// A file or folder: GLSL, exports of ShaderToy, pages and scripts with shaders in them
+    /// File or folder to check: GLSL, ShaderToy exports, web pages and scripts that contain shaders
     path: Option<String>,
-    /// The text of a shader, instead of `path`
+    /// Text of a shader, instead of `path`
     code: Option<String>,
-    /// File name of `code`; its ending tells what it is, like `a.frag`, `b.vert`, `page.html`
+    /// File name of `code`; its extension selects the kind of file: `a.frag`, `b.vert`, `page.html`
     name: Option<String>,
-    /// What the shader is written for, where that cannot be seen
+    /// Dialect of the shader, if it cannot be detected
     #[schemars(schema_with = "one_of::<DialectChoice>")]
     #[serde(default)]
     dialect: Option<String>,
-    /// Report these rules, groups and compile errors alone
+    /// Report only these rules, groups and compile errors
     #[serde(default)]
     only: Vec<String>,
 }
@@ -31,9 +31,9 @@ pub struct CheckTool {
 impl Tool for CheckTool {
     const NAME: &str = "check";
     const TITLE: &str = "Check shaders";
-    const ABOUT: &str = "Checks GLSL for WebGL2 and ShaderToy. One line a finding: place, \
-        severity, rule, message, and the edit that mends it. An error means that the browser \
-        refuses the shader.";
+    const ABOUT: &str = "Checks GLSL shaders for WebGL2 and ShaderToy. Prints one line per \
+        finding: position, severity, rule, message and fix. An error means that the browser rejects \
+        the shader.";
     const WRITES: ToolWrites = ToolWrites::Nothing;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
@@ -47,6 +47,6 @@ impl Tool for CheckTool {
         if done.code == i32::from(FAILED) && done.out.is_empty() {
             return Err(done.err);
         }
-        Ok(ToolAnswer::of_outcome(&done, "nothing is wrong"))
+        Ok(ToolAnswer::of_outcome(&done, "no findings"))
     }
 }

@@ -1,4 +1,4 @@
-//! `explain`.
+//! The tool `explain`.
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
@@ -11,15 +11,15 @@ use serde::Deserialize;
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ExplainTool {
-    /// A rule, compile error or host, as `check` names it; without it all rules are listed
+    /// Name of a rule, compile error or host; without a name all rules are listed
     name: Option<String>,
 }
 
 impl Tool for ExplainTool {
     const NAME: &str = "explain";
     const TITLE: &str = "Explain a rule";
-    const ABOUT: &str = "Says what a rule or compile error means, why it matters and what to do, \
-        with examples. Lists all rules where no name is given.";
+    const ABOUT: &str = "Explains what a rule or compile error means, why it matters and how to fix \
+        it, with examples. Without a name, lists all rules.";
     const WRITES: ToolWrites = ToolWrites::Nothing;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
@@ -30,7 +30,7 @@ impl Tool for ExplainTool {
         args.0.extend(self.name.map(Into::into));
         let done = program.run(args.0, "").await?;
         match done.code == i32::from(CLEAN) {
-            true => Ok(ToolAnswer::of(&done.out, "its page is empty")),
+            true => Ok(ToolAnswer::of(&done.out, "the documentation is empty")),
             false => Err(done.err),
         }
     }

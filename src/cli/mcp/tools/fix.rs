@@ -1,4 +1,4 @@
-//! `fix`.
+//! The tool `fix`.
 
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::{CommandOutcome, OwnProgram};
@@ -12,16 +12,16 @@ use serde::Deserialize;
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FixTool {
-    /// A file or folder
+    /// File or folder to fix
     path: Option<String>,
-    /// The text of a shader, instead of `path`; the answer is the whole text
+    /// Text of a shader, instead of `path`; the answer is the complete fixed text
     code: Option<String>,
-    /// File name of `code`; its ending tells what it is
+    /// File name of `code`; its extension selects the kind of file
     name: Option<String>,
-    /// Apply fixes too that may change the picture
+    /// Also apply unsafe fixes, which may change the image
     #[serde(default)]
     unsafe_fixes: bool,
-    /// Write the fixes into the files; without it the answer is a diff
+    /// Write the fixed files; otherwise the answer is a diff
     #[serde(default)]
     write: bool,
 }
@@ -29,9 +29,8 @@ pub struct FixTool {
 impl Tool for FixTool {
     const NAME: &str = "fix";
     const TITLE: &str = "Fix shaders";
-    const ABOUT: &str = "Mends what `check` reports: fixes that keep the picture, and on demand \
-        others. Answers with a diff or, for `code`, with the text; then what is left to be done by \
-        hand.";
+    const ABOUT: &str = "Fixes what `check` reports, by default only where the image stays the \
+        same. Returns a diff or, for `code`, the fixed text, followed by the remaining findings.";
     const WRITES: ToolWrites = ToolWrites::Files;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
@@ -40,7 +39,9 @@ impl Tool for FixTool {
         args.option("--stdin-filename", self.name);
         args.switch("--unsafe-fixes", self.unsafe_fixes);
         match (input, self.write) {
-            (ToolInput::Code(_), true) => return Err("only files can be written".to_string()),
+            (ToolInput::Code(_), true) => {
+                return Err("`write` requires `path`: only files can be written".to_string());
+            }
             (ToolInput::Code(_), false) | (ToolInput::Path(_), true) => args.switch("--fix", true),
             (ToolInput::Path(_), false) => args.switch("--diff", true),
         }
@@ -51,22 +52,20 @@ impl Tool for FixTool {
         }
         match input {
             ToolInput::Code(code) => mended(code, done),
-            ToolInput::Path(_) if self.write => {
-                Ok(ToolAnswer::of_outcome(&done, "nothing is wrong"))
-            }
-            ToolInput::Path(_) => Ok(ToolAnswer::of_outcome(&done, "nothing can be fixed")),
+            ToolInput::Path(_) if self.write => Ok(ToolAnswer::of_outcome(&done, "no findings")),
+            ToolInput::Path(_) => Ok(ToolAnswer::of_outcome(&done, "no fixes available")),
         }
     }
 }
 
-/// A text that was mended. Half of a text would be taken for the whole.
+/// The fixed text. It is never truncated, because the client would save it.
 fn mended(code: &str, mut done: CommandOutcome) -> Result<ToolAnswer, String> {
     if done.out == code {
-        done.out = "nothing can be fixed: the text stays as it is".to_string();
+        done.out = "no fixes available; the text is unchanged".to_string();
     } else if done.out.len() > MAX_TEXT {
         let len = done.out.len();
         return Err(format!(
-            "the text has {len} bytes, {MAX_TEXT} can be answered: save it, and give its `path`"
+            "the fixed text has {len} bytes, the limit is {MAX_TEXT}; save it and pass its `path`"
         ));
     }
     Ok(ToolAnswer::of_outcome(&done, "the text is empty"))

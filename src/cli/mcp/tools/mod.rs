@@ -1,4 +1,4 @@
-//! The tools. Each is the form of its arguments, and makes a command of them.
+//! The tools. Each one declares its arguments and translates them to a command.
 
 mod check;
 mod explain;
@@ -20,10 +20,10 @@ use run::RunTool;
 use serde_json::Value;
 use tool::{Tool, ToolWrites};
 
-/// All tools.
+/// The descriptions of all tools.
 ///
 /// # Errors
-/// Where one has no schema.
+/// If a schema cannot be generated.
 pub fn all() -> Result<Vec<rmcp::model::Tool>, ErrorData> {
     Ok(vec![
         described::<CheckTool>()?,
@@ -37,7 +37,7 @@ pub fn all() -> Result<Vec<rmcp::model::Tool>, ErrorData> {
 /// Calls a tool.
 ///
 /// # Errors
-/// Where there is none of that name.
+/// If no tool has this name.
 pub async fn call(
     name: &str,
     arguments: JsonObject,
@@ -50,7 +50,7 @@ pub async fn call(
         ExplainTool::NAME => called::<ExplainTool>(arguments, program).await,
         PortTool::NAME => called::<PortTool>(arguments, program).await,
         _ => {
-            let message = format!("there is no tool `{name}`");
+            let message = format!("unknown tool `{name}`");
             return Err(ErrorData::invalid_params(message, None));
         }
     })
@@ -66,11 +66,11 @@ fn described<T: Tool>() -> Result<rmcp::model::Tool, ErrorData> {
     Ok(rmcp::model::Tool::new(T::NAME, T::ABOUT, schema).with_annotations(annotations))
 }
 
-/// Wrong arguments are told as the answer, where whoever chose them reads it.
+/// Invalid arguments are reported as an answer, so that the model reads the error.
 async fn called<T: Tool>(arguments: JsonObject, program: &OwnProgram) -> ToolAnswer {
     let answer = match serde_json::from_value::<T>(Value::Object(arguments)) {
         Ok(tool) => tool.answer(program).await,
-        Err(error) => Err(format!("wrong arguments: {error}")),
+        Err(error) => Err(format!("invalid arguments: {error}")),
     };
     answer.unwrap_or_else(|why| ToolAnswer::failed(&why))
 }

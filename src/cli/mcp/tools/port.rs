@@ -1,4 +1,4 @@
-//! `port`.
+//! The tool `port`.
 
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::OwnProgram;
@@ -16,35 +16,37 @@ use std::path::Path;
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PortTool {
-    /// A shader file, an export of ShaderToy (.json), or a folder whose files are named by their
-    /// passes (image.glsl, buffer_a.glsl, common.glsl)
+    /// Shader file, ShaderToy export (.json), or folder with files named after passes
+    /// (image.glsl, buffer_a.glsl, common.glsl)
     path: Option<String>,
-    /// The text of a shader or an export, instead of `path`
+    /// Text of a shader or an export, instead of `path`
     code: Option<String>,
-    /// What to make; without it the ending of `output` tells, else plain WebGL2
+    /// Output format; default: chosen by the extension of `output`, or plain WebGL2 shaders
     #[schemars(schema_with = "one_of::<Target>")]
     #[serde(default)]
     target: Option<String>,
-    /// File or folder to write; without it the answer holds the files, which pages are too large for
+    /// File or folder to write; without it the answer contains the files, but pages are too large
+    /// for that
     output: Option<String>,
-    /// Write over a file that is there already
+    /// Overwrite existing files
     #[serde(default)]
     force: bool,
-    /// What the code is written in, like `shadertoy`, `glsl-sandbox` or `isf`; the code tells mostly
+    /// Site or library that the shader is written for, such as `shadertoy`, `glsl-sandbox` or
+    /// `isf`; usually detected
     from: Option<String>,
-    /// What channels read, like `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`
+    /// Inputs of channels, such as `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`
     #[serde(default)]
     channels: Vec<String>,
-    /// Folder with the site's files, such as media/a/x.jpg
+    /// Folder with a copy of ShaderToy's media files, such as media/a/x.jpg
     media: Option<String>,
-    /// How plain shaders get their `main`
+    /// How plain shaders get a `main` function
     #[schemars(schema_with = "one_of::<MainChoice>")]
     #[serde(default)]
     main: Option<String>,
-    /// Mend code that does not compile, where there is one answer
+    /// Repair code that does not compile where only one fix is possible
     #[serde(default)]
     repair: bool,
-    /// Compare what is written with the original, by runs
+    /// Verify with sample runs that the output draws the same as the input
     #[serde(default)]
     verify: bool,
 }
@@ -52,8 +54,8 @@ pub struct PortTool {
 impl Tool for PortTool {
     const NAME: &str = "port";
     const TITLE: &str = "Port to WebGL2";
-    const ABOUT: &str = "Turns ShaderToy code, and what other players take, into WebGL2: a page \
-        that plays (`output` like `page.html`), a module, or plain shaders.";
+    const ABOUT: &str = "Ports shaders from ShaderToy and similar sites to WebGL2: a page (`output` \
+        such as `page.html`), a JavaScript module, or plain shaders.";
     const WRITES: ToolWrites = ToolWrites::Files;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
@@ -61,7 +63,7 @@ impl Tool for PortTool {
         let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
         let made = folder.path().join("made");
         let mut args = self.args();
-        // The last separator makes it a folder.
+        // The trailing separator makes it a folder.
         let inside = format!("{}/", made.display());
         args.option("--output", Some(self.output.as_ref().unwrap_or(&inside)));
         args.0.extend(input.args());
@@ -98,7 +100,7 @@ impl PortTool {
     }
 }
 
-/// The files of a folder by name.
+/// The files in a folder, sorted by name.
 fn files(folder: &Path) -> io::Result<Vec<(String, Vec<u8>)>> {
     let mut files = Vec::new();
     if folder.is_dir() {
@@ -112,7 +114,7 @@ fn files(folder: &Path) -> io::Result<Vec<(String, Vec<u8>)>> {
     Ok(files)
 }
 
-/// All files as texts. Half of a file would be taken for the whole.
+/// All files as texts. They are never truncated, because the client would save them.
 fn shown(files: &[(String, Vec<u8>)]) -> Result<ToolAnswer, String> {
     let size: usize = files.iter().map(|(_, content)| content.len()).sum();
     let mut texts = Vec::new();
@@ -121,14 +123,14 @@ fn shown(files: &[(String, Vec<u8>)]) -> Result<ToolAnswer, String> {
             Ok(text) if size <= MAX_TEXT => texts.push(format!("{name}:\n{text}")),
             Ok(_) => {
                 return Err(format!(
-                    "{size} bytes were made, {MAX_TEXT} can be answered: name an `output`"
+                    "the output has {size} bytes, the limit is {MAX_TEXT}; pass `output` to write files"
                 ));
             }
-            Err(_) => return Err(format!("{name} is no text: name an `output`")),
+            Err(_) => return Err(format!("{name} is not text; pass `output` to write files")),
         }
     }
     let mut texts = texts.iter();
-    let mut answer = ToolAnswer::of(texts.next().map_or("", String::as_str), "nothing was made");
+    let mut answer = ToolAnswer::of(texts.next().map_or("", String::as_str), "no output");
     texts.for_each(|text| answer.push(text));
     Ok(answer)
 }

@@ -1,4 +1,4 @@
-//! `run`.
+//! The tool `run`.
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
@@ -11,50 +11,52 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::fs;
 
-/// Most pixels of a picture: a PNG of noise is then about 1.5 MB.
+/// Maximum number of pixels; a PNG of noise then has about 1.5 MB.
 const MAX_PIXELS: u64 = 512 * 1024;
-/// Size of a picture where nothing is said, in pixels.
+/// Default size in pixels.
 const SIZE: (u32, u32) = (480, 270);
 
 /// The arguments of `run`.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RunTool {
-    /// A fragment shader, a pass of ShaderToy or an export (.json)
+    /// Fragment shader, ShaderToy pass or ShaderToy export (.json)
     path: Option<String>,
-    /// The text of a shader, instead of `path`
+    /// Text of a shader, instead of `path`
     code: Option<String>,
-    /// Width of the picture in pixels; 480 if missing
+    /// Width of the image in pixels; default: 480
     width: Option<u32>,
-    /// Height of the picture in pixels; 270 if missing
+    /// Height of the image in pixels; default: 270
     height: Option<u32>,
-    /// Seconds since the start
+    /// Time in seconds since the start
     time: Option<f64>,
-    /// Number of the frame, from 0
+    /// Frame number, from 0
     frame: Option<u32>,
-    /// Where the mouse is, like `320,180` in pixels from the left and from below; `320,180,down` holds
-    /// its button
+    /// Mouse position in pixels from the lower left corner, such as `320,180`; `320,180,down` holds
+    /// the button
     mouse: Option<String>,
-    /// Values of uniforms by name: numbers, booleans, arrays of them, objects for structs
+    /// Values of uniforms by name: numbers, booleans, arrays of these, objects for structs
     uniforms: Option<Map<String, Value>>,
-    /// What channels read, like `0=photo.jpg` or `buffer_a.0=buffer_a`
+    /// Inputs of channels, such as `0=photo.jpg` or `buffer_a.0=buffer_a`
     #[serde(default)]
     channels: Vec<String>,
-    /// What the code is written in, like `shadertoy`, `glsl-sandbox` or `isf`; the code tells mostly
+    /// Site or library that the shader is written for, such as `shadertoy`, `glsl-sandbox` or
+    /// `isf`; usually detected
     from: Option<String>,
-    /// The pass to show, like `image` or `buffer_a`
+    /// Pass to show, such as `image` or `buffer_a`
     pass: Option<String>,
-    /// Draw a variable as it is on a line, like `d@42`
+    /// Draw the value of a variable on a line, such as `d@42`
     show: Option<String>,
-    /// Draw the work of each pixel (steps, cost, overdraw), or where numbers are not finite (nan)
+    /// Draw a heat map: loop iterations (steps), operations (cost), work of the pixel group that a
+    /// pixel only waits for (overdraw), or values that are not finite (nan)
     #[schemars(schema_with = "one_of::<Heat>")]
     #[serde(default)]
     heatmap: Option<String>,
-    /// Draw so many pictures on one sheet, from `time` on
+    /// Draw a contact sheet of this many frames, starting at `time`
     sheet: Option<u32>,
-    /// Seconds between two pictures of a sheet; 1 if missing
+    /// Seconds between the frames of a contact sheet; default: 1
     every: Option<f64>,
-    /// Say of each loop how often it turned, what each function cost, and where numbers went wrong
+    /// Report loop iterations, the cost of each function and invalid numbers
     #[serde(default)]
     report: bool,
 }
@@ -62,8 +64,8 @@ pub struct RunTool {
 impl Tool for RunTool {
     const NAME: &str = "run";
     const TITLE: &str = "Draw a shader";
-    const ABOUT: &str = "Draws a shader without a GPU, as WebGL2 would. Answers with the picture, \
-        and with what was seen: colours, numbers that are not finite, cost, loops.";
+    const ABOUT: &str = "Draws a shader without a GPU, as WebGL2 would. Returns the image and \
+        statistics: colours, values that are not finite, cost, loops.";
     const WRITES: ToolWrites = ToolWrites::Nothing;
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
@@ -83,13 +85,13 @@ impl Tool for RunTool {
         if done.code != i32::from(CLEAN) {
             return Err(done.said());
         }
-        // Where the picture was written is nothing to the client.
+        // The temporary path of the image means nothing to the client.
         let lines = done.out.lines();
         let facts: Vec<&str> = lines
             .filter(|l| !l.trim_start().starts_with("written "))
             .collect();
-        let png = fs::read(&picture).map_err(|e| format!("there is no picture: {e}"))?;
-        let mut answer = ToolAnswer::of(&facts.join("\n"), "the picture");
+        let png = fs::read(&picture).map_err(|e| format!("cannot read the image: {e}"))?;
+        let mut answer = ToolAnswer::of(&facts.join("\n"), "the image");
         answer.push_png(&png);
         answer.push_any(&done.err);
         Ok(answer)
@@ -102,7 +104,7 @@ impl RunTool {
         let pixels = u64::from(width) * u64::from(height) * u64::from(self.sheet.unwrap_or(1));
         if pixels > MAX_PIXELS {
             return Err(format!(
-                "the picture would have {pixels} pixels, {MAX_PIXELS} are allowed"
+                "the image would have {pixels} pixels; the limit is {MAX_PIXELS}"
             ));
         }
         let mut args = Args::of(&["run"]);

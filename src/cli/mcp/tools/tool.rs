@@ -1,4 +1,4 @@
-//! What a tool is, and how it makes the arguments of a command.
+//! The interface of tools, and a builder for command arguments.
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
@@ -8,27 +8,27 @@ use serde::de::DeserializeOwned;
 use std::any::Any;
 use std::ffi::OsString;
 
-/// A tool.
+/// A tool of the MCP server.
 pub trait Tool: DeserializeOwned + JsonSchema + Any {
-    /// Its name.
+    /// Identifier in the protocol.
     const NAME: &str;
-    /// Its name for people.
+    /// Title for people.
     const TITLE: &str;
-    /// What it does, for those who choose.
+    /// Description for the model that chooses a tool.
     const ABOUT: &str;
-    /// What it writes.
+    /// Which files it may write.
     const WRITES: ToolWrites;
 
-    /// Does what it is for. An error is told to the client as the answer.
+    /// Runs the tool. Errors are reported to the client as the answer.
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String>;
 }
 
-/// What a tool writes.
+/// Which files a tool may write.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ToolWrites {
-    /// Nothing.
+    /// None.
     Nothing,
-    /// Files that are named, and in the place of others where that is asked for.
+    /// Files that the arguments name, and existing files if asked to.
     Files,
 }
 
@@ -37,26 +37,26 @@ pub enum ToolWrites {
 pub struct Args(pub Vec<OsString>);
 
 impl Args {
-    /// Those that name a command.
+    /// Starts with the name of a command.
     pub fn of(words: &[&str]) -> Args {
         Args(words.iter().map(OsString::from).collect())
     }
 
-    /// A switch.
+    /// Adds a flag.
     pub fn switch(&mut self, option: &str, is_on: bool) {
         if is_on {
             self.0.push(option.into());
         }
     }
 
-    /// An option with a value. The value may begin as an option does.
+    /// Adds an option with a value, which may look like an option.
     pub fn option(&mut self, option: &str, value: Option<impl AsRef<str>>) {
         if let Some(value) = value {
             self.0.push(format!("{option}={}", value.as_ref()).into());
         }
     }
 
-    /// An option that may be said several times.
+    /// Adds an option once for each value.
     pub fn options<T: AsRef<str>>(&mut self, option: &str, values: &[T]) {
         values
             .iter()
@@ -64,7 +64,7 @@ impl Args {
     }
 }
 
-/// The schema of a text that the command line knows.
+/// The schema of a string with the values that a command-line option accepts.
 pub fn one_of<T: ValueEnum>(_: &mut schemars::SchemaGenerator) -> Schema {
     let values = T::value_variants().iter();
     let names = values.filter_map(|v| Some(v.to_possible_value()?.get_name().to_string()));

@@ -1,4 +1,4 @@
-//! The shape of `shaderlint.toml`: what serde reads, and what the JSON schema is derived from.
+//! The structure of `shaderlint.toml`: serde reads it, and the JSON schema is derived from it.
 
 use super::mistake::Mistake;
 use super::rules::Rules;
@@ -14,59 +14,59 @@ use shaderlint_syntax::{Version, WordClass, classify};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-// Two structs have the keys of a layer: serde forgets the places of what it flattens.
+// Two structs repeat the keys of a layer, because serde loses positions with `flatten`.
 
-/// What holds for all files, and which files these are
+/// Configuration of shaderlint
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 #[schemars(title = "shaderlint.toml")]
 pub struct ConfigFile {
-    /// What draws the shaders in the end
+    /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
-    /// How many pixels of each shader are run, whatever that takes; none where it is 0
+    /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
     pub run_samples: Option<u32>,
-    /// What the shaders are written for
+    /// Dialect of the shaders
     pub dialect: Option<DialectChoice>,
-    /// What is said of shaders for OpenGL, Vulkan and other hosts than WebGL
+    /// How to treat desktop GLSL and other shaders that WebGL cannot compile
     pub desktop: Option<Desktop>,
-    /// What the host declares for the shaders
+    /// Site or library that completes the shaders
     pub host: Option<HostEntry>,
-    /// How `shaderlint fmt` sets code
+    /// Style of `shaderlint fmt`
     #[serde(default)]
     pub format: FormatEntry,
     /// Levels and options of rules and groups
     #[serde(default)]
     pub rules: Rules,
-    /// The files that folders are searched for
+    /// Files to check when folders are searched
     pub include: Option<Patterns>,
-    /// Folders that #include searches behind that of the file, from the folder of this file
+    /// Folders that `#include` searches after the folder of the file, relative to this file
     pub include_roots: Option<Vec<String>>,
-    /// The files that are left out of folders
+    /// Files to skip when folders are searched
     pub exclude: Option<Patterns>,
-    /// What holds for some files, the later over the earlier
+    /// Settings for some files; later overrides take precedence
     #[serde(default)]
     pub overrides: Vec<Override>,
 }
 
-/// What holds for some files
+/// Settings for some files
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct Override {
-    /// The files that it holds for, from the folder of this file
+    /// Files that the settings apply to, relative to this configuration
     pub paths: Patterns,
-    /// What draws the shaders in the end
+    /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
-    /// How many pixels of each shader are run, whatever that takes; none where it is 0
+    /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
     pub run_samples: Option<u32>,
-    /// What the shaders are written for
+    /// Dialect of the shaders
     pub dialect: Option<DialectChoice>,
-    /// What is said of shaders for OpenGL, Vulkan and other hosts than WebGL
+    /// How to treat desktop GLSL and other shaders that WebGL cannot compile
     pub desktop: Option<Desktop>,
-    /// What the host declares for the shaders
+    /// Site or library that completes the shaders
     pub host: Option<HostEntry>,
-    /// Folders that #include searches behind that of the file, from the folder of this file
+    /// Folders that `#include` searches after the folder of the file, relative to this file
     pub include_roots: Option<Vec<String>>,
-    /// How `shaderlint fmt` sets code
+    /// Style of `shaderlint fmt`
     #[serde(default)]
     pub format: FormatEntry,
     /// Levels and options of rules and groups
@@ -74,17 +74,17 @@ pub struct Override {
     pub rules: Rules,
 }
 
-/// How code is set
+/// Style of `shaderlint fmt`
 #[derive(Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct FormatEntry {
-    /// What a level is indented by: a number of blanks, or "tab"
+    /// Indentation of a level: a number of spaces, or "tab"
     #[schemars(with = "Option<IndentValue>")]
     indent: Option<Spanned<toml::Value>>,
-    /// How many characters a line should have at most
+    /// Maximum line length in characters
     #[schemars(with = "Option<u32>", range(min = 20, max = 1000))]
     width: Option<Spanned<u32>>,
-    /// Where the brace of a block stands: in the line of what it belongs to, or in the next
+    /// Position of the opening brace of a block: on the same line or on the next line
     brace: Option<Brace>,
 }
 
@@ -98,11 +98,14 @@ enum IndentValue {
 }
 
 impl FormatEntry {
-    /// As the formatter takes it.
+    /// Checks the values.
     pub fn choice(self) -> Result<StyleChoice, Mistake> {
         let width = self.width.map(|width| match *width.get_ref() {
             20..=1000 => Ok(*width.get_ref()),
-            _ => Err(Mistake::at(&width, "this must be 20 to 1000".to_string())),
+            _ => Err(Mistake::at(
+                &width,
+                "expected a number from 20 to 1000".to_string(),
+            )),
         });
         Ok(StyleChoice {
             indent: self.indent.as_ref().map(indent).transpose()?,
@@ -112,7 +115,7 @@ impl FormatEntry {
     }
 }
 
-/// Columns of a tab, where nothing is said of it.
+/// Width of a tab in columns.
 const TAB: u32 = 4;
 
 fn indent(value: &Spanned<toml::Value>) -> Result<Indentation, Mistake> {
@@ -121,16 +124,16 @@ fn indent(value: &Spanned<toml::Value>) -> Result<Indentation, Mistake> {
         toml::Value::String(word) if word == "tab" => Ok(Indentation::Tab(TAB)),
         _ => Err(Mistake::at(
             value,
-            "this must be 1 to 16, or `\"tab\"`".to_string(),
+            "expected a number from 1 to 16, or `\"tab\"`".to_string(),
         )),
     }
 }
 
-/// What the host declares.
+/// The host in short or long form.
 pub type HostEntry = WordOr<KnownHost, DescribedHost>;
 
 impl HostEntry {
-    /// As the engine takes it.
+    /// Checks the uniforms.
     pub fn names(self) -> Result<HostNames, Mistake> {
         let host = match self {
             WordOr::Word(known) => DescribedHost {
@@ -148,13 +151,13 @@ impl HostEntry {
     }
 }
 
-/// A host with what the user says of it
+/// A host with additional declarations
 #[derive(Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct DescribedHost {
-    /// The host that it builds on
+    /// Host to extend
     preset: Option<KnownHost>,
-    /// A file of GLSL that describes a host, from the folder of this file
+    /// GLSL file that describes the host, relative to this configuration
     prelude: Option<String>,
     /// Uniforms that the host declares, with their types
     #[serde(default)]
@@ -162,7 +165,7 @@ pub struct DescribedHost {
     uniforms: BTreeMap<Spanned<String>, UniformType>,
 }
 
-/// The name of a host that comes with the program
+/// Name of a built-in host
 #[derive(Deserialize, JsonSchema)]
 #[serde(try_from = "String")]
 #[schemars(with = "String", extend("enum" = names()))]
@@ -176,7 +179,7 @@ impl TryFrom<String> for KnownHost {
     }
 }
 
-/// A type like `float` or `vec3[4]`
+/// A type such as `float` or `vec3[4]`
 #[derive(Deserialize, JsonSchema)]
 #[schemars(with = "String", extend("pattern" = TYPES))]
 struct UniformType(Spanned<String>);
@@ -184,7 +187,7 @@ struct UniformType(Spanned<String>);
 const TYPES: &str =
     "^[biu]?(vec|mat|sampler|float|int|uint|bool)[A-Za-z0-9]*( *\\[[0-9]+\\])?$|^[iu]?sampler";
 
-/// Reads `uTime = "float"` or `lights = "vec3[4]"`.
+/// Parses `uTime = "float"` or `lights = "vec3[4]"`.
 fn uniform(name: &Spanned<String>, ty: &Spanned<String>) -> Result<HostUniform, Mistake> {
     let ident = name.get_ref().as_str();
     let is_word = ident.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
@@ -193,7 +196,7 @@ fn uniform(name: &Spanned<String>, ty: &Spanned<String>) -> Result<HostUniform, 
             .all(|b| b.is_ascii_alphanumeric() || b == b'_');
     let is_free = is_word && !ident.starts_with("gl_") && !ident.starts_with("webgl_");
     if !is_free || classify(ident, Version::Es300) != WordClass::Plain {
-        let message = format!("`{ident}` cannot be the name of a uniform");
+        let message = format!("`{ident}` is not a valid uniform name");
         return Err(Mistake::at(name, message));
     }
     let text = ty.get_ref().as_str();
@@ -208,7 +211,7 @@ fn uniform(name: &Spanned<String>, ty: &Spanned<String>) -> Result<HostUniform, 
     let is_type = matches!(classify(base, Version::Es300), WordClass::Type(_)) && base != "void";
     let (true, Some(size)) = (is_type, size) else {
         let message =
-            format!("`{text}` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`");
+            format!("`{text}` is not a GLSL type; use `float`, `vec3`, `sampler2D`, `vec4[8]`");
         return Err(Mistake::at(ty, message));
     };
     Ok(HostUniform {
@@ -218,14 +221,14 @@ fn uniform(name: &Spanned<String>, ty: &Spanned<String>) -> Result<HostUniform, 
     })
 }
 
-/// Patterns as `.gitignore` has them: `*` stays inside a folder, a pattern without a slash holds at
-/// any depth, and what names a folder holds for all in it
+/// Patterns as in `.gitignore`: `*` does not match `/`, a pattern without a slash matches at any
+/// depth, and a folder matches everything in it
 #[derive(Deserialize, JsonSchema)]
 #[schemars(with = "Vec<String>")]
 pub struct Patterns(Spanned<Vec<Spanned<String>>>);
 
 impl Patterns {
-    /// All in one.
+    /// Compiles the patterns.
     pub fn globs(self) -> Result<GlobSet, Mistake> {
         let mut set = GlobSetBuilder::new();
         for entry in self.0.get_ref() {
@@ -238,7 +241,8 @@ impl Patterns {
             };
             for pattern in [format!("{rooted}/**"), rooted] {
                 let glob = GlobBuilder::new(&pattern).literal_separator(true).build();
-                let wrong = |e: globset::Error| format!("`{written}` is no pattern: {}", e.kind());
+                let wrong =
+                    |e: globset::Error| format!("invalid pattern `{written}`: {}", e.kind());
                 set.add(glob.map_err(|e| Mistake::at(entry, wrong(e)))?);
             }
         }

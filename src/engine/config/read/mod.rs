@@ -1,4 +1,4 @@
-//! Reads a configuration; every mistake in it is an error with its place.
+//! Reads a configuration. Every error in it has a position.
 
 mod file;
 mod mistake;
@@ -13,18 +13,18 @@ use file::{ConfigFile, HostEntry, Patterns};
 use mistake::Mistake;
 use shaderlint_text::LineIndex;
 
-/// What is wrong with a configuration.
+/// An error in a configuration.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ConfigError {
-    /// 1-based.
+    /// Line number, from 1.
     pub line: u32,
-    /// 1-based, in characters.
+    /// Column in characters, from 1.
     pub column: u32,
-    /// What is wrong.
+    /// Message without position.
     pub message: String,
 }
 
-/// Reads the text of a configuration.
+/// Parses the text of a configuration.
 pub fn parse(text: &str) -> Result<Config, ConfigError> {
     let file = toml::from_str(text).map_err(Mistake::from);
     file.and_then(config).map_err(|mistake| {
@@ -89,7 +89,7 @@ mod tests {
             "x = 1",
             1,
             1,
-            "unknown key `x`; there are `target`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
+            "unknown key `x`; expected one of `target`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
              `include`, `include_roots`, `exclude`, `overrides`",
         );
         wrong(
@@ -102,96 +102,81 @@ mod tests {
             "target = \"gpus\"",
             1,
             10,
-            "`gpus` is none of `swiftshader`, `gpu`; did you mean `gpu`?",
+            "unknown value `gpus`; expected one of `swiftshader`, `gpu`; did you mean `gpu`?",
         );
         wrong(
             "[rules]\nstep-budgt = \"off\"",
             2,
             1,
-            "there is no rule or group `step-budgt`; did you mean `step-budget`?",
+            "unknown rule or group `step-budgt`; did you mean `step-budget`?",
         );
         wrong(
             "[rules]\nvector-size = \"off\"",
             2,
             1,
-            "`vector-size` is a compile error, which has no level",
+            "`vector-size` is a compile error and has no level",
         );
         wrong(
             "[host.uniforms]\na = \"vec5\"",
             2,
             5,
-            "`vec5` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
+            "`vec5` is not a GLSL type; use `float`, `vec3`, `sampler2D`, `vec4[8]`",
         );
         wrong(
             "[host.uniforms]\nlights = \"vec3[0]\"",
             2,
             10,
-            "`vec3[0]` is no type of GLSL; write `float`, `vec3`, `sampler2D`, `vec4[8]`",
+            "`vec3[0]` is not a GLSL type; use `float`, `vec3`, `sampler2D`, `vec4[8]`",
         );
         wrong(
             "[host.uniforms]\nsample = \"vec3\"",
             2,
             1,
-            "`sample` cannot be the name of a uniform",
+            "`sample` is not a valid uniform name",
         );
         wrong(
             "rules.step-budget.loop = -1",
             1,
             19,
-            "unknown key `loop`; there are `main`, `shadow`, `sum`, `level`, `fail`",
+            "unknown key `loop`; expected one of `main`, `shadow`, `sum`, `level`, `fail`",
         );
         wrong(
             "exclude = [\"a\", \"[\"]",
             1,
             17,
-            "`[` is no pattern: unclosed character class; missing ']'",
+            "invalid pattern `[`: unclosed character class; missing ']'",
         );
-        wrong(
-            "include_roots = [1]",
-            1,
-            18,
-            "this must be a text in quotes",
-        );
+        wrong("include_roots = [1]", 1, 18, "expected a string");
         assert!(parse("a = ").is_err());
     }
 
-    /// They are in this program's words, whatever serde calls the types.
+    /// Messages use the names of TOML types, not those of serde.
     #[test]
     fn types_have_names() {
-        wrong("target = 3", 1, 10, "this must be a text in quotes");
-        wrong(
-            "include_roots = [1]",
-            1,
-            18,
-            "this must be a text in quotes",
-        );
-        wrong("include = \"a\"", 1, 11, "this must be a list: `[...]`");
-        wrong("overrides = [1]", 1, 14, "this must be a table");
-        wrong("host.uniforms = []", 1, 17, "this must be a table");
+        wrong("target = 3", 1, 10, "expected a string");
+        wrong("include_roots = [1]", 1, 18, "expected a string");
+        wrong("include = \"a\"", 1, 11, "expected a list: `[...]`");
+        wrong("overrides = [1]", 1, 14, "expected a table");
+        wrong("host.uniforms = []", 1, 17, "expected a table");
         wrong(
             "rules = { tidy = 1 }",
             1,
             18,
-            "this must be a word in quotes, or a table",
+            "expected a string or a table",
         );
-        wrong(
-            "rules.tidy.fail = 1",
-            1,
-            19,
-            "this must be `true` or `false`",
-        );
+        wrong("rules.tidy.fail = 1", 1, 19, "expected `true` or `false`");
         wrong(
             "rules.step-budget.main = -1",
             1,
             26,
-            "this must be a whole number, 0 or more",
+            "expected a non-negative integer",
         );
         for value in ["-1.5", "inf", "\"a\""] {
             wrong(
                 &format!("rules.mediump-noise.factor = {value}"),
                 1,
                 30,
-                "this must be a number, 0 or more",
+                "expected a non-negative number",
             );
         }
     }
@@ -226,14 +211,19 @@ mod tests {
             "format.indent = 0",
             1,
             17,
-            "this must be 1 to 16, or `\"tab\"`",
+            "expected a number from 1 to 16, or `\"tab\"`",
         );
-        wrong("format.width = 5", 1, 16, "this must be 20 to 1000");
+        wrong(
+            "format.width = 5",
+            1,
+            16,
+            "expected a number from 20 to 1000",
+        );
         wrong(
             "format.brace = \"nxt\"",
             1,
             16,
-            "`nxt` is none of `same`, `next`; did you mean `next`?",
+            "unknown value `nxt`; expected one of `same`, `next`; did you mean `next`?",
         );
     }
 

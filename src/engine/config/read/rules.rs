@@ -1,5 +1,5 @@
-//! The table `rules`: serde reads it as a map, and each rule says which options it has, of which
-//! type.
+//! The table `rules`: serde reads it as a map, because the options and their types depend on the
+//! rule.
 
 use super::mistake::{Mistake, none_of, unknown_key};
 use super::word_or::WordOr;
@@ -12,16 +12,16 @@ use shaderlint_rules::RULES;
 use std::collections::BTreeMap;
 use toml::{Spanned, Value};
 
-/// What is said of rules and groups, by their names.
+/// Settings of rules and groups, by name.
 #[derive(Deserialize, Default)]
 pub struct Rules(BTreeMap<Spanned<String>, WordOr<RuleLevel, RuleTable>>);
 
 type RuleTable = BTreeMap<Spanned<String>, Spanned<Value>>;
 
-/// Words for levels.
+/// The levels of rules.
 pub const LEVELS: [&str; 3] = ["off", "info", "warning"];
 
-/// How bad findings are; `None` is off.
+/// Severity of findings; `None` is off.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(try_from = "String")]
 struct RuleLevel(Option<Severity>);
@@ -35,8 +35,8 @@ impl TryFrom<String> for RuleLevel {
             "info" => Ok(RuleLevel(Some(Severity::Info))),
             "warning" => Ok(RuleLevel(Some(Severity::Warning))),
             "error" => Err(
-                "no rule has the level `error`: an error means that the browser refuses \
-                the shader; `{ level = \"warning\", fail = true }` makes the run fail on it"
+                "rules cannot have the level `error`, which is for code that browsers \
+                reject; use `{ level = \"warning\", fail = true }` to fail the run"
                     .to_string(),
             ),
             _ => Err(none_of(&word, &LEVELS)),
@@ -45,8 +45,7 @@ impl TryFrom<String> for RuleLevel {
 }
 
 impl Rules {
-    /// What is to be done, one after another: what names more rules comes first, so that what
-    /// names fewer holds.
+    /// The adjustments in order: groups first, so that more specific names take precedence.
     pub fn adjustments(self) -> Result<Vec<(&'static Rule, Adjustment)>, Mistake> {
         let mut all = Vec::new();
         for (name, said) in self.0 {
@@ -79,13 +78,13 @@ fn no_rule(name: &Spanned<String>) -> Mistake {
     let near =
         nearest_rule(RULES, word).map_or(String::new(), |n| format!("; did you mean `{n}`?"));
     let message = match ERRORS.contains(&word) {
-        true => format!("`{word}` is a compile error, which has no level"),
-        false => format!("there is no rule or group `{word}`{near}"),
+        true => format!("`{word}` is a compile error and has no level"),
+        false => format!("unknown rule or group `{word}`{near}"),
     };
     Mistake::at(name, message)
 }
 
-/// Reads an entry of `{ level = "info", fail = true, steps = 128 }`.
+/// Parses an entry of `{ level = "info", fail = true, steps = 128 }`.
 fn adjustment(
     key: &Spanned<String>,
     value: &Spanned<Value>,
@@ -114,7 +113,7 @@ fn adjustment(
     })
 }
 
-/// Reads a value once it is known what it is for.
+/// Deserialises a value with a known type.
 fn typed<T: DeserializeOwned>(value: &Spanned<Value>) -> Result<T, Mistake> {
     let read = T::deserialize(value.get_ref().clone());
     read.map_err(|e| Mistake::at(value, Mistake::from(e).message))
@@ -123,6 +122,6 @@ fn typed<T: DeserializeOwned>(value: &Spanned<Value>) -> Result<T, Mistake> {
 fn amount(value: &Spanned<Value>) -> Result<f64, Mistake> {
     let number: f64 = typed(value)?;
     let is_amount = number.is_finite() && number >= 0.0;
-    let wrong = || Mistake::at(value, "this must be a number, 0 or more".to_string());
+    let wrong = || Mistake::at(value, "expected a non-negative number".to_string());
     is_amount.then_some(number).ok_or_else(wrong)
 }

@@ -10,7 +10,7 @@ use shaderlint_lint::{Group, Page, Renderer, Rule, RuleOption};
 use shaderlint_rules::RULES;
 use std::borrow::Cow;
 
-/// The schema, as it is committed in `editors/shaderlint.schema.json`.
+/// The schema, as committed in `editors/shaderlint.schema.json`.
 pub fn schema() -> String {
     let settings = SchemaSettings::draft07().with(|s| s.inline_subschemas = true);
     let settings = settings.with_transform(RecursiveTransform(without_null));
@@ -21,7 +21,7 @@ pub fn schema() -> String {
     text + "\n"
 }
 
-/// TOML has no null: what may be left out is left out.
+/// TOML has no null: optional keys are omitted.
 fn without_null(schema: &mut Schema) {
     if let Some(Value::Array(words)) = schema.get_mut("enum") {
         words.retain(|word| !word.is_null());
@@ -36,7 +36,7 @@ fn without_null(schema: &mut Schema) {
     }
 }
 
-/// The first of two choices, where the other is null.
+/// The first of two alternatives, if the other is null.
 fn but_null(schema: &Schema, key: &str) -> Option<Value> {
     match schema.get(key)?.as_array()?.as_slice() {
         [some, null] if null == "null" || *null == json!({"type": "null"}) => Some(some.clone()),
@@ -49,13 +49,14 @@ impl JsonSchema for Rules {
         "Rules".into()
     }
 
-    /// What each rule says of its options.
+    /// The options of each rule.
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let groups = Group::ALL.iter().map(|g| {
             let about = format!("All rules of the group {}", g.name());
             (g.name(), either(&about, Map::new()))
         });
-        let rules = RULES.iter().map(|r| (r.name, of_rule(r)));
+        let names = |r: &&'static Rule| std::iter::once(r.name).chain(r.alias());
+        let rules = RULES.iter().flat_map(|r| names(r).map(|n| (n, of_rule(r))));
         let all = std::iter::once(("all", either("All rules", Map::new())));
         let properties = all.chain(groups).chain(rules);
         let properties: Map<String, Value> = properties.map(|(k, v)| (k.to_string(), v)).collect();
@@ -81,17 +82,17 @@ fn of_rule(rule: &Rule) -> Value {
     either(&Page::new(rule.page).summary, options.collect())
 }
 
-/// A level, or a table with options.
+/// The schema of a level, or a table with options.
 fn either(about: &str, mut options: Map<String, Value>) -> Value {
     let level = json!({"enum": LEVELS});
-    let fail = json!({"description": "Whether its findings fail the run", "type": "boolean"});
+    let fail = json!({"description": "Whether findings fail the run", "type": "boolean"});
     options.insert("level".to_string(), level.clone());
     options.insert("fail".to_string(), fail);
     let table = json!({"type": "object", "properties": options, "additionalProperties": false});
     json!({"description": about, "oneOf": [level, table]})
 }
 
-/// How a schema calls the type of an option.
+/// The schema type of an option.
 const fn type_of(option: RuleOption) -> &'static str {
     match option {
         RuleOption::Count(_) => "integer",

@@ -1,4 +1,4 @@
-//! A value of the configuration that has a short form.
+//! A value of the configuration with a short form.
 
 use schemars::JsonSchema;
 use serde::de::value::MapAccessDeserializer;
@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// A word, or a table that says more.
+/// A string, or a table with more settings.
 #[derive(JsonSchema)]
 #[schemars(untagged)]
 pub enum WordOr<W, T> {
@@ -17,7 +17,7 @@ pub enum WordOr<W, T> {
     Table(T),
 }
 
-/// As serde reads untagged enums, but with the place of what is wrong in the table.
+/// Like an untagged enum of serde, but errors keep their position in the table.
 impl<'de, W: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for WordOr<W, T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Either<W, T>(PhantomData<WordOr<W, T>>);
@@ -25,7 +25,7 @@ impl<'de, W: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for WordOr<
             type Value = WordOr<W, T>;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a word in quotes, or a table")
+                f.write_str("a string or a table")
             }
 
             fn visit_str<E: Error>(self, word: &str) -> Result<Self::Value, E> {

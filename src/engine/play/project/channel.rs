@@ -1,4 +1,4 @@
-//! What the channels of passes read.
+//! The channels of passes.
 
 use super::shader::Shader;
 use super::signal::Signal;
@@ -12,34 +12,34 @@ use shaderlint_port::{Input, InputKind, OutputId, Project};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
-/// The texture of the keyboard: three rows of keys, none of which is pressed.
+/// Size of the keyboard texture: three rows of keys, none pressed.
 const KEYBOARD: [u32; 3] = [256, 3, 1];
 
 /// A channel of a pass.
 pub(super) struct Channel {
     number: usize,
-    /// The samplers that read it.
+    /// Names of the samplers that read it.
     names: Vec<String>,
     kind: InputKind,
     sampling: Sampling,
     source: Source,
 }
 
-/// Where what a channel reads comes from.
+/// The source of a channel.
 enum Source {
-    /// Nothing is there.
+    /// No texture is bound.
     Nothing,
-    /// It stays as it is.
+    /// A constant image.
     Still(Arc<Image>),
-    /// Passes draw it.
+    /// A render target of passes.
     Target(usize),
-    /// It is drawn anew for each frame.
+    /// A substitute for a video, drawn for each frame.
     Film(Box<Film>),
-    /// Sound, made up for each frame.
+    /// Synthetic audio, computed for each frame.
     Signal(Box<Signal>),
 }
 
-/// What a channel reads now, and what uniforms tell of it.
+/// The current texture of a channel, and the uniforms that describe it.
 pub(super) struct Read {
     texture: Option<Texture>,
     size: [f64; 3],
@@ -47,7 +47,7 @@ pub(super) struct Read {
 }
 
 impl Channel {
-    /// What passes draw of it.
+    /// The render target that it reads.
     pub fn target(&self) -> Option<usize> {
         match self.source {
             Source::Target(target) => Some(target),
@@ -55,14 +55,14 @@ impl Channel {
         }
     }
 
-    /// Whether it holds more than what the last moment says.
+    /// Whether its content depends on previous frames.
     pub fn remembers(&self) -> bool {
         matches!(&self.source, Source::Signal(signal) if signal.remembers())
     }
 
-    /// What a pass of a kind reads on it.
+    /// The texture that a pass of a kind reads.
     pub fn read(&self, player: &Player, by: Pass) -> Read {
-        // In the sound pass nothing but textures and volumes is bound.
+        // The sound pass has only textures and volumes bound.
         let is_bound =
             by != Pass::Sound || matches!(self.kind, InputKind::Texture | InputKind::Volume);
         let (image, time) = match &self.source {
@@ -73,7 +73,8 @@ impl Channel {
             Source::Film(film) => (film.image(), film.time()),
             Source::Signal(signal) => (signal.image(), signal.time()),
         };
-        // Files of cube maps say no size, and the keyboard none to the pass that draws one.
+        // The player sets no resolution for cube maps from files, nor for the keyboard in the cube
+        // map pass.
         let is_sized = match self.kind {
             InputKind::Cubemap => self.target().is_some(),
             InputKind::Keyboard => by != Pass::Cubemap,
@@ -103,7 +104,7 @@ impl Channel {
     }
 }
 
-/// Opens what all passes read.
+/// Opens the channels of all passes.
 pub(super) fn open(
     player: &mut Player,
     project: &Project,
@@ -126,7 +127,7 @@ pub(super) fn open(
                         let (source, instead) = in_place_of_file(input);
                         let number = input.channel;
                         notes.push(format!(
-                            "{title}: the file of channel {number} is not read, so {instead}: {why}"
+                            "{title}: cannot read the file of channel {number}: {why}; {instead}"
                         ));
                         source
                     }
@@ -143,14 +144,14 @@ pub(super) fn open(
     Ok(())
 }
 
-/// What a channel reads whose file cannot be read, and how that is told.
+/// The substitute for a file that cannot be read, with its description.
 fn in_place_of_file(input: &Input) -> (Source, &'static str) {
     match input.kind {
         InputKind::Music | InputKind::MusicStream => (
             Source::Signal(Box::new(Signal::new(input))),
-            "a made-up spectrum and wave stand for it",
+            "using a synthetic spectrum and wave",
         ),
-        _ => (Source::Nothing, "nothing is on it"),
+        _ => (Source::Nothing, "the channel is empty"),
     }
 }
 
@@ -213,8 +214,8 @@ fn source(
     Ok(Source::Still(stand_ins.get(&stand_in, input)?))
 }
 
-/// What a channel reads that names a buffer: the target of the pass that draws it, else one that stays
-/// empty.
+/// The source of a channel that names a buffer: the render target of the pass that draws it, or an
+/// empty one.
 fn of_buffer(player: &Player, project: &Project, input: &Input) -> Source {
     let is_drawn = |number: usize| {
         let pass = project.passes.get(number);
@@ -230,14 +231,14 @@ fn of_buffer(player: &Player, project: &Project, input: &Input) -> Source {
     target.map_or_else(|| still([width, height, 1]), Source::Target)
 }
 
-/// An image of zeros that has a size.
+/// An image of zeros.
 fn still([width, height, depth]: [u32; 3]) -> Source {
     let texels = Texels::Unorm8(vec![[0; 4]; width as usize * height as usize]);
     let image = Image::new(ImageShape::Flat, [width, height, depth], texels);
     image.map_or(Source::Nothing, |image| Source::Still(Arc::new(image)))
 }
 
-/// Brings to a moment what is drawn anew for each frame.
+/// Updates the sources that change with each frame.
 pub(super) fn update(player: &mut Player, moment: &Moment) -> Result<(), Stop> {
     let threads = player.threads;
     for channel in player.passes.iter_mut().flat_map(|p| &mut p.channels) {
@@ -251,7 +252,7 @@ pub(super) fn update(player: &mut Player, moment: &Moment) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Hands a draw what the channels read.
+/// Binds the channels in a draw.
 pub(super) fn bind(draw: &mut Draw<'_>, shader: &Shader, given: &[(&Channel, Read)]) {
     let mut times = [0.0; 4];
     let mut sizes = [[0.0; 3]; 4];
@@ -283,7 +284,7 @@ pub(super) fn bind(draw: &mut Draw<'_>, shader: &Shader, given: &[(&Channel, Rea
     set(draw, "iChannelResolution", sizes.as_flattened());
 }
 
-/// Sets a uniform to as many of these numbers as it takes.
+/// Sets a uniform, with as many components as it has.
 fn set(draw: &mut Draw<'_>, name: &str, lanes: &[f64]) {
     let slot = draw.code.uniforms.iter().find(|slot| slot.name == name);
     let Some(ty) = slot.map(|slot| slot.ty) else {

@@ -1,5 +1,5 @@
-//! Whole projects are run as the player runs them: every pass in its order, with what its channels
-//! read and what was drawn in the frames before.
+//! Runs projects as the player does: all passes in order, with their channels and the results of
+//! previous frames.
 
 mod channel;
 mod problem;
@@ -26,60 +26,60 @@ pub use problem::PlayProblem;
 pub use sound::SOUND_RATE;
 pub use still::{Decode, Decoded};
 
-/// A project that is being run.
+/// A project that can be run.
 pub struct Player {
-    /// Width and height of the picture.
+    /// Width and height of the image in pixels.
     size: [u32; 2],
     threads: usize,
-    /// In the order of the project.
+    /// The passes in the order of the project.
     passes: Vec<PlayedPass>,
     targets: Vec<Target>,
-    /// The picture as the last frame left it.
+    /// The image after the last frame.
     canvas: Vec<[f32; 4]>,
-    /// The frame that is drawn next.
+    /// Number of the next frame.
     next: u32,
     notes: Vec<String>,
 }
 
-/// A pass that is run.
+/// A pass that can be run.
 struct PlayedPass {
-    /// Its number in the project.
+    /// Index in the project.
     number: usize,
     kind: Pass,
     shader: Shader,
     channels: Vec<Channel>,
-    /// What it draws into; the picture, where that is nothing else.
+    /// The render target; `None` for the image only.
     target: Option<usize>,
 }
 
-/// What a frame gave.
+/// The result of a frame.
 #[derive(Debug)]
 pub struct Played {
-    /// The picture.
+    /// The image.
     pub picture: Picture,
-    /// By pass that drew, sound left out: its number in the project, and its draw. Of a cube map it
-    /// is the last face.
+    /// By pass that was drawn, except sound: its index in the project, and its draw. For a cube
+    /// map, the last face.
     pub passes: Vec<(usize, Drawn)>,
 }
 
-/// How a project is run.
+/// Options for running a project.
 #[derive(Clone, Copy, Debug)]
 pub struct PlayOptions {
-    /// Width and height of the picture.
+    /// Width and height of the image in pixels.
     pub size: [u32; 2],
-    /// How many threads draw.
+    /// Number of threads.
     pub threads: usize,
-    /// How passes are compiled.
+    /// Compiler options of the passes.
     pub compile: CompileOptions,
-    /// What reads the pictures that the project brings with it.
+    /// Decoder for embedded images.
     pub decode: Option<Decode>,
 }
 
 impl Player {
-    /// Makes a project ready to be run. `composed` is what it was put together to.
+    /// Compiles a project. `composed` is its composed source.
     ///
     /// # Errors
-    /// What of it cannot be run.
+    /// What cannot be run.
     pub fn new(
         project: &Project,
         composed: &Composed,
@@ -113,10 +113,10 @@ impl Player {
         Ok(player)
     }
 
-    /// Sets a uniform of the shaders that bring their own, for all moments.
+    /// Sets a uniform for all frames, in shaders that declare their own uniforms.
     ///
     /// # Errors
-    /// Why it can be set in none of them.
+    /// Why no shader accepts it.
     pub fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
         let shaders = self.passes.iter_mut().map(|pass| &mut pass.shader);
         let set = shaders.map(|shader| shader.set(name, scalars));
@@ -132,12 +132,12 @@ impl Player {
         if is_set { Ok(()) } else { Err(refused) }
     }
 
-    /// What is to be told of how it is run.
+    /// Notes about substitutes.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// Whether a frame depends on the frames before it.
+    /// Whether a frame depends on previous frames.
     pub fn remembers(&self) -> bool {
         let order: Vec<usize> = self.order().collect();
         let reads_old = |at: usize, pass: usize| {
@@ -158,12 +158,12 @@ impl Player {
         passes.any(|(at, pass)| reads_old(at, *pass))
     }
 
-    /// Whether some pass draws into a target.
+    /// Whether a pass draws to a target.
     fn is_drawn(&self, target: usize) -> bool {
         self.passes.iter().any(|p| p.target == Some(target))
     }
 
-    /// The passes that make a frame, in the order in which they draw.
+    /// The passes of a frame in drawing order.
     fn order(&self) -> impl Iterator<Item = usize> {
         let kinds = [Pass::Buffer, Pass::Cubemap, Pass::Image];
         kinds.into_iter().flat_map(|kind| {
@@ -172,11 +172,11 @@ impl Player {
         })
     }
 
-    /// Draws what is seen at a moment; the frames before it first, where it depends on them, as many
-    /// as its number says, spread over its time. `progress` is told of each frame before it is drawn.
+    /// Draws a frame. If it depends on previous frames, these are drawn first: as many as its
+    /// number, with times spread evenly. `progress` is called before each frame.
     ///
     /// # Errors
-    /// Why a draw ended before its end.
+    /// Why a draw was stopped.
     pub fn play_to(
         &mut self,
         moment: &Moment,
@@ -201,17 +201,17 @@ impl Player {
         self.frame(moment)
     }
 
-    /// Forgets all that was drawn.
+    /// Clears all render targets.
     pub fn restart(&mut self) {
         self.targets.iter_mut().for_each(Target::clear);
         self.canvas.fill([0.0, 0.0, 0.0, 1.0]);
         self.next = 0;
     }
 
-    /// Draws one frame after the last one.
+    /// Draws the next frame.
     ///
     /// # Errors
-    /// Why a draw ended before its end.
+    /// Why a draw was stopped.
     pub fn frame(&mut self, moment: &Moment) -> Result<Played, Stop> {
         if moment.frame == 0 {
             self.restart();
@@ -240,7 +240,7 @@ impl Player {
         })
     }
 
-    /// A draw of a pass with all that it is given.
+    /// A draw of a pass with all its inputs.
     fn prepare<'p>(&self, pass: &'p PlayedPass, size: [u32; 2], moment: &Moment) -> Draw<'p> {
         let mut draw = pass.shader.draw(size, moment);
         let given: Vec<_> = pass
@@ -262,7 +262,7 @@ impl Player {
         let picture = Picture::of(pass.shader.code(), &drawn, 0);
         let (number, kind, target) = (pass.number, pass.kind, pass.target);
         if kind == Pass::Image {
-            // What is discarded shows what was there.
+            // Discarded pixels keep the previous colour.
             let shown = self.canvas.iter_mut().zip(&picture.pixels);
             for ((old, new), is_covered) in shown.zip(&drawn.covered) {
                 if *is_covered {
@@ -286,7 +286,7 @@ impl Player {
         let (mut pixels, mut covered) = (Vec::new(), Vec::new());
         let mut last = None;
         for corners in &target::CUBE_CORNERS {
-            // The eye is in the middle.
+            // The eye is at the origin.
             let mut lanes = corners.to_vec();
             lanes.extend([0.0; 3]);
             prepared.set("unCorners", &lanes);
@@ -302,14 +302,14 @@ impl Player {
         Ok(last)
     }
 
-    /// What a pass runs as, by its number in the project.
+    /// The bytecode of a pass, by its index in the project.
     pub fn code(&self, pass: usize) -> Option<&shaderlint_exec::Code> {
         let pass = self.passes.iter().find(|p| p.number == pass)?;
         Some(pass.shader.code())
     }
 }
 
-/// How many pixels a picture has.
+/// Number of pixels of an image.
 fn area(size: [u32; 2]) -> usize {
     size.iter().map(|side| *side as usize).product()
 }

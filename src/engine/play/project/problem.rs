@@ -1,38 +1,38 @@
-//! Why a project is not run, and the words for it.
+//! Why a project cannot be run.
 
 use shaderlint_exec::Refusal;
 use std::fmt;
 
-/// Why a project is not run.
+/// Why a project cannot be run.
 #[derive(Clone, PartialEq, Debug)]
 pub enum PlayProblem {
-    /// A pass is refused by the browser, too.
+    /// A pass has compile errors.
     Errors {
-        /// What it is called.
+        /// Title of the pass.
         pass: String,
     },
-    /// Something in a pass cannot be run.
+    /// A pass uses something that is not supported.
     Refused {
-        /// What the pass is called.
+        /// Title of the pass.
         pass: String,
-        /// What cannot be run, and where.
+        /// The unsupported construct and its position.
         refusal: Refusal,
     },
-    /// A pass is a vertex shader that draws by itself.
+    /// A pass draws with a vertex shader.
     Vertices {
-        /// What it is called.
+        /// Title of the pass.
         pass: String,
     },
-    /// All that it draws into is larger than may be.
+    /// The render targets are too large.
     TooLarge {
-        /// How many texels that takes.
+        /// Number of texels of all render targets.
         texels: u64,
-        /// How many there may be.
+        /// Maximum number of texels.
         most: u64,
     },
-    /// A stand-in cannot be drawn.
+    /// A substitute cannot be drawn.
     StandIn {
-        /// What draws it.
+        /// Name of the shader that draws it.
         generator: &'static str,
     },
 }
@@ -42,17 +42,20 @@ impl fmt::Display for PlayProblem {
         match self {
             PlayProblem::Errors { pass } => write!(f, "{pass}: the shader has errors"),
             PlayProblem::Refused { pass, refusal } => {
-                write!(f, "{pass}: {} cannot be run", refusal.what)
+                write!(f, "{pass}: unsupported: {}", refusal.what)
             }
             PlayProblem::Vertices { pass } => {
-                write!(f, "{pass}: a vertex shader cannot be run by itself")
+                write!(
+                    f,
+                    "{pass}: shaders that draw with a vertex shader are not supported"
+                )
             }
             PlayProblem::TooLarge { texels, most } => write!(
                 f,
-                "the passes draw into {texels} texels, and no more than {most} can be kept"
+                "the render targets have {texels} texels; the limit is {most}"
             ),
             PlayProblem::StandIn { generator } => {
-                write!(f, "the stand-in `{generator}` cannot be drawn")
+                write!(f, "cannot draw the substitute `{generator}`")
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The shader of a pass, and what is the same for all its channels.
+//! The shader of a pass, with inputs that do not depend on its channels.
 
 use super::PlayProblem;
 use crate::play::{Moment, Scene, Unfit, player_draw};
@@ -12,7 +12,7 @@ use shaderlint_semantic::Stage;
 pub(super) enum Shader {
     /// The player declares its uniforms.
     Player(Box<Code>),
-    /// It declares them itself.
+    /// The shader declares its uniforms.
     Own(Box<Scene>),
 }
 
@@ -60,7 +60,7 @@ impl Shader {
         }
     }
 
-    /// Sets a uniform that the shader brings.
+    /// Sets a uniform that the shader declares.
     pub fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
         match self {
             Shader::Own(scene) => scene.set(name, scalars),
@@ -68,7 +68,7 @@ impl Shader {
         }
     }
 
-    /// A draw at a moment, all set but what the channels read.
+    /// A draw of a frame, with everything set except the channels.
     pub fn draw(&self, size: [u32; 2], moment: &Moment) -> Draw<'_> {
         match self {
             Shader::Own(scene) => scene.draw(size, moment),
@@ -76,7 +76,7 @@ impl Shader {
         }
     }
 
-    /// The uniforms that tell how large the texture of a sampler is.
+    /// The uniforms that contain the texture size of a sampler.
     pub fn sizes_of<'s>(&'s self, sampler: &'s str) -> impl Iterator<Item = &'s str> {
         let uniforms = match self {
             Shader::Player(_) => &[][..],
@@ -89,17 +89,17 @@ impl Shader {
     }
 }
 
-/// Largest side of what a pass with a size of its own draws into.
+/// Maximum side in pixels of a render target with its own size.
 const MAX_SIDE: f64 = 8192.0;
 
-/// The size of what a pass draws into.
+/// The size of the render target of a pass.
 pub(super) fn size_of(project: &Project, pass: &ProjectPass, canvas: [u32; 2]) -> [u32; 2] {
     let Some(terms) = &pass.draw.size else {
         return canvas;
     };
     let pixels = |term| {
         let size = value(term, project, canvas).floor();
-        // A NaN becomes 0, and that is one pixel.
+        // NaN becomes 0, and then one pixel.
         (size.min(MAX_SIDE) as u32).max(1)
     };
     let [width, height] = terms;

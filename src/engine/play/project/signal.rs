@@ -1,24 +1,24 @@
-//! Sound that nobody hears, as the player makes it up for a texture: a spectrum and a wave.
+//! Synthetic audio textures, as the player computes them without audio: a spectrum and a wave.
 
 use shaderlint_exec::{Image, ImageShape, Texels};
 use shaderlint_math::sine;
 use shaderlint_port::{Input, SignalForm};
 use std::sync::Arc;
 
-/// How many frequencies a texture of sound has, and how many samples of its wave.
+/// Number of frequencies, and of wave samples, in an audio texture.
 const WIDTH: usize = 512;
-/// How many of them there are to make up.
+/// Number of values that are computed.
 const COUNT: usize = 1024;
-/// How many frames the history of the spectrum has.
+/// Number of frames in the history of the spectrum.
 const HISTORY_ROWS: usize = 240;
 
-/// A turn, to as many digits as the player has it.
+/// 2 pi, with the digits that the player uses.
 const TURN: f64 = 62_831.0 / 10_000.0;
 
-/// Sound on a channel.
+/// Audio of a channel.
 pub(super) struct Signal {
     form: SignalForm,
-    /// The lines of a history, or the sums.
+    /// The rows of the history, or the sums.
     kept: Vec<[f32; WIDTH]>,
     last: f64,
     image: Option<Arc<Image>>,
@@ -38,12 +38,12 @@ impl Signal {
         self.image.clone()
     }
 
-    /// What the player says of sound that is not heard.
+    /// The playback time that the player sets without audio.
     pub fn time(&self) -> f64 {
         10.0 + self.last
     }
 
-    /// Whether it holds sound of the frames before.
+    /// Whether it depends on previous frames.
     pub fn remembers(&self) -> bool {
         matches!(self.form, SignalForm::History | SignalForm::Sum)
     }
@@ -88,7 +88,8 @@ fn byte(part: f64) -> u8 {
 }
 
 fn spectrum(time: f64) -> [u8; WIDTH] {
-    // By number j the factor is exp(-3 j / 1024): each is the one before it by the same share.
+    // The factor of number j is exp(-3 j / 1024), so that consecutive factors have a constant
+    // ratio.
     const SHARE: f64 = 0.997_074_599_846_54;
     const _: () = assert!(COUNT == 1024);
     let mut values = [0; WIDTH];

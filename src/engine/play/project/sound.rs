@@ -1,11 +1,11 @@
-//! The sound pass: samples, computed as the player does it in blocks of 512 a row.
+//! The sound pass: samples, computed in blocks with 512 samples per row as in the player.
 
 use super::channel::bind;
 use super::{Moment, Player};
 use shaderlint_exec::{Stop, draw};
 use shaderlint_semantic::Pass;
 
-/// Samples a second.
+/// Samples per second.
 pub const SOUND_RATE: u32 = 44_100;
 /// Samples in a row of a block.
 const ROW: u32 = 512;
@@ -13,10 +13,10 @@ const ROW: u32 = 512;
 const BLOCK: u32 = ROW * ROW;
 
 impl Player {
-    /// Samples of the sound pass, the left side and the right, from one on; `None` without that pass.
+    /// `count` stereo samples of the sound pass, starting at `first`; `None` without a sound pass.
     ///
     /// # Errors
-    /// Why a draw ended before its end.
+    /// Why a draw was stopped.
     pub fn sound(&self, first: u32, count: u32) -> Result<Option<Vec<[f32; 2]>>, Stop> {
         let Some(pass) = self.passes.iter().find(|p| p.kind == Pass::Sound) else {
             return Ok(None);
@@ -46,7 +46,7 @@ impl Player {
     }
 }
 
-/// A lane of a texel as the target of bytes keeps it.
+/// A component of a texel after conversion to 8 bits.
 fn byte(bits: u32) -> f32 {
     (f32::from_bits(bits).clamp(0.0, 1.0) * 255.0 + 0.5).floor()
 }

@@ -1,4 +1,4 @@
-//! What stands for files that are not at hand, drawn by their own small shaders.
+//! Substitutes for missing files, drawn by small shaders.
 
 use super::PlayProblem;
 use crate::play::Picture;
@@ -9,13 +9,13 @@ use shaderlint_semantic::analyze_alone;
 use shaderlint_text::Role;
 use std::sync::Arc;
 
-/// The stand-ins of a project, each drawn once.
+/// The substitutes of a project, each drawn once.
 pub(super) struct StandIns {
     threads: usize,
     made: Vec<(StandInKey, Arc<Image>)>,
 }
 
-/// What decides how a stand-in looks.
+/// The inputs that determine a substitute.
 #[derive(Clone, PartialEq)]
 struct StandInKey {
     stand_in: StandIn,
@@ -43,7 +43,7 @@ impl StandIns {
         }
     }
 
-    /// The image that stands for the file of an input.
+    /// The image that replaces the file of an input.
     pub fn get(&mut self, stand_in: &StandIn, input: &Input) -> Result<Arc<Image>, PlayProblem> {
         let key = StandInKey::of(stand_in, input);
         if let Some((_, image)) = self.made.iter().find(|(made, _)| *made == key) {
@@ -57,7 +57,7 @@ impl StandIns {
     }
 }
 
-/// A stand-in for a film, drawn for each frame.
+/// A substitute for a video, drawn for each frame.
 pub(super) struct Film {
     code: Code,
     key: StandInKey,
@@ -104,7 +104,7 @@ fn code_of(stand_in: &StandIn) -> Result<Code, PlayProblem> {
     code.map_err(|_| no_stand_in(stand_in))
 }
 
-/// Draws all layers of a stand-in.
+/// Draws all layers of a substitute.
 fn paint(code: &Code, key: &StandInKey, time: f64, threads: usize) -> Result<Option<Image>, Stop> {
     let [width, height, depth] = key.stand_in.size;
     let (shape, layers) = match key.kind {

@@ -1,4 +1,4 @@
-//! Pictures and volumes that a project brings with it.
+//! Images and volumes that are embedded in a project.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -6,19 +6,19 @@ use shaderlint_exec::{Image, ImageProblem, ImageShape, Texels};
 use shaderlint_port::{Input, InputKind, VolumeHead, is_gray};
 use std::sync::Arc;
 
-/// A picture that was read from a file.
+/// A decoded image.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Decoded {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Red, green, blue and opacity of each pixel, the uppermost row first.
+    /// Red, green, blue and alpha of each pixel, top row first.
     pub colors: Vec<[u8; 4]>,
 }
 
-/// Reads the bytes of a picture's file; what is wrong with them where that cannot be done.
+/// Decodes an image file, or returns a message.
 pub type Decode = fn(&[u8]) -> Result<Decoded, String>;
 
-/// The pictures and volumes of a project, each read once.
+/// The images and volumes of a project, each decoded once.
 pub(super) struct Stills<'p> {
     decode: Option<Decode>,
     made: Vec<(&'p Input, Arc<Image>)>,
@@ -32,10 +32,10 @@ impl<'p> Stills<'p> {
         }
     }
 
-    /// What an input brings with it, as the player uploads it.
+    /// The image of an input, as the player uploads it.
     ///
     /// # Errors
-    /// Why that is not known.
+    /// Why it cannot be decoded.
     pub fn get(&mut self, input: &'p Input) -> Result<Arc<Image>, String> {
         let is_alike = |other: &Input| {
             let facts = |i: &Input| (i.kind, i.sampler.vflip, i.sampler.has_mipmaps(), is_gray(i));
@@ -57,7 +57,7 @@ impl<'p> Stills<'p> {
         let texels = |number: usize| -> Result<Decoded, String> {
             let url = input.urls.get(number).or(input.urls.first());
             let file = bytes(url.map_or("", String::as_str))?;
-            let decode = self.decode.ok_or("pictures are not read here")?;
+            let decode = self.decode.ok_or("image files are not supported here")?;
             let mut picture = decode(&file)?;
             if input.sampler.vflip {
                 flip(&mut picture);
@@ -71,7 +71,7 @@ impl<'p> Stills<'p> {
                 Image::new(ImageShape::Volume, size, texels)
             }
             InputKind::Cubemap => {
-                // Turned upside down, the top and the bottom change places.
+                // Flipping swaps the top and bottom faces.
                 let order = match input.sampler.vflip {
                     true => [0, 1, 3, 2, 4, 5],
                     false => [0, 1, 2, 3, 4, 5],
@@ -96,37 +96,37 @@ impl<'p> Stills<'p> {
                 let size = [size[0], size[1], 1];
                 Image::new(ImageShape::Flat, size, Texels::Unorm8(colors))
             }
-            _ => return Err("films and music are not read".to_string()),
+            _ => return Err("video and music files are not supported".to_string()),
         };
         made.map_err(|problem| match problem {
             ImageProblem::Size([width, height, _]) => {
-                format!("no texture has {width} by {height} texels here")
+                format!("texture size {width}x{height} is not supported")
             }
-            ImageProblem::Count { .. } => "not all of it is there".to_string(),
+            ImageProblem::Count { .. } => "the data is incomplete".to_string(),
         })
     }
 }
 
-/// The bytes of a `data:` address.
+/// The bytes of a `data:` URL.
 fn bytes(url: &str) -> Result<Vec<u8>, String> {
     let (head, text) = url.split_once(',').unwrap_or_default();
     if !head.starts_with("data:") || !head.ends_with(";base64") {
-        return Err("its address is no `data:` with base64".to_string());
+        return Err("expected a base64 `data:` URL".to_string());
     }
     let read = BASE64_STANDARD.decode(text.trim());
-    read.map_err(|e| format!("its base64 is wrong: {e}"))
+    read.map_err(|e| format!("invalid base64: {e}"))
 }
 
-/// Turns the rows around.
+/// Reverses the order of rows.
 fn flip(picture: &mut Decoded) {
     let width = picture.size[0].max(1) as usize;
     let rows = picture.colors.chunks(width).rev();
     picture.colors = rows.flatten().copied().collect();
 }
 
-/// The size and the texels of ShaderToy's volume file.
+/// The size and texels of a ShaderToy volume file.
 fn volume(file: &[u8]) -> Result<([u32; 3], Texels), String> {
-    let wrong = "it is no volume of ShaderToy's";
+    let wrong = "not a ShaderToy volume file";
     let head = VolumeHead::read(file).ok_or(wrong)?;
     let data = file.get(VolumeHead::LENGTH..).ok_or(wrong)?;
     let texels = data.chunks_exact(head.components * head.width);
@@ -144,7 +144,7 @@ fn volume(file: &[u8]) -> Result<([u32; 3], Texels), String> {
     Ok((head.size, made))
 }
 
-/// The components of a texel, those that its format does not have as they are.
+/// The components of a texel, with defaults for components that its format lacks.
 fn filled<T: Copy>(texel: &[T], mut rest: [T; 4]) -> [T; 4] {
     for (component, given) in rest.iter_mut().zip(texel) {
         *component = *given;
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
     use shaderlint_exec::ImageShape;
 
-    /// A picture of one column, whose colours are the bytes of the file.
+    /// An image of one column whose colours are the bytes of the file.
     fn column(file: &[u8]) -> Result<Decoded, String> {
         let colors: Vec<[u8; 4]> = file.iter().map(|byte| [*byte; 4]).collect();
         Ok(Decoded {
@@ -227,21 +227,21 @@ mod tests {
         huge.extend([0xff; 12]);
         huge.extend([4, 0, 0, 0, 1, 2, 3, 4]);
         let volume = input(InputKind::Volume, &[&huge]);
-        check(&volume, "it is no volume of ShaderToy's");
+        check(&volume, "not a ShaderToy volume file");
         let mut long = b"BIN\0\x28\x23\0\0\x01\0\0\0\x01\0\0\0\x01\0\0\0".to_vec();
         long.extend([0; 9000]);
         let volume = input(InputKind::Volume, &[&long]);
-        check(&volume, "no texture has 9000 by 1 texels here");
+        check(&volume, "texture size 9000x1 is not supported");
         let short = input(InputKind::Volume, &[b"BIN\0"]);
-        check(&short, "it is no volume of ShaderToy's");
+        check(&short, "not a ShaderToy volume file");
         let faces: [&[u8]; 2] = [&[1], &[1, 2]];
         let cube = input(InputKind::Cubemap, &faces);
-        check(&cube, "not all of it is there");
+        check(&cube, "the data is incomplete");
         let mut address = input(InputKind::Texture, &[]);
         address.urls.push("media/a.png".to_string());
-        check(&address, "its address is no `data:` with base64");
+        check(&address, "expected a base64 `data:` URL");
         let picture = input(InputKind::Texture, &[&[1]]);
         let none = Stills::new(None).get(&picture);
-        assert_eq!(none.unwrap_err(), "pictures are not read here");
+        assert_eq!(none.unwrap_err(), "image files are not supported here");
     }
 }

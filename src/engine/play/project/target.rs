@@ -1,4 +1,4 @@
-//! What passes draw into: pairs of images, of which one is read while the other is drawn.
+//! Render targets: pairs of images, one of which is read while the other is drawn.
 
 use super::shader::size_of;
 use super::{PlayProblem, Player};
@@ -7,13 +7,13 @@ use shaderlint_port::{InputKind, OutputId, Project, ProjectPass, Wrapper};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
-/// The side of a cube map that a pass draws.
+/// Side of a cube map in pixels.
 pub(super) const CUBE_SIDE: u32 = 1024;
 
-/// Most texels that all targets may have.
+/// Maximum number of texels of all render targets.
 const MAX_TEXELS: u64 = 1 << 25;
 
-/// Directions of the faces +x, -x, +y, -y, +z, -z at their (0,0), (1,0), (1,1) and (0,1).
+/// Directions of the faces +x, -x, +y, -y, +z, -z at (0,0), (1,0), (1,1) and (0,1).
 #[rustfmt::skip]
 pub(super) const CUBE_CORNERS: [[f64; 12]; 6] = [
     [1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 1.0],
@@ -24,14 +24,14 @@ pub(super) const CUBE_CORNERS: [[f64; 12]; 6] = [
     [1.0, 1.0, -1.0, -1.0, 1.0, -1.0, -1.0, -1.0, -1.0, 1.0, -1.0, -1.0],
 ];
 
-/// What texels of a target hold.
+/// The texel format of a render target.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Depth {
-    /// Bytes, as a canvas.
+    /// 8-bit, as a canvas.
     Bytes,
-    /// Floats of 16 bits.
+    /// 16-bit floats.
     Half,
-    /// Floats of 32 bits.
+    /// 32-bit floats.
     Float,
 }
 
@@ -40,12 +40,12 @@ pub(super) struct Target {
     shape: ImageShape,
     side: [u32; 2],
     depth: Depth,
-    /// Whether some channel reads it with mipmaps.
+    /// Whether a channel reads it with mipmaps.
     has_levels: bool,
     empty: Arc<Image>,
-    /// What readers see.
+    /// The image that channels read.
     front: Arc<Image>,
-    /// What is drawn over next.
+    /// The image that is drawn next.
     back: Arc<Image>,
 }
 
@@ -63,7 +63,8 @@ impl Target {
         self.back = Arc::clone(&self.empty);
     }
 
-    /// Readers see these pixels from now on; where nothing was drawn, what was there two frames ago.
+    /// Stores the pixels of a draw and swaps the images. Pixels that were not drawn keep the value
+    /// of two frames ago.
     pub fn take(&mut self, mut pixels: Vec<[f32; 4]>, covered: &[bool]) {
         if covered.contains(&false)
             && let Some(old) = self.back.level(0)
@@ -104,9 +105,9 @@ fn layers(shape: ImageShape) -> u32 {
     if shape == ImageShape::Cube { 6 } else { 1 }
 }
 
-/// The nearest float of 16 bits, halves to even; what is too large is infinite.
+/// The nearest 16-bit float, halves to even; values that are too large become infinite.
 fn half(number: f32) -> f32 {
-    // One more than the largest such number that rounding still reaches.
+    // The smallest value that rounds to infinity.
     const LIMIT: f32 = 65_520.0;
     if number.is_nan() || number.is_infinite() {
         return number;
@@ -115,12 +116,12 @@ fn half(number: f32) -> f32 {
         return f32::INFINITY.copysign(number);
     }
     let exponent = (number.to_bits() >> 23 & 0xff) as i32 - 127;
-    // Ten bits of fraction, fewer below the smallest normal number.
+    // Ten bits of fraction, fewer for subnormal numbers.
     let step = f32::from_bits(((exponent.max(-14) - 10 + 127) as u32) << 23);
     (number / step).round_ties_even() * step
 }
 
-/// Makes the targets of all passes, and what nobody draws but somebody reads.
+/// Creates the render targets of all passes, and of outputs that are read but not drawn.
 pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), PlayProblem> {
     let mut wanted: Vec<(OutputId, ImageShape, [u32; 2], Depth)> = Vec::new();
     let reads = |id: &OutputId| {
@@ -143,7 +144,7 @@ pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), PlayPro
             Pass::Image if !id.0.is_empty() && reads(&id) => spot(project, of, id, player.size),
             Pass::Image | Pass::Common | Pass::Sound => continue,
         };
-        // Passes of one name draw into one target; a pass without name has one of its own.
+        // Passes with the same name share a target; a pass without a name has its own.
         let known = wanted
             .iter()
             .position(|w| w.0 == spot.0 && !spot.0.0.is_empty());
@@ -197,7 +198,7 @@ fn spot(
     (id, ImageShape::Flat, size_of(project, pass, canvas), depth)
 }
 
-/// Whether some channel reads a target with mipmaps.
+/// Whether a channel reads a target with mipmaps.
 fn is_mipmapped(project: &Project, id: &OutputId, shape: ImageShape) -> bool {
     let kind = match shape {
         ImageShape::Cube => InputKind::Cubemap,

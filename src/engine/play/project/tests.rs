@@ -1,4 +1,4 @@
-//! Tests of whole projects: small ones, of which a few pixels tell whether what they read is right.
+//! Tests of small projects, in which a few pixels show whether channels are right.
 
 use super::*;
 use serde_json::{Value, json};
@@ -70,7 +70,8 @@ fn a_buffer_reads_what_it_drew_before() {
     assert_eq!(again.passes.len(), 2);
 }
 
-/// Buffers draw in the order of the export; what is drawn later is seen as it was a frame ago.
+/// Buffers are drawn in the order of the export; a buffer that is drawn later is read with its
+/// previous content.
 #[test]
 fn passes_draw_in_the_order_of_the_export() {
     let frame = "void mainImage(out vec4 c, in vec2 p) { c = vec4(float(iFrame)); }";
@@ -169,7 +170,7 @@ fn what_is_discarded_stays_as_it_was() {
         let played = player.frame(&Moment::of_frame(frame)).unwrap();
         seen.push(played.picture.pixels[0][0]);
     }
-    // Two images take turns.
+    // Two images alternate.
     assert_eq!(seen, [0.25, 0.5, 0.25, 0.5, 0.25]);
 }
 
@@ -187,7 +188,7 @@ fn a_cube_map_is_drawn_around_the_middle() {
     let passes = [image(code, &[input]), pass("cubemap", "4dX3Rr", cube, &[])];
     let mut player = player(&passes, [8, 4]).unwrap();
     let played = player.frame(&Moment::of_frame(0)).unwrap();
-    // 0.1 as a float of 16 bits.
+    // 0.1 as a 16-bit float.
     assert!(
         played
             .picture
@@ -231,6 +232,6 @@ fn what_cannot_be_run_is_named() {
     let passes = [image(COUNT, &[]), buffer(0, COUNT, &[])];
     assert_eq!(
         refused(&passes, [8000, 8000]).unwrap(),
-        "the passes draw into 128000000 texels, and no more than 33554432 can be kept"
+        "the render targets have 128000000 texels; the limit is 33554432"
     );
 }

@@ -1,4 +1,4 @@
-//! What a test compared, with the numbers that it saw.
+//! The comparisons of a failed test, with the values of their operands.
 
 use super::quad::{SIZE, draw_quad};
 use crate::Analysis;
@@ -8,32 +8,32 @@ use shaderlint_semantic::{BuiltinId, FunctionRef, Program, Scalar, Type};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 use shaderlint_text::Span;
 
-/// Most comparisons that are told of a test.
+/// Maximum number of comparisons reported for a test.
 const MAX_CONDITIONS: usize = 8;
-/// Most values that are told of a comparison.
+/// Maximum number of values reported for a comparison.
 const MAX_VALUES: usize = 6;
 
-/// A comparison, or a call that answers yes or no.
+/// A comparison, or a call that returns a boolean.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SeenCondition {
-    /// The expression.
+    /// Span of the expression.
     pub at: Span,
-    /// What came of it: `true`, `false`, or `bvec2(true, false)`.
+    /// Result: `true`, `false`, or `bvec2(true, false)`.
     pub answer: String,
-    /// What it compared or was given.
+    /// The values of the operands or arguments.
     pub values: Vec<SeenValue>,
 }
 
-/// An expression, and what it was.
+/// An expression and its value.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SeenValue {
-    /// The expression.
+    /// Span of the expression.
     pub at: Span,
-    /// What it was, as it would be written.
+    /// Value as GLSL source text.
     pub value: String,
 }
 
-/// What is looked at: a test at a time, and a pixel.
+/// A test at a time and a pixel.
 struct TestedPixel<'a> {
     analysis: &'a Analysis,
     test: FunctionRef,
@@ -41,7 +41,7 @@ struct TestedPixel<'a> {
     pixel: [u32; 2],
 }
 
-/// The conditions of a test that a pixel came to.
+/// The conditions of a test that a pixel evaluated.
 pub fn seen(
     analysis: &Analysis,
     test: FunctionRef,
@@ -82,7 +82,7 @@ pub fn seen(
     found
 }
 
-/// The comparisons and questions in the text of a function, in its order, with what they are about.
+/// The comparisons and boolean calls in a function, in source order, with their operands.
 fn conditions(program: &Program, function: FunctionRef) -> Vec<(ExprId, Vec<ExprId>)> {
     let tree = &program.tree;
     let definition = program.function(function).and_then(|f| f.definition);
@@ -112,7 +112,7 @@ const fn compares(op: BinaryOp) -> bool {
     )
 }
 
-/// Whether a call gives truth values, and is not about truth values itself, as `all` is.
+/// Whether a call returns a boolean and has no boolean arguments, unlike `all`.
 fn asks(program: &Program, call: ExprId) -> bool {
     let is_bool = |id: ExprId| program.ty(id).scalar_kind() == Some(Scalar::Bool);
     let args = match program.tree.expr(call).kind {
@@ -122,7 +122,7 @@ fn asks(program: &Program, call: ExprId) -> bool {
     is_bool(call) && !args.is_empty() && !args.iter().all(|arg| is_bool(*arg))
 }
 
-/// What is to be shown of a side of a comparison: itself, and of a distance also what it lies between.
+/// The expressions to show for an operand: itself, and for a distance its arguments.
 fn sides(program: &Program, side: ExprId, shown: &mut Vec<ExprId>) {
     let tree = &program.tree;
     let side = tree.unparen(side);
@@ -153,7 +153,7 @@ fn sides(program: &Program, side: ExprId, shown: &mut Vec<ExprId>) {
 }
 
 impl TestedPixel<'_> {
-    /// What an expression was when the pixel last came to it, if it did.
+    /// The last value of an expression at the pixel, if it was evaluated.
     fn value(&self, id: ExprId) -> Option<String> {
         let Analysis { program, .. } = self.analysis;
         let module = self.analysis.module();
@@ -175,7 +175,7 @@ impl TestedPixel<'_> {
     }
 }
 
-/// A value as it would be written; of one with more than four scalars these.
+/// A value as GLSL source text; only the first four components are shown.
 fn written(program: &Program, ty: Type, bits: [u32; 4]) -> String {
     let count = ty.components().max(1) * ty.array.max(1);
     let one = |bits: u32| match ty.scalar_kind() {

@@ -1,5 +1,5 @@
-//! Tests written in GLSL: functions `bool test_*()`, which pass where they return true for every pixel
-//! that is asked.
+//! Tests written in GLSL: functions `bool test_*()`, which pass if they return true for every
+//! tested pixel.
 
 mod condition;
 mod quad;
@@ -15,47 +15,47 @@ use shaderlint_exec::{
 use shaderlint_semantic::{FunctionRef, Type};
 use shaderlint_text::{FileId, Span};
 
-/// How many quads of it are run, across and up.
+/// Number of tested 2x2 quads.
 const QUADS: usize = 48 * 48;
-/// The times at which a test is run that uniforms may decide.
+/// Times in seconds at which tests that read uniforms run.
 const TIMES: [f64; 3] = [0.0, 1.0, 10.0];
 
-/// What came of a test.
+/// The result of a test.
 #[derive(Clone, PartialEq, Debug)]
 pub enum TestVerdict {
-    /// It returned true, wherever it was run.
+    /// The test returned true for all pixels.
     Passed,
-    /// It did not.
+    /// The test returned false.
     Failed(TestFailure),
-    /// It cannot be run.
+    /// The test cannot be run.
     Refused {
-        /// What cannot, and why.
+        /// The unsupported construct.
         what: String,
-        /// Where that stands.
+        /// Span of the construct.
         at: Option<Span>,
     },
-    /// It took too many operations.
+    /// The test exceeded the operation limit.
     TooLong,
 }
 
-/// A test that did not return true.
+/// The details of a failed test.
 #[derive(Clone, PartialEq, Debug)]
 pub struct TestFailure {
-    /// How many pixels were asked.
+    /// Number of tested pixels.
     pub pixels: u64,
-    /// How many of them were false, or discarded.
+    /// Number of pixels with result false, or discarded.
     pub failed: u64,
-    /// The first of these, where pixels may differ: `gl_FragCoord.xy`, less the half.
+    /// The first of these, if results depend on the pixel: `gl_FragCoord.xy` without the half.
     pub pixel: Option<[u32; 2]>,
-    /// The size of the picture that it is a pixel of.
+    /// Size of the image that contains the pixel.
     pub size: [u32; 2],
-    /// Seconds since the start, where uniforms may decide.
+    /// Time in seconds, if the test reads uniforms.
     pub time: Option<f64>,
-    /// The comparisons and questions of the test that the pixel came to, in the order of the text.
+    /// The conditions that the pixel evaluated, in source order.
     pub conditions: Vec<SeenCondition>,
 }
 
-/// The tests that a file of a shader defines, in the order of the text, with the places of their names.
+/// The tests in a file, in source order, with the spans of their names.
 pub fn tests(analysis: &Analysis, file: FileId) -> Vec<(FunctionRef, Span)> {
     let program = &analysis.program;
     let own = program.sources.file(file).map(|f| f.span());
@@ -71,7 +71,7 @@ pub fn tests(analysis: &Analysis, file: FileId) -> Vec<(FunctionRef, Span)> {
     named
 }
 
-/// Runs a test. Uniforms are given what their names mean; textures are black.
+/// Runs a test. Uniforms have their usual values; textures are black.
 pub fn run_test(analysis: &Analysis, test: FunctionRef) -> TestVerdict {
     let options = CompileOptions {
         entry: Some(test),
@@ -86,7 +86,7 @@ pub fn run_test(analysis: &Analysis, test: FunctionRef) -> TestVerdict {
         Ok(scene) => scene,
         Err(refusal) => return refused(analysis, &refusal),
     };
-    // What nothing can part is the same for all.
+    // Without inputs, all pixels have the same result.
     let quads = match scene.code.inputs.is_empty() {
         true => vec![[0; 2]],
         false => quads_all_over(SIZE, QUADS, 0),
@@ -120,8 +120,8 @@ fn refused(analysis: &Analysis, refusal: &Refusal) -> TestVerdict {
     let program = &analysis.program;
     let extent = refusal.at.extent(&program.tree);
     let what = match analysis.has_errors {
-        // What stands for an expression of which nothing is known.
-        false if refusal.what == "an expression with an error" => "what a host declares",
+        // The name of a host is represented as an expression with an error.
+        false if refusal.what == "an expression with an error" => "a name from the host",
         _ => refusal.what.as_str(),
     };
     TestVerdict::Refused {
@@ -130,7 +130,7 @@ fn refused(analysis: &Analysis, refusal: &Refusal) -> TestVerdict {
     }
 }
 
-/// What is wrong in a run of a test, if anything is: which pixels are not true.
+/// The failure of a run, if a pixel is not true.
 fn failure(code: &Code, sampled: &Sampled) -> Option<TestFailure> {
     let is_answer = |slot: &OutputSlot| slot.name.is_empty() && slot.ty == Type::BOOL;
     let at = code.outputs.iter().position(is_answer)?;

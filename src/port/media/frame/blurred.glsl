@@ -1,4 +1,4 @@
-// The mean of what is seen around a direction.
+// The average colour around a direction.
 void main() {
     vec3 d = direction();
     vec3 u = normalize(cross(d, abs(d.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));

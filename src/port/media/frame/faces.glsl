@@ -5,9 +5,9 @@ uniform ivec2 size;
 uniform int layer;
 uniform bool flip;
 out vec4 color;
-// What is seen in a direction; y is up.
+// The colour in a direction; y is up.
 vec3 look(vec3 d);
-// Where the texel at hand lies. The faces are those of OpenGL: +x, -x, +y, -y, +z, -z.
+// The direction of the current texel. The faces are those of OpenGL: +x, -x, +y, -y, +z, -z.
 vec3 direction() {
     vec2 p = 2.0 * gl_FragCoord.xy / vec2(size) - 1.0;
     float side = (layer & 1) == 0 ? 1.0 : -1.0;

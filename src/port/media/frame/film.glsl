@@ -5,7 +5,7 @@ uniform ivec2 size;
 uniform bool flip;
 uniform float time;
 out vec4 color;
-// A texel of the film; rows are counted from its top.
+// A texel of the video; rows are counted from the top.
 vec4 texel(ivec2 p);
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);

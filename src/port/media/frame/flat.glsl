@@ -4,7 +4,7 @@ precision highp int;
 uniform ivec2 size;
 uniform bool flip;
 out vec4 color;
-// A texel of the picture; rows are counted from its top.
+// A texel of the image; rows are counted from the top.
 vec4 texel(ivec2 p);
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);

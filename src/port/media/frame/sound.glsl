@@ -3,9 +3,9 @@ precision highp float;
 precision highp int;
 uniform ivec2 size;
 out vec4 color;
-// The two sides of a loop of sound, in -1..1.
+// The two channels of a sound loop, in -1..1.
 vec2 wave(int n);
-// A sample is a texel: two bytes for the left, two for the right.
+// Each texel is a sample: two bytes for the left and two for the right channel.
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec2 v = floor(clamp(0.5 + 0.5 * wave(p.y * size.x + p.x), 0.0, 1.0) * 65535.0);

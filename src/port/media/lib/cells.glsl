@@ -1,4 +1,4 @@
-// The points of a net of cells: distance to the nearest and to the next one, and a number of the
+// Cellular noise: distance to the nearest and to the second nearest point, and an id of the
 // nearest.
 vec3 cells(vec2 p, ivec2 period, uint seed) {
     vec2 q = p * vec2(period);

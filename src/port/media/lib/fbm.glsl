@@ -1,4 +1,4 @@
-// Octaves of it, as long as the texture can show them.
+// Sums octaves of noise up to the resolution of the texture.
 float fbm(vec2 p, ivec2 period, uint seed) {
     float sum = 0.0;
     float weight = 0.5;

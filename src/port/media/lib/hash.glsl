@@ -1,4 +1,4 @@
-// Integers alone, so that every device has the same numbers.
+// Uses only integers, so the values are the same on every device.
 uint mixed(uint n) {
     n = (n ^ (n >> 16u)) * 0x7feb352du;
     n = (n ^ (n >> 15u)) * 0x846ca68bu;

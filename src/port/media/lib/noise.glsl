@@ -1,4 +1,4 @@
-// Numbers at the corners of cells, and a smooth surface between them; `p` in 0..1.
+// Value noise with smooth interpolation between cell corners; `p` in 0..1.
 float noise(vec2 p, ivec2 period, uint seed) {
     vec2 q = p * vec2(period);
     ivec2 i = ivec2(floor(q));

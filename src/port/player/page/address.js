@@ -1,7 +1,7 @@
-// What the address says, and what is kept in it:
+// State in the URL fragment:
 // `#size=320x180&t=2.5&paused&scale=0.5&bar=off&embed&u.SPEED=2&u.TINT=1,0.5,0`.
 
-/** The numbers that stand for a slider or another control. @param {string} text */
+/** Parses the numbers of a control. @param {string} text */
 function readNumbers(text) {
   const numbers = text.split(',').map((word) => (word.trim() ? Number(word) : NaN));
   return numbers.every(Number.isFinite) ? numbers : null;
@@ -29,7 +29,7 @@ function readAddress() {
   };
 }
 
-/** The fragment with some of its words changed; null takes one out. @param {Record<string, string | null>} changes */
+/** The fragment with some parameters changed; null removes a parameter. @param {Record<string, string | null>} changes */
 function fragmentWith(changes) {
   const words = new Map(new URLSearchParams(location.hash.slice(1)));
   for (const [key, word] of Object.entries(changes)) {
@@ -45,25 +45,25 @@ function fragmentWith(changes) {
 let pendingWords = {};
 let pendingWrite = 0;
 
-/** Keeps words in the address. Browsers allow that a few times a second only. @param {Record<string, string | null>} changes */
+/** Stores parameters in the URL. Browsers limit how often this may happen. @param {Record<string, string | null>} changes */
 function keepInAddress(changes) {
   Object.assign(pendingWords, changes);
   clearTimeout(pendingWrite);
   pendingWrite = setTimeout(writeAddress, 250);
 }
 
-/** Writes what is to be kept, now. */
+/** Writes pending parameters immediately. */
 function writeAddress() {
   const fragment = fragmentWith(pendingWords);
   pendingWords = {};
   try {
     history.replaceState(null, '', fragment ? `#${fragment}` : location.pathname + location.search);
   } catch {
-    // A frame without an address of its own keeps nothing.
+    // A frame without its own URL stores nothing.
   }
 }
 
-/** The address that shows what is seen now. @param {Player} player */
+/** The URL of the current state. @param {Player} player */
 function addressOfNow(player) {
   const fragment = fragmentWith({
     ...pendingWords,

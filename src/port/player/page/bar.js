@@ -1,8 +1,8 @@
-// The bar below the picture: play, time, size, full screen.
+// The bar below the image: play, time, size, full screen.
 
 const PLAY = 'M4 2l10 6-10 6z';
 const PAUSE = 'M3 2h4v12H3zM9 2h4v12H9z';
-/** Frames that take longer than this, in seconds, are slow. */
+/** Frame duration in seconds above which a shader counts as slow. */
 const SLOW = 0.25;
 
 /** @param {Player} player */
@@ -35,7 +35,7 @@ function showControls(player) {
   full.addEventListener('click', toggleFullScreen);
   const show = () => {
     path.setAttribute('d', player.isPlaying ? PAUSE : PLAY);
-    play.setAttribute('aria-label', player.isPlaying ? 'pause' : 'play');
+    play.setAttribute('aria-label', player.isPlaying ? 'Pause' : 'Play');
     sound.hidden = !player.hasSound;
     sound.setAttribute('aria-pressed', String(player.isSoundOn));
   };
@@ -44,8 +44,8 @@ function showControls(player) {
 }
 
 /**
- * The bar goes away while nobody uses it: in the window while the shader plays, in full screen, where it
- * lies over the picture, always.
+ * Hides the bar when it is not in use: in a window while the shader plays, and always in full screen, where
+ * it covers the image.
  * @param {Player} player
  */
 function hideBarWhenIdle(player) {
@@ -75,7 +75,7 @@ function hideBarWhenIdle(player) {
   wake();
 }
 
-/** Shows time and frame rate as they change. @param {Player} player */
+/** Updates time and frame rate. @param {Player} player */
 function showClock(player) {
   const time = element('time', HTMLOutputElement);
   const rate = element('rate', HTMLOutputElement);
@@ -93,12 +93,12 @@ function showClock(player) {
 }
 
 /**
- * How the canvas gets its size: `isHeld` keeps it whatever happens around it, as while a film is made;
- * `fit` gives it the size of its place.
+ * The size of the canvas: `isHeld` prevents changes, as during a recording; `fit` sets it to the displayed
+ * size.
  */
 const canvasSize = { isHeld: false, fit: () => {} };
 
-/** Keeps the canvas as large as it is shown, times the chosen scale. @param {Player} player */
+/** Keeps the canvas resolution at its displayed size, times the selected scale. @param {Player} player */
 function fitCanvas(player) {
   const { canvas } = player;
   const scale = element('scale', HTMLSelectElement);
@@ -127,8 +127,8 @@ function fitCanvas(player) {
 }
 
 /**
- * Where frames take long, says how they would take less. The first frames are not counted: shaders are
- * made ready in them.
+ * Suggests a lower resolution if frames are slow. The first frames are not counted, since shaders are
+ * prepared in them.
  * @param {Player} player
  */
 function watchSpeed(player) {
@@ -143,8 +143,8 @@ function watchSpeed(player) {
     const usual = times.slice(1).sort((a, b) => a - b)[1];
     const next = scale.options[scale.selectedIndex - 1];
     if (usual > SLOW && next && !scale.hidden) {
-      notify('slow', `this shader is heavy here: ${(1 / usual).toFixed(1)} frames a second`, {
-        label: `draw at ${next.text}`,
+      notify('slow', `This shader is slow on this device: ${(1 / usual).toFixed(1)} fps`, {
+        label: `Render at ${next.text}`,
         act: () => {
           scale.value = next.value;
           scale.dispatchEvent(new Event('change'));
@@ -157,8 +157,8 @@ function watchSpeed(player) {
   requestAnimationFrame(look);
 }
 
-/** Says when the graphics card gives a picture up, which leaves it black. @param {Player} player */
+/** Shows a notice when the WebGL context is lost, which leaves the canvas black. @param {Player} player */
 function watchContext({ canvas }) {
-  canvas.addEventListener('webglcontextlost', () => notify('lost', 'the graphics card gave up: this shader may be too heavy here'));
+  canvas.addEventListener('webglcontextlost', () => notify('lost', 'WebGL context lost: this shader may be too slow for this device'));
   canvas.addEventListener('webglcontextrestored', () => retract('lost'));
 }

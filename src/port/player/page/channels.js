@@ -1,9 +1,9 @@
-// Files and devices for channels: a row for each, a word on the picture where one is missing.
+// Files and devices for channels: a row for each, and a notice for missing ones.
 
 const FILE_KINDS = ['texture', 'cubemap', 'volume', 'video', 'music'];
 const FLAT_KINDS = ['texture', 'video', 'music', 'webcam', 'mic', 'keyboard', 'buffer'];
-/** What is asked for, in words. @type {Record<string, string>} */
-const KIND_WORDS = { texture: 'texture', cubemap: 'cube map', volume: 'volume', video: 'film', music: 'music', webcam: 'camera', mic: 'microphone' };
+/** Names of input kinds for users. @type {Record<string, string>} */
+const KIND_WORDS = { texture: 'texture', cubemap: 'cube map', volume: 'volume', video: 'video', music: 'music file', webcam: 'camera', mic: 'microphone' };
 
 /** @typedef {{pass: number, channel: number}} Slot */
 
@@ -17,26 +17,26 @@ function dataAddress(file) {
   });
 }
 
-/** What a file holds, as its type says. @param {File} file */
+/** The kind of a file, by its type. @param {File} file */
 function kindOfFile(file) {
   if (/\.bin$/i.test(file.name)) return 'volume';
   return { image: 'texture', video: 'video', audio: 'music' }[file.type.split('/')[0]] ?? null;
 }
 
-/** What a file becomes on a channel; null where it does not fit. @param {string} wanted @param {string} found */
+/** The kind of input for a file on a channel; null if it does not fit. @param {string} wanted @param {string} found */
 function kindOnChannel(wanted, found) {
   if (wanted === 'volume' || found === 'volume') return wanted === found ? found : null;
   if (wanted === 'cubemap') return found === 'texture' ? 'cubemap' : null;
   return FLAT_KINDS.includes(wanted) ? found : null;
 }
 
-/** The sampler's name. @param {Player} player @param {Slot} slot */
+/** The name of the sampler. @param {Player} player @param {Slot} slot */
 function channelName(player, { pass, channel }) {
   const input = player.project.passes[pass].inputs[channel];
   return input?.uniform ?? `iChannel${channel}`;
 }
 
-/** The channels that a file or a device can feed: those that are meant to be, and empty ones that the code reads. @param {Player} player */
+/** The channels that accept a file or a device: those with such an input, and empty ones that the code reads. @param {Player} player */
 function openSlots(player) {
   return player.project.passes.flatMap(({ inputs }, pass) => {
     const channels = Array.from({ length: Math.max(4, inputs.length) }, (_, channel) => ({ pass, channel }));
@@ -53,7 +53,7 @@ function isRead(player, slot) {
 }
 
 /**
- * Whether nothing is there though the picture needs it. What an export leaves empty is empty on the site.
+ * Whether the file of a channel is missing. Channels that are empty in an export are empty on ShaderToy too.
  * @param {Player} player @param {Slot} slot
  */
 function isMissing(player, slot) {
@@ -63,7 +63,7 @@ function isMissing(player, slot) {
   return isRead(player, slot);
 }
 
-/** Waits until a film or a piece of music can be played. @param {string} kind @param {string} url */
+/** Waits until a video or music can be played. @param {string} kind @param {string} url */
 function tryToPlay(kind, url) {
   const player = document.createElement(kind === 'video' ? 'video' : 'audio');
   return new Promise((resolve, reject) => {
@@ -80,7 +80,7 @@ async function putFile(player, slot, file) {
   const found = kindOfFile(file);
   const kind = found && kindOnChannel(wanted, found);
   if (!kind) {
-    flash(`${file.name} is not what ${channelName(player, slot)} reads: it wants a ${KIND_WORDS[wanted] ?? 'picture'}`);
+    flash(`${file.name} does not fit ${channelName(player, slot)}, which expects a ${KIND_WORDS[wanted] ?? 'texture'}`);
     return;
   }
   const url = kind === 'volume' ? await dataAddress(file) : URL.createObjectURL(file);
@@ -88,13 +88,13 @@ async function putFile(player, slot, file) {
     if (kind === 'video' || kind === 'music') await tryToPlay(kind, url);
     await player.setInput(slot.pass, slot.channel, file.name, url, kind);
   } catch {
-    flash(`${file.name} cannot be read as a ${KIND_WORDS[kind]}`);
+    flash(`Cannot read ${file.name} as a ${KIND_WORDS[kind]}`);
     return;
   }
-  flash(`${file.name} is on ${channelName(player, slot)}`);
+  flash(`${file.name} loaded into ${channelName(player, slot)}`);
 }
 
-/** Puts files that were dropped where they fit: onto empty channels first. @param {Player} player @param {File[]} files */
+/** Assigns dropped files to channels that accept them: to empty ones first. @param {Player} player @param {File[]} files */
 async function putFiles(player, files) {
   const slots = openSlots(player);
   const empty = slots.filter((slot) => isMissing(player, slot));
@@ -103,8 +103,8 @@ async function putFiles(player, files) {
     /** @param {Slot} slot */
     const fits = ({ pass, channel }) => found && kindOnChannel(player.project.passes[pass].inputs[channel]?.kind ?? 'texture', found);
     const slot = empty.find(fits) ?? slots.find(fits);
-    if (!found) flash(`${file.name} is neither a picture nor a film, music or a volume`);
-    else if (!slot) flash(`no channel reads ${file.name}`);
+    if (!found) flash(`${file.name} is not an image, video, audio or volume file`);
+    else if (!slot) flash(`No channel accepts ${file.name}`);
     else {
       await putFile(player, slot, file);
       if (empty.includes(slot)) empty.splice(empty.indexOf(slot), 1);
@@ -112,19 +112,19 @@ async function putFiles(player, files) {
   }
 }
 
-/** Asks for the camera. @param {Player} player */
+/** Requests the camera. @param {Player} player */
 async function allowCamera(player) {
   try {
     await player.devices.openCamera();
   } catch {
-    flash('the camera is not to be had');
+    flash('Camera not available');
     return;
   }
   retract('camera');
   player.poke();
 }
 
-/** What a row says of its channel. @param {Player} player @param {Slot} slot */
+/** The description of a channel in its row. @param {Player} player @param {Slot} slot */
 function wordsOfSlot(player, slot) {
   const input = player.project.passes[slot.pass].inputs[slot.channel];
   if (!input) return 'empty';
@@ -143,18 +143,18 @@ function channelRow(player, slot) {
   const chooser = document.createElement('input');
   chooser.type = 'file';
   chooser.accept = { volume: '.bin', cubemap: 'image/*' }[kind] ?? 'image/*,video/*,audio/*';
-  chooser.setAttribute('aria-label', `file for ${name}`);
+  chooser.setAttribute('aria-label', `File for ${name}`);
   chooser.hidden = true;
   chooser.addEventListener('change', () => {
     if (chooser.files?.[0]) void putFile(player, slot, chooser.files[0]);
     chooser.value = '';
   });
   const isDevice = !FILE_KINDS.includes(kind);
-  const button = makeButton(isDevice ? 'allow' : 'file…', () => {
+  const button = makeButton(isDevice ? 'Allow' : 'File…', () => {
     if (kind === 'webcam') void allowCamera(player);
-    else if (kind === 'mic') void player.devices.openMicrophone().catch(() => flash('the microphone is not to be had'));
+    else if (kind === 'mic') void player.devices.openMicrophone().catch(() => flash('Microphone not available'));
     else chooser.click();
-  }, isDevice ? `allow the ${KIND_WORDS[kind]}` : `file for ${name}`);
+  }, isDevice ? `Allow the ${KIND_WORDS[kind]}` : `File for ${name}`);
   row.addEventListener('dragover', () => row.classList.add('over'));
   row.addEventListener('dragleave', () => row.classList.remove('over'));
   row.addEventListener('drop', (event) => {
@@ -173,26 +173,26 @@ function channelRow(player, slot) {
   return { row, show, choose: () => chooser.click() };
 }
 
-/** Says on the picture which channels are empty. @param {Player} player @param {Slot[]} slots @param {(slot: Slot) => void} choose */
+/** Shows a notice about empty channels. @param {Player} player @param {Slot[]} slots @param {(slot: Slot) => void} choose */
 function tellMissing(player, slots, choose) {
   const missing = slots.filter((slot) => isMissing(player, slot));
   if (missing.length === 0) return retract('missing');
   const names = [...new Set(missing.map((slot) => channelName(player, slot)))];
   const kinds = missing.map(({ pass, channel }) => KIND_WORDS[player.project.passes[pass].inputs[channel]?.kind ?? 'texture']);
   const words = names.length === 1 ? `${names[0]} has no ${kinds[0]}: drop a file here` : `${names.slice(0, -1).join(', ')} and ${names[names.length - 1]} are empty: drop files here`;
-  return notify('missing', words, { label: 'choose…', act: () => choose(missing[0]) });
+  return notify('missing', words, { label: 'Choose…', act: () => choose(missing[0]) });
 }
 
-/** Says on the picture which channel waits for the camera. @param {Player} player @param {Slot[]} slots */
+/** Shows a notice about a channel that waits for the camera. @param {Player} player @param {Slot[]} slots */
 function tellCamera(player, slots) {
   const kindOf = (/** @type {Slot} */ { pass, channel }) => player.project.passes[pass].inputs[channel]?.kind;
   const waiting = slots.find((slot) => kindOf(slot) === 'webcam' && isRead(player, slot));
   if (!waiting || player.devices.cameraFilm?.srcObject) return retract('camera');
   const act = () => void allowCamera(player);
-  return notify('camera', `${channelName(player, waiting)} reads the camera`, { label: 'allow', act });
+  return notify('camera', `${channelName(player, waiting)} uses the camera`, { label: 'Allow', act });
 }
 
-/** A row for each channel, and the picture as a place for files. @param {Player} player */
+/** Shows a row for each channel, and accepts dropped files. @param {Player} player */
 function showChannels(player) {
   const box = element('channels', HTMLElement);
   /** @type {Map<string, ReturnType<typeof channelRow>>} */

@@ -1,11 +1,11 @@
-// The code of the passes, to be read and changed while the shader plays.
+// Editors for the code of the passes.
 
-/** The text as a text area gives it back. @param {string} text */
+/** The text with the line breaks of a text area. @param {string} text */
 function unified(text) {
   return text.replace(/\r\n?/g, '\n');
 }
 
-/** Gives a text the line breaks of an editor; its tunable numbers stay where they are. @param {ProjectData} project @param {number} index */
+/** Converts a text to the line breaks of an editor, and adjusts the offsets of its tunable numbers. @param {ProjectData} project @param {number} index */
 function unifyText(project, index) {
   const file = project.files[index];
   for (const tunable of project.tunables.filter((t) => t.file === index)) {
@@ -17,7 +17,7 @@ function unifyText(project, index) {
 
 /** @typedef {{index: number, name: string, original: string, tunables: TunableData[]}} OwnText */
 
-/** @param {Player} player @returns {OwnText[]} what is the user's */
+/** @param {Player} player @returns {OwnText[]} the texts of the user */
 function ownTexts(player) {
   const { files, tunables } = player.project;
   return files.flatMap(({ name, text, hidden }, index) =>
@@ -25,7 +25,7 @@ function ownTexts(player) {
   );
 }
 
-/** Gives a text and its tunable numbers back as they came. @param {Player} player @param {OwnText} own */
+/** Restores the original text and its tunable numbers. @param {Player} player @param {OwnText} own */
 function resetText(player, own) {
   const { project } = player;
   project.tunables = project.tunables.filter((t) => t.file !== own.index);
@@ -34,17 +34,17 @@ function resetText(player, own) {
   return player.setCode(own.index, own.original);
 }
 
-/** The tabs of the passes, an editor for each, what is wrong, and the way back. @param {Player} player */
+/** Shows tabs and editors of the passes, problems, and the reset button. @param {Player} player */
 function showCode(player) {
   const box = element('code', HTMLElement);
   const texts = ownTexts(player);
   const tabs = make('div', '', 'passes');
   tabs.setAttribute('role', 'tablist');
-  tabs.setAttribute('aria-label', 'passes');
+  tabs.setAttribute('aria-label', 'Passes');
   goByArrows(tabs);
   const list = make('div', '', 'problems');
   list.setAttribute('role', 'status');
-  const reset = makeButton('reset', () => void resetText(player, texts[current]), 'back to the code as it came');
+  const reset = makeButton('Reset', () => void resetText(player, texts[current]), 'Restore the original code');
   const row = make('div', '', 'row');
   row.append(tabs, reset);
   let current = 0;

@@ -1,15 +1,14 @@
-// Controls for what can be changed while the shader plays: numbers in the code that the author left to
-// be tuned, and uniforms. What is set is kept in the address.
+// Controls: tunable numbers in the code, and uniforms. Their values are stored in the URL.
 
 /**
- * One of either.
+ * A tunable number or a uniform.
  * @typedef {object} Control
- * @property {ControlData} data as it came; its value is where reset goes back to
- * @property {() => number[] | null} read null where it is gone
+ * @property {ControlData} data the original data; its value is the one for reset
+ * @property {() => number[] | null} read null if it no longer exists
  * @property {(value: number[]) => void} write
  */
 
-/** @typedef {{nodes: HTMLElement[], show: (value: number[]) => void}} Face what is seen of a control */
+/** @typedef {{nodes: HTMLElement[], show: (value: number[]) => void}} Face the widget of a control */
 
 /** A tunable number as a control. @param {TunableData} tunable @returns {ControlData} */
 function controlOfTunable(tunable) {
@@ -42,12 +41,12 @@ function allControls(player) {
   return [...tuned, ...set];
 }
 
-/** A number as it is shown. @param {number} value */
+/** Formats a number. @param {number} value */
 function shortNumber(value) {
   return String(Number(value.toPrecision(4)));
 }
 
-/** A slider and its number for one lane. @param {ControlData} data @param {number} lane @param {(value: number) => void} write */
+/** A slider and a number box for one component. @param {ControlData} data @param {number} lane @param {(value: number) => void} write */
 function lane(data, lane, write) {
   const isWhole = data.kind === 'int';
   const slider = document.createElement('input');
@@ -105,7 +104,7 @@ function switchFace(data, write) {
   };
 }
 
-/** A colour; its fourth number is how opaque it is. @param {ControlData} data @param {(value: number[]) => void} write @param {() => number[]} read @returns {Face} */
+/** A colour picker; the fourth component is the opacity. @param {ControlData} data @param {(value: number[]) => void} write @param {() => number[]} read @returns {Face} */
 function colorFace(data, write, read) {
   const picker = document.createElement('input');
   picker.type = 'color';
@@ -128,7 +127,7 @@ function colorFace(data, write, read) {
   };
 }
 
-/** A place in the plane: a pad, and both numbers. @param {ControlData} data @param {(value: number[]) => void} write @param {() => number[]} read @returns {Face} */
+/** A position: a pad and two sliders. @param {ControlData} data @param {(value: number[]) => void} write @param {() => number[]} read @returns {Face} */
 function pointFace(data, write, read) {
   const pad = make('div', '', 'pad');
   const dot = make('i');
@@ -175,9 +174,9 @@ function choiceFace(data, write) {
   };
 }
 
-/** Something that happens for one frame. @param {ControlData} data @param {(value: number[]) => void} write @returns {Face} */
+/** A button for an event of one frame. @param {ControlData} data @param {(value: number[]) => void} write @returns {Face} */
 function eventFace(data, write) {
-  const button = makeButton('fire', () => {
+  const button = makeButton('Trigger', () => {
     write([1]);
     requestAnimationFrame(() => requestAnimationFrame(() => write([0])));
   }, data.name);
@@ -187,7 +186,7 @@ function eventFace(data, write) {
 /** @type {Record<string, (data: ControlData, write: (value: number[]) => void, read: () => number[]) => Face>} */
 const FACES = { float: sliderFace, int: sliderFace, vector: sliderFace, bool: switchFace, color: colorFace, point: pointFace, choice: choiceFace, event: eventFace };
 
-/** A control with its name and its way back. @param {Control} control */
+/** A control with its name and reset button. @param {Control} control */
 function controlRow(control) {
   const { data } = control;
   const row = make('div', '', 'control');
@@ -200,7 +199,7 @@ function controlRow(control) {
   };
   const read = () => control.read() ?? data.value;
   const face = (FACES[data.kind] ?? sliderFace)(data, write, read);
-  const reset = makeButton('↺', () => write([...data.value]), `reset ${data.name}`);
+  const reset = makeButton('↺', () => write([...data.value]), `Reset ${data.name}`);
   reset.className = 'undo';
   const show = () => {
     const value = control.read();
@@ -220,7 +219,7 @@ function controlRow(control) {
   return { row, show };
 }
 
-/** Sets what the address asks for. @param {Control[]} controls */
+/** Applies the values in the URL. @param {Control[]} controls */
 function takeFromAddress(controls) {
   const { values } = readAddress();
   for (const { data, write } of controls) {
@@ -239,7 +238,7 @@ function showSliders(player) {
   const box = element('sliders', HTMLElement);
   box.append(...rows.map((r) => r.row));
   if (rows.length > 1) {
-    const resetAll = makeButton('reset all', () => {
+    const resetAll = makeButton('Reset all', () => {
       controls.forEach((c) => {
         c.write([...c.data.value]);
         keepInAddress({ [`u.${c.data.name}`]: null });

@@ -1,9 +1,9 @@
-// Small helpers over the document.
+// DOM helpers.
 
 /** @template {HTMLElement} T @param {string} id @param {new () => T} type @returns {T} */
 function element(id, type) {
   const found = document.getElementById(id);
-  if (!(found instanceof type)) throw new Error(`the page has no ${id}`);
+  if (!(found instanceof type)) throw new Error(`the page has no element #${id}`);
   return found;
 }
 
@@ -18,7 +18,7 @@ function make(tag, text = '', className = '') {
   return node;
 }
 
-/** Words in which code stands between backticks. @param {string} tag @param {string} words @param {string} [className] */
+/** Text with code in backticks. @param {string} tag @param {string} words @param {string} [className] */
 function makeWords(tag, words, className) {
   const node = make(tag, '', className);
   words.split(/\x60([^\x60]+)\x60/).forEach((part, i) => node.append(i % 2 ? make('code', part) : part));
@@ -38,7 +38,7 @@ function makeButton(text, act, title = '') {
   return button;
 }
 
-/** A link to another site; only https: becomes one. @param {string} address @param {string} text */
+/** A link to another site; only for https: URLs. @param {string} address @param {string} text */
 function makeLink(address, text) {
   if (!/^https:\/\/[^\s"<>]+$/i.test(address)) return document.createTextNode(text);
   const link = document.createElement('a');
@@ -58,18 +58,18 @@ function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-/** A name for what is saved: the title in letters that every disk takes. @param {Player} player @param {string} ending */
+/** The file name of a download: the title, reduced to letters and digits. @param {Player} player @param {string} ending */
 function fileName(player, ending) {
   const words = player.project.title.normalize('NFKD').match(/[\p{L}\p{N}]+/gu) ?? ['shader'];
   return `${words.join('-').slice(0, 60)}-${player.clock.time.toFixed(2)}s.${ending}`;
 }
 
-/** Puts text where it can be pasted from. @param {string} text */
+/** Copies text to the clipboard. @param {string} text */
 async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    // A frame without the permission still has the older way.
+    // Fallback for a frame without the permission.
     const area = document.createElement('textarea');
     area.value = text;
     document.body.append(area);

@@ -1,7 +1,7 @@
-// A text area in colours. It is as native as any, undo and all; what is seen of its text is painted
-// behind it, and only the lines in view, so that long texts stay quick.
+// A text area with syntax highlighting. It remains a native text area, including undo; the visible text is
+// painted behind it. Only lines in view are painted, so long texts stay fast.
 
-/** Height of a line, as the style has it. */
+/** Line height in pixels, as in the style sheet. */
 const LINE = 20;
 
 /** @typedef {{line: number, words: string}} LineMark lines from 1 */
@@ -10,7 +10,7 @@ class Editor {
   /** @param {string} name @param {(text: string) => void} onInput */
   constructor(name, onInput) {
     this.area = document.createElement('textarea');
-    this.area.setAttribute('aria-label', `code of ${name}`);
+    this.area.setAttribute('aria-label', `Code of ${name}`);
     this.area.spellcheck = false;
     this.area.wrap = 'off';
     this.area.setAttribute('autocapitalize', 'off');
@@ -43,7 +43,7 @@ class Editor {
     this.paint();
   }
 
-  /** Puts another text in, and leaves the cursor where it was. @param {string} text */
+  /** Replaces the text and keeps the cursor position. @param {string} text */
   set(text) {
     const [start, end] = changed(this.area.value, text);
     const tail = this.area.value.length - end;
@@ -77,7 +77,7 @@ class Editor {
     for (let i = first; i < last; i++) {
       const words = this.marks.get(i + 1);
       const row = make('div', '', words === undefined ? '' : 'bad');
-      // A line of many thousand letters is painted as far as a screen may show it.
+      // Long lines are painted only as far as a screen can show them.
       row.append(...colored(this.lines[i].slice(0, 2000), this.starts[i]));
       if (words) row.append(make('i', `   ${words}`));
       rows.push(row);
@@ -89,7 +89,7 @@ class Editor {
     this.numbers.style.transform = `translateY(${first * LINE - scrollTop}px)`;
   }
 
-  /** Tab and Enter indent; what they insert can be undone like what is typed. @param {KeyboardEvent} event */
+  /** Tab and Enter indent; the inserted text can be undone. @param {KeyboardEvent} event */
   #key(event) {
     const { area } = this;
     if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;

@@ -1,16 +1,16 @@
-// What is wrong with the code: what the checker found where it knows more, else the browser's words.
+// Errors in the code: those of the checker if they are available, otherwise those of the browser.
 
 /**
  * @typedef {object} Problem
- * @property {string} place where it is, in words
+ * @property {string} place the position as text
  * @property {string} words
- * @property {string} rule its name; empty for the browser's words
- * @property {number} file index of the text; -1 where it is in none of the user's
- * @property {Mark[]} marks the first is where it is
+ * @property {string} rule its name; empty for errors of the browser
+ * @property {number} file index of the text; -1 if it is not in the user's code
+ * @property {Mark[]} marks the primary mark first
  * @property {string[]} notes
  */
 
-/** The texts as the page came with them: what the checker said holds for these. @type {string[]} */
+/** The original texts, for which the findings of the checker are valid. @type {string[]} */
 const checkedTexts = [];
 
 /** @param {Player} player @param {FindingData} finding @returns {Problem} */
@@ -30,7 +30,7 @@ function problemOfError(player, error) {
   return { place, words: error.text, rule: '', file, marks, notes: [] };
 }
 
-/** All that is wrong now. @param {Player} player @returns {Problem[]} */
+/** All current errors. @param {Player} player @returns {Problem[]} */
 function problems(player) {
   const { project, compiled } = player;
   /** @param {FindingData} finding */
@@ -52,7 +52,7 @@ function problems(player) {
   ];
 }
 
-/** A problem as it is shown. @param {Player} player @param {Problem} problem @param {(() => void) | null} goTo */
+/** The DOM node of a problem. @param {Player} player @param {Problem} problem @param {(() => void) | null} goTo */
 function problemNode(player, problem, goTo) {
   const node = make('article');
   const head = make('p');
@@ -65,7 +65,7 @@ function problemNode(player, problem, goTo) {
   return node;
 }
 
-/** Shows what is wrong over the picture, unless the code is open, which shows it too. @param {Player} player */
+/** Shows errors over the image, unless the code tab is open, which shows them too. @param {Player} player */
 function showErrors(player) {
   const box = element('errors', HTMLElement);
   const badge = element('wrong', HTMLButtonElement);
@@ -84,11 +84,11 @@ function showErrors(player) {
     if (box.hidden) return;
     const head = make('header');
     head.append(make('h2', count));
-    if (all.some((p) => p.file >= 0) && canOpenPanel()) head.append(makeButton('edit', () => openTab('code')));
+    if (all.some((p) => p.file >= 0) && canOpenPanel()) head.append(makeButton('Edit', () => openTab('code')));
     head.append(makeButton('×', () => {
       isClosed = true;
       show();
-    }, 'close'));
+    }, 'Close'));
     box.replaceChildren(head, ...all.map((problem) => problemNode(player, problem, null)));
   };
   badge.addEventListener('click', () => {

@@ -1,11 +1,11 @@
-// Lines of code with what is said of them: carets under the place, and words behind the carets.
+// Code excerpts with carets under the labelled spans, and the labels after the carets.
 
 /** @param {string} text @returns {string[]} */
 function linesOf(text) {
   return text.split(/\r\n|\r|\n/);
 }
 
-/** Where an offset lies. @param {string} text @param {number} offset @returns {[number, number]} line from 1, column from 0 */
+/** The position of an offset. @param {string} text @param {number} offset @returns {[number, number]} line from 1, column from 0 */
 function placeAt(text, offset) {
   const before = linesOf(text.slice(0, offset));
   return [before.length, before[before.length - 1].length];
@@ -13,7 +13,7 @@ function placeAt(text, offset) {
 
 /** @typedef {{line: number, column: number, length: number, words: string}} Mark length 0: the line alone */
 
-/** A label's place as its line knows it. @param {string} text @param {LabelData} label @returns {Mark} */
+/** Converts a label to a mark in its line. @param {string} text @param {LabelData} label @returns {Mark} */
 function markOf(text, label) {
   const [line, column] = placeAt(text, label.start);
   const rest = linesOf(text.slice(label.start, label.end))[0];
@@ -21,7 +21,7 @@ function markOf(text, label) {
 }
 
 /**
- * Where a compiler's error is: at its token, if that stands in the line just once.
+ * The mark of a compile error: its token, if that occurs exactly once in the line.
  * @param {string} text @param {number} line @param {string} token
  * @returns {Mark}
  */
@@ -34,12 +34,12 @@ function markToken(text, line, token) {
   return { line, column, length: found.length === 1 ? token.length : 0, words: '' };
 }
 
-/** The lines with their marks. @param {string} text @param {Mark[]} marks the first is the one that matters */
+/** The lines with their marks. @param {string} text @param {Mark[]} marks the primary mark first */
 function excerpt(text, marks) {
   const lines = linesOf(text);
   const box = make('pre', '', 'excerpt');
   const numbers = [...new Set(marks.map((m) => m.line))].sort((a, b) => a - b);
-  // What a screen shows of a line.
+  // Number of visible columns.
   const room = narrow.matches ? 44 : 110;
   const width = String(numbers[numbers.length - 1] ?? '').length;
   numbers.forEach((number, i) => {

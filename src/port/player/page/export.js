@@ -1,18 +1,18 @@
-// What can be taken away: pictures, films, the address, the shaders, a module.
+// Export: images, videos, the URL, shaders, a module.
 
 /** @param {Player} player */
 function savePicture(player) {
   player.canvas.toBlob((blob) => blob && save(blob, fileName(player, 'png')));
 }
 
-/** A line of a form. @param {string} words @param {HTMLElement} control */
+/** A labelled control of a form. @param {string} words @param {HTMLElement} control */
 function field(words, control) {
   const label = make('label', '', 'field');
   label.append(make('span', words), control);
   return label;
 }
 
-/** @param {[string, string][]} options value and words */
+/** @param {[string, string][]} options value and label */
 function choice(options) {
   const select = document.createElement('select');
   for (const [value, words] of options) select.add(new Option(words, value));
@@ -27,14 +27,14 @@ function checkBox(isOn) {
   return box;
 }
 
-/** The form for films; what it gives starts one, or stops the one that is made. @param {Player} player @param {HTMLElement} parent */
+/** The form for recording a video; its button starts or stops the recording. @param {Player} player @param {HTMLElement} parent */
 function showFilm(player, parent) {
   const seconds = document.createElement('input');
   Object.assign(seconds, { type: 'number', min: '0.1', max: '600', step: 'any', value: '10', name: 'seconds' });
   const rate = choice([['24', '24'], ['25', '25'], ['30', '30'], ['50', '50'], ['60', '60']]);
   rate.value = '60';
   rate.name = 'rate';
-  const size = choice([['', 'as shown'], ['1280x720', '1280 × 720'], ['1920x1080', '1920 × 1080'], ['1080x1080', '1080 × 1080'], ['1080x1920', '1080 × 1920'], ['3840x2160', '3840 × 2160']]);
+  const size = choice([['', 'Current size'], ['1280x720', '1280 × 720'], ['1920x1080', '1920 × 1080'], ['1080x1080', '1080 × 1080'], ['1080x1920', '1080 × 1920'], ['3840x2160', '3840 × 2160']]);
   size.name = 'size';
   const sound = checkBox(true);
   const start = checkBox(false);
@@ -42,13 +42,13 @@ function showFilm(player, parent) {
   start.name = 'from start';
   const progress = document.createElement('progress');
   progress.hidden = true;
-  progress.setAttribute('aria-label', 'how much of the film is made');
+  progress.setAttribute('aria-label', 'Recording progress');
   /** @type {FilmRun | null} */
   let run = null;
   const barButton = element('record', HTMLButtonElement);
-  const go = makeButton('record', () => void toggle());
+  const go = makeButton('Record', () => void toggle());
   go.className = 'main';
-  const soundField = field('with sound', sound);
+  const soundField = field('With sound', sound);
   const toggle = async () => {
     if (run) {
       run.isStopped = true;
@@ -68,7 +68,7 @@ function showFilm(player, parent) {
       isStopped: false,
       tell: (share) => {
         progress.value = share;
-        barButton.title = `stop; ${Math.round(100 * share)} % of the film is made`;
+        barButton.title = `Stop recording (${Math.round(100 * share)}% done)`;
       },
     };
     show();
@@ -76,26 +76,26 @@ function showFilm(player, parent) {
       const made = await film(player, order, run);
       save(made, made.type.includes('mp4') ? name.replace(/webm$/, 'mp4') : name);
     } catch (error) {
-      flash(`the film cannot be made: ${error instanceof Error ? error.message : error}`);
+      flash(`Cannot record the video: ${error instanceof Error ? error.message : error}`);
     }
     run = null;
     show();
   };
   const show = () => {
     barButton.setAttribute('aria-pressed', String(run !== null));
-    barButton.title = run ? 'stop' : 'record a film';
-    go.textContent = run ? 'stop' : 'record';
+    barButton.title = run ? 'Stop recording' : 'Record a video';
+    go.textContent = run ? 'Stop' : 'Record';
     progress.hidden = run === null;
     soundField.hidden = !player.hasSound;
   };
   barButton.addEventListener('click', () => void toggle());
   barButton.hidden = typeof VideoEncoder === 'undefined' && typeof MediaRecorder === 'undefined';
-  parent.append(make('h2', 'Film'), field('seconds', seconds), field('frames a second', rate), field('size', size), soundField, field('from the start', start), go, progress);
+  parent.append(make('h2', 'Video'), field('Seconds', seconds), field('Frames per second', rate), field('Size', size), soundField, field('From the start', start), go, progress);
   player.listeners.push(show);
   show();
 }
 
-/** The module that this page would be, with the code as it is now. @param {Player} player */
+/** This page as a module, with the current code. @param {Player} player */
 function moduleText(player) {
   const own = document.scripts[document.scripts.length - 1].textContent ?? '';
   const [, behind = ''] = own.split("'use strict';\n");
@@ -115,12 +115,12 @@ function showExport(player) {
   const copier = (what, text) => makeButton(what, () => void copy(text()).then(() => flash(`${what} copied`)));
   const { passes } = player.project;
   const pass = choice(passes.map((p, i) => [String(i), p.name || p.kind]));
-  pass.setAttribute('aria-label', 'pass');
+  pass.setAttribute('aria-label', 'Pass');
   pass.hidden = passes.length < 2;
   const row = make('div', '', 'row');
-  row.append(copier('link', () => addressOfNow(player)), copier('GLSL', () => passSource(player.project, passes[Number(pass.value)])), pass, copier('module', () => moduleText(player)));
-  const picture = makeButton('save', () => savePicture(player));
-  box.append(make('h2', 'Copy'), row, make('h2', 'Picture'), picture);
+  row.append(copier('Link', () => addressOfNow(player)), copier('GLSL', () => passSource(player.project, passes[Number(pass.value)])), pass, copier('Module', () => moduleText(player)));
+  const picture = makeButton('Save', () => savePicture(player));
+  box.append(make('h2', 'Copy'), row, make('h2', 'Image'), picture);
   element('shot', HTMLButtonElement).addEventListener('click', () => savePicture(player));
   showFilm(player, box);
 }

@@ -1,5 +1,5 @@
-// Films: frame by frame where the browser encodes itself, as time goes by where it does not or where
-// what is drawn comes from a film, a device or music.
+// Video recording: frame by frame with WebCodecs; in real time if these are not available or if the shader
+// reads a video, a device or music.
 
 /** @typedef {{seconds: number, rate: number, size: [number, number] | null, hasSound: boolean, isFromStart: boolean}} FilmOrder */
 /** @typedef {{isStopped: boolean, tell: (share: number) => void}} FilmRun */
@@ -12,7 +12,7 @@ function isLive(player) {
   return inputs.some((i) => i && LIVE_KINDS.includes(i.kind) && (i.urls || i.kind === 'webcam' || i.kind === 'mic'));
 }
 
-/** The encoder's settings; null where nothing fits. @param {number} width @param {number} height @param {number} rate */
+/** Settings for the encoder; null if none is supported. @param {number} width @param {number} height @param {number} rate */
 async function videoSettings(width, height, rate) {
   if (typeof VideoEncoder === 'undefined') return null;
   const bitrate = Math.min(40e6, Math.max(2e6, 0.15 * width * height * rate));
@@ -24,7 +24,7 @@ async function videoSettings(width, height, rate) {
   return null;
 }
 
-/** Waits a little, so that the page lives meanwhile. @param {number} [ms] */
+/** Waits, to keep the page responsive. @param {number} [ms] */
 function pauseFor(ms = 0) {
   return new Promise((resolve) => setTimeout(resolve, ms));
 }
@@ -108,7 +108,7 @@ async function encodeSound(player, start, seconds) {
   return { chunks, track: { codec: 'A_OPUS', rate, channels: 2, head } };
 }
 
-/** What is seen and heard while time goes by. @param {Player} player @param {FilmOrder} order @param {FilmRun} run @returns {Promise<Blob>} */
+/** Records image and sound in real time. @param {Player} player @param {FilmOrder} order @param {FilmRun} run @returns {Promise<Blob>} */
 async function filmLive(player, order, run) {
   const stream = player.canvas.captureStream(order.rate);
   if (order.hasSound) {
@@ -137,12 +137,12 @@ async function filmLive(player, order, run) {
   return new Blob(parts, { type: recorder.mimeType });
 }
 
-/** Makes a film; everything is as it was afterwards. @param {Player} player @param {FilmOrder} order @param {FilmRun} run */
+/** Records a video and restores the state of the player. @param {Player} player @param {FilmOrder} order @param {FilmRun} run */
 async function film(player, order, run) {
   const { clock, isPlaying } = player;
   const before = { time: clock.time, number: clock.number };
   canvasSize.isHeld = true;
-  // Encoders take even sizes only.
+  // Encoders require even sizes.
   const [width, height] = (order.size ?? [player.canvas.width, player.canvas.height]).map((v) => Math.max(2, v & ~1));
   player.resize(width, height);
   try {

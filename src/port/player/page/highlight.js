@@ -1,10 +1,10 @@
-// The colours of the code.
+// Syntax highlighting.
 
 const GLSL_TYPE = /^(?:void|bool|float|u?int|[biu]?vec[234]|mat[234](?:x[234])?|[iu]?sampler\w+)$/;
 const GLSL_WORD = /^(?:const|in|out|inout|uniform|struct|if|else|for|while|do|switch|case|default|break|continue|return|discard|true|false|precision|highp|mediump|lowp|flat|smooth|centroid|layout|invariant)$/;
 const GLSL_TOKEN = /(\/\/.*|\/\*[\s\S]*?(?:\*\/|$))|(^\s*#\s*\w*)|(0[xX][\da-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?[fuFU]?)|([A-Za-z_]\w*)/g;
 
-/** What kind of word it is. @param {string} word @param {string} rest what stands behind it */
+/** The class of a word. @param {string} word @param {string} rest the text after it */
 function wordKind(word, rest) {
   if (GLSL_TYPE.test(word)) return 'type';
   if (GLSL_WORD.test(word)) return 'word';
@@ -12,7 +12,7 @@ function wordKind(word, rest) {
   return /^\s*\(/.test(rest) ? 'call' : '';
 }
 
-/** Whether each line of a text begins inside a comment. @param {string} text */
+/** By line: whether it starts inside a comment. @param {string} text */
 function commentStarts(text) {
   const starts = [false];
   let inside = '';
@@ -27,7 +27,7 @@ function commentStarts(text) {
   return starts;
 }
 
-/** A line in its colours. @param {string} line @param {boolean} isInComment @returns {Node[]} */
+/** A highlighted line. @param {string} line @param {boolean} isInComment @returns {Node[]} */
 function colored(line, isInComment) {
   /** @type {Node[]} */
   const nodes = [];

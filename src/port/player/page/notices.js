@@ -1,12 +1,12 @@
-// Small notices on the picture, each of which can be taken away.
+// Dismissible notices on the image.
 
 /** @type {Map<string, HTMLElement>} */
 const notices = new Map();
-/** Those that the user has taken away, which do not come again. @type {Set<string>} */
+/** Names of dismissed notices, which are not shown again. @type {Set<string>} */
 const dismissed = new Set();
 
 /**
- * Says something on the picture. One of the same name is replaced.
+ * Shows a notice. It replaces a notice with the same name.
  * @param {string} name
  * @param {string} text
  * @param {{label: string, act: () => void}} [action]
@@ -19,7 +19,7 @@ function notify(name, text, action) {
   notice.append(makeButton('×', () => {
     dismissed.add(name);
     retract(name);
-  }, 'dismiss'));
+  }, 'Dismiss'));
   const old = notices.get(name);
   if (old?.textContent === notice.textContent) return;
   retract(name);
@@ -27,13 +27,13 @@ function notify(name, text, action) {
   element('notices', HTMLElement).append(notice);
 }
 
-/** Takes a notice away. @param {string} name */
+/** Removes a notice. @param {string} name */
 function retract(name) {
   notices.get(name)?.remove();
   notices.delete(name);
 }
 
-/** Says something for a few seconds. @param {string} text */
+/** Shows a notice for a few seconds. @param {string} text */
 function flash(text) {
   dismissed.delete('flash');
   retract('flash');

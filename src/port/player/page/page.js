@@ -1,6 +1,6 @@
 // The page around the player.
 
-/** Opens the player; where that fails, the page says why. @param {ProjectData} project */
+/** Opens the player, or shows why that fails. @param {ProjectData} project */
 function openPlayer(project) {
   try {
     return new Player(element('canvas', HTMLCanvasElement), project);
@@ -12,7 +12,7 @@ function openPlayer(project) {
   }
 }
 
-/** Starts, unless the address or the user's settings want it to stand; then a button does. @param {Player} player */
+/** Starts playing, unless the URL or the settings of the user prevent it; then a button starts it. @param {Player} player */
 function begin(player) {
   const asked = readAddress();
   const isCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -31,7 +31,7 @@ function begin(player) {
   return undefined;
 }
 
-/** Follows an address that the user edits. @param {Player} player */
+/** Applies changes of the URL. @param {Player} player */
 function followAddress(player) {
   window.addEventListener('hashchange', () => {
     const { time, isPaused } = readAddress();
@@ -40,7 +40,7 @@ function followAddress(player) {
   });
 }
 
-/** Builds the page around the project that it holds; gives its player, where there is one. */
+/** Builds the page for the embedded project. Returns its player, or null. */
 function openPage() {
   /** @type {ProjectData} */
   const project = JSON.parse(element('project', HTMLScriptElement).textContent ?? '');
@@ -74,7 +74,7 @@ function openPage() {
   return player;
 }
 
-/** What tests and pages around this one may use. @param {Player} player @param {Promise<void>} ready */
+/** The API for tests and embedding pages. @param {Player} player @param {Promise<void>} ready */
 function publicFace(player, ready) {
   return {
     ready,

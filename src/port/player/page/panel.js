@@ -1,4 +1,4 @@
-// The panel: beside the picture where there is room, a sheet from below on telephones.
+// The panel: next to the image, or a bottom sheet on phones.
 
 const TABS = [
   { id: 'tune', name: 'Controls' },
@@ -7,10 +7,10 @@ const TABS = [
   { id: 'export', name: 'Export' },
 ];
 
-/** Called when the panel opens, closes or shows something else. @type {(() => void)[]} */
+/** Called when the panel opens, closes or changes its tab. @type {(() => void)[]} */
 const panelListeners = [];
 const narrow = matchMedia('(max-width: 700px)');
-/** How large the user has made it; null while nobody has. @type {{width: number | null, height: number}} */
+/** The size set by the user; the width is null until then. @type {{width: number | null, height: number}} */
 const panelSize = { width: null, height: 0.5 };
 
 /** @param {string} id */
@@ -18,18 +18,18 @@ function isTabOpen(id) {
   return !element('panel', HTMLElement).hidden && !element(id, HTMLElement).hidden;
 }
 
-/** Whether this page has a panel at all. */
+/** Whether this page has a panel. */
 function canOpenPanel() {
   return readAddress().hasBar;
 }
 
-/** Gives the panel its room. */
+/** Lays out the panel. */
 function sizePanel() {
   const app = element('app', HTMLElement);
   const panel = element('panel', HTMLElement);
   const [width, height] = [app.clientWidth, app.clientHeight];
   const usual = isTabOpen('code') ? Math.min(Math.max(0.45 * width, 420), 760) : 340;
-  // A keyboard on the screen leaves little to the code.
+  // An on-screen keyboard leaves little room for the code.
   const share = height < 520 && document.activeElement instanceof HTMLTextAreaElement ? 0.9 : panelSize.height;
   const sheet = narrow.matches ? share * height : Math.min(panelSize.width ?? usual, width - 160);
   const dock = panel.hidden ? 0 : narrow.matches ? Math.min(sheet, 0.5 * height) : sheet;
@@ -45,7 +45,7 @@ function setPanel(isOpen) {
   const panel = element('panel', HTMLElement);
   const more = element('more', HTMLElement);
   if (!isOpen && panel.contains(document.activeElement)) more.focus();
-  // Full screen is the picture's alone.
+  // In full screen there is only the image.
   if (isOpen && document.fullscreenElement) void document.exitFullscreen();
   panel.hidden = !isOpen;
   more.setAttribute('aria-expanded', String(isOpen));
@@ -67,7 +67,7 @@ function openTab(id) {
   if (canOpenPanel()) setPanel(true);
 }
 
-/** The edge of the panel can be dragged, by keys too. @param {HTMLElement} grip */
+/** Makes the edge of the panel draggable, with the keyboard too. @param {HTMLElement} grip */
 function makeDraggable(grip) {
   const app = element('app', HTMLElement);
   /** @type {{at: number, size: number, time: number, last: number} | null} */
@@ -83,7 +83,7 @@ function makeDraggable(grip) {
   grip.addEventListener('pointermove', (event) => {
     if (!drag) return;
     const now = Math.max(0, drag.size + drag.at - along(event));
-    // Only the sheet moves; the picture gets its room when the drag ends.
+    // Only the sheet moves; the image is resized when the drag ends.
     app.style.setProperty('--sheet', `${now}px`);
   });
   const end = () => {
@@ -113,7 +113,7 @@ function makeDraggable(grip) {
   });
 }
 
-/** On telephones what the bar has no room for stands in the panel. */
+/** On phones, moves controls that do not fit into the bar to the panel. */
 function placeExtras() {
   const extras = element('extras', HTMLElement);
   if (narrow.matches) element('panel', HTMLElement).querySelector('header')?.append(extras);
@@ -121,18 +121,18 @@ function placeExtras() {
   sizePanel();
 }
 
-/** Whether there is anything to set. */
+/** Whether there are controls or channels. */
 function hasControls() {
   return element('tune', HTMLElement).querySelector('.control, .channel') !== null;
 }
 
-/** Shows the tabs that hold something. */
+/** Hides empty tabs. */
 function showTabs() {
   const [tune] = element('tabs', HTMLElement).children;
   if (tune instanceof HTMLElement) tune.hidden = !hasControls();
 }
 
-/** Arrows go from tab to tab, of which only the selected one is a stop for the Tab key. @param {HTMLElement} tabs */
+/** Arrow keys move between tabs; the Tab key stops only at the selected one. @param {HTMLElement} tabs */
 function goByArrows(tabs) {
   tabs.addEventListener('keydown', (event) => {
     const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
@@ -145,13 +145,13 @@ function goByArrows(tabs) {
   });
 }
 
-/** Shows which tab of a row is selected. @param {Element} tab @param {boolean} isSelected */
+/** Marks a tab as selected or not. @param {Element} tab @param {boolean} isSelected */
 function selectTab(tab, isSelected) {
   tab.setAttribute('aria-selected', String(isSelected));
   tab.setAttribute('tabindex', isSelected ? '0' : '-1');
 }
 
-/** The tabs, the way in and out, and the edge. */
+/** Sets up the tabs, the open and close buttons, and the edge. */
 function showPanel() {
   const tabs = element('tabs', HTMLElement);
   for (const { id, name } of TABS) {

@@ -1,7 +1,7 @@
-// Descriptions as their authors wrote them on the site: entities and tags like [b] and [url] become
-// text, and links to https: alone.
+// Descriptions from ShaderToy: entities and tags such as [b] and [url] are rendered; only https: URLs become
+// links.
 
-/** `&lt;` and its kind as the characters they stand for. @param {string} text */
+/** Decodes entities such as `&lt;`. @param {string} text */
 function decodeEntities(text) {
   return text.replace(/&(?:#\d{1,7}|#x[\da-f]{1,6}|[a-z][a-z\d]{1,30});/gi, (entity) => {
     const parsed = new DOMParser().parseFromString(entity, 'text/html');
@@ -9,7 +9,7 @@ function decodeEntities(text) {
   });
 }
 
-/** What stands for a tag of the site. @type {Record<string, string>} */
+/** HTML elements for the tags of ShaderToy. @type {Record<string, string>} */
 const PROSE_TAGS = { b: 'strong', i: 'em', u: 'u', code: 'code', quote: 'q' };
 
 /**
@@ -37,14 +37,14 @@ function prose(source) {
       inner.node.appendChild(node);
       open.push({ tag, node });
     } else if (inner.tag === tag) open.pop();
-    // A tag that ends nothing is what it looks like.
+    // An unmatched end tag is shown as text.
     else inner.node.appendChild(document.createTextNode(all));
   }
   open[open.length - 1].node.appendChild(document.createTextNode(text.slice(from)));
   return whole;
 }
 
-/** Who made the shader. @param {ProjectData} project */
+/** Shows title, author, licence and description. @param {ProjectData} project */
 function showAbout(project) {
   const title = decodeEntities(project.title);
   document.title = title || 'shader';

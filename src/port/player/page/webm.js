@@ -1,4 +1,4 @@
-// WebM files: what an encoder gives, in the boxes that players expect.
+// Writes WebM files from encoded chunks.
 
 /** @typedef {{track: number, time: number, isKey: boolean, data: Uint8Array}} FilmChunk time in milliseconds */
 /** @typedef {{codec: string, width: number, height: number}} VideoTrack */
@@ -15,7 +15,7 @@ function bytes(...parts) {
   return out;
 }
 
-/** A whole number of so many bytes, the largest first. @param {number} value @param {number} count */
+/** An integer in a number of bytes, big-endian. @param {number} value @param {number} count */
 function wholeNumber(value, count) {
   return Array.from({ length: count }, (_, i) => Math.floor(value / 256 ** (count - 1 - i)) % 256);
 }
@@ -27,7 +27,7 @@ function realNumber(value) {
   return out;
 }
 
-/** A box: its number, its length in eight bytes, what it holds. @param {number} id @param {...(Uint8Array | number[])} parts */
+/** An EBML element: its id, its length in eight bytes, its content. @param {number} id @param {...(Uint8Array | number[])} parts */
 function box(id, ...parts) {
   const inside = bytes(...parts);
   const number = wholeNumber(id, id > 0xffffff ? 4 : id > 0xffff ? 3 : id > 0xff ? 2 : 1);
@@ -48,20 +48,20 @@ function tracks(video, audio) {
   const entries = [box(0xae, common(1, 1, video.codec), picture)];
   if (audio) {
     const sound = box(0xe1, box(0xb5, realNumber(audio.rate)), box(0x9f, [audio.channels]));
-    // How long a decoder of Opus takes to be in tune, in nanoseconds.
+    // Codec delay and seek pre-roll of Opus, in nanoseconds.
     const start = bytes(box(0x56aa, wholeNumber(6500000, 4)), box(0x56bb, wholeNumber(80000000, 4)));
     entries.push(box(0xae, common(2, 2, audio.codec), start, box(0x63a2, audio.head), sound));
   }
   return box(0x1654ae6b, ...entries);
 }
 
-/** Chunks that belong together: each group begins with a picture that needs no other. @param {FilmChunk[]} chunks */
+/** Groups chunks into clusters that start with a key frame. @param {FilmChunk[]} chunks */
 function clusters(chunks) {
   /** @type {FilmChunk[][]} */
   const groups = [];
   for (const chunk of chunks) {
     const last = groups[groups.length - 1];
-    // Times within a group have sixteen bits.
+    // Times within a cluster have 16 bits.
     if (!last || (chunk.track === 1 && chunk.isKey) || chunk.time - last[0].time > 30000) groups.push([chunk]);
     else last.push(chunk);
   }
@@ -72,13 +72,13 @@ function clusters(chunks) {
   });
 }
 
-/** The file. @param {VideoTrack} video @param {AudioTrack | null} audio @param {FilmChunk[]} chunks @param {number} duration milliseconds */
+/** Builds the file. @param {VideoTrack} video @param {AudioTrack | null} audio @param {FilmChunk[]} chunks @param {number} duration milliseconds */
 function webm(video, audio, chunks, duration) {
   const head = box(0x1a45dfa3, box(0x4286, [1]), box(0x42f7, [1]), box(0x42f2, [4]), box(0x42f3, [8]), box(0x4282, letters('webm')), box(0x4287, [4]), box(0x4285, [2]));
   const info = box(0x1549a966, box(0x2ad7b1, wholeNumber(1000000, 4)), box(0x4d80, letters('shaderport')), box(0x5741, letters('shaderport')), box(0x4489, realNumber(duration)));
   const all = clusters([...chunks].sort((a, b) => a.time - b.time || a.track - b.track));
   const body = tracks(video, audio);
-  /** Where each group begins, so that one can jump. @param {number} from */
+  /** Positions of the clusters, for seeking. @param {number} from */
   const cues = (from) => {
     let at = from;
     return box(0x1c53bb6b, ...all.map(({ start, data }) => {

@@ -1,11 +1,11 @@
--- shaderlint for nvim-lint. Put this file into ~/.config/nvim/lua/lint/linters/, then
+-- shaderlint for nvim-lint. Copy this file to ~/.config/nvim/lua/lint/linters/, then
 --
 --   require('lint').linters_by_ft = { glsl = { 'shaderlint' } }
 --   vim.api.nvim_create_autocmd({ 'BufEnter', 'InsertLeave', 'TextChanged' }, {
 --     callback = function() require('lint').try_lint() end,
 --   })
 --
--- The text is handed over as it stands in the buffer, saved or not.
+-- The contents of the buffer are checked, saved or not.
 
 local severities = {
   error = vim.diagnostic.severity.ERROR,
@@ -39,7 +39,7 @@ return {
     local found = {}
     local name = vim.api.nvim_buf_get_name(bufnr)
     for _, finding in ipairs(vim.json.decode(output).diagnostics) do
-      -- A finding in an included file is none of this buffer, nor one inside an export.
+      -- Findings in included files and in passes of exports have no position in this buffer.
       if finding.file == name and not finding.pass then
         local line, column = place(finding.start)
         local end_line, end_column = place(finding['end'])

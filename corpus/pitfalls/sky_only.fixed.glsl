@@ -1,11 +1,11 @@
-// The camera stands between the pillars.
-const vec3 ORIGIN = vec3(2.5, 1.5, -3.5);
+// The camera looks at the scene.
+const vec3 ORIGIN = vec3(2.5, 1.5, -14.5);
 
 bool full(ivec3 c) {
-    return c.y < 0 || c.y < 3 && (c.x & 3) == 0 && (c.z & 3) == 0;
+    return abs(c.x) < 8 && abs(c.z) < 8 && c.y < 0;
 }
 
-// The first full cell along a ray: how far away it is, and the side that the ray comes to.
+// The first solid cell along a ray: its distance, and the side that the ray hits.
 float castRay(vec3 origin, vec3 direction, int steps, out vec3 normal) {
     ivec3 cell = ivec3(floor(origin));
     ivec3 go = ivec3(sign(direction));

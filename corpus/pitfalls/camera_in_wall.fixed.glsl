@@ -1,11 +1,11 @@
-// A closed cave with a lamp, and some light from everywhere.
-const vec3 ORIGIN = vec3(2.5, 0.5, -6.5);
+// The camera is between the pillars.
+const vec3 ORIGIN = vec3(2.5, 1.5, -3.5);
 
 bool full(ivec3 c) {
-    return any(greaterThan(abs(c), ivec3(9, 4, 9))) || (c.x & 3) == 0 && (c.z & 3) == 0 && c.y < 0;
+    return c.y < 0 || c.y < 3 && (c.x & 3) == 0 && (c.z & 3) == 0;
 }
 
-// The first full cell along a ray: how far away it is, and the side that the ray comes to.
+// The first solid cell along a ray: its distance, and the side that the ray hits.
 float castRay(vec3 origin, vec3 direction, int steps, out vec3 normal) {
     ivec3 cell = ivec3(floor(origin));
     ivec3 go = ivec3(sign(direction));
@@ -40,7 +40,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec3 sun = normalize(vec3(0.4, 0.8, -0.3));
         vec3 none;
         float lit = castRay(p, sun, 24, none) < 0.0 ? max(0.0, dot(normal, sun)) : 0.0;
-        color = vec3(0.55, 0.4, 0.3) * (lit * 1.2 + 0.25 + 4.0 / (1.0 + dot(p, p)));
+        color = vec3(0.55, 0.4, 0.3) * (lit + 0.3);
     }
     fragColor = vec4(color, 1.0);
 }

@@ -1,11 +1,11 @@
-// Houses in front of a low sun, with some light from everywhere.
-const vec3 ORIGIN = vec3(0.5, 1.5, -8.5);
+// A march of 48 steps.
+const vec3 ORIGIN = vec3(2.5, 1.5, -3.5);
 
 bool full(ivec3 c) {
-    return c.y >= 0 && c.y < 2 + (c.x * c.x & 3) && c.z > 2 && c.z < 5 && (c.x & 1) == 0;
+    return c.y < 0 || c.y < 3 && (c.x & 3) == 0 && (c.z & 3) == 0;
 }
 
-// The first full cell along a ray: how far away it is, and the side that the ray comes to.
+// The first solid cell along a ray: its distance, and the side that the ray hits.
 float castRay(vec3 origin, vec3 direction, int steps, out vec3 normal) {
     ivec3 cell = ivec3(floor(origin));
     ivec3 go = ivec3(sign(direction));
@@ -33,14 +33,14 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec3 direction = normalize(vec3(uv.x, uv.y - 0.13, 1.4));
     direction.xz = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * direction.xz;
     vec3 normal;
-    float t = castRay(ORIGIN, direction, 40, normal);
+    float t = castRay(ORIGIN, direction, 48, normal);
     vec3 color = vec3(0.5, 0.7, 0.9);
     if (t >= 0.0) {
         vec3 p = ORIGIN + direction * t + normal * 0.01;
         vec3 sun = normalize(vec3(0.4, 0.8, -0.3));
         vec3 none;
         float lit = castRay(p, sun, 24, none) < 0.0 ? max(0.0, dot(normal, sun)) : 0.0;
-        color = vec3(0.55, 0.4, 0.3) * (0.0 * lit + 0.35);
+        color = vec3(0.55, 0.4, 0.3) * (lit + 0.3);
     }
     fragColor = vec4(color, 1.0);
 }

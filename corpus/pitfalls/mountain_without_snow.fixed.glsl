@@ -1,4 +1,4 @@
-// Mountains of 15, coloured as such.
+// Mountains 15 high, coloured as such.
 float ridge(vec2 p) {
     return 7.5 + 7.5 * sin(p.x * 0.7) * cos(p.y * 0.9);
 }

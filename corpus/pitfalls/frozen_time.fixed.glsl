@@ -1,4 +1,4 @@
-// A time that goes on.
+// A time that is not rounded.
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 uv = fragCoord / iResolution.xy;
     float phase = fract(iTime * 0.25) * 6.2832;
