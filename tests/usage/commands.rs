@@ -139,7 +139,7 @@ fn reduce_keeps_a_rule_or_a_command_result() {
         (&["reduce", "c.frag", "--keep", "true"], "no `{}`"),
         (
             &["reduce", "c.frag", "--keep", "test -d {}"],
-            "does not exit with 0",
+            "does not exit with code 0",
         ),
         (&["reduce", "missing.frag"], "missing.frag"),
     ] {
