@@ -53,7 +53,7 @@ def diagnostics_have_related_information(case):
     related = [client.lines(r["location"]["uri"]).span(r["location"]["range"])
                for r in found["relatedInformation"]]
     holds((source["use"], source["use"] + 5) in related, "its use is not among the related locations", found)
-    contains(found["message"], "note: a directive ends with its line", "the message")
+    contains(found["message"], "note: preprocessor directives do not end with `;`", "the message")
 
 
 @test

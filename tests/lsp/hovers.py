@@ -74,7 +74,7 @@ def a_hover_has_the_comment_of_the_declaration(case):
 @test
 def a_hover_has_ranges_and_constants(case):
     client, source = opened(case)
-    contains(said(client, source, "wave")[0], "here: 0.0..1.0", "the hover")
+    contains(said(client, source, "wave")[0], "here: 0.0..=1.0", "the hover")
     contains(said(client, source, "steps")[0], "constant: `8`", "the hover")
     text = said(client, source, "sky")[0]
     contains(text, "(0.2, 0.4, 0.8)", "the hover")

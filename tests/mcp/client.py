@@ -244,7 +244,7 @@ async def test_port_writes_pages_without_overwriting(tools):
     assert tools.read("page.html").startswith("<!doctype html>")
     assert "already exists" in await tools.bad("port", path=name, output="page.html")
     await tools.good("port", path=name, output="page.html", force=True)
-    assert "name an `output`" in await tools.bad("port", path=name, target="html")
+    assert "pass `output` to write files" in await tools.bad("port", path=name, target="html")
     assert "possible values" in await tools.bad("port", path=name, target="cobol")
 
 
