@@ -130,9 +130,7 @@ fn is_name(program: &Program, word: &str) -> Result<(), RenameRefusal> {
         return refused(format!("`{word}` is a keyword or reserved word"));
     }
     if word.starts_with("gl_") || word.contains("__") {
-        return refused(format!(
-            "names that start with `gl_` or contain `__` are reserved"
-        ));
+        return refused("names that start with `gl_` or contain `__` are reserved");
     }
     Ok(())
 }
