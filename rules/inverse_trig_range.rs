@@ -43,7 +43,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         of,
         (&range, side),
         format!(
-            "argument of `{}` {is} outside -1.0..1.0: its value is {range}",
+            "argument of `{}` {is} outside -1.0..=1.0: its value is {range}",
             call.function.name()
         ),
     )

@@ -162,12 +162,12 @@ fn pitfalls_have_recorded_output_and_a_fixed_twin() {
             assert!(text.starts_with("All checks passed ("), "{name}: {text}");
             continue;
         }
-        let mended = name.replace(".glsl", ".fixed.glsl");
-        assert!(folder.join(&mended).is_file(), "{name} has no fixed twin");
+        let fixed = name.replace(".glsl", ".fixed.glsl");
+        assert!(folder.join(&fixed).is_file(), "{name} has no fixed twin");
         let first = text.lines().next().unwrap_or("");
         assert!(first.contains("]: "), "no finding for {name}");
         table.push_str(&format!(
-            "| [{name}]({name}), [output]({name}.txt) | [{mended}]({mended}) | {first} |\n"
+            "| [{name}]({name}), [output]({name}.txt) | [{fixed}]({fixed}) | {first} |\n"
         ));
         stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
     }

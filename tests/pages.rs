@@ -7,7 +7,7 @@
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
 use shaderlint::host::{Feed, presets};
-use shaderlint::lint::trial::{INSTANTS, SIZE, TrialLimit};
+use shaderlint::lint::trial::{INSTANTS, SIZE, TrialLimit, grouped};
 use shaderlint::lint::{Allow, Check, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
@@ -222,23 +222,11 @@ fn sampled(name: &str) -> Option<String> {
     let times = INSTANTS.map(|i| i.time.to_string());
     let (last, first) = times.split_last()?;
     let first = first.join(", ");
-    let pixels = columns(&TrialLimit::default().pixels.to_string());
+    let pixels = grouped(TrialLimit::default().pixels.into());
     Some(format!(
         "Found in a [sample run](../docs/sampling.md): up to {pixels} pixels of a {width}x{height} frame, \
         at {first} and {last} s."
     ))
-}
-
-/// The digits of a number, in groups of three.
-fn columns(digits: &str) -> String {
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// A page with its generated paragraphs: the head, and what is sampled.
@@ -474,12 +462,8 @@ fn rules(folder: &str) -> String {
     );
     for rule in RULES {
         let page = Page::new(rule.page);
-        let has = |kind| page.fences.iter().any(|f| f.kind == kind);
-        let fix = match (has(FenceKind::Fixed), has(FenceKind::Suggested)) {
-            (true, _) => "safe",
-            (false, true) => "unsafe",
-            (false, false) => "",
-        };
+        let fix = page.head.split("**Fix:** ").nth(1).unwrap_or("");
+        let fix = fix.split(' ').next().unwrap_or("").replace("none", "");
         let row = [
             format!(
                 "[{}]({folder}{}.md)",
@@ -489,7 +473,7 @@ fn rules(folder: &str) -> String {
             rule.group.name().to_string(),
             rule.severity.name().to_string(),
             if rule.default { "on" } else { "off" }.to_string(),
-            fix.to_string(),
+            fix,
             page.summary.replace('|', "\\|"),
         ];
         text.push_str(&format!("| {} |\n", row.join(" | ")));

@@ -27,8 +27,9 @@ pub fn write(
     };
     result.map_err(io::Error::other)?;
     // codespan-reporting calls its lowest severity a note.
-    let note = text.windows(NOTE.len()).position(|part| part == NOTE);
-    if let (Severity::Info, Some(at)) = (diagnostic.severity, note) {
+    if diagnostic.severity == Severity::Info
+        && let Some(at) = text.windows(NOTE.len()).position(|part| part == NOTE)
+    {
         text.splice(at..at + NOTE.len(), INFO.iter().copied());
     }
     out.write_all(&text)

@@ -20,7 +20,7 @@ mod xml;
 
 pub use fingerprint::fingerprints;
 pub use human::render;
-pub use sarif::Pages;
+pub use sarif::{Pages, RulePage};
 pub use summary::{ReadAs, Scope, Summary};
 
 use place::clean;

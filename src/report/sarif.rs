@@ -7,7 +7,15 @@ use shaderlint_text::{Edit, Sources, Span};
 use std::io::{self, Write};
 
 /// Returns the documentation of a rule or a compile error by name.
-pub type Pages = fn(&str) -> Option<&'static str>;
+pub type Pages = fn(&str) -> Option<RulePage>;
+
+/// The documentation of a rule.
+pub struct RulePage {
+    /// One sentence.
+    pub summary: String,
+    /// The page after its title, in Markdown.
+    pub body: &'static str,
+}
 
 /// Writes everything before the first finding.
 pub fn begin(out: &mut impl Write) -> io::Result<()> {
@@ -157,13 +165,9 @@ fn rule(name: &str, pages: Pages) -> Value {
     let Some(page) = pages(name) else {
         return json!({"id": name});
     };
-    let body = page.split_once('\n').map_or("", |(_, body)| body).trim();
-    // The first paragraph lists the properties of the rule.
-    let mut paragraphs = body.split("\n\n").filter(|p| !p.starts_with("**"));
-    let summary = paragraphs.next().unwrap_or("").replace('\n', " ");
     json!({
         "id": name,
-        "shortDescription": {"text": summary},
-        "help": {"text": summary, "markdown": body}
+        "shortDescription": {"text": page.summary},
+        "help": {"text": page.summary, "markdown": page.body}
     })
 }

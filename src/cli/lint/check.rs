@@ -122,7 +122,7 @@ fn reporter(
     let here = here.to_string_lossy().replace('\\', "/");
     let out = BufWriter::with_capacity(1 << 16, out);
     let reporter = Reporter::new(format, out, args.color.is_on())
-        .with_pages(explain::page)
+        .with_pages(explain::rule_page)
         .inside(&here);
     match args.talk() {
         Talk::Nothing | Talk::Findings => reporter.without_summary(),

@@ -5,6 +5,7 @@ use super::args::ListFormat;
 use crate::diagnostic::{ERRORS, Severity};
 use crate::host::{Preset, names as host_names, preset};
 use crate::lint::{OptionValue, Page, Renderer, rule_name};
+use crate::report::RulePage;
 use crate::rules::{RULES, error_page};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -39,6 +40,15 @@ pub fn explain(name: &str) -> io::Result<u8> {
 pub fn page(name: &str) -> Option<&'static str> {
     let rule = RULES.iter().find(|r| r.name == rule_name(name));
     rule.map(|r| r.page).or_else(|| error_page(name))
+}
+
+/// The page as SARIF shows it.
+pub fn rule_page(name: &str) -> Option<RulePage> {
+    let text = page(name)?;
+    Some(RulePage {
+        summary: Page::new(text).summary,
+        body: text.split_once('\n').map_or("", |(_, body)| body).trim(),
+    })
 }
 
 fn unknown(name: &str) -> String {

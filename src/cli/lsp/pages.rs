@@ -1,8 +1,7 @@
 //! The documentation of rules and errors as files, which every editor can open.
 
 use super::uri::uri_of;
-use crate::lint::rule_name;
-use crate::rules::{RULES, error_page};
+use crate::cli::lint::explain::page;
 use gen_lsp_types::Uri;
 use std::collections::HashMap;
 use std::fs;
@@ -20,12 +19,6 @@ struct MadePage {
     /// Created on first use, removed at exit.
     folder: Option<TempDir>,
     pages: HashMap<String, Option<Uri>>,
-}
-
-/// The page of a rule or a compile error.
-pub fn page(name: &str) -> Option<&'static str> {
-    let rule = RULES.iter().find(|r| r.name == rule_name(name));
-    rule.map(|r| r.page).or_else(|| error_page(name))
 }
 
 impl PageFiles {

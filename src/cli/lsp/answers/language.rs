@@ -1,7 +1,7 @@
 //! Hovers, completions and signature help.
 
-use super::super::pages::page;
 use super::super::snapshot::{Answer, Snapshot};
+use crate::cli::lint::explain::page;
 use crate::engine::Analysis;
 use crate::engine::play::Picture;
 use crate::ide::{self, CompletionKind, Proposal, Symbol, SymbolKind, picture_of};
