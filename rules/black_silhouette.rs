@@ -1,8 +1,8 @@
 //! Scenes in which no surface is lit.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Seen;
-use shaderlint_lint::trial::{SampledPixel, Trial};
+use shaderlint_exec::Observations;
+use shaderlint_lint::sample::{SampleRun, SampledPixel};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use std::collections::BTreeMap;
 
@@ -25,13 +25,13 @@ const SHARES: [f64; 2] = [0.03, 0.03];
 const NEARLY_ALL: f64 = 0.99;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
     if cx.facts.hits().is_empty() {
         return;
     }
-    let Some([black, lit]) = halves(cx, trial) else {
+    let Some([black, lit]) = halves(cx, sample_run) else {
         return;
     };
     for hit in cx.facts.hits() {
@@ -44,9 +44,9 @@ fn check(cx: &mut Context) {
             share(black.0, lit.0),
         ];
         if shares.iter().all(|share| *share >= NEARLY_ALL) {
-            let told = trial.told();
+            let note = sample_run.sampled_note();
             let finding = cx.report_op(hit.condition, "all surfaces hit by rays are black");
-            finding.note(told).help(
+            finding.note(note).help(
                 "add ambient light, such as a constant term of 0.2, or move the light to the \
                 visible side",
             );
@@ -62,12 +62,12 @@ fn share(some: u64, others: u64) -> f64 {
 
 /// What a run of the black quads shows, and one of the lit quads; `None` if there are too few of
 /// either at any instant.
-fn halves(cx: &Context, trial: &Trial) -> Option<[Seen; 2]> {
+fn halves(cx: &Context, sample_run: &SampleRun) -> Option<[Observations; 2]> {
     let (bench, supplier) = cx.facts.bench()?;
-    let mut seen = [Seen::default(), Seen::default()];
-    for shot in &trial.shots {
+    let mut seen = [Observations::default(), Observations::default()];
+    for frame in &sample_run.frames {
         let mut quads: BTreeMap<[u32; 2], [u32; 2]> = BTreeMap::new();
-        for pixel in shot.drawn() {
+        for pixel in frame.drawn() {
             let [lit, black] = quads.entry(pixel.at.map(|at| at & !1)).or_default();
             match is_black(&pixel) {
                 true => *black += 1,
@@ -82,7 +82,7 @@ fn halves(cx: &Context, trial: &Trial) -> Option<[Seen; 2]> {
             if (chosen.len() as f64) < least * all {
                 return None;
             }
-            let sampled = bench.sample(bench.watched(), supplier, &shot.instant, &chosen)?;
+            let sampled = bench.sample(bench.watched(), supplier, &frame.instant, &chosen)?;
             seen.add(sampled.seen);
         }
     }

@@ -14,16 +14,20 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let Some(told) = cx.facts.picture().map(|trial| trial.told()) else {
+    let Some(note) = cx
+        .facts
+        .sampled_image()
+        .map(|sample_run| sample_run.sampled_note())
+    else {
         return;
     };
     for stmt in cx.facts.stuck_marches() {
         let extent = cx.program.tree.stmt(stmt).extent;
-        cx.facts.tell_blank();
+        cx.facts.mark_blank();
         let head = cx.program.token(extent.first).map(|t| t.span);
         let message = "the camera is inside an object: nearly all rays stop at the first step";
         let finding = cx.report_span(head.unwrap_or_default(), message);
-        let finding = finding.note(told.clone());
+        let finding = finding.note(note.clone());
         finding.help("move the camera to an empty part of the scene");
     }
 }

@@ -73,7 +73,7 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     }
 }
 
-fn report(cx: &mut Context, whole: ExprId, before: ExprId, term: ExprId, is_and: bool) {
+fn report(cx: &mut Context, condition: ExprId, before: ExprId, term: ExprId, is_and: bool) {
     let program = cx.program;
     let [first, second] = [before, term].map(|t| program.expr_text(t).to_string());
     let (place, label) = (program.expr_span(before), program.expr_span(term));
@@ -82,7 +82,7 @@ fn report(cx: &mut Context, whole: ExprId, before: ExprId, term: ExprId, is_and:
         false => format!("`{first} || {second}` is always true"),
     };
     let other = if is_and { "||" } else { "&&" };
-    cx.report_expr(whole, message)
+    cx.report_expr(condition, message)
         .label(place, "first condition")
         .label(label, "second condition")
         .help(format!("did you mean `{other}`?"));
@@ -121,13 +121,13 @@ fn term(program: &Program, expr: ExprId, mut truth: bool) -> Option<Term> {
         .filter(|_| program.ty(left).is_scalar())?;
     let (subject, op, value) = match (program.scalar(left), program.scalar(right)) {
         (None, Some(value)) => (left, op, value),
-        (Some(value), None) => (right, turned(op), value),
+        (Some(value), None) => (right, flipped(op), value),
         _ => return None,
     };
     let op = if truth { op } else { negated(op)? };
     let set = Set::of(op, number(value))?;
     let is = match scalar {
-        Scalar::Int | Scalar::Uint => set.of_whole(),
+        Scalar::Int | Scalar::Uint => set.of_integers(),
         _ => set,
     };
     Some(Term {
@@ -165,7 +165,7 @@ impl Set {
     }
 
     /// The same set of integers with closed ends: `x > 1` is `x >= 2`.
-    fn of_whole(self) -> Set {
+    fn of_integers(self) -> Set {
         Set {
             lo: if self.without_lo {
                 self.lo + 1.0
@@ -211,7 +211,7 @@ fn number(value: Value) -> f64 {
     }
 }
 
-fn turned(op: BinaryOp) -> BinaryOp {
+fn flipped(op: BinaryOp) -> BinaryOp {
     match op {
         BinaryOp::Less => BinaryOp::Greater,
         BinaryOp::LessEqual => BinaryOp::GreaterEqual,

@@ -78,8 +78,8 @@ fn check_vector(cx: &mut Context, id: ExprId) {
     };
     let args = tree.args(args);
     let ty = program.ty(id);
-    let is_whole = ty.is_vector() && ty.components() as usize == args.len() && args.len() > 1;
-    if !is_whole || !cx.is_direct(id) {
+    let is_complete = ty.is_vector() && ty.components() as usize == args.len() && args.len() > 1;
+    if !is_complete || !cx.is_direct(id) {
         return;
     }
     let extents: Vec<Extent> = args.iter().map(|a| tree.expr(*a).extent).collect();

@@ -28,8 +28,8 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let is_plain = matches!(variable.storage, Storage::Local | Storage::Global)
         && declared.qualifiers.len == 0
         && declared.declarators.len() == 1;
-    let is_still = !variable.is_const && !cx.facts.writes().changes(declared.variable);
-    if !is_plain || !is_still || !program.expr(init).is_const {
+    let is_never_written = !variable.is_const && !cx.facts.writes().changes(declared.variable);
+    if !is_plain || !is_never_written || !program.expr(init).is_const {
         return;
     }
     if !program.is_direct(declared.extent) || !cx.facts.writes().is_read(declared.variable) {

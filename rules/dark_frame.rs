@@ -1,7 +1,7 @@
 //! Frames in which almost nothing is visible.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::trial::{Trial, TrialShot, luminance, percent, share};
+use shaderlint_lint::sample::{SampleFrame, SampleRun, luminance, percent, share};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -24,43 +24,46 @@ const LIT_SURFACE: f64 = 0.03;
 const SURFACE: f64 = 0.25;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
     // A constant colour is intended.
-    if trial.shows_a_number() || !cx.facts.is_computed() {
+    if sample_run.shows_a_number() || !cx.facts.is_computed() {
         return;
     }
-    let surfaces = |trial: &Trial| {
+    let surfaces = |sample_run: &SampleRun| {
         let seen = cx
             .facts
             .hits()
             .iter()
-            .filter_map(|hit| hit.seen(&trial.seen));
-        let most = seen.map(|(hits, _)| hits as f64 / trial.pixels.max(1) as f64);
+            .filter_map(|hit| hit.seen(&sample_run.seen));
+        let most = seen.map(|(hits, _)| hits as f64 / sample_run.pixels.max(1) as f64);
         most.fold(0.0, f64::max)
     };
-    let lit = |trial: &Trial| match surfaces(trial) >= SURFACE {
+    let lit = |sample_run: &SampleRun| match surfaces(sample_run) >= SURFACE {
         true => LIT_SURFACE,
         false => LIT,
     };
-    if !cx.facts.is_seen(|trial| is_dark(trial, lit(trial))) {
+    if !cx
+        .facts
+        .is_seen(|sample_run| is_dark(sample_run, lit(sample_run)))
+    {
         return;
     }
-    cx.facts.tell_blank();
-    let brightest = trial
+    cx.facts.mark_blank();
+    let brightest = sample_run
         .drawn()
         .map(|l| luminance(l.shown()))
         .fold(0.0, f32::max);
-    let told = trial.told();
+    let note = sample_run.sampled_note();
     let brightest = (brightest * 255.0).round();
-    let lit = share(trial.drawn(), |l| luminance(l.shown()) > DARK);
+    let lit = share(sample_run.drawn(), |l| luminance(l.shown()) > DARK);
     let message = match brightest {
         0.0 => "the image is black".to_string(),
         _ if lit > LIT => format!("{} of the image is nearly black", percent(1.0 - lit)),
         _ => format!("the image is nearly black: the maximum brightness is {brightest} of 255"),
     };
-    let finding = cx.report_picture(message).note(told);
+    let finding = cx.report_image(message).note(note);
     finding.help(
         "check for a light that reaches nothing, a colour multiplied by zero, or a camera that \
         faces away",
@@ -68,6 +71,7 @@ fn check(cx: &mut Context) {
 }
 
 /// Whether at most this share of the pixels is lit at every instant.
-fn is_dark(trial: &Trial, lit: f64) -> bool {
-    trial.all(|shot: &TrialShot| share(shot.drawn(), |l| luminance(l.shown()) > DARK) <= lit)
+fn is_dark(sample_run: &SampleRun, lit: f64) -> bool {
+    sample_run
+        .all(|frame: &SampleFrame| share(frame.drawn(), |l| luminance(l.shown()) > DARK) <= lit)
 }

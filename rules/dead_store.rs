@@ -77,19 +77,19 @@ fn is_own(cx: &Context, id: VariableId) -> bool {
         && (variable.ty.is_scalar() || variable.ty.is_vector())
         && !name.starts_with('_')
         && cx.facts.writes().is_read(id)
-        && !cx.facts.unseen().has(name)
+        && !cx.facts.inactive_words().has(name)
 }
 
-fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, whole: ExprId) {
+fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, assignment: ExprId) {
     let program = cx.program;
     let facts = cx.facts;
     let lost = facts.module().op_of(value);
-    if !lost.is_some_and(|value| facts.live().is_lost(value)) {
+    if !lost.is_some_and(|value| facts.liveness().is_lost(value)) {
         return;
     }
     let name = program.variable(variable).map(|v| v.name);
     let name = name.map_or("", |n| program.names.text(n));
-    let extent = program.tree.expr(whole).extent;
+    let extent = program.tree.expr(assignment).extent;
     let next =
         facts.writes().all().iter().find(|(write, v)| {
             *v == variable && program.tree.expr(*write).extent.first > extent.last
@@ -107,7 +107,10 @@ fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, whole: Exp
     if is_idle {
         return;
     }
-    let finding = cx.report_expr(whole, format!("value assigned to `{name}` is never read"));
+    let finding = cx.report_expr(
+        assignment,
+        format!("value assigned to `{name}` is never read"),
+    );
     if let Some(next) = next {
         finding.label(next, "next write");
     }

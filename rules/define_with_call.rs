@@ -79,10 +79,10 @@ fn types(cx: &Context) -> FxHashMap<u32, Type> {
             continue;
         };
         let before = expr.extent.first.checked_sub(1).and_then(at);
-        let is_whole = before != Some(expansion)
+        let is_full_expansion = before != Some(expansion)
             && at(expr.extent.last + 1) != Some(expansion)
             && program.builtin_called(id).is_some();
-        if is_whole {
+        if is_full_expansion {
             types.insert(found.definition.0, program.ty(id));
         }
     }

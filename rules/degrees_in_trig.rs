@@ -1,7 +1,7 @@
 //! Angles in degrees where radians are expected.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_flow::defs::Def;
+use shaderlint_flow::reaching_definitions::Def;
 use shaderlint_ir::OpKind;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule, Shape};
 use shaderlint_semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
@@ -64,7 +64,7 @@ fn check_passed(cx: &mut Context, id: ExprId) {
 
 /// The trigonometric function that a function passes one of its parameters to unchanged.
 fn taken_by(cx: &Context, callee: FunctionRef, parameter: VariableId) -> Option<BuiltinId> {
-    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let (module, defs) = (cx.facts.module(), cx.facts.reaching_definitions());
     module.function(callee)?.ops.ops().find_map(|op| {
         let OpKind::Builtin(function, operands) = module.op(op).kind else {
             return None;

@@ -1,7 +1,7 @@
 //! Derivatives in code that only some neighbouring pixels run.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::{ControlId, Parted, Varying};
+use shaderlint_flow::{ControlId, DivergenceCause, Varying};
 use shaderlint_ir::{OpId, Provenance};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{BuiltinId, Storage};
@@ -25,9 +25,9 @@ const MAX_FINDINGS: usize = 8;
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;
-    let branched = facts.gradients().iter().filter_map(|g| match g.parted {
-        Parted::Branch(control) => Some((g, control)),
-        Parted::Loop(_) => None,
+    let branched = facts.gradients().iter().filter_map(|g| match g.cause {
+        DivergenceCause::Branch(control) => Some((g, control)),
+        DivergenceCause::Loop(_) => None,
     });
     for (gradient, control) in branched.take(MAX_FINDINGS) {
         let labels = labels(cx, control);
@@ -82,8 +82,8 @@ fn labels(cx: &Context, control: ControlId) -> Vec<(Span, String)> {
                     labels.push((program.expr_span(e), "differs between pixels".into()));
                 }
             }
-            Varying::Parting(p) => {
-                let left = facts.uniformity().parting(p).and_then(|p| p.left_at);
+            Varying::Divergence(p) => {
+                let left = facts.uniformity().divergence(p).and_then(|p| p.left_at);
                 if let Some(stmt) = left.map(|s| program.tree.stmt(s))
                     && matches!(stmt.kind, StmtKind::Return(_))
                 {

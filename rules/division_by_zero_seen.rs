@@ -1,8 +1,8 @@
 //! Divisions by zero that occurred in a sample run.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
-use shaderlint_lint::trial::{Trial, Untold};
+use shaderlint_exec::FaultKind;
+use shaderlint_lint::sample::{SampleRun, UnreportedFault};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::Scalar;
 
@@ -20,8 +20,11 @@ pub static RULE: Rule = Rule {
 const OFTEN: f64 = 0.01;
 
 fn check(cx: &mut Context) {
-    let told = cx.facts.trial().map_or(String::new(), Trial::told);
-    for fault in cx.facts.untold(Kind::DivisionByZero) {
+    let note = cx
+        .facts
+        .sample_run()
+        .map_or(String::new(), SampleRun::sampled_note);
+    for fault in cx.facts.unreported_faults(FaultKind::DivisionByZero) {
         let op = fault.number.op;
         let is_float = cx.facts.module().scalar(op) == Some(Scalar::Float);
         if is_float && !is_often(&fault) {
@@ -33,7 +36,7 @@ fn check(cx: &mut Context) {
             (true, true) => "zero is divided by zero; the result is NaN",
             (true, false) => "the divisor is zero; the result is infinite",
         };
-        let finding = cx.report_op(op, what).note(fault.words).note(told.clone());
+        let finding = cx.report_op(op, what).note(fault.words).note(note.clone());
         if is_float && !is_nothing {
             finding.lower();
         }
@@ -41,6 +44,6 @@ fn check(cx: &mut Context) {
 }
 
 /// Whether it affects more than a line or a point of the image, which the code may account for.
-fn is_often(fault: &Untold) -> bool {
+fn is_often(fault: &UnreportedFault) -> bool {
     fault.number.times as f64 / fault.visits.max(1) as f64 >= OFTEN
 }

@@ -1,7 +1,7 @@
 //! Frames of one colour, and frames in which no ray hits anything.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::trial::{Hit, SampledPixel, Trial, TrialShot, is_too_bright};
+use shaderlint_lint::sample::{Hit, SampleFrame, SampleRun, SampledPixel, is_too_bright};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -18,47 +18,48 @@ pub static RULE: Rule = Rule {
 const NEAR: f32 = 1.5 / 255.0;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
-    if trial.all(is_black) {
+    if sample_run.all(is_black) {
         return;
     }
     // Other rules report the cause.
-    let is_told =
-        !cx.facts.stuck_marches().is_empty() || trial.drawn().all(|pixel| is_too_bright(&pixel));
-    if is_told {
+    let is_reported = !cx.facts.stuck_marches().is_empty()
+        || sample_run.drawn().all(|pixel| is_too_bright(&pixel));
+    if is_reported {
         return;
     }
-    let is_flat = |trial: &Trial| trial.all(is_flat);
-    if !missed(cx, trial)
-        && !trial.shows_a_number()
+    let is_flat = |sample_run: &SampleRun| sample_run.all(is_flat);
+    if !missed(cx, sample_run)
+        && !sample_run.shows_a_number()
         && cx.facts.is_computed()
         && cx.facts.is_seen(is_flat)
     {
-        cx.facts.tell_blank();
-        let told = trial.told();
+        cx.facts.mark_blank();
+        let note = sample_run.sampled_note();
         let message = "the image has one colour although it depends on the pixel position";
-        cx.report_picture(message).note(told);
+        cx.report_image(message).note(note);
     }
 }
 
 /// Reports the condition that detects hits, if all rays miss; returns whether they do.
-fn missed(cx: &mut Context, trial: &Trial) -> bool {
-    let miss = |trial: &Trial, hit: &Hit| {
-        let seen = hit.seen(&trial.seen);
+fn missed(cx: &mut Context, sample_run: &SampleRun) -> bool {
+    let miss = |sample_run: &SampleRun, hit: &Hit| {
+        let seen = hit.seen(&sample_run.seen);
         seen.is_some_and(|(hits, misses)| hits == 0 && misses > 0)
     };
     let facts = cx.facts;
-    let is_missed =
-        |hit: &&Hit| facts.is_known(hit.condition) && facts.is_seen(|trial| miss(trial, hit));
+    let is_missed = |hit: &&Hit| {
+        facts.is_known(hit.condition) && facts.is_seen(|sample_run| miss(sample_run, hit))
+    };
     let Some(hit) = facts.hits().iter().find(is_missed) else {
         return false;
     };
-    facts.tell_blank();
-    let told = trial.told();
+    facts.mark_blank();
+    let note = sample_run.sampled_note();
     let message = "no ray hits anything; only the background is drawn";
-    let finding = cx.report_op(hit.condition, message).note(told);
+    let finding = cx.report_op(hit.condition, message).note(note);
     finding.help(
         "check the camera position and direction, and whether the scene distance ever gets near \
         zero",
@@ -66,16 +67,17 @@ fn missed(cx: &mut Context, trial: &Trial) -> bool {
     true
 }
 
-fn is_black(shot: &TrialShot) -> bool {
-    shot.drawn()
+fn is_black(frame: &SampleFrame) -> bool {
+    frame
+        .drawn()
         .all(|pixel| pixel.shown().iter().all(|lane| *lane < NEAR))
 }
 
-fn is_flat(shot: &TrialShot) -> bool {
-    let Some(first) = shot.drawn().next() else {
+fn is_flat(frame: &SampleFrame) -> bool {
+    let Some(first) = frame.drawn().next() else {
         return false;
     };
-    shot.drawn().all(|pixel| is_near(&pixel, &first))
+    frame.drawn().all(|pixel| is_near(&pixel, &first))
 }
 
 fn is_near(a: &SampledPixel, b: &SampledPixel) -> bool {

@@ -16,7 +16,7 @@ pub static RULE: Rule = Rule {
 };
 
 /// Most iterations that are counted.
-const MAX_TURNS: u32 = 10_000;
+const MAX_ITERATIONS: u32 = 10_000;
 
 /// `for (float x = start; x < limit; x += step)`
 #[derive(Clone, Copy)]
@@ -35,14 +35,14 @@ fn check(cx: &mut Context, id: StmtId) {
     let Some(counted) = counted(program, id) else {
         return;
     };
-    let Some((turns, meant)) = turns(&counted) else {
+    let Some((iterations, meant)) = iterations(&counted) else {
         return;
     };
     // A counter that is changed elsewhere counts differently.
     let writes = cx.facts.writes().all().iter();
     let writes = writes.filter(|(_, v)| *v == counted.counter).count();
     let own = 1 + usize::from(counted.is_set);
-    if turns == meant || writes != own {
+    if iterations == meant || writes != own {
         return;
     }
     let StmtKind::For { init, body, .. } = program.tree.stmt(id).kind else {
@@ -56,7 +56,7 @@ fn check(cx: &mut Context, id: StmtId) {
     let step = plain(counted.step);
     cx.report(
         head,
-        format!("this loop runs {turns} iterations, not {meant}"),
+        format!("this loop runs {iterations} iterations, not {meant}"),
     )
     .note(format!(
         "`{step}` has no exact `float` representation, and each addition rounds again"
@@ -65,7 +65,7 @@ fn check(cx: &mut Context, id: StmtId) {
 }
 
 /// The number of iterations with `float` arithmetic, and with exact arithmetic.
-fn turns(counted: &Counted) -> Option<(u32, u32)> {
+fn iterations(counted: &Counted) -> Option<(u32, u32)> {
     let Counted {
         start,
         limit,
@@ -82,20 +82,20 @@ fn turns(counted: &Counted) -> Option<(u32, u32)> {
     // The number as written, such as 0.1, which no `float` represents exactly.
     let written = |x: f32| plain(x).parse::<f64>().ok();
     let way = (written(limit)? - written(start)?) / written(step)?;
-    let whole = way.round();
-    let is_between = (way - whole).abs() > 1e-9 * whole.max(1.0);
-    if is_between || !(1.0..MAX_TURNS as f64).contains(&whole) {
+    let integer = way.round();
+    let is_between = (way - integer).abs() > 1e-9 * integer.max(1.0);
+    if is_between || !(1.0..MAX_ITERATIONS as f64).contains(&integer) {
         return None;
     }
     let is_closed = matches!(op, BinaryOp::LessEqual | BinaryOp::GreaterEqual);
-    let meant = whole as u32 + u32::from(is_closed);
+    let meant = integer as u32 + u32::from(is_closed);
     let mut x = start;
-    let turns = (0..MAX_TURNS).take_while(|_| {
+    let iterations = (0..MAX_ITERATIONS).take_while(|_| {
         let is_on = goes(x);
         x += step;
         is_on
     });
-    Some((turns.count() as u32, meant))
+    Some((iterations.count() as u32, meant))
 }
 
 /// A number in the fewest digits that identify it.

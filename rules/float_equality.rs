@@ -31,8 +31,8 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     };
     let (left, right) = (program.expr_text(e.left), program.expr_text(e.right));
     let (rounded, other) = match rounded {
-        Side::Left => (&left, &right),
-        Side::Right => (&right, &left),
+        EqualitySide::Left => (&left, &right),
+        EqualitySide::Right => (&right, &left),
     };
     let relation = match e.op {
         BinaryOp::Equal => "<",
@@ -50,18 +50,18 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
 
 /// One of the sides of a comparison.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Side {
+enum EqualitySide {
     Left,
     Right,
 }
 
 /// The side that is certainly rounded, if that may change the result of the comparison.
-fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<Side> {
+fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<EqualitySide> {
     let left = cx.facts.range(e.left).nth(component as usize)?;
     let right = cx.facts.range(e.right).nth(component as usize)?;
     let side = match (left.rounding, right.rounding) {
-        (Rounding::Always, _) => Side::Left,
-        (_, Rounding::Always) => Side::Right,
+        (Rounding::Always, _) => EqualitySide::Left,
+        (_, Rounding::Always) => EqualitySide::Right,
         _ => return None,
     };
     // A comparison with zero guards a division or square root, and the limits of a value are exact.

@@ -1,9 +1,9 @@
 //! Images that depend on the last digits of a sine, a square root or a division.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::{CompileOptions, Lean, Persona};
+use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile};
 use shaderlint_ir::OpKind;
-use shaderlint_lint::trial::percent;
+use shaderlint_lint::sample::percent;
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::BuiltinId;
 
@@ -23,36 +23,37 @@ const SEEN: f64 = 0.2;
 const QUADS: usize = 32;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
     let module = cx.facts.module();
     let hashes = |(op, number): (&shaderlint_ir::Op, u32)| {
         let is_fract = matches!(op.kind, OpKind::Builtin(BuiltinId::Fract, _));
-        is_fract && cx.facts.is_told(shaderlint_ir::OpId(number))
+        is_fract && cx.facts.is_reported(shaderlint_ir::OpId(number))
     };
     if module.ops.iter().zip(0..).any(hashes) {
         return;
     }
-    let inexact = CompileOptions {
-        persona: Persona::Inexact(Lean::Either),
+    let imprecise = CompileOptions {
+        gpu_profile: GpuProfile::Inexact(ErrorDirection::Either),
         ..CompileOptions::default()
     };
-    let (Some(exact), Some(inexact)) = (cx.facts.unwatched(), cx.facts.compiled(&inexact)) else {
+    let (Some(exact), Some(imprecise)) = (cx.facts.unwatched(), cx.facts.compiled(&imprecise))
+    else {
         return;
     };
-    let changed = cx.facts.difference([exact, &inexact], QUADS);
+    let changed = cx.facts.difference([exact, &imprecise], QUADS);
     let Some(changed) = changed.filter(|share| *share >= SEEN) else {
         return;
     };
-    let told = trial.told();
+    let note = sample_run.sampled_note();
     let changed = percent(changed);
-    let finding = cx.report_picture("the image depends on rounding that differs between GPUs");
+    let finding = cx.report_image("the image depends on rounding that differs between GPUs");
     finding
         .note(format!(
             "{changed} of the sampled pixels change on a GPU with the largest errors that the \
             conformance suite allows"
         ))
-        .note(told)
+        .note(note)
         .help("use integer hashes, and keep the arguments of `sin` small");
 }

@@ -1,7 +1,7 @@
 //! Derivatives in loops that pixels exit at different iterations.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::Parted;
+use shaderlint_flow::DivergenceCause;
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_syntax::ast::Extent;
 
@@ -21,9 +21,9 @@ const MAX_FINDINGS: usize = 8;
 fn check(cx: &mut Context) {
     let facts = cx.facts;
     let program = cx.program;
-    let looped = facts.gradients().iter().filter_map(|g| match g.parted {
-        Parted::Loop(looped) => Some((g, facts.module().looped(looped)?.stmt)),
-        Parted::Branch(_) => None,
+    let looped = facts.gradients().iter().filter_map(|g| match g.cause {
+        DivergenceCause::Loop(looped) => Some((g, facts.module().looped(looped)?.stmt)),
+        DivergenceCause::Branch(_) => None,
     });
     for (gradient, stmt) in looped.take(MAX_FINDINGS) {
         let head = program.span(Extent::token(program.tree.stmt(stmt).extent.first));

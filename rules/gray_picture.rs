@@ -1,7 +1,7 @@
 //! Images that look gray although their channels differ.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::trial::{SampledPixel, Trial, luminance, share};
+use shaderlint_lint::sample::{SampleRun, SampledPixel, luminance, share};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -22,23 +22,23 @@ const MOST: f64 = 0.995;
 const DARK: f32 = 12.0 / 255.0;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
     if !cx.facts.is_seen(is_gray) {
         return;
     }
-    let told = trial.told();
+    let note = sample_run.sampled_note();
     let finding =
-        cx.report_picture("the image is gray although its channels are computed separately");
+        cx.report_image("the image is gray although its channels are computed separately");
     finding
-        .note(told)
+        .note(note)
         .help("increase the differences between channels; a few hundredths look gray");
 }
 
 /// Whether no pixel has a visible colour, although the channels differ.
-fn is_gray(trial: &Trial) -> bool {
-    let lit = || trial.drawn().filter(|l| luminance(l.shown()) > DARK);
+fn is_gray(sample_run: &SampleRun) -> bool {
+    let lit = || sample_run.drawn().filter(|l| luminance(l.shown()) > DARK);
     let is_white = |pixel: &SampledPixel| pixel.shown().iter().all(|lane| *lane >= 1.0);
     let colored = || lit().filter(|l| !is_white(l));
     let has_two = colored().nth(16).is_some();

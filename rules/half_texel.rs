@@ -38,11 +38,11 @@ fn is_corner(cx: &Context, op: OpId, lane: u32) -> bool {
     let Some(Start::Made(made, lane)) = cx.facts.origin(op, lane) else {
         return false;
     };
-    let OpKind::Binary(Binary::Divide, whole, size) = module.op(made).kind else {
+    let OpKind::Binary(Binary::Divide, dividend, size) = module.op(made).kind else {
         return false;
     };
     let lane_of = |op| if module.ty(op).is_scalar() { 0 } else { lane };
-    is_size(cx, size, lane_of(size)) && is_counted(cx, whole, lane_of(whole))
+    is_size(cx, size, lane_of(size)) && is_counted(cx, dividend, lane_of(dividend))
 }
 
 fn is_size(cx: &Context, op: OpId, lane: u32) -> bool {

@@ -1,7 +1,7 @@
 //! Indices outside their array, vector or matrix.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
 use shaderlint_semantic::Type;
@@ -48,5 +48,5 @@ fn check(cx: &mut Context, id: ExprId) {
         .note(format!(
             "`{what}` has {count} elements; the result of an access outside them is undefined"
         ));
-    cx.judge(id, &[Kind::OutOfRange]);
+    cx.confirm_by_sampling(id, &[FaultKind::OutOfRange]);
 }

@@ -1,8 +1,8 @@
 //! Pixels with infinite colour values.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
-use shaderlint_lint::trial::report_broken;
+use shaderlint_exec::FaultKind;
+use shaderlint_lint::sample::report_broken;
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -17,5 +17,5 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context) {
     let what = "infinite and becomes NaN when blended or filtered";
-    report_broken(cx, Kind::Infinite, f32::is_infinite, what);
+    report_broken(cx, FaultKind::Infinite, f32::is_infinite, what);
 }

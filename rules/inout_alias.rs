@@ -94,7 +94,11 @@ fn is_global(cx: &Context, id: VariableId) -> bool {
 /// Whether the value that a call writes to an argument is read; a variable may only collect outputs
 /// that are not needed.
 fn is_read(cx: &Context, id: ExprId, callee: FunctionRef, arg: ExprId) -> bool {
-    let (module, defs, live) = (cx.facts.module(), cx.facts.defs(), cx.facts.live());
+    let (module, defs, live) = (
+        cx.facts.module(),
+        cx.facts.reaching_definitions(),
+        cx.facts.liveness(),
+    );
     let mut calls = cx.facts.calls().calls_of(callee);
     let ExprKind::Call(_, args) = cx.program.tree.expr(id).kind else {
         return true;

@@ -36,14 +36,17 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     let literals = is_literal(cx, e.left) && is_literal(cx, e.right);
     let (message, is_float) = match (a.single(), b.single()) {
         (Some(x), Some(y)) if y != 0.0 && x % y != 0.0 => {
-            let whole = (x / y).trunc();
+            let integer = (x / y).trunc();
             let is_float = becomes_float(cx, e.id);
             // A named size is divided into whole cells.
-            let is_meant = !literals && whole != 0.0;
-            if is_meant || !(is_float || whole == 0.0 && literals) {
+            let is_meant = !literals && integer != 0.0;
+            if is_meant || !(is_float || integer == 0.0 && literals) {
                 return;
             }
-            (format!("integer division `{x} / {y}` is {whole}"), is_float)
+            (
+                format!("integer division `{x} / {y}` is {integer}"),
+                is_float,
+            )
         }
         // `i / n` with `i` from 0 to `n - 1`.
         (None, _) if a.lo.value >= 0.0 && a.is_finite() && b.lo.value > a.hi.value => {

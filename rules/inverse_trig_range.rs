@@ -1,7 +1,7 @@
 //! `asin` and `acos` of arguments outside -1.0..1.0.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
 use shaderlint_semantic::BuiltinId;
@@ -49,5 +49,5 @@ fn check(cx: &mut Context, call: &Builtin) {
     )
     .note("the result is undefined for arguments below -1.0 or above 1.0 (section 8.1)")
     .fix(fix);
-    cx.judge(call.id, &[Kind::Undefined]);
+    cx.confirm_by_sampling(call.id, &[FaultKind::Undefined]);
 }

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::{Interval, Rounding};
-use shaderlint_lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
+use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
 use shaderlint_semantic::{Scalar, Storage};
 use shaderlint_syntax::ast::*;
@@ -40,7 +40,8 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
     if left.single().is_some() && right.single().is_some() {
         return;
     }
-    let [a, b] = [(left, e.left), (right, e.right)].map(|(range, expr)| Side { range, expr });
+    let [a, b] =
+        [(left, e.left), (right, e.right)].map(|(range, expr)| ComparedSide { range, expr });
     let answer = match e.op {
         Less => is_less(cx, a, b),
         Greater => is_less(cx, b, a),
@@ -60,8 +61,8 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         tree.expr(tree.unparen(place)).kind,
         ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Index(..)
     );
-    let settled = settled(cx, e.id, answer);
-    let is_open = settled.is_none_or(|truth| truth && !is_written_here);
+    let decided = decided(cx, e.id, answer);
+    let is_open = decided.is_none_or(|truth| truth && !is_written_here);
     if is_open || is_spoken_of_twice(cx, e.id, place) || !is_computed_here(cx, e) {
         return;
     }
@@ -77,15 +78,15 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
 
 /// One side of a comparison.
 #[derive(Clone, Copy)]
-struct Side {
+struct ComparedSide {
     range: Interval,
     expr: ExprId,
 }
 
 /// Whether `a` is always or never less than `b`; `None` if neither is certain.
-fn is_less(cx: &Context, a: Side, b: Side) -> Option<bool> {
+fn is_less(cx: &Context, a: ComparedSide, b: ComparedSide) -> Option<bool> {
     // A rounded value may exceed its bounds slightly.
-    let slack = |side: Side, is_low: bool| {
+    let slack = |side: ComparedSide, is_low: bool| {
         let r = side.range;
         let is_sharp = r.rounding == Rounding::Never
             || r.single().is_some()
@@ -116,14 +117,14 @@ fn is_spoken_of_twice(cx: &Context, comparison: ExprId, place: ExprId) -> bool {
             || matches!(kind, ExprKind::Paren(_) | ExprKind::Unary(UnaryOp::Not, _))
     };
     let around = std::iter::successors(structure.parent(comparison), |p| structure.parent(*p));
-    let Some(whole) = around.take_while(is_logical).last() else {
+    let Some(extent) = around.take_while(is_logical).last() else {
         return false;
     };
     let mut at = tree.unparen(place);
     while let ExprKind::Member(inner, _) | ExprKind::Index(inner, _) = tree.expr(at).kind {
         at = tree.unparen(inner);
     }
-    let (whole, own) = (tree.expr(whole).extent, tree.expr(comparison).extent);
+    let (extent, own) = (tree.expr(extent).extent, tree.expr(comparison).extent);
     cx.program.variable_of(at).is_some_and(|v| {
         let mut all = cx
             .facts
@@ -131,7 +132,7 @@ fn is_spoken_of_twice(cx: &Context, comparison: ExprId, place: ExprId) -> bool {
             .all(v)
             .iter()
             .map(|e| tree.expr(*e).extent);
-        all.any(|e| whole.contains(e) && !own.contains(e))
+        all.any(|e| extent.contains(e) && !own.contains(e))
     })
 }
 
@@ -147,12 +148,12 @@ fn is_computed_here(cx: &Context, e: &BinaryExpr) -> bool {
     !sides
         .iter()
         .any(|s| is_plain(*s) || is_of_uniforms(program, *s))
-        && !sides.iter().any(|s| hangs_on_callers(cx.facts, *s))
+        && !sides.iter().any(|s| depends_on_callers(cx.facts, *s))
 }
 
 /// The result of the whole condition that contains a comparison, if the comparison decides it: one
 /// of several conditions joined by `&&` may well always hold.
-fn settled(cx: &Context, expr: ExprId, answer: bool) -> Option<bool> {
+fn decided(cx: &Context, expr: ExprId, answer: bool) -> Option<bool> {
     let tree = &cx.program.tree;
     let structure = cx.facts.structure();
     let mut at = expr;

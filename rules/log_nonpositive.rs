@@ -1,7 +1,7 @@
 //! Logarithms of zero and of negative numbers.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
 use shaderlint_semantic::BuiltinId;
@@ -42,5 +42,5 @@ fn check(cx: &mut Context, call: &Builtin) {
     )
     .note("the logarithm of zero or less is undefined (section 8.2): infinity or NaN")
     .help(format!("use `max({text}, 1e-6)`"));
-    cx.judge(call.id, &[Kind::Undefined]);
+    cx.confirm_by_sampling(call.id, &[FaultKind::Undefined]);
 }

@@ -1,7 +1,7 @@
 //! Expensive calls that return the same value in every iteration of a loop.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::still::{Places, is_still, runs_each_turn};
+use shaderlint_lint::loop_invariant::{Places, is_loop_invariant, runs_each_iteration};
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use shaderlint_syntax::ast::*;
 
@@ -37,15 +37,14 @@ fn check(cx: &mut Context) {
             continue;
         };
         let around = facts.structure().outwards(stmt);
-        let Some(looped) = around
-            .filter_map(|s| facts.loops().get(s))
-            .find(|l| runs_each_turn(program, l.stmt, call.expr) && l.bound.turns() != Some(1))
-        else {
+        let Some(looped) = around.filter_map(|s| facts.loops().get(s)).find(|l| {
+            runs_each_iteration(program, l.stmt, call.expr) && l.bound.iterations() != Some(1)
+        }) else {
             continue;
         };
         let places = places.get_or_insert_with(|| Places::of(program, facts.writes()));
         let extent = program.tree.stmt(looped.stmt).extent;
-        if !is_still(program, facts.writes(), places, call.expr, extent) {
+        if !is_loop_invariant(program, facts.writes(), places, call.expr, extent) {
             continue;
         }
         let Some(function) = program.function(call.callee) else {
@@ -53,8 +52,8 @@ fn check(cx: &mut Context) {
         };
         let name = program.names.text(function.name);
         let head = program.span(Extent::token(extent.first));
-        let label = match looped.bound.turns() {
-            Some(turns) => format!("loop of up to {turns} iterations"),
+        let label = match looped.bound.iterations() {
+            Some(iterations) => format!("loop of up to {iterations} iterations"),
             None => "in this loop".to_string(),
         };
         cx.report_expr(

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
-use shaderlint_lint::still::{Places, is_still, runs_each_turn};
+use shaderlint_lint::loop_invariant::{Places, is_loop_invariant, runs_each_iteration};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{BuiltinId, Program, Resolution, each_operand};
 use shaderlint_syntax::ast::*;
@@ -18,7 +18,7 @@ pub static RULE: Rule = Rule {
 };
 
 /// Minimum iterations of a loop that is checked: a few samples per pixel cost little.
-const FEWEST_TURNS: u64 = 8;
+const FEWEST_ITERATIONS: u64 = 8;
 
 /// Maximum number of enclosing expressions that are searched for a larger invariant call.
 const MAX_OUTER: usize = 6;
@@ -44,13 +44,14 @@ fn check(cx: &mut Context) {
             .structure()
             .outwards(stmt)
             .filter_map(|s| facts.loops().get(s));
-        let Some(looped) = around.find(|l| runs_each_turn(program, l.stmt, id) && is_long(l.bound))
+        let Some(looped) =
+            around.find(|l| runs_each_iteration(program, l.stmt, id) && is_long(l.bound))
         else {
             continue;
         };
         let places = places.get_or_insert_with(|| Places::of(cx.program, facts.writes()));
         let extent = program.tree.stmt(looped.stmt).extent;
-        let still = |e| is_still(program, facts.writes(), places, e, extent);
+        let still = |e| is_loop_invariant(program, facts.writes(), places, e, extent);
         if !still(id) || calls_function(program, id) {
             continue;
         }
@@ -76,7 +77,9 @@ fn check(cx: &mut Context) {
 }
 
 fn is_long(bound: Bound) -> bool {
-    bound.turns().is_none_or(|turns| turns >= FEWEST_TURNS)
+    bound
+        .iterations()
+        .is_none_or(|iterations| iterations >= FEWEST_ITERATIONS)
 }
 
 /// Whether an expression calls a user-defined function, which may have side effects.

@@ -33,7 +33,7 @@ struct Torn {
 
 /// An operator between two operands.
 #[derive(Clone, Copy)]
-struct Operator {
+struct MacroOperator {
     at: TokenId,
     kind: TokenKind,
     binds: u8,
@@ -110,11 +110,11 @@ fn tearing(program: &Program, unit: Extent, is_own: impl Fn(TokenId) -> bool) ->
     let mut own = operators(program, unit)?;
     own.retain(|o| is_own(o.at));
     let least = own.iter().map(|o| o.binds).min()?;
-    let behind = unit.last + 1;
-    if let Some(next) = kind(behind) {
+    let after = unit.last + 1;
+    if let Some(next) = kind(after) {
         let is_part = matches!(next, TokenKind::Dot | TokenKind::LeftBracket);
         if is_part || binding(next).is_some_and(|b| b > least) {
-            return Some(behind);
+            return Some(after);
         }
     }
     let before = unit.first.checked_sub(1)?;
@@ -135,7 +135,7 @@ fn tearing(program: &Program, unit: Extent, is_own: impl Fn(TokenId) -> bool) ->
 }
 
 /// The operators of a run of tokens outside all brackets, if the run is a complete expression.
-fn operators(program: &Program, unit: Extent) -> Option<Vec<Operator>> {
+fn operators(program: &Program, unit: Extent) -> Option<Vec<MacroOperator>> {
     use TokenKind::*;
     let mut found = Vec::new();
     let mut open = 0_u32;
@@ -156,7 +156,7 @@ fn operators(program: &Program, unit: Extent) -> Option<Vec<Operator>> {
                     return None;
                 }
             }
-            _ => found.push(Operator {
+            _ => found.push(MacroOperator {
                 at,
                 kind,
                 binds: binding(kind).filter(|_| was_operand)?,

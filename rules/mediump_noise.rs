@@ -24,7 +24,7 @@ static FACTOR: Setting<f64> = Setting::new(
 );
 
 /// An operation, and what it computes that needs more precision.
-type Place = (OpId, &'static str);
+type PrecisionUse = (OpId, &'static str);
 
 fn check(cx: &mut Context) {
     let program = cx.program;
@@ -67,7 +67,7 @@ fn check(cx: &mut Context) {
 }
 
 /// `fract(x * 43758.5453)`
-fn hash(cx: &Context) -> Option<Place> {
+fn hash(cx: &Context) -> Option<PrecisionUse> {
     let module = cx.facts.module();
     let limit = cx.option(&FACTOR);
     let found = periods(module).find(|(_, function, arg)| {
@@ -84,7 +84,7 @@ fn hash(cx: &Context) -> Option<Place> {
 
 /// A scalar uniform that shifts the phase of a wave or is wrapped by `fract` or `mod`: it counts
 /// seconds.
-fn time(cx: &Context) -> Option<Place> {
+fn time(cx: &Context) -> Option<PrecisionUse> {
     use BuiltinId::{Cos, Fract, Mod, Sin};
     let module = cx.facts.module();
     let is_counted = |op: &OpId| match module.op(*op).kind {

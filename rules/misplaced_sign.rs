@@ -25,20 +25,19 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     };
     let sign = tree.expr(value).extent.first;
-    let [before, equal, sign, behind] = [
+    let [before, equal, sign, after] = [
         tree.expr(target).extent.last,
         sign.saturating_sub(1),
         sign,
         sign + 1,
     ]
     .map(|t| program.token(t).filter(|t| t.is_direct()).map(|t| t.span));
-    let (Some(before), Some(equal), Some(sign), Some(behind)) = (before, equal, sign, behind)
-    else {
+    let (Some(before), Some(equal), Some(sign), Some(after)) = (before, equal, sign, after) else {
         return;
     };
     // In `x =-1.0` the sign belongs to the number; `=- 1.0` separates it from its operand. A unary
     // plus does nothing, with or without a space.
-    let is_apart = before.end < equal.start && sign.end < behind.start;
+    let is_apart = before.end < equal.start && sign.end < after.start;
     if equal.end != sign.start || !(is_apart || op == UnaryOp::Plus) {
         return;
     }

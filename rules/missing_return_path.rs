@@ -16,7 +16,11 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context, id: FunctionRef) {
     let program = cx.program;
-    let reaches_end = cx.facts.paths().get(id).is_some_and(|f| f.reaches_end);
+    let reaches_end = cx
+        .facts
+        .definite_assignment()
+        .get(id)
+        .is_some_and(|f| f.reaches_end);
     let Some(function) = program
         .function(id)
         .filter(|f| reaches_end && !f.returns.is_void())

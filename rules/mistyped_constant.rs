@@ -39,11 +39,11 @@ fn check(cx: &mut Context, id: ExprId) {
     // Cheap test first: nearly all literals are far from every constant.
     let number = f64::from(number);
     let is_near = |(value, ..): &&(f64, &str, usize)| (number - value).abs() < value * 0.01;
-    let Some(&(value, name, telling)) = KNOWN.iter().find(is_near) else {
+    let Some(&(value, name, significant)) = KNOWN.iter().find(is_near) else {
         return;
     };
     let text = cx.program.expr_text(id);
-    if !is_slip(text, value, telling) {
+    if !is_typo(text, value, significant) {
         return;
     }
     let right = format!("{value:.8}");
@@ -60,16 +60,16 @@ fn check(cx: &mut Context, id: ExprId) {
 
 /// Whether a literal begins with the digits of a constant, continues with other digits, and is
 /// neither that constant truncated nor rounded.
-fn is_slip(text: &str, value: f64, telling: usize) -> bool {
+fn is_typo(text: &str, value: f64, significant: usize) -> bool {
     let text = text.trim_end_matches(['f', 'F']);
-    let Some((whole, fraction)) = text.split_once('.').filter(|_| !text.contains(['e', 'E']))
+    let Some((integer, fraction)) = text.split_once('.').filter(|_| !text.contains(['e', 'E']))
     else {
         return false;
     };
     let Ok(written) = text.parse::<f64>() else {
         return false;
     };
-    let digits = format!("{whole}{fraction}");
+    let digits = format!("{integer}{fraction}");
     let digits = digits.trim_start_matches('0');
     let right = format!("{value:.20}").replace('.', "");
     let right = right.trim_start_matches('0');
@@ -78,5 +78,5 @@ fn is_slip(text: &str, value: f64, telling: usize) -> bool {
     // The last digit may be rounded up or truncated.
     let unit = 10f64.powi(-(fraction.len() as i32));
     let is_right = (written - value).abs() < unit.max(value * 2e-7);
-    same >= telling && digits.len() >= same + 2 && same < EXACT - 1 && !is_right
+    same >= significant && digits.len() >= same + 2 && same < EXACT - 1 && !is_right
 }

@@ -1,8 +1,8 @@
 //! Pixels that are NaN.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
-use shaderlint_lint::trial::report_broken;
+use shaderlint_exec::FaultKind;
+use shaderlint_lint::sample::report_broken;
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -17,5 +17,5 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context) {
     let what = "NaN, drawn black on some GPUs and white on others";
-    report_broken(cx, Kind::Nan, f32::is_nan, what);
+    report_broken(cx, FaultKind::Nan, f32::is_nan, what);
 }

@@ -55,10 +55,10 @@ fn literal(cx: &Context, id: ExprId) -> Option<bool> {
     }
 }
 
-/// Reports that `whole` can be replaced by `value`, or by its negation where `truth` is false.
-fn report(cx: &mut Context, (whole, message): (ExprId, &str), value: ExprId, truth: bool) {
+/// Reports that `expression` can be replaced by `value`, or by its negation where `truth` is false.
+fn report(cx: &mut Context, (expression, message): (ExprId, &str), value: ExprId, truth: bool) {
     let program = cx.program;
-    if !cx.is_direct(whole) {
+    if !cx.is_direct(expression) {
         return;
     }
     let tree = &program.tree;
@@ -73,10 +73,10 @@ fn report(cx: &mut Context, (whole, message): (ExprId, &str), value: ExprId, tru
         (false, false) => format!("!({text})"),
     };
     let written = match tree.expr(value).kind {
-        ExprKind::Binary(..) if truth => cx.in_place_of(whole, code.clone()),
+        ExprKind::Binary(..) if truth => cx.in_place_of(expression, code.clone()),
         _ => code.clone(),
     };
-    let edit = Edit::replace(program.expr_span(whole), written);
-    cx.report_expr(whole, message)
+    let edit = Edit::replace(program.expr_span(expression), written);
+    cx.report_expr(expression, message)
         .fix(Fix::safe(format!("use `{code}`"), vec![edit]));
 }

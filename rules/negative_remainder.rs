@@ -1,7 +1,7 @@
 //! `%` with negative operands.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
@@ -44,5 +44,5 @@ fn check(cx: &mut Context, id: ExprId) {
     if side == left {
         finding.help(help);
     }
-    cx.judge(id, &[Kind::Undefined]);
+    cx.confirm_by_sampling(id, &[FaultKind::Undefined]);
 }

@@ -35,15 +35,15 @@ fn check(cx: &mut Context, id: ExprId) {
         let bad = cx.facts.range(arg).find(is_bad);
         let Some(range) = bad else { continue };
         let is = range.may_or_is(|r| r.is_below(0.0));
-        let whole = program.type_name(program.ty(arg).with_scalar(Scalar::Int));
+        let integer_type = program.type_name(program.ty(arg).with_scalar(Scalar::Int));
         let is_direct = cx.is_direct(id) && program.tree.args(args).len() == 1;
         let fix = is_direct.then(|| {
             let span = program.expr_span(arg);
             let edits = vec![
-                Edit::insert(span.start, format!("{whole}(")),
+                Edit::insert(span.start, format!("{integer_type}(")),
                 Edit::insert(span.end, ")"),
             ];
-            Fix::suggestion(format!("convert to `{whole}` first"), edits)
+            Fix::suggestion(format!("convert to `{integer_type}` first"), edits)
         });
         let name = program
             .sources

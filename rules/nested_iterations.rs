@@ -9,12 +9,12 @@ pub static RULE: Rule = Rule {
     group: Group::Budget,
     severity: Severity::Info,
     default: true,
-    options: &[RuleOption::Number(&TURNS)],
+    options: &[RuleOption::Number(&ITERATIONS)],
     page: include_str!("nested_iterations.md"),
     checks: &[Check::Program(check)],
 };
 
-static TURNS: Setting<f64> = Setting::new(
+static ITERATIONS: Setting<f64> = Setting::new(
     "turns",
     100_000.0,
     "Maximum iterations of all innermost loops per pixel",
@@ -28,9 +28,9 @@ fn check(cx: &mut Context) {
     let Some(entry) = cx.facts.entry() else {
         return;
     };
-    let turns = cx.facts.work().turns(entry);
-    let most = cx.option(&TURNS);
-    if turns <= most {
+    let iterations = cx.facts.work().iterations(entry);
+    let most = cx.option(&ITERATIONS);
+    if iterations <= most {
         return;
     }
     let program = cx.program;
@@ -39,24 +39,24 @@ fn check(cx: &mut Context) {
         return;
     };
     let keyword = |stmt| Extent::token(program.tree.stmt(stmt).extent.first);
-    let chain: Vec<String> = nests.iter().map(|n| n.turns.to_string()).collect();
-    let total = if turns < 1e15 {
-        (turns as u64).to_string()
+    let chain: Vec<String> = nests.iter().map(|n| n.iterations.to_string()).collect();
+    let total = if iterations < 1e15 {
+        (iterations as u64).to_string()
     } else {
-        format!("{turns:.0e}")
+        format!("{iterations:.0e}")
     };
     let mut finding = cx
         .report(
             keyword(inner.stmt),
             format!("up to {total} loop iterations per pixel; the limit is {most}"),
         )
-        .mark(format!("{} iterations", inner.turns));
+        .mark(format!("{} iterations", inner.iterations));
     for nest in nests.iter().rev().skip(1).take(MAX_LABELS) {
         let is_loop = !matches!(program.tree.stmt(nest.stmt).kind, StmtKind::Block(_));
         if is_loop {
             finding = finding.label(
                 program.span(keyword(nest.stmt)),
-                format!("multiplied by {} iterations", nest.turns),
+                format!("multiplied by {} iterations", nest.iterations),
             );
         }
     }

@@ -1,10 +1,10 @@
 //! Noise sums with more octaves than are visible.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::defs::{Def, DefId, Defs};
+use shaderlint_flow::reaching_definitions::{Def, DefId, ReachingDefinitions};
 use shaderlint_ir::{Binary, LoopId, Module, OpId, OpKind};
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
-use shaderlint_semantic::tunable::range_behind;
+use shaderlint_semantic::tunable::range_after;
 use shaderlint_syntax::ast::StmtId;
 
 pub static RULE: Rule = Rule {
@@ -28,12 +28,12 @@ fn check(cx: &mut Context, stmt: StmtId) {
     let Some(looped) = cx.facts.loops().get(stmt).copied() else {
         return;
     };
-    let (Some(turns), Some(given)) = (looped.bound.turns(), looped.given) else {
+    let (Some(iterations), Some(given)) = (looped.bound.iterations(), looped.given) else {
         return;
     };
     let most = cx.option(&OCTAVES);
     // A loop that exits early sums as many octaves as its caller asks for.
-    if looped.ends_early || turns <= most || !sums_octaves(cx, stmt) {
+    if looped.ends_early || iterations <= most || !sums_octaves(cx, stmt) {
         return;
     }
     let uses = program.macros_at(program.tree.expr(given).extent.first);
@@ -43,14 +43,14 @@ fn check(cx: &mut Context, stmt: StmtId) {
         Some(found.body.last()?.token.span)
     });
     // A range that the author gave takes precedence.
-    if let Some((range, _)) = body_end.and_then(|end| range_behind(program, end))
-        && turns as f64 <= range.max
+    if let Some((range, _)) = body_end.and_then(|end| range_after(program, end))
+        && iterations as f64 <= range.max
     {
         return;
     }
     cx.report_expr(
         given,
-        format!("noise sums {turns} octaves; the limit is {most}"),
+        format!("noise sums {iterations} octaves; the limit is {most}"),
     )
     .note(
         "each octave costs the same and contributes half as much; the last ones are smaller \
@@ -61,7 +61,7 @@ fn check(cx: &mut Context, stmt: StmtId) {
 
 /// Whether a loop sums calls of a function, scaled by a number that each iteration scales again.
 fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
-    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let (module, defs) = (cx.facts.module(), cx.facts.reaching_definitions());
     let mut loops = (0..).map(LoopId).zip(&module.loops);
     let Some((id, looped)) = loops.find(|(_, l)| l.stmt == stmt) else {
         return false;
@@ -82,7 +82,7 @@ fn sums_octaves(cx: &Context, stmt: StmtId) -> bool {
 }
 
 /// Whether each iteration multiplies the value that a loop head holds.
-fn is_scaled(module: &Module, defs: &Defs, head: DefId) -> bool {
+fn is_scaled(module: &Module, defs: &ReachingDefinitions, head: DefId) -> bool {
     let Def::Head { back, .. } = defs.get(head) else {
         return false;
     };
@@ -101,7 +101,7 @@ fn is_scaled(module: &Module, defs: &Defs, head: DefId) -> bool {
 }
 
 /// Whether a value is a copy of one of these, or a product with one.
-fn sees(module: &Module, defs: &Defs, op: OpId, heads: &[DefId]) -> bool {
+fn sees(module: &Module, defs: &ReachingDefinitions, op: OpId, heads: &[DefId]) -> bool {
     match module.op(op).kind {
         OpKind::Load(_) => {
             let mut lanes = 0..defs.lanes_of(op);

@@ -1,8 +1,8 @@
 //! Indices that were out of range in a sample run.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
-use shaderlint_lint::trial::Trial;
+use shaderlint_exec::FaultKind;
+use shaderlint_lint::sample::SampleRun;
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -16,13 +16,16 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let told = cx.facts.trial().map_or(String::new(), Trial::told);
-    for fault in cx.facts.untold(Kind::OutOfRange) {
+    let note = cx
+        .facts
+        .sample_run()
+        .map_or(String::new(), SampleRun::sampled_note);
+    for fault in cx.facts.unreported_faults(FaultKind::OutOfRange) {
         let message = match fault.number.witness.operands.first() {
             Some(index) => format!("index {index} is out of range"),
             None => "index is out of range".to_string(),
         };
         let finding = cx.report_op(fault.number.op, message);
-        finding.note(fault.words).note(told.clone());
+        finding.note(fault.words).note(note.clone());
     }
 }

@@ -1,7 +1,7 @@
 //! Outputs that a function does not write.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::Parts;
+use shaderlint_flow::PartMask;
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
 
@@ -16,30 +16,30 @@ pub static RULE: Rule = Rule {
 };
 
 /// All components of a colour, a bit each.
-const PICTURE: Parts = 0b1111;
+const ALL_CHANNELS: PartMask = 0b1111;
 /// The bit of the alpha component.
-const ALPHA: Parts = 1 << 3;
+const ALPHA: PartMask = 1 << 3;
 
 fn check(cx: &mut Context, function: FunctionRef) {
     let program = cx.program;
-    let Some(found) = cx.facts.paths().get(function) else {
+    let Some(found) = cx.facts.definite_assignment().get(function) else {
         return;
     };
     let is_entry = cx.facts.entry() == Some(function);
     // ShaderToy's player ignores the alpha of the image.
-    let is_picture = program.dialect.host().hides_alpha && is_entry;
+    let is_image = program.dialect.host().hides_alpha && is_entry;
     let pass = Dialect::ShaderToy(Pass::Buffer);
     let is_buffer = is_entry
         && (program.dialect == pass || program.dialect == Dialect::ShaderToy(Pass::Cubemap));
     // A return value often tells the caller whether the outputs are valid.
-    let tells = program
+    let returns_status = program
         .function(function)
         .is_some_and(|f| !f.returns.is_void());
-    for unset in found.outputs.iter().filter(|u| u.always || !tells) {
-        let ignored = if is_picture { ALPHA } else { 0 };
+    for unset in found.outputs.iter().filter(|u| u.always || !returns_status) {
+        let ignored = if is_image { ALPHA } else { 0 };
         let missing = unset.missing & !ignored;
         // Only the other passes know which pixels and components of a buffer are used.
-        if is_buffer && !(unset.always && missing == PICTURE) {
+        if is_buffer && !(unset.always && missing == ALL_CHANNELS) {
             continue;
         }
         if !is_entry && !is_taken(cx, function, unset.variable, missing) {
@@ -79,8 +79,8 @@ fn check(cx: &mut Context, function: FunctionRef) {
 }
 
 /// Whether a caller reads what a function does not write; true for a function without callers.
-fn is_taken(cx: &Context, function: FunctionRef, output: VariableId, missing: Parts) -> bool {
-    let (module, live) = (cx.facts.module(), cx.facts.live());
+fn is_taken(cx: &Context, function: FunctionRef, output: VariableId, missing: PartMask) -> bool {
+    let (module, live) = (cx.facts.module(), cx.facts.liveness());
     let parameters = module.function(function).map(|f| module.parameters(f));
     let position = parameters.and_then(|p| p.iter().position(|p| *p == output));
     let Some(position) = position else {
@@ -88,7 +88,7 @@ fn is_taken(cx: &Context, function: FunctionRef, output: VariableId, missing: Pa
     };
     let ty = module.variable(output).map(|v| v.ty);
     let is_vector = ty.is_some_and(|ty| ty.is_vector());
-    let lanes = ty.map_or(0, |ty| cx.facts.defs().layout.lanes(ty));
+    let lanes = ty.map_or(0, |ty| cx.facts.reaching_definitions().layout.lanes(ty));
     let is_missing = |lane: &u32| !is_vector || missing & 1 << lane != 0;
     let mut calls = cx.facts.calls().calls_of(function).peekable();
     calls.peek().is_none()

@@ -37,11 +37,13 @@ fn check(cx: &mut Context, id: FunctionRef) {
         let (facts, ty) = (cx.facts, param.ty);
         let name = program.names.text(param.name);
         let is_plain = ty.is_scalar() || ty.is_vector();
-        let lanes = facts.defs().layout.lanes(ty);
+        let lanes = facts.reaching_definitions().layout.lanes(ty);
         if !is_plain
             || !program.is_direct(Extent::token(token))
-            || facts.unseen().has(name)
-            || !facts.live().is_unseen(facts.defs(), variable, lanes)
+            || facts.inactive_words().has(name)
+            || !facts
+                .liveness()
+                .is_unseen(facts.reaching_definitions(), variable, lanes)
         {
             continue;
         }

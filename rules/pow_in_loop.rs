@@ -29,8 +29,8 @@ fn check(cx: &mut Context, call: &Builtin) {
     let Some(Value::Float(power)) = program.scalar(exponent).filter(|_| is_literal) else {
         return;
     };
-    let is_whole = power.fract() == 0.0 && (2.0..=MAX_EXPONENT).contains(&power);
-    if !is_whole || program.expr(call.id).is_const || !program.ty(base).is_scalar() {
+    let is_integer = power.fract() == 0.0 && (2.0..=MAX_EXPONENT).contains(&power);
+    if !is_integer || program.expr(call.id).is_const || !program.ty(base).is_scalar() {
         return;
     }
     let structure = cx.facts.structure();
@@ -40,7 +40,10 @@ fn check(cx: &mut Context, call: &Builtin) {
     let mut around = structure
         .outwards(stmt)
         .filter_map(|s| cx.facts.loops().get(s));
-    let Some(head) = around.find(|l| l.bound.turns() != Some(1)).map(|l| l.stmt) else {
+    let Some(head) = around
+        .find(|l| l.bound.iterations() != Some(1))
+        .map(|l| l.stmt)
+    else {
         return;
     };
     // A base that may be negative is reported by `pow-negative-base`.

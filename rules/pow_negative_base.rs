@@ -1,7 +1,7 @@
 //! `pow` of a negative number.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
 use shaderlint_semantic::{BuiltinId, Value};
@@ -45,7 +45,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         )
         .help(help)
         .fix(fix);
-    cx.judge(call.id, &[Kind::Undefined]);
+    cx.confirm_by_sampling(call.id, &[FaultKind::Undefined]);
 }
 
 /// Whether an expression is a name or a member of one, and so can be written twice.

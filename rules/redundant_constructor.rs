@@ -33,16 +33,16 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     }
     let name = program.type_name(ty);
-    let whole = program.span(expr.extent);
+    let extent = program.span(expr.extent);
     let inner = program.expr_span(arg);
     let edits = if needs_parentheses(cx, id, arg) {
         let open = program.token(tree.expr(arg).extent.first.saturating_sub(1));
         let Some(open) = open else { return };
-        vec![Edit::delete(Span::new(whole.start, open.span.start))]
+        vec![Edit::delete(Span::new(extent.start, open.span.start))]
     } else {
         vec![
-            Edit::delete(Span::new(whole.start, inner.start)),
-            Edit::delete(Span::new(inner.end, whole.end)),
+            Edit::delete(Span::new(extent.start, inner.start)),
+            Edit::delete(Span::new(inner.end, extent.end)),
         ]
     };
     let text = program.expr_text(arg);

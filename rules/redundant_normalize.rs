@@ -1,7 +1,7 @@
 //! `normalize` of a vector that is already normalized.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_flow::defs::Def;
+use shaderlint_flow::reaching_definitions::Def;
 use shaderlint_ir::{OpId, OpKind, Provenance};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
 use shaderlint_semantic::BuiltinId;
@@ -51,7 +51,7 @@ fn check(cx: &mut Context, call: &Builtin) {
 /// The call of `normalize` of which a vector is an unchanged copy. The inner `None` means that
 /// there are several such calls.
 fn unit(cx: &Context, op: OpId) -> Option<Option<ExprId>> {
-    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let (module, defs) = (cx.facts.module(), cx.facts.reaching_definitions());
     let is_normalize =
         |op: OpId| matches!(module.op(op).kind, OpKind::Builtin(BuiltinId::Normalize, _));
     let mut at = op;
@@ -75,9 +75,9 @@ fn unit(cx: &Context, op: OpId) -> Option<Option<ExprId>> {
                     _ => None,
                 };
                 let value = held(0)?;
-                let is_whole = module.ty(value) == module.ty(at);
+                let is_complete = module.ty(value) == module.ty(at);
                 let is_one = (1..width).all(|lane| held(lane) == Some(value));
-                at = Some(value).filter(|_| is_whole && is_one)?;
+                at = Some(value).filter(|_| is_complete && is_one)?;
             }
             _ => return None,
         }

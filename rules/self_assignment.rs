@@ -35,10 +35,10 @@ fn check_assignment(cx: &mut Context, id: ExprId) {
     let ExprKind::Assign(None, target, value) = tree.expr(id).kind else {
         return;
     };
-    let whole = tree.expr(id).extent;
+    let extent = tree.expr(id).extent;
     let [left, right] = [target, tree.unparen(value)].map(|e| tree.expr(e).extent);
     if !same_code(program, left, right)
-        || !program.is_direct(whole)
+        || !program.is_direct(extent)
         || cx.facts.effects().has(target)
         || is_case(cx, id)
     {
@@ -46,7 +46,7 @@ fn check_assignment(cx: &mut Context, id: ExprId) {
     }
     let text = program.sources.text(program.span(left));
     let fix = removal(cx, id);
-    cx.report(whole, format!("`{text}` is assigned to itself"))
+    cx.report(extent, format!("`{text}` is assigned to itself"))
         .fix(fix);
 }
 

@@ -27,17 +27,20 @@ fn check(cx: &mut Context) {
     let facts = cx.facts;
     for march in facts.marches() {
         let looped = march.looped;
-        let (Some(turns), MarchGoal::Shadow, false) =
-            (looped.bound.turns(), march.goal, looped.ends_early)
+        let (Some(iterations), MarchGoal::Shadow, false) =
+            (looped.bound.iterations(), march.goal, looped.ends_early)
         else {
             continue;
         };
-        if turns <= most {
+        if iterations <= most {
             continue;
         }
         let head = Extent::token(cx.program.tree.stmt(looped.stmt).extent.first);
-        cx.report(head, format!("shadow loop always runs all {turns} steps"))
-            .note("once the light is blocked, further steps change nothing")
-            .help("add an early exit: `if (h < 0.001) return 0.0;` or `if (res < 0.004) break;`");
+        cx.report(
+            head,
+            format!("shadow loop always runs all {iterations} steps"),
+        )
+        .note("once the light is blocked, further steps change nothing")
+        .help("add an early exit: `if (h < 0.001) return 0.0;` or `if (res < 0.004) break;`");
     }
 }

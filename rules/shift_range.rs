@@ -1,7 +1,7 @@
 //! Shift amounts that are negative, or 32 and more.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
@@ -43,5 +43,5 @@ fn check(cx: &mut Context, id: ExprId) {
         "integers have 32 bits; a shift by less than 0 or more than 31 is undefined (section 5.9)",
     )
     .help("mask the shift amount with `& 31`");
-    cx.judge(id, &[Kind::Undefined]);
+    cx.confirm_by_sampling(id, &[FaultKind::Undefined]);
 }

@@ -57,7 +57,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         Some(fix) => finding.fix(fix),
         None => finding.help(ADVICE),
     };
-    cx.facts.tell(cx.facts.module().op_of(call.id));
+    cx.facts.mark_reported(cx.facts.module().op_of(call.id));
 }
 
 /// The argument of `sin` or `cos`.

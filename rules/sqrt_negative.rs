@@ -1,7 +1,7 @@
 //! Square roots of negative numbers.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
 use shaderlint_semantic::BuiltinId;
@@ -44,7 +44,7 @@ fn check(cx: &mut Context, call: &Builtin) {
             "`{name}` of a negative number is undefined (section 8.2), and NaN on most GPUs"
         ))
         .fix(fix);
-        cx.judge(call.id, &[Kind::Undefined]);
+        cx.confirm_by_sampling(call.id, &[FaultKind::Undefined]);
     } else if is_inverse && let Some(range) = ranges.iter().find(|r| r.holds(0.0)) {
         let is = range.may_or_is(|r| r.single() == Some(0.0));
         cx.report_range(
@@ -54,6 +54,6 @@ fn check(cx: &mut Context, call: &Builtin) {
         )
         .note("`inversesqrt(0.0)` is undefined (section 8.2)")
         .help("clamp it with `max(..., 1e-6)`");
-        cx.judge(call.id, &[Kind::Undefined]);
+        cx.confirm_by_sampling(call.id, &[FaultKind::Undefined]);
     }
 }

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Draw, quads_all_over};
-use shaderlint_lint::trial::{Instant, SIZE, grouped};
+use shaderlint_lint::sample::{Instant, SIZE, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -22,7 +22,7 @@ const TIMES: [f64; 8] = [0.0, 0.13, 0.71, 2.3, 5.9, 10.7, 23.3, 43.1];
 const QUADS: [usize; 3] = [8, 576, 4096];
 
 fn check(cx: &mut Context) {
-    if cx.facts.is_blank() || cx.facts.picture().is_none() {
+    if cx.facts.is_blank() || cx.facts.sampled_image().is_none() {
         return;
     }
     let Some((bench, supplier)) = cx.facts.bench() else {
@@ -42,21 +42,21 @@ fn check(cx: &mut Context) {
     };
     for count in QUADS {
         let quads = quads_all_over(SIZE, count, 0);
-        let pictures = TIMES.iter().map(|time| {
+        let images = TIMES.iter().map(|time| {
             let sampled = bench.sample(code, supplier, &Instant::at(*time), &quads)?;
             Some((sampled.outputs, sampled.covered))
         });
         let mut known = None;
-        for picture in pictures {
-            let Some(picture) = picture else { return };
-            if known.get_or_insert_with(|| picture.clone()) != &picture {
+        for image in images {
+            let Some(image) = image else { return };
+            if known.get_or_insert_with(|| image.clone()) != &image {
                 return;
             }
         }
     }
     let times = TIMES.map(|t| t.to_string()).join(", ");
     let message = format!("`{name}` is read, but the image does not change");
-    let finding = cx.report_picture(message);
+    let finding = cx.report_image(message);
     let pixels = grouped(QUADS[2] as u64 * 4);
     finding.note(format!(
         "{pixels} sampled pixels are identical at {times} s"

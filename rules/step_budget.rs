@@ -4,7 +4,7 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::{March, MarchGoal, way};
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
 use shaderlint_semantic::each_operand;
-use shaderlint_semantic::tunable::{TunableRange, range_behind};
+use shaderlint_semantic::tunable::{TunableRange, range_after};
 use shaderlint_semantic::{FunctionRef, Resolution};
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
@@ -73,14 +73,14 @@ fn check(cx: &mut Context) {
 
 /// Counts the steps of a loop that a hit may end early; `None` where the number is not known.
 fn marched(cx: &Context, march: &March) -> Option<Marched> {
-    let steps = march.looped.bound.turns()?;
+    let steps = march.looped.bound.iterations()?;
     let given = march.looped.given?;
     if !march.looped.ends_early {
         return None;
     }
     let documented = documented(cx, given);
     let usual = match march.goal {
-        MarchGoal::Picture => cx.option(&MAIN),
+        MarchGoal::Image => cx.option(&MAIN),
         MarchGoal::Shadow => cx.option(&SHADOW),
     };
     Some(Marched {
@@ -95,7 +95,7 @@ fn marched(cx: &Context, march: &March) -> Option<Marched> {
 /// The range in the comment after the definition of the number of steps: `// (80~400)`.
 fn documented(cx: &Context, given: ExprId) -> Option<TunableRange> {
     let (definition, _) = definition(cx, given)?;
-    range_behind(cx.program, definition).map(|(range, _)| range)
+    range_after(cx.program, definition).map(|(range, _)| range)
 }
 
 /// The macro or constant that defines the number of steps: the span of its last token, and of its
@@ -115,8 +115,8 @@ fn definition(cx: &Context, given: ExprId) -> Option<(Span, Span)> {
             && let Some(variable) = program.variable(id).filter(|v| v.is_const)
         {
             let declarator = program.declarator_of(id)?;
-            let behind = program.token(declarator.extent.last + 1)?.span;
-            return Some((behind, program.declared_at(variable)?));
+            let after = program.token(declarator.extent.last + 1)?.span;
+            return Some((after, program.declared_at(variable)?));
         }
         each_operand(&program.tree, expr, |child| todo.push(child));
     }
@@ -136,7 +136,7 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     let way = way(program, cx.facts.calls(), entry, looped.function);
     let definition = definition(cx, given);
     let role = march.goal.name();
-    let seen = cx.facts.turns_seen(looped.stmt);
+    let seen = cx.facts.iterations_note(looped.stmt);
     let mut finding = cx.report_expr(
         given,
         format!("{role} runs up to {steps} steps; the limit is {allowed}"),

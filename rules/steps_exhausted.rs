@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::LoopFacts;
-use shaderlint_lint::trial::{Trial, percent};
+use shaderlint_lint::sample::{SampleRun, percent};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -23,30 +23,37 @@ const OFTEN: f64 = 0.005;
 const SEEN: f64 = 0.01;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
     let marches = cx.facts.marches().iter();
     let searches = |l: &LoopFacts| {
-        let steps = l.bound.turns();
+        let steps = l.bound.iterations();
         l.ends_early && steps.is_some_and(|steps| steps >= LEAST_STEPS)
     };
     let loops: Vec<LoopFacts> = marches.map(|m| m.looped).filter(searches).collect();
     for looped in loops {
         let Some(given) = looped.given else { continue };
-        let exhausted = |trial: &Trial| {
-            let seen = cx.facts.loop_seen(&trial.seen, looped.stmt);
+        let exhausted = |sample_run: &SampleRun| {
+            let seen = cx.facts.loop_observation(&sample_run.seen, looped.stmt);
             seen.map_or(0.0, |l| {
-                l.exhausted_pixels as f64 / trial.pixels.max(1) as f64
+                l.exhausted_pixels as f64 / sample_run.pixels.max(1) as f64
             })
         };
-        if !cx.facts.is_seen(|trial| exhausted(trial) >= OFTEN) {
+        if !cx
+            .facts
+            .is_seen(|sample_run| exhausted(sample_run) >= OFTEN)
+        {
             continue;
         }
-        let Some(changed) = cx.facts.change_by_longer(&looped).filter(|c| *c >= SEEN) else {
+        let Some(changed) = cx
+            .facts
+            .change_by_more_iterations(&looped)
+            .filter(|c| *c >= SEEN)
+        else {
             continue;
         };
-        let (out, told) = (percent(exhausted(trial)), trial.told());
+        let (out, note) = (percent(exhausted(sample_run)), sample_run.sampled_note());
         let message = format!("marching loop runs out of steps in {out} of the pixels");
         let finding = cx.report_expr(given, message);
         finding
@@ -54,7 +61,7 @@ fn check(cx: &mut Context) {
                 "{} of the pixels change visibly with twice as many steps",
                 percent(changed)
             ))
-            .note(told)
+            .note(note)
             .help("use more steps, take longer steps, or end rays beyond a maximum distance as misses");
     }
 }

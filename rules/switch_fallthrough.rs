@@ -29,8 +29,8 @@ fn check(cx: &mut Context, id: StmtId) {
         }
         let group = body.get(..=at).unwrap_or(&[]);
         let group = group.rsplit(|s| is_label(*s)).next().unwrap_or(&[]);
-        let behind = body.get(at + 1..).unwrap_or(&[]);
-        let next = behind.iter().find(|s| !is_label(**s));
+        let after = body.get(at + 1..).unwrap_or(&[]);
+        let next = after.iter().find(|s| !is_label(**s));
         // Falling through into a lone jump does no harm.
         let leaves = next.is_some_and(|n| {
             matches!(

@@ -1,7 +1,7 @@
 //! `texelFetch` of texels outside the texture.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::defs::condition::{each_comparison, each_load};
+use shaderlint_flow::reaching_definitions::condition::{each_comparison, each_load};
 use shaderlint_ir::{OpId, OpKind, Provenance};
 use shaderlint_lint::screen::along;
 use shaderlint_lint::{Check, Context, Group, Rule};
@@ -58,11 +58,11 @@ fn beyond(cx: &Context, place: OpId, lane: u32) -> Option<&'static str> {
 
 /// Whether an enclosing condition tests the pixel coordinates.
 fn is_guarded(cx: &Context, op: OpId) -> bool {
-    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let (module, defs) = (cx.facts.module(), cx.facts.reaching_definitions());
     let mut is_guarded = false;
     for (_, guard) in defs.guards(op) {
-        each_comparison(module, defs, guard.condition, guard.truth, |told| {
-            each_load(module, defs, told, |load, lane, _| {
+        each_comparison(module, defs, guard.condition, guard.truth, |premise| {
+            each_load(module, defs, premise, |load, lane, _| {
                 is_guarded |= along(cx.facts, load, lane).is_some();
             });
         });

@@ -33,17 +33,17 @@ fn check(cx: &mut Context) {
         }
         _ => false,
     });
-    let mut told: Vec<OpId> = Vec::new();
+    let mut reported: Vec<OpId> = Vec::new();
     for (op, _) in lookups {
         let found = place_of(cx, op).and_then(|place| {
             let place_op = module.op_of(place)?;
             let jump = (0..2).find_map(|lane| cx.facts.jump(place_op, lane))?;
             Some((place, jump))
         });
-        let Some((place, jump)) = found.filter(|(_, jump)| !told.contains(&jump.call)) else {
+        let Some((place, jump)) = found.filter(|(_, jump)| !reported.contains(&jump.call)) else {
             continue;
         };
-        told.push(jump.call);
+        reported.push(jump.call);
         // Rounding makes coarse pixels on purpose, mostly from a texture without mipmaps.
         let is_known = cx.facts.around.mipmapped.contains(&Some(true));
         let is_seam = matches!(
@@ -53,7 +53,7 @@ fn check(cx: &mut Context) {
         if !is_seam && !is_known {
             continue;
         }
-        tell(cx, place, jump);
+        report(cx, place, jump);
     }
 }
 
@@ -74,7 +74,7 @@ fn place_of(cx: &Context, lookup: OpId) -> Option<ExprId> {
     (is_flat && cx.facts.chooses_level(lookup)).then_some(place)
 }
 
-fn tell(cx: &mut Context, place: ExprId, jump: Jump) {
+fn report(cx: &mut Context, place: ExprId, jump: Jump) {
     let origin = cx.facts.module().provenance(jump.call);
     let Some(extent) = origin.extent(&cx.program.tree) else {
         return;

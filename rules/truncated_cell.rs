@@ -63,7 +63,7 @@ fn check(cx: &mut Context, id: ExprId) {
 
 /// The `fract` of the same value, in the same function.
 fn fraction_of(cx: &Context, id: ExprId, op: OpId) -> Option<OpId> {
-    let (module, defs) = (cx.facts.module(), cx.facts.defs());
+    let (module, defs) = (cx.facts.module(), cx.facts.reaching_definitions());
     let function = cx.facts.structure().function_of_expr(id)?;
     module.function(function)?.ops.ops().find(|other| {
         let OpKind::Builtin(BuiltinId::Fract, operands) = module.op(*other).kind else {

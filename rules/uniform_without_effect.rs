@@ -1,8 +1,8 @@
 //! Uniforms that are read but do not affect the image.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::{Code, UniformSlot, quads_all_over};
-use shaderlint_lint::trial::{Instant, Press, SIZE, grouped};
+use shaderlint_exec::{Bytecode, UniformSlot, quads_all_over};
+use shaderlint_lint::sample::{Instant, Press, SIZE, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{Storage, VariableId};
 
@@ -24,7 +24,7 @@ const TIMES: [f64; 2] = [2.3, 10.7];
 const QUADS: [usize; 2] = [8, 256];
 
 fn check(cx: &mut Context) {
-    if cx.facts.is_blank() || cx.facts.picture().is_none() {
+    if cx.facts.is_blank() || cx.facts.sampled_image().is_none() {
         return;
     }
     let Some(code) = cx.facts.unwatched() else {
@@ -67,7 +67,7 @@ enum Way {
 }
 
 /// How to vary a uniform; `None` for those that the user does not control, such as time and size.
-fn way(cx: &Context, code: &Code, slot: &UniformSlot) -> Option<Way> {
+fn way(cx: &Context, code: &Bytecode, slot: &UniformSlot) -> Option<Way> {
     let (_, supplier) = cx.facts.bench()?;
     let draw = |instant: &Instant| supplier.draw(code, SIZE, instant);
     let [still, late] = [0.0, 10.7].map(Instant::at);
@@ -94,13 +94,13 @@ fn pressed(time: f64, place: f64) -> Instant {
 }
 
 /// Whether some value of a uniform changes some pixel.
-fn changes(cx: &Context, code: &Code, slot: &UniformSlot, way: Way) -> Option<bool> {
+fn changes(cx: &Context, code: &Bytecode, slot: &UniformSlot, way: Way) -> Option<bool> {
     let (bench, supplier) = cx.facts.bench()?;
     let count = (slot.ty.element().components() * slot.ty.array.max(1)) as usize;
     for quads in QUADS {
         let quads = quads_all_over(SIZE, quads, 0);
         for time in TIMES {
-            let shot = |number: usize| {
+            let frame = |number: usize| {
                 let instant = match (way, number) {
                     (Way::Mouse, 1..) => pressed(time, 90.0 * number as f64),
                     _ => Instant::at(time),
@@ -112,9 +112,9 @@ fn changes(cx: &Context, code: &Code, slot: &UniformSlot, way: Way) -> Option<bo
                 let sampled = bench.sample_draw(draw, &quads)?;
                 Some((sampled.outputs, sampled.covered))
             };
-            let first = shot(0)?;
+            let first = frame(0)?;
             for number in 1..VALUES.len() {
-                if shot(number)? != first {
+                if frame(number)? != first {
                     return Some(true);
                 }
             }

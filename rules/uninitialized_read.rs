@@ -1,7 +1,7 @@
 //! Variables that are read before they are assigned.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_flow::{Parts, Unset};
+use shaderlint_flow::{PartMask, UnassignedVariable};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
 use shaderlint_text::Edit;
@@ -18,10 +18,10 @@ pub static RULE: Rule = Rule {
 
 fn check(cx: &mut Context, function: FunctionRef) {
     let program = cx.program;
-    let Some(found) = cx.facts.paths().get(function) else {
+    let Some(found) = cx.facts.definite_assignment().get(function) else {
         return;
     };
-    let certain = |u: &&Unset| u.always || !u.guarded;
+    let certain = |u: &&UnassignedVariable| u.always || !u.guarded;
     for unset in found.reads.iter().filter(certain) {
         let Some(variable) = program.variable(unset.variable) else {
             continue;
@@ -78,7 +78,7 @@ fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
 }
 
 /// The name of the variable, with the unassigned components or field if others are assigned.
-fn name_of(cx: &Context, id: VariableId, missing: Parts) -> String {
+fn name_of(cx: &Context, id: VariableId, missing: PartMask) -> String {
     let Some(variable) = cx.program.variable(id) else {
         return String::new();
     };

@@ -2,8 +2,8 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::CompileOptions;
-use shaderlint_flow::Unset;
-use shaderlint_lint::trial::percent;
+use shaderlint_flow::UnassignedVariable;
+use shaderlint_lint::sample::percent;
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::FunctionRef;
 
@@ -21,7 +21,7 @@ pub static RULE: Rule = Rule {
 const RUBBISH: u32 = 0x40e8_0000;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
     let Some(unset) = suspect(cx) else { return };
@@ -40,7 +40,7 @@ fn check(cx: &mut Context) {
     let Some(changed) = changed.filter(|share| *share > 0.0) else {
         return;
     };
-    let told = trial.told();
+    let note = sample_run.sampled_note();
     let variable = cx.program.variable(unset.variable);
     let name = variable.map_or("", |v| cx.program.names.text(v.name));
     let message = format!("`{name}` is read before it is assigned, and the image depends on it");
@@ -50,23 +50,23 @@ fn check(cx: &mut Context) {
             "{} of the pixels change visibly if its initial value is 7.25 instead of 0.0",
             percent(changed)
         ))
-        .note(told);
+        .note(note);
 }
 
 /// The first read of a variable that may be unassigned; `None` if `uninitialized-read` reports one, or
 /// if it is an output of the entry function, which is zero in all browsers.
-fn suspect(cx: &Context) -> Option<Unset> {
+fn suspect(cx: &Context) -> Option<UnassignedVariable> {
     let functions = (0..cx.program.functions.len() as u32).map(FunctionRef);
     let outputs = cx.facts.outputs();
     let reads = functions
-        .filter_map(|f| cx.facts.paths().get(f))
+        .filter_map(|f| cx.facts.definite_assignment().get(f))
         .flat_map(|found| &found.reads);
-    let reads: Vec<&Unset> = reads.collect();
+    let reads: Vec<&UnassignedVariable> = reads.collect();
     if reads.iter().any(|u| outputs.contains(&u.variable)) {
         return None;
     }
-    let is_told = |u: &Unset| u.always || !u.guarded;
-    if reads.iter().any(|u| is_told(u)) {
+    let is_reported = |u: &UnassignedVariable| u.always || !u.guarded;
+    if reads.iter().any(|u| is_reported(u)) {
         return None;
     }
     reads.first().map(|u| **u)

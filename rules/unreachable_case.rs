@@ -1,7 +1,7 @@
 //! `case` labels outside the range of the selector.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::given::hangs_on_callers;
+use shaderlint_lint::given::depends_on_callers;
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::{Storage, Value};
 use shaderlint_syntax::ast::*;
@@ -56,5 +56,5 @@ fn is_computed_here(cx: &Context, selector: ExprId) -> bool {
     let storage = variable
         .and_then(|v| cx.program.variable(v))
         .map(|v| v.storage);
-    matches!(storage, None | Some(Storage::Local)) && !hangs_on_callers(cx.facts, selector)
+    matches!(storage, None | Some(Storage::Local)) && !depends_on_callers(cx.facts, selector)
 }

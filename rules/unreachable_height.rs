@@ -1,9 +1,9 @@
 //! Thresholds that a height, or another quantity, never reaches in a sample run.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::{ComparedSeen, Watch};
+use shaderlint_exec::{ComparisonObservation, Watch};
 use shaderlint_ir::{Module, Op, OpId, OpKind};
-use shaderlint_lint::trial::{Trial, TrialShot, grouped};
+use shaderlint_lint::sample::{SampleFrame, SampleRun, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule};
 use shaderlint_semantic::Type;
 
@@ -37,7 +37,7 @@ struct Bands {
 
 fn check(cx: &mut Context) {
     let bands = bands(cx);
-    let Some(trial) = cx.facts.picture().filter(|_| !bands.is_empty()) else {
+    let Some(sample_run) = cx.facts.sampled_image().filter(|_| !bands.is_empty()) else {
         return;
     };
     let mut runs = cx.facts.smaller_runs(Watch::Comparisons);
@@ -50,22 +50,23 @@ fn check(cx: &mut Context) {
         .filter_map(missed)
         .filter(|(seen, bands)| {
             let is_known = cx.facts.is_known(bands.first());
-            is_known && seen.tells && seen.is_below() && !grows(&usual, bands)
+            is_known && seen.distinguishes && seen.is_below() && !grows(&usual, bands)
         });
     let missed: Vec<(Reached, Bands)> = missed.collect();
     if missed.is_empty() {
         return;
     }
-    let others: Vec<Trial> = runs.flatten().collect();
+    let others: Vec<SampleRun> = runs.flatten().collect();
     for (seen, bands) in missed {
-        let is_same = |trial: &Trial| Reached::of(trial, &bands).is_none_or(|r| r.is_below());
+        let is_same =
+            |sample_run: &SampleRun| Reached::of(sample_run, &bands).is_none_or(|r| r.is_below());
         if !others.iter().all(is_same) {
             continue;
         }
         let Reached {
             most, limit, times, ..
         } = seen;
-        let told = trial.told();
+        let note = sample_run.sampled_note();
         let message =
             format!("value is at most {most:.3}, so the threshold {limit} is never reached");
         let finding = cx.report_op(bands.value, message);
@@ -74,7 +75,7 @@ fn check(cx: &mut Context) {
                 "{most:.3} is the maximum of {} sampled comparisons",
                 grouped(times)
             ))
-            .note(told)
+            .note(note)
             .help("divide by the largest value that is actually reached, or lower the thresholds");
     }
 }
@@ -136,14 +137,14 @@ struct Reached {
     /// Number of evaluations of the comparison that ran most often.
     times: u64,
     /// Whether some comparison was both true and false.
-    tells: bool,
+    distinguishes: bool,
 }
 
 impl Reached {
-    fn of(trial: &Trial, bands: &Bands) -> Option<Reached> {
+    fn of(sample_run: &SampleRun, bands: &Bands) -> Option<Reached> {
         let ops = bands.others.iter().chain([&bands.last]);
-        let seen = |op: &OpId| trial.seen.compared.iter().find(|c| c.op == *op);
-        let seen: Vec<&ComparedSeen> = ops.filter_map(seen).collect();
+        let seen = |op: &OpId| sample_run.seen.compared.iter().find(|c| c.op == *op);
+        let seen: Vec<&ComparisonObservation> = ops.filter_map(seen).collect();
         let times = seen.iter().map(|c| c.held + c.failed).max()?;
         (times >= LEAST).then(|| Reached {
             most: seen
@@ -152,7 +153,7 @@ impl Reached {
                 .fold(f64::NEG_INFINITY, f64::max),
             limit: bands.limit,
             times,
-            tells: seen.iter().any(|c| c.held > 0 && c.failed > 0),
+            distinguishes: seen.iter().any(|c| c.held > 0 && c.failed > 0),
         })
     }
 
@@ -164,13 +165,13 @@ impl Reached {
 }
 
 /// Whether the maximum at the last instant is far above the earlier ones, so that it may keep growing.
-fn grows(trial: &Trial, bands: &Bands) -> bool {
-    let most = |shot: &TrialShot| {
-        let compared = shot.sampled.seen.compared.iter();
+fn grows(sample_run: &SampleRun, bands: &Bands) -> bool {
+    let most = |frame: &SampleFrame| {
+        let compared = frame.sampled.seen.compared.iter();
         let own = compared.filter(|c| c.op == bands.last || bands.others.contains(&c.op));
         own.map(|c| c.left[1]).fold(f64::NEG_INFINITY, f64::max)
     };
-    let Some((last, earlier)) = trial.shots.split_last() else {
+    let Some((last, earlier)) = sample_run.frames.split_last() else {
         return false;
     };
     let earlier = earlier.iter().map(most).fold(f64::NEG_INFINITY, f64::max);

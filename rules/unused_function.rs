@@ -29,7 +29,7 @@ fn check(cx: &mut Context, id: FunctionRef) {
     let is_test = function.is_some_and(|f| f.is_test(&program.names));
     let is_exempt = name.starts_with('_') || starts_a_shader(name) || is_test;
     let is_called = || cx.facts.calls().calls_of(id).next().is_some();
-    if !is_own || is_exempt || is_called() || cx.facts.unseen().has(name) {
+    if !is_own || is_exempt || is_called() || cx.facts.inactive_words().has(name) {
         return;
     }
     let fix = removal(cx, definition);

@@ -42,7 +42,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let own = program.names.text(param.name);
         let Some(token) = param.token else { continue };
         let is_direct = program.is_direct(Extent::token(token));
-        if is_used || own.starts_with('_') || !is_direct || cx.facts.unseen().has(own) {
+        if is_used || own.starts_with('_') || !is_direct || cx.facts.inactive_words().has(own) {
             continue;
         }
         cx.report(

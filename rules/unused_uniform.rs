@@ -28,7 +28,7 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let Some(token) = token.filter(|t| is_own && program.is_direct(*t)) else {
         return;
     };
-    if name.starts_with('_') || cx.facts.unseen().has(name) {
+    if name.starts_with('_') || cx.facts.inactive_words().has(name) {
         return;
     }
     let edit = remove_declaration(program, declared);

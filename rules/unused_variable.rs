@@ -59,7 +59,7 @@ fn is_unused(cx: &Context, declared: &DeclaredVariable) -> bool {
         && variable
             .token
             .is_some_and(|t| program.is_direct(Extent::token(t)))
-        && !cx.facts.unseen().has(name)
+        && !cx.facts.inactive_words().has(name)
         && (declared.stmt.is_some() || is_own())
 }
 

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::Interval;
-use shaderlint_lint::given::{hangs_on_callers, is_exact, is_of_uniforms};
+use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
 use shaderlint_semantic::{BuiltinId, Storage};
 use shaderlint_syntax::ast::*;
@@ -110,5 +110,5 @@ fn is_computed_here(cx: &Context, value: ExprId) -> bool {
         .map(|v| v.storage);
     matches!(storage, None | Some(Storage::Local))
         && !is_of_uniforms(cx.program, value)
-        && !hangs_on_callers(cx.facts, value)
+        && !depends_on_callers(cx.facts, value)
 }

@@ -27,16 +27,16 @@ fn check(cx: &mut Context) {
             _ => None,
         })
         .collect();
-    let behind = products
+    let after = products
         .iter()
         .filter(|(_, _, v)| module.ty(*v).is_vector());
-    let behind: Vec<(OpId, OpId)> = behind.map(|(op, m, _)| (*op, *m)).take(MOST).collect();
+    let after: Vec<(OpId, OpId)> = after.map(|(op, m, _)| (*op, *m)).take(MOST).collect();
     for (op, vector, matrix) in products {
         if !module.ty(vector).is_vector() {
             continue;
         }
-        let defs = cx.facts.defs();
-        let same = behind
+        let defs = cx.facts.reaching_definitions();
+        let same = after
             .iter()
             .find(|(_, m)| is_same(module, defs, *m, matrix));
         let Some((other, _)) = same else { continue };

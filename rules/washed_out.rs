@@ -1,7 +1,7 @@
 //! Images that are brighter than white nearly everywhere.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::trial::{Trial, is_too_bright, share};
+use shaderlint_lint::sample::{SampleRun, is_too_bright, share};
 use shaderlint_lint::{Check, Context, Group, Rule};
 
 pub static RULE: Rule = Rule {
@@ -18,17 +18,19 @@ pub static RULE: Rule = Rule {
 const MOST: f64 = 0.9;
 
 fn check(cx: &mut Context) {
-    let Some(trial) = cx.facts.picture() else {
+    let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
-    let is_washed = |trial: &Trial| trial.all(|shot| share(shot.drawn(), is_too_bright) >= MOST);
-    if trial.shows_a_number() || !cx.facts.is_seen(is_washed) {
+    let is_washed = |sample_run: &SampleRun| {
+        sample_run.all(|frame| share(frame.drawn(), is_too_bright) >= MOST)
+    };
+    if sample_run.shows_a_number() || !cx.facts.is_seen(is_washed) {
         return;
     }
-    let percent = (share(trial.drawn(), is_too_bright) * 100.0).floor();
-    let told = trial.told();
-    let finding = cx.report_picture(format!("{percent} % of the image is brighter than white"));
+    let percent = (share(sample_run.drawn(), is_too_bright) * 100.0).floor();
+    let note = sample_run.sampled_note();
+    let finding = cx.report_image(format!("{percent} % of the image is brighter than white"));
     finding
-        .note(told)
+        .note(note)
         .help("reduce lights and colours, or apply tone mapping, e.g. `color / (1.0 + color)`");
 }

@@ -1,7 +1,7 @@
 //! Division by zero.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
 use shaderlint_lint::{Check, Context, Group, Rule, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar};
@@ -71,7 +71,7 @@ fn check(cx: &mut Context, id: ExprId) {
     if !is_zero && range.lo.value >= 0.0 {
         finding.help("start the counter at 1, skip this case, or use `max(x, smallest)` with the smallest meaningful divisor");
     }
-    cx.judge(id, &[Kind::DivisionByZero]);
+    cx.confirm_by_sampling(id, &[FaultKind::DivisionByZero]);
 }
 
 /// Whether both sides of a division of floats are constants.

@@ -38,12 +38,12 @@ fn what_shaderlint_says() {
         let name = path.file_name().unwrap().to_str().unwrap();
         let report = check(name, &text, &Options::default(), &NoFiles);
         assert!(report.unread.is_none(), "{name} cannot be checked");
-        let said: Vec<String> = report
+        let messages: Vec<String> = report
             .diagnostics
             .iter()
             .map(|d| render(&report.sources, d))
             .collect();
-        golden(&path, "lint", said.join("\n"));
+        golden(&path, "lint", messages.join("\n"));
     }
 }
 

@@ -31,8 +31,8 @@ fn modules(name: &str, text: &str) -> Vec<Option<String>> {
     let report = analyze(name, text, &Options::default(), &NoFiles);
     // Source positions follow slashes; they change.
     let lines = |text: String| -> String {
-        let said = text.lines().map(|l| l.split(" // ").next().unwrap_or(l));
-        said.map(|l| l.trim_end().to_string() + "\n").collect()
+        let shown = text.lines().map(|l| l.split(" // ").next().unwrap_or(l));
+        shown.map(|l| l.trim_end().to_string() + "\n").collect()
     };
     let analyses = report.analyses.iter();
     let module = analyses.map(|a| (!a.has_errors).then(|| lines(print(&a.program, a.module()))));
@@ -42,9 +42,10 @@ fn modules(name: &str, text: &str) -> Vec<Option<String>> {
 /// The tokens of a text, without white space.
 fn tokens(text: &str) -> Vec<&str> {
     let raw = tokenize(text, 0);
-    let is_said = |kind| !matches!(kind, RawKind::Whitespace | RawKind::Newline);
-    let said = raw.into_iter().filter(|t| is_said(t.kind));
-    said.map(|t| &text[t.span.start as usize..t.span.end as usize])
+    let is_shown = |kind| !matches!(kind, RawKind::Whitespace | RawKind::Newline);
+    let shown = raw.into_iter().filter(|t| is_shown(t.kind));
+    shown
+        .map(|t| &text[t.span.start as usize..t.span.end as usize])
         .collect()
 }
 

@@ -8,9 +8,9 @@ use shaderlint::port::naga::{
     FirstRow, LowerOptions, Lowered, Refused, Repeated, TargetLanguage, lower, translate, write,
 };
 use shaderlint::port::{
-    Destination, MainChoice, Order, Project, Target, compose, translate_shaders, whole_shaders,
+    Destination, MainChoice, Order, Project, Target, complete_shaders, compose, translate_shaders,
 };
-use shaderlint::semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
+use shaderlint::semantic::{Checked, Completeness, Dialect, Stage, Unit, analyze};
 use shaderlint::text::{Role, Sources};
 use std::fs;
 use std::path::Path;
@@ -78,8 +78,8 @@ fn hlsl_output_compiles() {
         let text = written(&with_functions(statement), TargetLanguage::Hlsl).unwrap();
         accepts(Stage::Fragment, &text);
     }
-    for (stage, code) in WHOLE {
-        let (_, text) = whole(&checked(*stage, code), TargetLanguage::Hlsl).unwrap();
+    for (stage, code) in SHADERS {
+        let (_, text) = translate_complete(&checked(*stage, code), TargetLanguage::Hlsl).unwrap();
         accepts(*stage, &text);
     }
 }
@@ -202,7 +202,7 @@ fn with_functions(statement: &str) -> String {
 }
 
 /// Complete shaders of both stages and versions, with arbitrary uniforms.
-const WHOLE: &[(Stage, &str)] = &[
+const SHADERS: &[(Stage, &str)] = &[
     (
         Stage::Fragment,
         "#version 300 es\nprecision highp float;\nuniform vec2 u_resolution;\nin vec2 vUv;\n\
@@ -263,10 +263,11 @@ const WHOLE: &[(Stage, &str)] = &[
 
 #[test]
 fn complete_shaders_translate_to_all_languages() {
-    for (stage, code) in WHOLE {
+    for (stage, code) in SHADERS {
         let checked = checked(*stage, code);
         for language in TargetLanguage::ALL {
-            whole(&checked, language).unwrap_or_else(|e| panic!("{language:?} {e:?}\n{code}"));
+            translate_complete(&checked, language)
+                .unwrap_or_else(|e| panic!("{language:?} {e:?}\n{code}"));
         }
     }
 }
@@ -274,13 +275,13 @@ fn complete_shaders_translate_to_all_languages() {
 #[test]
 fn the_interface_names_what_a_host_feeds() {
     let shown = |(stage, code): &(Stage, &str), language| {
-        let (lowered, text) = whole(&checked(*stage, code), language).unwrap();
+        let (lowered, text) = translate_complete(&checked(*stage, code), language).unwrap();
         let head = String::from_utf8_lossy(&text);
         let head: Vec<&str> = head.lines().take_while(|l| l.starts_with("//")).collect();
         let json = serde_json::to_string_pretty(&lowered.interface).unwrap();
         format!("{}\n{json}\n", head.join("\n"))
     };
-    let [_, _, _, vertex, fragment, ..] = WHOLE else {
+    let [_, _, _, vertex, fragment, ..] = SHADERS else {
         panic!()
     };
     insta::assert_snapshot!(shown(fragment, TargetLanguage::Wgsl));
@@ -353,7 +354,7 @@ fn linked_stages_share_varying_locations() {
         interface: true,
         first_row: FirstRow::Top,
     };
-    let all = whole_shaders(vec![file("x.vert", vertex), file("x.frag", fragment)]).unwrap();
+    let all = complete_shaders(vec![file("x.vert", vertex), file("x.frag", fragment)]).unwrap();
     let build = translate_shaders(order, &all).unwrap();
     let paths: Vec<_> = build
         .files
@@ -372,7 +373,7 @@ fn linked_stages_share_varying_locations() {
         assert!(stage.contains("@location(1) b: vec2<f32>"), "{stage}");
         assert!(stage.contains("@location(2) a: f32"), "{stage}");
     }
-    let alone = whole_shaders(vec![file("x.frag", fragment)]).unwrap();
+    let alone = complete_shaders(vec![file("x.frag", fragment)]).unwrap();
     let build = translate_shaders(order, &alone).unwrap();
     let text = String::from_utf8(build.files[0].content.clone()).unwrap();
     assert!(text.contains("@location(0) a: f32"), "{text}");
@@ -405,15 +406,18 @@ fn untranslatable_features_are_rejected_at_their_position() {
 }
 
 /// The WGSL translation of a complete fragment shader.
-fn whole_wgsl(code: &str) -> String {
-    let (_, text) = whole(&checked(Stage::Fragment, code), TargetLanguage::Wgsl).unwrap();
+fn wgsl_of(code: &str) -> String {
+    let (_, text) =
+        translate_complete(&checked(Stage::Fragment, code), TargetLanguage::Wgsl).unwrap();
     String::from_utf8(text).unwrap()
 }
 
 /// The refusal of a shader, and the text at its position.
 fn refusal(code: &str) -> (Refused, String) {
     let analysis = checked(Stage::Fragment, code);
-    let refused = whole(&analysis, TargetLanguage::Wgsl).err().unwrap();
+    let refused = translate_complete(&analysis, TargetLanguage::Wgsl)
+        .err()
+        .unwrap();
     let text = analysis.program.sources.text(refused.span).to_string();
     (refused, text)
 }
@@ -428,7 +432,7 @@ fn checked(stage: Stage, code: &str) -> Checked {
         stage,
         dialect: Dialect::WebGl,
         infer_channels: false,
-        wholeness: Wholeness::Whole,
+        completeness: Completeness::Complete,
     });
     assert!(
         checked.diagnostics.is_empty(),
@@ -439,7 +443,10 @@ fn checked(stage: Stage, code: &str) -> Checked {
 }
 
 /// Translates a complete shader.
-fn whole(checked: &Checked, language: TargetLanguage) -> Result<(Lowered, Vec<u8>), Refused> {
+fn translate_complete(
+    checked: &Checked,
+    language: TargetLanguage,
+) -> Result<(Lowered, Vec<u8>), Refused> {
     let options = LowerOptions {
         language,
         first_row: FirstRow::Top,
@@ -453,11 +460,11 @@ fn whole(checked: &Checked, language: TargetLanguage) -> Result<(Lowered, Vec<u8
 #[test]
 fn rows_are_flipped_for_images_only() {
     let image = "void mainImage(out vec4 c, in vec2 f) { c = vec4(f, dFdy(f)); }";
-    let turned = wgsl(image);
-    assert!(turned.contains("uniforms.iResolution.y"), "{turned}");
-    let derivative = turned.split_once(" = dpdy(").unwrap().0;
+    let flipped = wgsl(image);
+    assert!(flipped.contains("uniforms.iResolution.y"), "{flipped}");
+    let derivative = flipped.split_once(" = dpdy(").unwrap().0;
     let name = derivative.rsplit(' ').next().unwrap();
-    assert!(turned.contains(&format!("-({name})")), "{turned}");
+    assert!(flipped.contains(&format!("-({name})")), "{flipped}");
 }
 
 #[test]
@@ -494,7 +501,7 @@ fn out_parameters_start_at_zero() {
 
 #[test]
 fn integer_textures_wrap_at_the_nearest_level() {
-    let text = whole_wgsl(
+    let text = wgsl_of(
         "#version 300 es\nprecision highp float;\nprecision highp isampler2D;\n\
          uniform isampler2D t;\nuniform float l;\nout vec4 c;\n\
          void main() { c = vec4(textureLod(t, gl_FragCoord.xy, l)); }\n",
@@ -509,7 +516,7 @@ fn frag_coord_w_is_inverted_for_direct3d() {
     let code = "#version 300 es\nprecision highp float;\nout vec4 c;\n\
                 void main() { c = vec4(gl_FragCoord.w); }\n";
     let inverse = |language| {
-        let (_, text) = whole(&checked(Stage::Fragment, code), language).unwrap();
+        let (_, text) = translate_complete(&checked(Stage::Fragment, code), language).unwrap();
         String::from_utf8(text)
             .unwrap()
             .contains("1.0 / position.w")
@@ -535,7 +542,7 @@ fn texture_size_halves_with_each_level() {
 
 #[test]
 fn sampler_array_elements_are_selected_by_switch() {
-    let text = whole_wgsl(WHOLE[5].1);
+    let text = wgsl_of(SHADERS[5].1);
     assert_eq!(text.matches("switch ").count(), 4, "{text}");
     assert!(
         text.contains("fn all_(s_0_: texture_2d<f32>") || text.contains("s_0"),
@@ -547,7 +554,8 @@ fn sampler_array_elements_are_selected_by_switch() {
 fn qualifiers_are_kept() {
     let vertex = "#version 300 es\ninvariant gl_Position;\nin vec4 at;\ncentroid out vec2 v;\n\
                   flat out int w;\nvoid main() { v = at.xy; w = 1; gl_Position = at; }\n";
-    let (_, text) = whole(&checked(Stage::Vertex, vertex), TargetLanguage::Wgsl).unwrap();
+    let (_, text) =
+        translate_complete(&checked(Stage::Vertex, vertex), TargetLanguage::Wgsl).unwrap();
     let text = String::from_utf8(text).unwrap();
     for part in [
         "@builtin(position) @invariant",
@@ -556,7 +564,7 @@ fn qualifiers_are_kept() {
     ] {
         assert!(text.contains(part), "{part}\n{text}");
     }
-    let told = whole_wgsl(WHOLE[6].1);
+    let told = wgsl_of(SHADERS[6].1);
     for part in [
         "centroid",
         "// flat inputs have the value of the first vertex",
@@ -575,7 +583,7 @@ fn row_major_layouts_are_supported() {
                 vec4(a[0][i]); }\n";
     let checked = checked(Stage::Fragment, code);
     for language in TargetLanguage::ALL {
-        let (lowered, text) = whole(&checked, language).unwrap();
+        let (lowered, text) = translate_complete(&checked, language).unwrap();
         if language == TargetLanguage::Wgsl {
             let text = String::from_utf8(text).unwrap();
             assert!(text.contains("a: mat2x3<f32>"), "{text}");

@@ -1,7 +1,7 @@
 //! Mistakes inside expressions and constructs of other languages: each is a single error, and its
 //! fix produces the intended code.
 
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::rules::RULES;
 
@@ -27,7 +27,7 @@ fn check_in(before: &str, broken: &str, meant: &str, after: &str) {
     let code = format!("{before}{broken}{after}");
     let errors = judge(&code);
     assert_eq!(errors.len(), 1, "{broken}: {errors:?}");
-    let fixed = mend("a.frag", &code, &options(), &NoFiles, Allow::Unsafe);
+    let fixed = fix_text("a.frag", &code, &options(), &NoFiles, Allow::Unsafe);
     let body = fixed
         .text
         .strip_prefix(before)
@@ -185,7 +185,7 @@ fn what_cannot_be_written_to_is_copied_and_what_is_declared_twice_is_one() {
         "vec3 c = a; float c2 = x; x = c2;",
     );
     let broken = format!("{HEAD}{BEFORE}time += 0.1;{AFTER}");
-    let fixed = mend("a.frag", &broken, &options(), &NoFiles, Allow::Unsafe);
+    let fixed = fix_text("a.frag", &broken, &options(), &NoFiles, Allow::Unsafe);
     assert!(
         fixed.text.contains("float timeCopy = time;"),
         "{}",
@@ -195,7 +195,7 @@ fn what_cannot_be_written_to_is_copied_and_what_is_declared_twice_is_one() {
 }
 
 #[test]
-fn the_uses_of_a_variable_tell_whether_its_type_or_its_value_is_wrong() {
+fn the_uses_of_a_variable_decide_whether_its_type_or_its_value_is_wrong() {
     statement(
         "int c = 1.5; x = c * 2.0; y = c;",
         "float c = 1.5; x = c * 2.0; y = c;",

@@ -5,9 +5,9 @@
 //! and the tables in `rules/README.md`.
 
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check, mend};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
 use shaderlint::host::{Feed, presets};
-use shaderlint::lint::trial::{INSTANTS, SIZE, TrialLimit, grouped};
+use shaderlint::lint::sample::{INSTANTS, SIZE, SampleLimit, grouped};
 use shaderlint::lint::{Allow, Check, Fence, FenceKind, Page, Renderer, Rule, Settings};
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
@@ -74,7 +74,7 @@ impl Example<'_> {
         let fixed = |allow| {
             let bad = bad()?;
             let code = self.content(bad);
-            let fixed = mend(
+            let fixed = fix_text(
                 bad.file,
                 code,
                 &options(bad.file, code, &settings),
@@ -180,7 +180,7 @@ fn fix_of(name: &str, text: &str, page: &Page) -> &'static str {
         let mut codes = bad.map(|f| (f.file, &text[f.range.clone()]));
         codes.any(|(file, code)| {
             let options = options(file, code, &settings);
-            mend(file, code, &options, &NoFiles, allow).text != code
+            fix_text(file, code, &options, &NoFiles, allow).text != code
         })
     };
     match (changes(Allow::Safe), changes(Allow::Unsafe)) {
@@ -222,7 +222,7 @@ fn sampled(name: &str) -> Option<String> {
     let times = INSTANTS.map(|i| i.time.to_string());
     let (last, first) = times.split_last()?;
     let first = first.join(", ");
-    let pixels = grouped(TrialLimit::default().pixels.into());
+    let pixels = grouped(SampleLimit::default().pixels.into());
     Some(format!(
         "Found in a [sample run](../docs/sampling.md): up to {pixels} pixels of a {width}x{height} frame, \
         at {first} and {last} s."
@@ -388,7 +388,7 @@ fn pages_of_hosts() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/hosts");
     let words: String = Feed::ALL
         .iter()
-        .map(|feed| format!("| `{}` | {} |\n", feed.name(), feed.says()))
+        .map(|feed| format!("| `{}` | {} |\n", feed.name(), feed.description()))
         .collect();
     let words = format!("| value | meaning |\n|---|---|\n{words}");
     let mut list = format!(
@@ -500,9 +500,9 @@ fn errors(folder: &str) -> String {
 fn with_table(text: &str, table: &Table, folder: &str) -> Option<String> {
     let (open, close) = table.markers;
     let (before, rest) = text.split_once(open)?;
-    let (_, behind) = rest.split_once(close)?;
+    let (_, after) = rest.split_once(close)?;
     Some(format!(
-        "{before}{open}{}{close}{behind}",
+        "{before}{open}{}{close}{after}",
         (table.rows)(folder)
     ))
 }

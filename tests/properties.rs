@@ -6,7 +6,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, mend};
+use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
 use shaderlint::port::{Project, json};
 use shaderlint::rules::RULES;
@@ -278,7 +278,7 @@ proptest! {
 fn trouble_of_fixes(text: &str) -> Option<String> {
     let options = Options::default();
     let before = count_errors(&judge(text));
-    let fixed = |text: &str, allow| mend("a.glsl", text, &options, &NoFiles, allow).text;
+    let fixed = |text: &str, allow| fix_text("a.glsl", text, &options, &NoFiles, allow).text;
     for allow in [Allow::Safe, Allow::Unsafe] {
         let after = count_errors(&judge(&fixed(text, allow)));
         if before == 0 && after > 0 {

@@ -87,17 +87,17 @@ fn each_word<'t>(text: &'t str, mut visit: impl FnMut(&'t str, WordUse)) {
     while let Some(start) = rest.find(is_word) {
         let (before, from) = rest.split_at(start);
         let end = from.find(|c| !is_word(c)).unwrap_or(from.len());
-        let (word, behind) = from.split_at(end);
+        let (word, after) = from.split_at(end);
         visit(before, WordUse::None);
         visit(
             word,
             match () {
                 () if word.starts_with(|c: char| c.is_ascii_digit()) => WordUse::None,
-                () if behind.starts_with('(') || before.ends_with('.') => WordUse::Other,
+                () if after.starts_with('(') || before.ends_with('.') => WordUse::Other,
                 () => WordUse::Variable,
             },
         );
-        rest = behind;
+        rest = after;
     }
     visit(rest, WordUse::None);
 }

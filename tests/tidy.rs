@@ -36,7 +36,7 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
 }
 
 /// Files with this extension: paths relative to the repository, and contents.
-pub fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
+pub fn files(folders: &[&str], extension: &str) -> Vec<(String, String)> {
     let mut paths = Vec::new();
     for folder in folders {
         walk(&root().join(folder), &mut paths);
@@ -44,7 +44,7 @@ pub fn files(folders: &[&str], ending: &str) -> Vec<(String, String)> {
     paths.sort();
     paths
         .into_iter()
-        .filter(|p| p.to_str().is_some_and(|p| p.ends_with(ending)))
+        .filter(|p| p.to_str().is_some_and(|p| p.ends_with(extension)))
         .map(|p| {
             let name = p
                 .strip_prefix(root())
@@ -86,11 +86,11 @@ fn rules_do_not_depend_on_each_other() {
 
 #[test]
 fn every_rule_has_code_and_a_page() {
-    let names = |ending: &str| -> BTreeSet<String> {
+    let names = |extension: &str| -> BTreeSet<String> {
         let all = fs::read_dir(root().join("rules"))
             .unwrap()
             .map(|e| e.unwrap().path());
-        all.filter(|p| p.extension().is_some_and(|e| e == ending))
+        all.filter(|p| p.extension().is_some_and(|e| e == extension))
             .map(|p| p.file_stem().unwrap().to_str().unwrap().replace('_', "-"))
             .filter(|n| n != "lib" && n != "errors" && n != "README")
             .collect()

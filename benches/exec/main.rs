@@ -3,7 +3,7 @@
 
 mod voxel;
 
-use shaderlint::engine::play::{Moment, Picture, Scene};
+use shaderlint::engine::playback::{Moment, RenderedImage, Scene};
 use shaderlint::engine::{Analysis, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, draw, quads_all_over, sample};
 use shaderlint::ir::lower;
@@ -13,7 +13,7 @@ use std::time::Instant;
 /// Resolution that sampling assumes, in pixels.
 const SIZE: [u32; 2] = [1280, 720];
 /// Resolution of complete frames, in pixels.
-const PICTURE: [u32; 2] = [640, 360];
+const IMAGE_SIZE: [u32; 2] = [640, 360];
 const TIME: f64 = 2.0;
 /// Minimum duration of one measurement, in seconds.
 const SECONDS: f64 = 0.5;
@@ -64,15 +64,15 @@ fn measured(name: &str) -> serde_json::Value {
     let quads = quads_all_over(SIZE, 48 * 48, 0);
     let asked = |draw: Draw<'_>| best(|| drop(black_box(sample(&draw, &quads))));
     let whole = |scene: &Scene, threads| {
-        let draw_ready = scene.draw(PICTURE, &moment);
+        let draw_ready = scene.draw(IMAGE_SIZE, &moment);
         best(|| drop(black_box(draw(&draw_ready, threads))))
     };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let seen = draw(&watched.draw(PICTURE, &moment), cores)
+    let seen = draw(&watched.draw(IMAGE_SIZE, &moment), cores)
         .expect("run within the fuel limit")
         .seen;
     let one = whole(&plain, 1);
-    let pixels = f64::from(PICTURE[0] * PICTURE[1]);
+    let pixels = f64::from(IMAGE_SIZE[0] * IMAGE_SIZE[1]);
     let options = CompileOptions::default();
     serde_json::json!({
         "sampling_ms": asked(plain.draw(SIZE, &moment)),
@@ -90,27 +90,27 @@ fn measured(name: &str) -> serde_json::Value {
 /// Time per pixel of the native version on one core, after checking that it draws the same image.
 fn native() -> f64 {
     let time = TIME as f32;
-    let own = || (0..PICTURE[1]).flat_map(|y| (0..PICTURE[0]).map(move |x| [x, y]));
+    let own = || (0..IMAGE_SIZE[1]).flat_map(|y| (0..IMAGE_SIZE[0]).map(move |x| [x, y]));
     let analysis = checked("voxel");
     let scene = scene(&analysis, Watch::Nothing);
     let drawn =
-        draw(&scene.draw(PICTURE, &Moment::at(TIME)), 1).expect("run within the fuel limit");
-    let picture = Picture::of(&scene.code, &drawn, 0);
-    let differs = own().zip(&picture.pixels).filter(|(at, known)| {
-        let found = voxel::pixel(*at, PICTURE, time);
+        draw(&scene.draw(IMAGE_SIZE, &Moment::at(TIME)), 1).expect("run within the fuel limit");
+    let image = RenderedImage::of(&scene.code, &drawn, 0);
+    let differs = own().zip(&image.pixels).filter(|(at, known)| {
+        let found = voxel::pixel(*at, IMAGE_SIZE, time);
         let mut gaps = found.iter().zip(*known).map(|(a, b)| (a - b).abs());
         gaps.any(|gap| gap > 1.0 / 255.0)
     });
-    let share = differs.count() as f64 / picture.pixels.len() as f64;
+    let share = differs.count() as f64 / image.pixels.len() as f64;
     assert!(
         share < 0.001,
         "{share} of the pixels differ from the shader's"
     );
     let draw_all = || {
-        let sum: f32 = own().map(|at| voxel::pixel(at, PICTURE, time)[0]).sum();
+        let sum: f32 = own().map(|at| voxel::pixel(at, IMAGE_SIZE, time)[0]).sum();
         black_box(sum);
     };
-    best(draw_all) * 1e6 / f64::from(PICTURE[0] * PICTURE[1])
+    best(draw_all) * 1e6 / f64::from(IMAGE_SIZE[0] * IMAGE_SIZE[1])
 }
 
 fn main() {

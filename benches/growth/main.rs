@@ -9,7 +9,7 @@ mod patterns;
 
 use patterns::{Input, examples, grown, listed, report};
 use shaderlint::engine::Options;
-use shaderlint::lint::trial::TrialLimit;
+use shaderlint::lint::sample::SampleLimit;
 use std::fs;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -62,7 +62,7 @@ fn main() -> ExitCode {
     let size = std::env::var("SHADERLINT_REPEATED");
     let size = size.map_or(SIZE, |size| size.parse().unwrap());
     let patterns = [listed(), examples()].concat();
-    let problems = grown(&patterns, size, TrialLimit::default(), growth);
+    let problems = grown(&patterns, size, SampleLimit::default(), growth);
     println!(
         "{} repetitions, {} problems",
         patterns.len(),

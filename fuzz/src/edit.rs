@@ -22,7 +22,7 @@ const MOST_TOKENS: usize = 50_000;
 pub fn answers(text: &str) {
     let options = Arc::new(Options::default());
     let document = Document::new("/a.glsl", text.into(), options, &NoFiles);
-    whole(&document);
+    check_document(&document);
     // Large macro expansions take long and are read again for each name: the target `check` covers
     // them.
     let mut programs = document.report.analyses.iter().map(|a| &a.program);
@@ -51,7 +51,7 @@ fn is_inside(document: &Document, span: Span) -> bool {
         .is_some()
 }
 
-fn whole(document: &Document) {
+fn check_document(document: &Document) {
     let all = Span::new(0, document.text.len() as u32);
     let mut end = 0;
     for token in semantic_tokens(document) {

@@ -24,7 +24,7 @@ mod generate;
 mod metamorphic;
 mod mutate;
 mod pairs;
-mod played;
+mod playback;
 mod run;
 mod targets;
 mod texts;
@@ -74,8 +74,8 @@ fn main() -> ExitCode {
     }
     if name == "played" || name == "unsettled" {
         let print = match name {
-            "played" => played::print,
-            _ => played::print_unsettled,
+            "played" => playback::print,
+            _ => playback::print_unsettled,
         };
         words.iter().skip(1).for_each(|file| print(file));
         return ExitCode::SUCCESS;

@@ -2,7 +2,7 @@
 //! syntax tree, at random positions.
 
 use crate::mutate::Random;
-use shaderlint::engine::play::{Moment, Scene};
+use shaderlint::engine::playback::{Moment, Scene};
 use shaderlint::engine::{Analysis, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, sample};
 use shaderlint::semantic::{Dialect, Program};
@@ -17,7 +17,7 @@ pub enum Change {
     /// Copies a statement into a branch that is never taken, which no compiler can prove.
     DeadBranch,
     /// Wraps a statement in a loop of one iteration.
-    OneTurn,
+    OneIteration,
     /// Wraps a statement in braces.
     Block,
     /// Renames a variable or function.
@@ -33,7 +33,7 @@ pub enum Change {
 /// All transformations.
 pub const CHANGES: [Change; 7] = [
     Change::DeadBranch,
-    Change::OneTurn,
+    Change::OneIteration,
     Change::Block,
     Change::Rename,
     Change::Outline,
@@ -58,7 +58,7 @@ pub fn changed(program: &Program, change: Change, random: &mut Random) -> Option
     };
     let places: Vec<Vec<Edit>> = match change {
         Change::DeadBranch => user.each(|s| Some(user.dead_branch(s))),
-        Change::OneTurn => user.each(|s| user.one_turn(s)),
+        Change::OneIteration => user.each(|s| user.one_iteration(s)),
         Change::Block => user.each(|s| user.around(s, "{ ", " }")),
         Change::Rename => user.renames(),
         Change::Outline => user.outlines(),
@@ -134,7 +134,7 @@ impl<'p> User<'p> {
         vec![Edit::insert(span.start, text)]
     }
 
-    fn one_turn(&self, stmt: &Stmt) -> Option<Vec<Edit>> {
+    fn one_iteration(&self, stmt: &Stmt) -> Option<Vec<Edit>> {
         let words = self.words(stmt.extent);
         if words.iter().any(|word| LOOSE.contains(word)) {
             return None;

@@ -5,7 +5,7 @@
 use crate::mutate::Random;
 use shaderlint::diagnostic::Severity;
 use shaderlint::semantic::link::link;
-use shaderlint::semantic::{Dialect, Stage, Unit, Wholeness, analyze};
+use shaderlint::semantic::{Completeness, Dialect, Stage, Unit, analyze};
 use shaderlint::text::{Role, Sources};
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ pub fn print(seed: u64, count: usize) {
     let mut random = Random::new(seed);
     for number in 0..count {
         let (vertex, fragment) = pair(&mut random);
-        let (compiles, why) = judge(&vertex, &fragment);
+        let (compiles, why) = check_pair(&vertex, &fragment);
         println!(
             "{{\"id\": \"{seed}-{number}\", \"vertex\": {vertex:?}, \"fragment\": {fragment:?}, \
              \"compiles\": {compiles}, \"links\": {}, \"why\": {:?}}}",
@@ -25,7 +25,7 @@ pub fn print(seed: u64, count: usize) {
 }
 
 /// Whether both stages compile, and the link errors.
-pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
+pub fn check_pair(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
     let mut sources = Sources::new();
     let mut add = |name: &str, text: &str| sources.add(name, None, Role::User, text);
     let (Some(vert), Some(frag)) = (add("a.vert", vertex), add("a.frag", fragment)) else {
@@ -40,7 +40,7 @@ pub fn judge(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
             stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
-            wholeness: Wholeness::Whole,
+            completeness: Completeness::Complete,
         });
         let mut all = analysis.diagnostics.iter();
         let is_well = !all.any(|d| d.severity == Severity::Error);
@@ -91,13 +91,13 @@ fn pair(random: &mut Random) -> (String, String) {
     }
     let version = |is_300: bool| if is_300 { "#version 300 es\n" } else { "" };
     let other = random.below(40) == 0;
-    let whole = |text: Text, head: &str| {
+    let complete = |text: Text, head: &str| {
         let Text { declarations, body } = text;
         format!("{head}{declarations}void main() {{\n{body}}}\n")
     };
     (
-        whole(vertex, version(is_300)),
-        whole(fragment, version(is_300 != other)),
+        complete(vertex, version(is_300)),
+        complete(fragment, version(is_300 != other)),
     )
 }
 
@@ -355,7 +355,7 @@ fn block(random: &mut Random, number: usize, vertex: &mut Text, fragment: &mut T
             .map(|(i, m)| format!("{}{}; ", if i == 0 { inner } else { "" }, m.plain()))
             .collect();
         let name = &words.name;
-        let (behind, first) = match instance {
+        let (after, first) = match instance {
             0 => (String::new(), String::new()),
             1 => (format!(" i{name}"), format!("i{name}.")),
             n => (format!(" i{name}[{n}]"), format!("i{name}[0].")),
@@ -369,7 +369,7 @@ fn block(random: &mut Random, number: usize, vertex: &mut Text, fragment: &mut T
         } else {
             (fields, String::new())
         };
-        stage.declarations += &format!("{records}{head}uniform B{name} {{ {fields}}}{behind};\n");
+        stage.declarations += &format!("{records}{head}uniform B{name} {{ {fields}}}{after};\n");
         if let Some(member) = members.first().filter(|_| random.below(2) == 0) {
             stage.body += &format!("    {first}{own}{};\n", member.name);
         }

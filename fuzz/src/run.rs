@@ -2,7 +2,7 @@
 
 use crate::builtins::CASES;
 use crate::compute::{Computing, compute};
-use shaderlint::engine::play::{Moment, Scene};
+use shaderlint::engine::playback::{Moment, Scene};
 use shaderlint::engine::{Analysis, DialectChoice, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, compile, draw, sample};
 use shaderlint::lint::Settings;
@@ -24,7 +24,7 @@ const FUEL: u64 = 2_000_000;
 pub fn print(seed: u64, count: u64) {
     for seed in seed..seed + count {
         let program = compute(seed);
-        let line = match picture(&program, SIZE) {
+        let line = match render(&program, SIZE) {
             Ok(pixels) => serde_json::json!({
                 "id": seed,
                 "source": program.text,
@@ -44,7 +44,7 @@ pub fn print_builtins() {
     for case in &CASES {
         let program = case.program();
         let (kind, number) = case.bound();
-        let line = match picture(&program, LARGE) {
+        let line = match render(&program, LARGE) {
             Ok(pixels) => serde_json::json!({
                 "id": case.text,
                 "source": program.text,
@@ -61,7 +61,7 @@ pub fn print_builtins() {
 }
 
 /// The image that the VM draws.
-pub fn picture(program: &Computing, size: [u32; 2]) -> Result<Vec<[u32; 4]>, String> {
+pub fn render(program: &Computing, size: [u32; 2]) -> Result<Vec<[u32; 4]>, String> {
     let options = Options::new(DialectChoice::Webgl2, Settings::of_rules(&[]));
     let report = analyze("a.frag", &program.text, &options, &NoFiles);
     let analysis = report.analyses.first().ok_or("no shader found")?;
@@ -115,18 +115,18 @@ fn agrees_by_quads(analysis: &Analysis, watch: Watch) -> Option<Pixels> {
     assert!(bytes <= MEMORY, "{bytes} bytes to run it");
     let mut job = scene.draw(SIZE, &Moment::at(1.7));
     job.fuel = FUEL / 100;
-    let whole = draw(&job, 1).ok()?;
+    let full = draw(&job, 1).ok()?;
     let rows = (0..SIZE[1]).step_by(2);
     for (y, x) in rows.flat_map(|y| (0..SIZE[0]).step_by(2).map(move |x| (y, x))) {
         let quad = sample(&job, &[[x, y]]).ok()?;
         for (lane, [x, y]) in quad.pixels.iter().enumerate() {
             let at = (y * SIZE[0] + x) as usize;
-            let is_same = quad.covered[lane] == whole.covered[at];
+            let is_same = quad.covered[lane] == full.covered[at];
             assert!(is_same, "single pixel {x}, {y}");
-            for (quad, whole) in quad.outputs.iter().zip(&whole.outputs) {
-                assert!(quad[lane] == whole[at], "single pixel {x}, {y}");
+            for (quad, full) in quad.outputs.iter().zip(&full.outputs) {
+                assert!(quad[lane] == full[at], "single pixel {x}, {y}");
             }
         }
     }
-    Some((whole.outputs, whole.covered))
+    Some((full.outputs, full.covered))
 }

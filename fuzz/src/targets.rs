@@ -5,7 +5,7 @@ use crate::mutate::{Random, split};
 use crate::{pairs, run};
 use shaderlint::diagnostic::{Diagnostic, Severity};
 use shaderlint::engine::{
-    Analysis, DialectChoice, NoFiles, Options, Report, Wholeness, analyze, check, mend,
+    Analysis, Completeness, DialectChoice, NoFiles, Options, Report, analyze, check, fix_text,
 };
 use shaderlint::format::{Brace, Indentation, Lines, Style, TextExtent, format};
 use shaderlint::ir::{print, verify};
@@ -207,10 +207,10 @@ fn metamorphic(text: &str) {
 fn link_both(text: &str) {
     let head = "#version 300 es\nprecision highp float;\n";
     let vertex = text.replace("in ", "out ");
-    pairs::judge(&format!("{head}{vertex}"), &format!("{head}{text}"));
+    pairs::check_pair(&format!("{head}{vertex}"), &format!("{head}{text}"));
 }
 
-fn judge(text: &str) -> Option<Report> {
+fn check_text(text: &str) -> Option<Report> {
     let report = check("a.glsl", text, &all_rules()?, &NoFiles);
     report.unread.is_none().then_some(report)
 }
@@ -221,14 +221,16 @@ fn all_rules() -> Option<Options> {
 }
 
 fn errors(text: &str) -> usize {
-    let found = judge(text);
+    let found = check_text(text);
     let all = found.iter().flat_map(|f| &f.diagnostics);
     all.filter(|d| d.severity == Severity::Error).count()
 }
 
 /// The complete check, with the output of every format.
 fn check_all(text: &str) {
-    let Some(found) = judge(text) else { return };
+    let Some(found) = check_text(text) else {
+        return;
+    };
     let has_errors = |d: &Diagnostic| d.severity == Severity::Error;
     if !found.diagnostics.iter().any(has_errors) {
         is_well_formed(text);
@@ -261,7 +263,7 @@ fn check_all(text: &str) {
 /// errors may be the host's.
 fn is_well_formed(text: &str) {
     let report = analyze("a.glsl", text, &Options::default(), &NoFiles);
-    let whole = |a: &&Analysis| a.wholeness == Wholeness::Whole && !a.has_errors;
+    let whole = |a: &&Analysis| a.completeness == Completeness::Complete && !a.has_errors;
     for analysis in report.analyses.iter().filter(whole) {
         let (program, module) = (&analysis.program, analysis.module());
         assert_eq!(verify(program, module), []);
@@ -274,7 +276,7 @@ fn fix(text: &str) {
     let Some(options) = all_rules() else { return };
     let before = errors(text);
     for allow in [Allow::Safe, Allow::Unsafe] {
-        let fixed = mend("a.glsl", text, &options, &NoFiles, allow);
+        let fixed = fix_text("a.glsl", text, &options, &NoFiles, allow);
         let after = errors(&fixed.text);
         // Errors that an edit uncovers were there before.
         assert!(

@@ -1,7 +1,7 @@
 //! Runs the command that the arguments of `shaderlint` name.
 
 use super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::lint::{self, Command, LintArgs, explain, middle, reduce};
+use super::lint::{self, Command, LintArgs, explain, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
 use super::{fmt, run as draw, test};
@@ -38,7 +38,7 @@ fn run_command(command: &Command) -> io::Result<u8> {
         Command::Run(args) => return draw::run(args),
         Command::Test(args) => return test::run(args),
         Command::Reduce(args) => return reduce::run(args),
-        Command::Ir { file } => return middle::run(file),
+        Command::Ir { file } => return ir::run(file),
         #[cfg(feature = "lsp")]
         Command::Lsp { .. } => {
             let said_goodbye = lsp::serve()?;

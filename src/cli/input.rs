@@ -48,12 +48,12 @@ pub struct PassedOver {
     /// Number of files with other extensions.
     pub others: usize,
     /// Some of these extensions.
-    pub endings: BTreeSet<String>,
+    pub extensions: BTreeSet<String>,
 }
 
 impl PassedOver {
     /// Maximum number of extensions that are kept.
-    const MAX_ENDINGS: usize = 12;
+    const MAX_EXTENSIONS: usize = 12;
 
     fn add(&mut self, path: &Path) {
         if is_searched(&path.to_string_lossy()) {
@@ -61,10 +61,10 @@ impl PassedOver {
             return;
         }
         self.others += 1;
-        let ending = path.extension().and_then(|e| e.to_str());
-        if self.endings.len() < PassedOver::MAX_ENDINGS {
-            let ending = ending.map_or("no extension".to_string(), |e| format!(".{e}"));
-            self.endings.insert(ending);
+        let extension = path.extension().and_then(|e| e.to_str());
+        if self.extensions.len() < PassedOver::MAX_EXTENSIONS {
+            let extension = extension.map_or("no extension".to_string(), |e| format!(".{e}"));
+            self.extensions.insert(extension);
         }
     }
 }

@@ -14,16 +14,16 @@ pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Runs `work` for all numbers below `count`, and passes each result to `tell` in order, as soon as
+/// Runs `work` for all numbers below `count`, and passes each result to `deliver` in order, as soon as
 /// the results before it were passed.
 pub fn in_order<T: Send>(
     count: usize,
     work: &(impl Fn(usize) -> T + Sync),
-    tell: &mut impl FnMut(T) -> io::Result<()>,
+    deliver: &mut impl FnMut(T) -> io::Result<()>,
 ) -> io::Result<()> {
     let threads = threads().min(count);
     if threads <= 1 {
-        return (0..count).try_for_each(|number| tell(work(number)));
+        return (0..count).try_for_each(|number| deliver(work(number)));
     }
     let next = AtomicUsize::new(0);
     let (sender, receiver) = mpsc::sync_channel(threads * 4);
@@ -47,7 +47,7 @@ pub fn in_order<T: Send>(
         for (number, done) in receiver {
             waiting.insert(number, done);
             while let Some(done) = waiting.remove(&due) {
-                tell(done)?;
+                deliver(done)?;
                 due += 1;
             }
         }

@@ -2,8 +2,8 @@
 
 use shaderlint_host::Preset;
 use shaderlint_ir::Module;
-use shaderlint_lint::{Facts, Known};
-use shaderlint_semantic::{Checked, Program, Wholeness};
+use shaderlint_lint::{CachedFacts, Facts};
+use shaderlint_semantic::{Checked, Completeness, Program};
 use shaderlint_text::Sources;
 use std::sync::Arc;
 
@@ -13,12 +13,12 @@ pub struct Analysis {
     /// The checked program.
     pub program: Arc<Program>,
     /// Whether it is a complete shader or a fragment.
-    pub wholeness: Wholeness,
+    pub completeness: Completeness,
     /// Whether the browser would reject it.
     pub has_errors: bool,
     /// The host that runs it, set by the user or detected.
     pub host: Option<&'static Preset>,
-    known: Arc<Known>,
+    known: Arc<CachedFacts>,
 }
 
 impl Analysis {
@@ -27,11 +27,11 @@ impl Analysis {
         checked: Checked,
         has_errors: bool,
         host: Option<&'static Preset>,
-        known: Arc<Known>,
+        known: Arc<CachedFacts>,
     ) -> Analysis {
         Analysis {
             program: Arc::new(checked.program),
-            wholeness: checked.wholeness,
+            completeness: checked.completeness,
             has_errors,
             host,
             known,

@@ -1,31 +1,34 @@
 //! Checks one shader of an input: resolves its host if something is missing, and runs the rules.
 
 use super::analysis::Analysis;
+use super::check_context::Keep;
 use super::host::Hosts;
 use super::hosted;
 use super::options::{DialectChoice, Options};
-use super::part::{Part, Shader};
-use super::play::Supply;
+use super::playback::Supply;
 use super::reading::{Readings, lacking};
+use super::shader_input::{Shader, ShaderInput};
 use super::unknown::{self, Unresolved};
 use super::version;
-use super::world::Keep;
 use shaderlint_diagnostic::{
     Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
 };
 use shaderlint_host::Preset;
-use shaderlint_lint::{Allows, Around, Facts, Judged, Known, Unrun, keep_comments, lint_within};
+use shaderlint_lint::{
+    Allows, CachedFacts, CheckedSpans, Facts, ShaderContext, SkippedRules, keep_comments,
+    lint_within,
+};
 use shaderlint_rules::RULES;
-use shaderlint_semantic::{Checked, Wholeness};
+use shaderlint_semantic::{Checked, Completeness};
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::Front;
+use shaderlint_text::embed::LeadingBlanks;
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The findings about the shaders of a file.
 #[derive(Default)]
-pub struct PartFindings {
+pub struct ShaderFindings {
     /// The findings.
     pub diagnostics: Vec<Diagnostic>,
     /// The suppression comments.
@@ -35,21 +38,21 @@ pub struct PartFindings {
 }
 
 /// Checks a shader. For a shader with errors, also returns what was checked.
-pub fn check_part(
+pub fn check_shader(
     sources: &mut Arc<Sources>,
-    part: &mut Part,
+    part: &mut ShaderInput,
     hosts: &Hosts,
     options: &Options,
     keep: Keep,
-    found: &mut PartFindings,
-) -> Option<(Shader, Option<Judged>)> {
+    found: &mut ShaderFindings,
+) -> Option<(Shader, Option<CheckedSpans>)> {
     let mut checked = understand(sources, part, hosts, options)?;
     let known = Arc::default();
     let before = found.diagnostics.len();
-    unknown::judge(sources, part, &mut checked, hosts, &mut found.unresolved);
+    unknown::decide_severity(sources, part, &mut checked, hosts, &mut found.unresolved);
     let missing = version::missing(sources, part, &checked, hosts);
     checked.diagnostics.extend(missing);
-    let told = tell_part(
+    let reported = report_shader(
         sources,
         part,
         (&mut checked, &known),
@@ -66,23 +69,23 @@ pub fn check_part(
     if keep == Keep::Programs {
         part.analysis = Some(Analysis::new(
             checked,
-            told.0.has_errors,
+            reported.0.has_errors,
             host_of(part, options),
             known,
         ));
     }
-    Some(told)
+    Some(reported)
 }
 
 /// The host that runs a shader: detected, or set by the user.
-fn host_of(part: &Part, options: &Options) -> Option<&'static Preset> {
+fn host_of(part: &ShaderInput, options: &Options) -> Option<&'static Preset> {
     part.host.or(options.host.preset)
 }
 
 /// Checks a shader. If something is missing, its host is resolved first.
 fn understand(
     sources: &mut Arc<Sources>,
-    part: &mut Part,
+    part: &mut ShaderInput,
     hosts: &Hosts,
     options: &Options,
 ) -> Option<Checked> {
@@ -114,20 +117,20 @@ fn understand(
 }
 
 /// Runs the rules over a checked shader and collects the findings.
-fn tell_part(
+fn report_shader(
     sources: &Sources,
-    part: &Part,
-    (checked, found): (&mut Checked, &Arc<Known>),
+    part: &ShaderInput,
+    (checked, found): (&mut Checked, &Arc<CachedFacts>),
     options: &Options,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<(Shader, Option<Judged>)> {
-    let wholeness = checked.wholeness;
+) -> Option<(Shader, Option<CheckedSpans>)> {
+    let completeness = checked.completeness;
     let known = diagnostics.len();
-    if part.readings.is_shown() && wholeness != Wholeness::Whole {
+    if part.readings.is_shown() && completeness != Completeness::Complete {
         keep_of_excerpt(&mut checked.diagnostics);
     }
-    if part.readings.is_handed_over() && part.embedder.front == Front::Unknown {
+    if part.readings.is_handed_over() && part.embedder.leading_blanks == LeadingBlanks::Unknown {
         let misplaced = checked.diagnostics.iter_mut();
         for d in misplaced.filter(|d| d.subject == Subject::BlankFront) {
             d.severity = Severity::Warning;
@@ -138,9 +141,9 @@ fn tell_part(
     let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
     let errors = checked.diagnostics.iter().filter(is_error).count();
     allows.expect(&checked.program, RULES, &mut checked.diagnostics);
-    let (unrun, left_out) = run_rules(part, (checked, found), options, allows, diagnostics);
+    let (skipped, left_out) = run_rules(part, (checked, found), options, allows, diagnostics);
     keep_under_hosts(sources, &part.readings, &mut checked.diagnostics);
-    if wholeness != Wholeness::Whole {
+    if completeness != Completeness::Complete {
         // The program around a shader fragment depends on its names.
         let names = checked.diagnostics.iter_mut();
         let renamed = names.filter(|d| d.is(error::RESERVED_WORD));
@@ -148,7 +151,7 @@ fn tell_part(
     }
     diagnostics.append(&mut checked.diagnostics);
     let own = diagnostics.get_mut(known..).unwrap_or(&mut []);
-    if wholeness != Wholeness::Whole {
+    if completeness != Completeness::Complete {
         let hosts: Arc<[String]> = part.readings.hosts.as_slice().into();
         own.iter_mut().for_each(|d| d.part = Some(hosts.clone()));
     }
@@ -160,7 +163,7 @@ fn tell_part(
         }
     }
     let program = &checked.program;
-    let judged = (errors > 0).then(|| Judged::of(program));
+    let checked_spans = (errors > 0).then(|| CheckedSpans::of(program));
     let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
     let shader = Shader {
         missing: part.missing.clone(),
@@ -168,8 +171,8 @@ fn tell_part(
         stage: program.stage,
         dialect: program.dialect,
         version: program.version,
-        wholeness,
-        unrun,
+        completeness,
+        skipped,
         has_errors: errors > 0,
         left_out,
         size: program.size(),
@@ -177,7 +180,7 @@ fn tell_part(
         hosts: part.readings.hosts.clone(),
         host: part.host,
     };
-    Some((shader, judged))
+    Some((shader, checked_spans))
 }
 
 /// Keeps the errors of an excerpt that hold out of context, such as type errors. An excerpt may be
@@ -196,38 +199,38 @@ fn keep_of_excerpt(diagnostics: &mut Vec<Diagnostic>) {
 /// Runs the rules over a shader. Returns where they did not run, and the number of findings dropped
 /// because there are too many.
 fn run_rules(
-    part: &Part,
-    (checked, known): (&Checked, &Arc<Known>),
+    part: &ShaderInput,
+    (checked, known): (&Checked, &Arc<CachedFacts>),
     options: &Options,
     allows: &mut Allows,
     diagnostics: &mut Vec<Diagnostic>,
-) -> (Unrun, usize) {
-    let wholeness = checked.wholeness;
+) -> (SkippedRules, usize) {
+    let completeness = checked.completeness;
     let open = &checked.open;
     // If only names are unknown, the functions that do not use them can be checked; otherwise no
     // rule has enough information.
     let is_known = !open.is_any || open.is_names_only;
     let is_example = part.readings.is_shown() && !part.readings.has_version();
-    if !is_known || is_example || wholeness == Wholeness::Excerpt {
-        return (Unrun::Everywhere, 0);
+    if !is_known || is_example || completeness == Completeness::Excerpt {
+        return (SkippedRules::Everywhere, 0);
     }
     let mut found = Vec::new();
     let program = &checked.program;
     let errors = checked.diagnostics.iter().chain(&open.unknown);
     let errors: Vec<Diagnostic> = errors.cloned().collect();
     let supply = Supply::of(program, host_of(part, options));
-    let around = Around {
+    let around = ShaderContext {
         embedder: part.embedder,
         mipmapped: part.mipmapped,
-        supplier: (wholeness == Wholeness::Whole).then_some(&supply),
+        supplier: (completeness == Completeness::Complete).then_some(&supply),
     };
     let mut facts = Facts::of(program, known);
     facts.around = around;
-    let unrun = lint_within(facts, &errors, RULES, &options.settings, &mut found);
-    if unrun != Unrun::Everywhere {
+    let skipped = lint_within(facts, &errors, RULES, &options.settings, &mut found);
+    if skipped != SkippedRules::Everywhere {
         allows.apply(program, RULES, &mut found);
     }
-    if let Unrun::Functions { broken, .. } = &unrun {
+    if let SkippedRules::Functions { broken, .. } = &skipped {
         allows.excuse(broken);
     }
     // A declaration that was misspelt where it is used is not reported as unused.
@@ -238,7 +241,7 @@ fn run_rules(
         .collect();
     let sources = &program.sources;
     found.retain(|d| sources.is_user(d.span.start) && !meant.contains(sources.text(d.span)));
-    if wholeness != Wholeness::Whole {
+    if completeness != Completeness::Complete {
         // The code that a host adds is unknown, so no fix is applied without being asked for.
         ask_first(&mut found);
     }
@@ -246,7 +249,7 @@ fn run_rules(
     let left_out = found.len().saturating_sub(MAX_FINDINGS);
     found.truncate(MAX_FINDINGS);
     diagnostics.append(&mut found);
-    (unrun, left_out)
+    (skipped, left_out)
 }
 
 /// Drops findings that depend on names of hosts that were only guessed.

@@ -1,21 +1,21 @@
 //! Checks the text of one file.
 
 use super::analysis::Analysis;
-use super::check::{PartFindings, ask_first, check_part};
-use super::export::Written;
+use super::check::{ShaderFindings, ask_first, check_shader};
+use super::check_context::{CheckContext, Keep};
+use super::export::ExportText;
 use super::host::Hosts;
 use super::input::SplitInput;
 use super::options::Desktop;
-use super::part::{Part, Shader};
 use super::shader::shader_part;
-use super::world::{Keep, World};
+use super::shader_input::{Shader, ShaderInput};
 use super::{embedded, foreign, hosted, partner};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_lint::Judged;
+use shaderlint_lint::CheckedSpans;
 use shaderlint_port::{Project, ProjectError, compose};
 use shaderlint_rules::RULES;
 use shaderlint_text::embed::{DocumentLanguage, Embedded, extract_named};
-use shaderlint_text::kind::{Decision, FileKind, Tongue, decide};
+use shaderlint_text::kind::{Decision, FileKind, ShaderLanguage, decide};
 use shaderlint_text::{Encoding, FileId, Role, Sources, Span};
 use std::fmt;
 use std::sync::Arc;
@@ -42,9 +42,9 @@ pub struct Report {
     /// Whether the file contains embedded shaders.
     pub(super) holds_others: bool,
     /// Positions of the code of passes in an export.
-    pub(super) export: Option<Written>,
+    pub(super) export: Option<ExportText>,
     /// What was checked, if there are errors.
-    pub(super) judged: Option<Judged>,
+    pub(super) checked_spans: Option<CheckedSpans>,
 }
 
 impl Report {
@@ -88,16 +88,26 @@ impl fmt::Display for Unread {
 }
 
 /// Checks a text that was decoded from an encoding.
-pub(super) fn judge(name: &str, text: &str, encoding: Encoding, world: World) -> Report {
-    let judged = try_judge(name, text, encoding, world);
-    judged.unwrap_or_else(|unread| Report {
+pub(super) fn check_text(
+    name: &str,
+    text: &str,
+    encoding: Encoding,
+    context: CheckContext,
+) -> Report {
+    let report = try_check(name, text, encoding, context);
+    report.unwrap_or_else(|unread| Report {
         unread: Some(unread),
         ..Report::default()
     })
 }
 
-fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result<Report, Unread> {
-    let options = world.options;
+fn try_check(
+    name: &str,
+    text: &str,
+    encoding: Encoding,
+    context: CheckContext,
+) -> Result<Report, Unread> {
+    let options = context.options;
     let decision = decide(name, text, options.claim);
     let is_shader = matches!(decision.kind, FileKind::Shader | FileKind::Foreign(_));
     if let Some(diagnostic) = unreadable(text, encoding).filter(|_| is_shader) {
@@ -111,25 +121,25 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
         });
     }
     let kind = decision.kind;
-    let mut input = read(name, text, world, decision)?;
-    let partner = partner::load(&mut input, name, world);
+    let mut input = read(name, text, context, decision)?;
+    let partner = partner::load(&mut input, name, context);
     let may_link = partner.is_some() || input.embedded.len() > 1;
     let keep = match kind {
-        FileKind::Holds(DocumentLanguage::Markdown) => world.keep,
+        FileKind::Holds(DocumentLanguage::Markdown) => context.keep,
         // Programs are kept for linking, so that they are not checked again.
         _ if may_link => Keep::Programs,
-        _ => world.keep,
+        _ => context.keep,
     };
-    let told = check_parts(&mut input, name, world, keep);
-    let (mut diagnostics, shaders) = (told.found.diagnostics, told.shaders);
-    diagnostics.extend(told.found.unresolved.report());
+    let all = check_shaders(&mut input, name, context, keep);
+    let (mut diagnostics, shaders) = (all.found.diagnostics, all.shaders);
+    diagnostics.extend(all.found.unresolved.report());
     partner::check(
         &input,
         partner.as_ref(),
         &options.settings,
         &mut diagnostics,
     );
-    told.found
+    all.found
         .allows
         .report(RULES, &options.settings, &mut diagnostics);
     diagnostics.append(&mut input.problems);
@@ -148,20 +158,20 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
         embedded: input.embedded,
         holds_others: matches!(kind, FileKind::Holds(_)),
         export: input.export,
-        judged: told.judged,
+        checked_spans: all.checked_spans,
         unread: None,
-        analyses: match world.keep {
+        analyses: match context.keep {
             Keep::Programs => input.parts.into_iter().filter_map(|p| p.analysis).collect(),
             Keep::Findings => Vec::new(),
         },
     };
-    if options.desktop == Desktop::Port && kind == FileKind::Foreign(Tongue::Desktop) {
+    if options.desktop == Desktop::Port && kind == FileKind::Foreign(ShaderLanguage::Desktop) {
         ask_first(&mut diagnostics);
     }
     if !report.embedded.is_empty() {
         for diagnostic in &mut diagnostics {
             if diagnostic.fix.is_some() && !report.can_apply(diagnostic) {
-                embedded::tell_fix(diagnostic);
+                embedded::note_fix(diagnostic);
             }
         }
     }
@@ -171,41 +181,51 @@ fn try_judge(name: &str, text: &str, encoding: Encoding, world: World) -> Result
 
 /// The findings about the shaders of a file.
 #[derive(Default)]
-struct ToldFindings {
-    found: PartFindings,
+struct CheckedShaders {
+    found: ShaderFindings,
     shaders: Vec<Shader>,
-    judged: Option<Judged>,
+    checked_spans: Option<CheckedSpans>,
 }
 
-fn check_parts(input: &mut SplitInput, name: &str, world: World, keep: Keep) -> ToldFindings {
-    let mut told = ToldFindings::default();
+fn check_shaders(
+    input: &mut SplitInput,
+    name: &str,
+    context: CheckContext,
+    keep: Keep,
+) -> CheckedShaders {
+    let mut all = CheckedShaders::default();
     let script = input.file.and_then(|id| input.sources.file(id));
     let script = script
         .filter(|_| !input.embedded.is_empty())
         .map(|f| f.text.clone());
-    let hosts = Hosts::new(name, script, world);
+    let hosts = Hosts::new(name, script, context);
     for part in &mut input.parts {
-        let checked = check_part(
+        let checked = check_shader(
             &mut input.sources,
             part,
             &hosts,
-            world.options,
+            context.options,
             keep,
-            &mut told.found,
+            &mut all.found,
         );
         let Some((shader, seen)) = checked else {
             continue;
         };
-        told.shaders.push(shader);
+        all.shaders.push(shader);
         if let Some(seen) = seen {
-            told.judged.get_or_insert_default().join(seen);
+            all.checked_spans.get_or_insert_default().join(seen);
         }
     }
-    told
+    all
 }
 
-fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<SplitInput, Unread> {
-    let options = world.options;
+fn read(
+    name: &str,
+    text: &str,
+    context: CheckContext,
+    decision: Decision,
+) -> Result<SplitInput, Unread> {
+    let options = context.options;
     let mut input = SplitInput::default();
     match decision.kind {
         FileKind::Other => return Err(Unread::Skipped(decision)),
@@ -215,9 +235,13 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Spli
         FileKind::Export => {
             let project = Project::from_json(text).map_err(|e| no_project(e, text))?;
             let composed = compose(&project, name).ok_or(Unread::TooLarge)?;
-            input.export = Some(Written::of(text, &project, &composed));
+            input.export = Some(ExportText::of(text, &project, &composed));
             input.sources = composed.sources;
-            input.parts = composed.units.into_iter().map(Part::of_pass).collect();
+            input.parts = composed
+                .units
+                .into_iter()
+                .map(ShaderInput::of_pass)
+                .collect();
             return Ok(input);
         }
         FileKind::Shader | FileKind::Foreign(_) | FileKind::Holds(_) => {}
@@ -228,26 +252,26 @@ fn read(name: &str, text: &str, world: World, decision: Decision) -> Result<Spli
     match decision.kind {
         FileKind::Holds(language) => {
             input.embedded = extract_named(name, language, text);
-            embedded::parts(&mut input, name, language, file, text, world)
+            embedded::parts(&mut input, name, language, file, text, context)
         }
         FileKind::Shader
             if hosted::is_pass_of_another(text, options)
-                && hosted::part(&mut input, name, (file, 0), text, world)
+                && hosted::part(&mut input, name, (file, 0), text, context)
                     .ok_or(Unread::TooLarge)? =>
         {
             Some(())
         }
-        FileKind::Foreign(Tongue::Desktop)
+        FileKind::Foreign(ShaderLanguage::Desktop)
             if options.desktop == Desktop::Report
-                && hosted::part(&mut input, name, (file, 0), text, world)
+                && hosted::part(&mut input, name, (file, 0), text, context)
                     .ok_or(Unread::TooLarge)? =>
         {
             Some(())
         }
-        FileKind::Foreign(tongue) if !foreign::is_ported(tongue, options) => {
-            foreign::whole(&mut input, file, text, tongue, &decision)
+        FileKind::Foreign(language) if !foreign::is_ported(language, options) => {
+            foreign::report_file(&mut input, file, text, language, &decision)
         }
-        _ => shader_part(&mut input, name, file, text, world),
+        _ => shader_part(&mut input, name, file, text, context),
     }
     .ok_or(Unread::TooLarge)?;
     Ok(input)

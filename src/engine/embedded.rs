@@ -1,19 +1,19 @@
 //! Shaders embedded in pages, scripts and documents.
 
+use super::check_context::CheckContext;
 use super::foreign;
-use super::front::front;
 use super::hosted;
 use super::input::SplitInput;
+use super::leading_blanks::leading_blanks;
 use super::options::Options;
-use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
-use super::world::World;
+use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
 use shaderlint_host::shadertoy;
 use shaderlint_semantic::snippet::{SnippetItem, items};
 use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::{DocumentLanguage, Embedded, Embedder, Front, Wrapping};
+use shaderlint_text::embed::{DocumentLanguage, Embedded, Embedder, LeadingBlanks, Wrapping};
 use shaderlint_text::kind::own_directive;
 use shaderlint_text::{FileId, Role};
 use std::collections::BTreeMap;
@@ -29,9 +29,9 @@ pub(super) fn parts(
     language: DocumentLanguage,
     file: FileId,
     text: &str,
-    world: World,
+    context: CheckContext,
 ) -> Option<()> {
-    let options = world.options;
+    let options = context.options;
     let mut all = std::mem::take(&mut input.embedded);
     // A document shows code of several programs.
     let embedder = match language {
@@ -42,20 +42,20 @@ pub(super) fn parts(
             let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
             match all.iter().any(starts_blank) {
                 true => Embedder {
-                    front: front(name, text, own, world),
+                    leading_blanks: leading_blanks(name, text, own, context),
                     ..own
                 },
                 false => own,
             }
         }
     };
-    if embedder.front == Front::Trimmed {
+    if embedder.leading_blanks == LeadingBlanks::Trimmed {
         all.iter_mut().for_each(Embedded::trim_start);
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     // A script that contains `#version` may write it before any of its shaders.
     let is_compiled = embedder.hands_over && !text.contains("#version");
-    let mut known = Known::default();
+    let mut known = ChapterVariables::default();
     for embedded in &all {
         known.enter(embedded.chapter);
         if own_directive(&embedded.code).is_some() {
@@ -63,14 +63,14 @@ pub(super) fn parts(
         }
         if foreign::is_reported(&embedded.code, options) {
             let place = (file, embedded.start);
-            if hosted::part(input, name, place, &embedded.code, world)? {
+            if hosted::part(input, name, place, &embedded.code, context)? {
                 continue;
             }
         }
         if foreign::inside(input, file, embedded, options)? {
             continue;
         }
-        let around = Around {
+        let around = FileContext {
             embedder,
             is_300,
             is_compiled,
@@ -84,7 +84,7 @@ pub(super) fn parts(
 
 /// What is known about the file around a shader.
 #[derive(Clone, Copy)]
-struct Around {
+struct FileContext {
     embedder: Embedder,
     /// Whether it uses only GLSL ES 3.00.
     is_300: bool,
@@ -109,14 +109,14 @@ fn part(
     input: &mut SplitInput,
     file: FileId,
     embedded: &Embedded,
-    around: Around,
-    known: &mut Known,
+    around: FileContext,
+    known: &mut ChapterVariables,
     options: &Options,
-) -> Option<Part> {
+) -> Option<ShaderInput> {
     let code = embedded.code.as_str();
-    let told = guess(code);
+    let guessed = guess(code);
     let has_entry =
-        told.has_main || told.is_shadertoy() || code.trim_start().starts_with("#version");
+        guessed.has_main || guessed.is_shadertoy() || code.trim_start().starts_with("#version");
     let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
     let is_excerpt = is_shown && (!has_entry || embedded.has_holes);
     let files = if is_excerpt {
@@ -139,12 +139,12 @@ fn part(
     };
     let readings = Readings::of(
         Arc::make_mut(&mut input.sources),
-        (code, told),
+        (code, guessed),
         text,
         options,
     )?;
     let first = readings.all.first()?;
-    Some(Part {
+    Some(ShaderInput {
         infer_channels: first.dialect.is_shadertoy(),
         readings,
         embedder: around.embedder,
@@ -161,7 +161,7 @@ fn excerpt(
     input: &mut SplitInput,
     file: FileId,
     embedded: &Embedded,
-    known: &mut Known,
+    known: &mut ChapterVariables,
 ) -> Option<Vec<FileId>> {
     let sources = Arc::make_mut(&mut input.sources);
     let items = items(&embedded.code);
@@ -206,13 +206,13 @@ fn excerpt(
 
 /// The variables that excerpts of a chapter have declared so far.
 #[derive(Default)]
-struct Known {
+struct ChapterVariables {
     chapter: u32,
     /// By name: the type, or `None` if the document declares several.
     types: BTreeMap<String, Option<String>>,
 }
 
-impl Known {
+impl ChapterVariables {
     fn enter(&mut self, chapter: u32) {
         if chapter != self.chapter {
             self.chapter = chapter;
@@ -227,11 +227,11 @@ impl Known {
         };
         let rest = rest.trim_start();
         let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        let (name, behind) = rest.split_at(end.unwrap_or(rest.len()));
+        let (name, after) = rest.split_at(end.unwrap_or(rest.len()));
         let of_type = classify(ty, Version::Es300);
         if matches!(of_type, WordClass::Type(_))
             && self.types.len() < MAX_SCOPES
-            && behind.trim_start().starts_with(['=', ';'])
+            && after.trim_start().starts_with(['=', ';'])
         {
             let known = self.types.entry(name.to_string());
             let known = known.or_insert_with(|| Some(ty.to_string()));
@@ -249,7 +249,7 @@ impl Known {
 }
 
 /// Replaces a fix that cannot be written in the surrounding language with a help.
-pub fn tell_fix(diagnostic: &mut Diagnostic) {
+pub fn note_fix(diagnostic: &mut Diagnostic) {
     let Some(fix) = diagnostic.fix.take() else {
         return;
     };

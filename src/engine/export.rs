@@ -7,15 +7,15 @@ use shaderlint_text::{Edit, FileId, Sources, Span};
 
 /// The positions of the code of passes in the JSON text.
 #[derive(Default)]
-pub struct Written {
+pub struct ExportText {
     /// By text of a pass: the JSON string that contains it.
     codes: Vec<(FileId, JsonString)>,
 }
 
-impl Written {
+impl ExportText {
     /// Finds the code of the passes in the JSON text. Code that is not found exactly as parsed
     /// cannot be edited.
-    pub fn of(text: &str, project: &Project, composed: &Composed) -> Written {
+    pub fn of(text: &str, project: &Project, composed: &Composed) -> ExportText {
         let found = strings_in(text, "renderpass", "code").unwrap_or_default();
         let ids = (0..composed.sources.files().len()).map(|i| FileId(i as u32));
         let code = |id: FileId| {
@@ -25,7 +25,7 @@ impl Written {
             let is_same = *string.value == *project.passes.get(pass)?.code;
             is_same.then(|| (id, string.clone()))
         };
-        Written {
+        ExportText {
             codes: ids.filter_map(code).collect(),
         }
     }

@@ -105,8 +105,8 @@ impl Files for BTreeMap<PathBuf, Arc<str>> {
         if self.contains_key(&path) {
             return Some(FileType::File);
         }
-        let mut behind = self.range(path.clone()..).map(|(p, _)| p);
-        let is_folder = behind.next().is_some_and(|p| p.starts_with(&path));
+        let mut after = self.range(path.clone()..).map(|(p, _)| p);
+        let is_folder = after.next().is_some_and(|p| p.starts_with(&path));
         is_folder.then_some(FileType::Folder)
     }
 

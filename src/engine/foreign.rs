@@ -5,31 +5,32 @@ use super::input::SplitInput;
 use super::options::{Desktop, Options};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::embed::Embedded;
-use shaderlint_text::kind::{Decision, Evidence, Tongue, reason};
+use shaderlint_text::kind::{Decision, Evidence, ShaderLanguage, reason};
 use shaderlint_text::{FileId, Span};
 
 /// Whether desktop GLSL is checked as GLSL ES 3.00.
-pub fn is_ported(tongue: Tongue, options: &Options) -> bool {
-    tongue == Tongue::Desktop && options.desktop == Desktop::Port
+pub fn is_ported(language: ShaderLanguage, options: &Options) -> bool {
+    language == ShaderLanguage::Desktop && options.desktop == Desktop::Port
 }
 
 /// Whether a text is desktop GLSL that is reported, unless a known host runs it.
 pub(super) fn is_reported(text: &str, options: &Options) -> bool {
-    options.desktop == Desktop::Report && Evidence::of(text).foreign() == Some(Tongue::Desktop)
+    options.desktop == Desktop::Report
+        && Evidence::of(text).foreign() == Some(ShaderLanguage::Desktop)
 }
 
 /// Reports a file in another language.
-pub(super) fn whole(
+pub(super) fn report_file(
     input: &mut SplitInput,
     file: FileId,
     text: &str,
-    tongue: Tongue,
+    language: ShaderLanguage,
     decision: &Decision,
 ) -> Option<()> {
     let base = input.sources.file(file)?.base;
     let evidence = Evidence::of(text);
-    let told = tell(&evidence, text, base, tongue, &decision.to_string());
-    input.problems.push(told);
+    let diagnostic = report(&evidence, text, base, language, &decision.to_string());
+    input.problems.push(diagnostic);
     Some(())
 }
 
@@ -43,19 +44,25 @@ pub(super) fn inside(
 ) -> Option<bool> {
     let code = embedded.code.as_str();
     let evidence = Evidence::of(code);
-    let Some(tongue) = evidence.foreign().filter(|t| !is_ported(*t, options)) else {
+    let Some(language) = evidence.foreign().filter(|t| !is_ported(*t, options)) else {
         return Some(false);
     };
     if options.desktop != Desktop::Skip {
         let base = input.sources.file(file)?.base + embedded.start as u32;
-        let why = reason(&evidence, tongue);
-        let told = tell(&evidence, code, base, tongue, &why);
-        input.problems.push(told);
+        let why = reason(&evidence, language);
+        let diagnostic = report(&evidence, code, base, language, &why);
+        input.problems.push(diagnostic);
     }
     Some(true)
 }
 
-fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -> Diagnostic {
+fn report(
+    evidence: &Evidence,
+    text: &str,
+    base: u32,
+    language: ShaderLanguage,
+    why: &str,
+) -> Diagnostic {
     let kind = error::UNSUPPORTED_VERSION;
     if let Some(version) = evidence.version.filter(|v| v.is_desktop()) {
         let start = version.at;
@@ -70,9 +77,9 @@ fn tell(evidence: &Evidence, text: &str, base: u32, tongue: Tongue, why: &str) -
             .note("desktop GLSL for OpenGL or Vulkan is not checked further")
             .help("set `desktop = \"port\"` in shaderlint.toml to check it as GLSL ES 3.00, or `desktop = \"skip\"` to skip it");
     }
-    let sign = evidence.first_sign(tongue).unwrap_or(0..0);
+    let sign = evidence.first_sign(language).unwrap_or(0..0);
     let span = Span::new(base + sign.start as u32, base + sign.end as u32);
-    let message = format!("WebGL does not support {tongue}");
+    let message = format!("WebGL does not support {language}");
     Diagnostic::of(kind, Severity::Info, span, message)
         .note(format!("{why}; it is not checked further"))
         .help("set `desktop = \"skip\"` in shaderlint.toml to skip it")

@@ -6,7 +6,7 @@ use shaderlint_format::{
 use shaderlint_port::Project;
 use shaderlint_text::embed::{DocumentLanguage, Embedded, Wrapping, extract_named};
 use shaderlint_text::json::{JsonString, strings_in};
-use shaderlint_text::kind::{Claim, Decision, Evidence, FileKind, Tongue, decide};
+use shaderlint_text::kind::{Claim, Decision, Evidence, FileKind, ShaderLanguage, decide};
 use shaderlint_text::{Edit, Span};
 
 /// The result of formatting a file.
@@ -26,8 +26,8 @@ pub fn format(name: &str, text: &str, claim: Claim, style: &Style) -> Result<For
     let decision = decide(name, text, claim);
     let mut formatting = Formatting::default();
     match decision.kind {
-        FileKind::Shader | FileKind::Foreign(Tongue::Desktop) => {
-            formatting.whole(text, style);
+        FileKind::Shader | FileKind::Foreign(ShaderLanguage::Desktop) => {
+            formatting.shader(text, style);
         }
         FileKind::Holds(language) => formatting.inside(name, language, text, style),
         FileKind::Export if Project::from_json(text).is_ok() => formatting.export(text, style),
@@ -41,7 +41,7 @@ pub fn format(name: &str, text: &str, claim: Claim, style: &Style) -> Result<For
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 impl Formatting {
-    fn whole(&mut self, text: &str, style: &Style) {
+    fn shader(&mut self, text: &str, style: &Style) {
         let code = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
         let before = (text.len() - code.len()) as u32;
         match format_code(code, style, TextExtent::File, Lines::Free) {
@@ -57,8 +57,8 @@ impl Formatting {
 
     fn inside(&mut self, name: &str, language: DocumentLanguage, text: &str, style: &Style) {
         for embedded in extract_named(name, language, text) {
-            let tongue = Evidence::of(&embedded.code).foreign();
-            if tongue.is_none_or(|tongue| tongue == Tongue::Desktop) {
+            let language = Evidence::of(&embedded.code).foreign();
+            if language.is_none_or(|language| language == ShaderLanguage::Desktop) {
                 self.embedded(&embedded, text, style);
             }
         }
@@ -72,7 +72,7 @@ impl Formatting {
                 let is_template = embedded.wrapping == Wrapping::Template;
                 let edits = edits.filter_map(|e| {
                     match is_template && !embedded.is_verbatim(text, e.span) {
-                        true => indentation_behind(text, &e),
+                        true => indentation_after(text, &e),
                         false => Some(e),
                     }
                 });
@@ -119,7 +119,7 @@ impl Formatting {
 
 /// The remainder of an edit around an interpolation such as `${noise}`, which is kept: only the
 /// line after it is indented.
-fn indentation_behind(text: &str, edit: &Edit) -> Option<Edit> {
+fn indentation_after(text: &str, edit: &Edit) -> Option<Edit> {
     let gap = text.get(edit.span.start as usize..edit.span.end as usize)?;
     let (_, was) = gap.rsplit_once('\n')?;
     let (_, indentation) = edit.text.rsplit_once('\n')?;

@@ -1,11 +1,11 @@
 //! Detects the hosts that may complete a text: by the names that it lacks, by imports of the
 //! surrounding script, and by the packages of its project.
 
+use super::check_context::CheckContext;
 use super::files::Files;
 use super::path::plain;
 use super::reading::Readings;
 use super::repository::{counts, hash};
-use super::world::World;
 use rustc_hash::FxHashMap;
 use shaderlint_host::{Preset, presets};
 use std::cell::OnceCell;
@@ -24,15 +24,15 @@ const MAX_HOSTS: usize = 4;
 
 /// The names of the package that contains a file and of its dependencies. `package.json` is
 /// searched in the folder of the file and its parents, up to the root of the repository.
-fn packages(name: &str, world: World) -> Arc<BTreeSet<String>> {
-    let file = plain(&world.files.here().join(name));
+fn packages(name: &str, context: CheckContext) -> Arc<BTreeSet<String>> {
+    let file = plain(&context.files.here().join(name));
     let folder = file.parent().unwrap_or(Path::new(""));
-    world.options.memo.packages(folder, || {
+    context.options.file_cache.packages(folder, || {
         let mut all = BTreeSet::new();
         for above in folder.ancestors().take(MAX_FOLDERS) {
-            all.extend(names_in(world.files, &above.join("package.json")));
+            all.extend(names_in(context.files, &above.join("package.json")));
             let is_module = above.parent().is_some_and(|p| p.ends_with("node_modules"));
-            if is_module || world.files.entry(&above.join(".git")).is_some() {
+            if is_module || context.files.entry(&above.join(".git")).is_some() {
                 break;
             }
         }
@@ -63,7 +63,7 @@ pub struct Hosts<'a> {
     script: Option<Arc<str>>,
     /// How often each word appears in the script, by hash; computed on first use.
     counts: OnceCell<FxHashMap<u64, usize>>,
-    world: World<'a>,
+    context: CheckContext<'a>,
     /// The hosts that the script imports; computed on first use.
     imported: OnceCell<Vec<&'static Preset>>,
     /// The hosts among the packages of the project; computed on first use.
@@ -72,12 +72,12 @@ pub struct Hosts<'a> {
 
 impl<'a> Hosts<'a> {
     /// For a file with this name, which may be a script or page.
-    pub fn new(name: &'a str, script: Option<Arc<str>>, world: World<'a>) -> Hosts<'a> {
+    pub fn new(name: &'a str, script: Option<Arc<str>>, context: CheckContext<'a>) -> Hosts<'a> {
         Hosts {
             name,
             script,
             counts: OnceCell::new(),
-            world,
+            context,
             imported: OnceCell::new(),
             installed: OnceCell::new(),
         }
@@ -113,8 +113,8 @@ impl<'a> Hosts<'a> {
     }
 
     /// The environment of the check.
-    pub fn world(&self) -> World<'a> {
-        self.world
+    pub fn context(&self) -> CheckContext<'a> {
+        self.context
     }
 
     /// The page or script that contains the texts; empty for shader files.
@@ -129,21 +129,25 @@ impl<'a> Hosts<'a> {
         if counts.get(&hash(word)).is_some_and(|all| *all > count) {
             return true;
         }
-        let files = self.world.files;
+        let files = self.context.files;
         let file = plain(&files.here().join(self.name));
-        let (is_beside, is_all) = self.world.options.memo.is_beside(word, &file, files);
+        let (is_elsewhere, is_all) = self
+            .context
+            .options
+            .file_cache
+            .is_elsewhere(word, &file, files);
         // Files that were not read may declare it.
-        is_beside || !is_all
+        is_elsewhere || !is_all
     }
 
     /// Whether no host is known that may write `#version` before a text, and no program in the
     /// repository does.
     pub fn adds_no_version(&self) -> bool {
-        let files = self.world.files;
+        let files = self.context.files;
         let file = plain(&files.here().join(self.name));
         self.imported().is_empty()
             && self.installed().is_empty()
-            && !self.world.options.memo.adds_version(&file, files)
+            && !self.context.options.file_cache.adds_version(&file, files)
     }
 
     fn imported(&self) -> &[&'static Preset] {
@@ -159,7 +163,7 @@ impl<'a> Hosts<'a> {
 
     fn installed(&self) -> &[&'static Preset] {
         self.installed.get_or_init(|| {
-            let used = packages(self.name, self.world);
+            let used = packages(self.name, self.context);
             let uses = |p: &&Preset| used.iter().any(|name| p.is_package(name));
             presets().filter(uses).collect()
         })
@@ -178,12 +182,12 @@ pub fn imports(script: &str) -> Vec<&str> {
     let mut found = Vec::new();
     for word in ["from", "import", "require"] {
         for (at, _) in script.match_indices(word) {
-            let behind = script.get(at + word.len()..).unwrap_or("");
-            let behind = behind.trim_start_matches([' ', '(', '\t']);
-            let Some(quote) = behind.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
+            let after = script.get(at + word.len()..).unwrap_or("");
+            let after = after.trim_start_matches([' ', '(', '\t']);
+            let Some(quote) = after.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
                 continue;
             };
-            let path = behind.get(1..).unwrap_or("");
+            let path = after.get(1..).unwrap_or("");
             let mut near = path.bytes().take(MAX_PATH);
             let end = near.position(|b| b == quote as u8 || b == b'\n');
             found.extend(end.and_then(|end| path.get(..end)));

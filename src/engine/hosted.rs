@@ -1,17 +1,17 @@
 //! Shaders of known hosts that WebGL cannot compile as they are: each is checked as composed for
 //! its host, in the same way as the port does it.
 
+use super::check_context::CheckContext;
 use super::host::Hosts;
 use super::input::SplitInput;
 use super::options::{DialectChoice, Options};
-use super::part::Part;
 use super::reading::{Reading, Readings};
 use super::repair::repair;
-use super::world::World;
+use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
 use shaderlint_host::Preset;
 use shaderlint_port::{
-    Clues, Hosted, Project, TextChange, TextsBeside, calls_entry, hosted, may_be_composed,
+    Clues, Hosted, Project, SiblingTexts, TextChange, calls_entry, hosted, may_be_composed,
 };
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{Checked, Dialect, Stage, guess};
@@ -38,24 +38,24 @@ pub(super) fn part(
     name: &str,
     (file, start): (FileId, usize),
     text: &str,
-    world: World,
+    context: CheckContext,
 ) -> Option<bool> {
     // A host that the user describes runs desktop GLSL only if it says so.
     let takes = |host: &&Preset| {
-        let is_pass = is_pass_of_another(text, world.options);
+        let is_pass = is_pass_of_another(text, context.options);
         is_pass || !host.name.is_empty() || host.runs_desktop()
     };
-    let given = world.options.host.preset.filter(takes);
-    let Some(found) = beside(name, text, given, world) else {
+    let given = context.options.host.preset.filter(takes);
+    let Some(found) = hosted_with_siblings(name, text, given, context) else {
         return Some(false);
     };
     let sources = Arc::make_mut(&mut input.sources);
     let piece = sources.embed(file, start, text)?;
     let reading = reading(sources, &[piece], &found)?;
-    let readings = Readings::whole(reading);
+    let readings = Readings::of_complete(reading);
     input
         .parts
-        .push(Part::hosted(readings, found.recognised.host));
+        .push(ShaderInput::hosted(readings, found.recognised.host));
     Some(true)
 }
 
@@ -63,7 +63,7 @@ pub(super) fn part(
 /// or the text shows one. Returns the checked shader.
 pub(super) fn compose(
     sources: &mut Arc<Sources>,
-    part: &mut Part,
+    part: &mut ShaderInput,
     hosts: &Hosts,
     options: &Options,
 ) -> Option<Checked> {
@@ -77,22 +77,22 @@ pub(super) fn compose(
     if given.is_none() && (text.len() > MAX_TRIED || !may_be_composed(&text)) {
         return None;
     }
-    let found = beside(hosts.name(), &text, given, hosts.world())?;
+    let found = hosted_with_siblings(hosts.name(), &text, given, hosts.context())?;
     let host = found.recognised.host;
     // What is missing is unknown, so that another host may declare it.
     if !found.is_sure() && part.readings.has_missing() {
         return None;
     }
     let is_vertex = found.completion.stage == Stage::Vertex;
-    let told = guess(&text);
-    let has_entry = told.has_main || told.is_shadertoy() || is_body(&text);
+    let guessed = guess(&text);
+    let has_entry = guessed.has_main || guessed.is_shadertoy() || is_body(&text);
     // Without an entry function, no `main` is appended.
-    let is_misread = !has_entry && !found.completion.behind.is_empty();
+    let is_misread = !has_entry && !found.completion.after.is_empty();
     if !host.composes || is_misread || part.readings.is_vertex() && !is_vertex {
         return None;
     }
     let reading = reading(Arc::make_mut(sources), &pieces, &found)?;
-    let mut readings = Readings::whole(reading);
+    let mut readings = Readings::of_complete(reading);
     let checked = readings.check(sources, false)?;
     let lacks_main = checked
         .diagnostics
@@ -122,7 +122,7 @@ pub(super) fn given_composer(options: &Options) -> Option<&'static Preset> {
 }
 
 /// The user's text of a shader fragment, and its files in order, with includes.
-fn own_text(sources: &Sources, part: &Part) -> Option<(String, Vec<FileId>)> {
+fn own_text(sources: &Sources, part: &ShaderInput) -> Option<(String, Vec<FileId>)> {
     let is_own = |id: &FileId| sources.code(*id).is_some_and(|c| c.role == Role::User);
     let pieces: Vec<FileId> = part
         .reading()?
@@ -136,7 +136,7 @@ fn own_text(sources: &Sources, part: &Part) -> Option<(String, Vec<FileId>)> {
 }
 
 /// The user's text of a shader fragment, before its host changed it.
-fn text_before(sources: &Sources, part: &Part) -> Option<String> {
+fn text_before(sources: &Sources, part: &ShaderInput) -> Option<String> {
     // Changed text is between two pieces of the same file.
     let mut stretches: Vec<(FileId, Range<u32>)> = Vec::new();
     for id in &part.reading()?.files {
@@ -159,17 +159,22 @@ fn text_before(sources: &Sources, part: &Part) -> Option<String> {
 }
 
 /// The text that a host composes, with other texts that it refers to.
-fn beside(name: &str, text: &str, given: Option<&'static Preset>, world: World) -> Option<Hosted> {
+fn hosted_with_siblings(
+    name: &str,
+    text: &str,
+    given: Option<&'static Preset>,
+    context: CheckContext,
+) -> Option<Hosted> {
     let path = Path::new(name);
     let title = path.file_stem().map_or("".into(), |s| s.to_string_lossy());
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut texts = TextsBeside::new();
+    let mut texts = SiblingTexts::new();
     loop {
-        let found = hosted(&Clues::beside(text, &title, &texts), given)?;
+        let found = hosted(&Clues::with_siblings(text, &title, &texts), given)?;
         let known = texts.len();
         for asked in &found.wanted {
             if !texts.contains_key(asked) && texts.len() < MAX_TEXTS {
-                let text = world.files.load(&folder.join(asked)).ok();
+                let text = context.files.load(&folder.join(asked)).ok();
                 texts.insert(asked.clone(), text);
             }
         }
@@ -183,7 +188,7 @@ fn beside(name: &str, text: &str, given: Option<&'static Preset>, world: World) 
 /// keywords, or everything if the repaired text has no errors.
 pub(super) fn leave_repaired(
     sources: &Sources,
-    (part, host): (&Part, &'static Preset),
+    (part, host): (&ShaderInput, &'static Preset),
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
@@ -230,8 +235,8 @@ fn reading(sources: &mut Sources, pieces: &[FileId], found: &Hosted) -> Option<R
             &mut files,
         )?;
     }
-    if !completion.behind.is_empty() {
-        files.push(sources.add("", None, Role::Prelude, completion.behind.clone())?);
+    if !completion.after.is_empty() {
+        files.push(sources.add("", None, Role::Prelude, completion.after.clone())?);
     }
     Some(Reading {
         files,

@@ -1,8 +1,8 @@
 //! An input file, split into shaders.
 
-use super::export::Written;
+use super::export::ExportText;
 use super::include::Hushed;
-use super::part::Part;
+use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::embed::Embedded;
 use shaderlint_text::{FileId, Sources};
@@ -14,7 +14,7 @@ pub struct SplitInput {
     /// The source texts.
     pub sources: Arc<Sources>,
     /// The shaders.
-    pub parts: Vec<Part>,
+    pub parts: Vec<ShaderInput>,
     /// The input file; `None` for an export.
     pub file: Option<FileId>,
     /// The embedded shaders of a page, script or document.
@@ -22,7 +22,7 @@ pub struct SplitInput {
     /// Findings about the file itself.
     pub problems: Vec<Diagnostic>,
     /// Positions of the code of passes in an export.
-    pub export: Option<Written>,
+    pub export: Option<ExportText>,
     /// Files whose findings are not reported here.
     pub hushed: Hushed,
 }

@@ -7,52 +7,52 @@
 
 mod analysis;
 mod check;
+mod check_context;
 pub mod config;
 mod document;
 mod embedded;
 mod export;
+mod file_cache;
 mod files;
+mod fix;
 mod foreign;
 mod format;
-mod front;
 mod host;
 mod hosted;
 mod include;
 mod input;
-mod memo;
-mod mend;
+mod leading_blanks;
 mod options;
-mod part;
 mod partner;
 pub mod path;
 mod place;
-pub mod play;
+pub mod playback;
 mod prelude;
 mod reading;
 mod repair;
 mod repository;
 mod shader;
+mod shader_input;
 mod typo;
 mod unknown;
 mod verify;
 mod version;
-mod world;
 
 pub use analysis::Analysis;
 pub use document::{Report, Unread};
+pub use file_cache::FileCache;
 pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
+pub use fix::{Offer, fix_text};
 pub use format::{Formatting, format};
 pub use include::{Absence, MissingInclude};
-pub use memo::Memo;
-pub use mend::{Offer, mend};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
-pub use part::Shader;
 pub use repair::{Repairs, repair, repair_webgl1, repairable};
-pub use shaderlint_semantic::Wholeness;
+pub use shader_input::Shader;
+pub use shaderlint_semantic::Completeness;
 pub use verify::{Original, Verified, equal, verify};
 
+use check_context::{CheckContext, Keep};
 use shaderlint_text::{Content, Encoding};
-use world::{Keep, World};
 
 /// Checks a text. `name` is its path: the extension selects the kind of file, and includes are
 /// resolved in its folder.
@@ -70,8 +70,8 @@ use world::{Keep, World};
 /// assert_eq!(file.position(finding.span.start).line, 2);
 /// ```
 pub fn check(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
-    let world = World::new(options, files);
-    document::judge(name, text, Encoding::Utf8, world)
+    let context = CheckContext::new(options, files);
+    document::check_text(name, text, Encoding::Utf8, context)
 }
 
 /// Checks the decoded bytes of a file. The encoding may be a finding.
@@ -81,17 +81,17 @@ pub fn check_content(
     options: &Options,
     files: &dyn Files,
 ) -> Report {
-    let world = World::new(options, files);
-    document::judge(name, &content.text, content.encoding, world)
+    let context = CheckContext::new(options, files);
+    document::check_text(name, &content.text, content.encoding, context)
 }
 
 /// Checks a text and keeps the analyses of its shaders in [`Report::analyses`].
 pub fn analyze(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
-    let world = World {
+    let context = CheckContext {
         keep: Keep::Programs,
-        ..World::new(options, files)
+        ..CheckContext::new(options, files)
     };
-    document::judge(name, text, Encoding::Utf8, world)
+    document::check_text(name, text, Encoding::Utf8, context)
 }
 
 #[cfg(test)]
@@ -113,7 +113,7 @@ mod tests {
         let [analysis] = &report.analyses[..] else {
             panic!("one shader")
         };
-        assert!(!analysis.has_errors && analysis.wholeness == Wholeness::Whole);
+        assert!(!analysis.has_errors && analysis.completeness == Completeness::Complete);
         assert!(!analysis.module().functions.is_empty());
         let alone = check("a.frag", shader, &Options::default(), &NoFiles);
         assert_eq!(alone.shaders[0].missing[0].path, "lib/noise.glsl");

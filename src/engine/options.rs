@@ -1,6 +1,6 @@
 //! The options of a check: dialect, rules, host, includes.
 
-use super::memo::Memo;
+use super::file_cache::FileCache;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
@@ -27,7 +27,7 @@ pub struct Options {
     /// Whether the configuration lists the file as a shader.
     pub claim: Claim,
     /// Cache of other files.
-    pub memo: Arc<Memo>,
+    pub file_cache: Arc<FileCache>,
 }
 
 impl Default for Options {
@@ -48,7 +48,7 @@ impl Options {
             checked: Arc::default(),
             desktop: Desktop::default(),
             claim: Claim::default(),
-            memo: Arc::default(),
+            file_cache: Arc::default(),
         }
     }
 }

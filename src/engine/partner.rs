@@ -1,18 +1,18 @@
 //! Pairs vertex and fragment shaders, and reports link errors.
 
 use super::analysis::Analysis;
+use super::check_context::CheckContext;
 use super::input::SplitInput;
-use super::part::Part;
-use super::reading::{Reading, Standing};
+use super::reading::{PresumedCompleteness, Reading};
 use super::shader::shader_part;
-use super::world::World;
+use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
 use shaderlint_semantic::link::link;
-use shaderlint_semantic::{Function, Program, Stage, Storage, Unit, Wholeness, analyze};
+use shaderlint_semantic::{Completeness, Function, Program, Stage, Storage, Unit, analyze};
 use shaderlint_text::embed::{Asked, DocumentLanguage, Embedded, asked, together};
-use shaderlint_text::kind::ending;
+use shaderlint_text::kind::file_extension;
 use shaderlint_text::{Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
@@ -37,12 +37,12 @@ const WORDS: [(&str, &str); 8] = [
 ];
 
 /// The name and text of the file with the other stage.
-fn find(name: &str, world: World) -> Option<(String, Arc<str>)> {
+fn find(name: &str, context: CheckContext) -> Option<(String, Arc<str>)> {
     let (other, stage) = counterpart(name)?;
-    if stage == Stage::Vertex && world.options.checked.contains(&other) {
+    if stage == Stage::Vertex && context.options.checked.contains(&other) {
         return None;
     }
-    let text = world.files.load(Path::new(&other)).ok()?;
+    let text = context.files.load(Path::new(&other)).ok()?;
     Some((other, text))
 }
 
@@ -52,12 +52,12 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
         Some(slash) => name.split_at(slash + 1),
         None => ("", name),
     };
-    let (stem, ending) = match file.strip_suffix(".glsl") {
+    let (stem, extension) = match file.strip_suffix(".glsl") {
         Some(stem) => (stem, ".glsl"),
         None => (file, ""),
     };
     // Without `.glsl`, the word is the extension itself.
-    let is_apart = |c: char, word: &str| match ending {
+    let is_apart = |c: char, word: &str| match extension {
         "" => c == '.',
         _ => {
             let is_capital = word.starts_with(|w: char| w.is_ascii_uppercase());
@@ -71,8 +71,8 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
     for (own, other, stage) in pairs {
         if let Some(rest) = stem.strip_suffix(own) {
             let before = rest.chars().next_back();
-            if before.map_or(!ending.is_empty(), |c| is_apart(c, own)) {
-                return Some((format!("{folder}{rest}{other}{ending}"), stage));
+            if before.map_or(!extension.is_empty(), |c| is_apart(c, own)) {
+                return Some((format!("{folder}{rest}{other}{extension}"), stage));
             }
         }
     }
@@ -80,7 +80,11 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
 }
 
 /// Reads the other stage of a shader file, if there is one.
-pub(super) fn load(input: &mut SplitInput, name: &str, world: World) -> Option<Part> {
+pub(super) fn load(
+    input: &mut SplitInput,
+    name: &str,
+    context: CheckContext,
+) -> Option<ShaderInput> {
     let [part] = input.parts.as_slice() else {
         return None;
     };
@@ -88,11 +92,11 @@ pub(super) fn load(input: &mut SplitInput, name: &str, world: World) -> Option<P
         return None;
     }
     let stage = part.reading()?.stage;
-    let (name, text) = find(name, world)?;
+    let (name, text) = find(name, context)?;
     let problems = input.problems.len();
     let file =
         Arc::make_mut(&mut input.sources).add(name.as_str(), None, Role::User, text.clone())?;
-    let made = shader_part(input, &name, file, &text, world);
+    let made = shader_part(input, &name, file, &text, context);
     let other = (input.parts.len() > 1).then(|| input.parts.pop()).flatten();
     // Errors in the other file are reported when that file is checked.
     let is_well = input.problems.len() == problems;
@@ -102,24 +106,26 @@ pub(super) fn load(input: &mut SplitInput, name: &str, world: World) -> Option<P
 }
 
 /// Whether a shader file may be one stage of a program.
-fn may_be_linked(part: &Part) -> bool {
-    let is_whole = matches!(
-        part.readings.standing,
-        Standing::Whole | Standing::Complete | Standing::Unversioned
+fn may_be_linked(part: &ShaderInput) -> bool {
+    let is_complete = matches!(
+        part.readings.presumed,
+        PresumedCompleteness::Complete
+            | PresumedCompleteness::CompleteIfDeclared
+            | PresumedCompleteness::Unversioned
     );
-    is_whole && part.may_be_program()
+    is_complete && part.may_be_program()
 }
 
 /// Links the shaders of an input, each with its partner, and reports errors.
 pub(super) fn check(
     input: &SplitInput,
-    partner: Option<&Part>,
+    partner: Option<&ShaderInput>,
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     if let (Some(other), [own]) = (partner, input.parts.as_slice()) {
         if !diagnostics.iter().any(keeps_from_linking) {
-            link_parts(&input.sources, own, other, |_, _| {}, diagnostics);
+            link_stages(&input.sources, own, other, |_, _| {}, diagnostics);
         }
         return;
     }
@@ -127,7 +133,7 @@ pub(super) fn check(
     let Some(file) = file.filter(|_| input.embedded.len() > 1) else {
         return;
     };
-    let Some(language) = DocumentLanguage::of_extension(&ending(&file.path)) else {
+    let Some(language) = DocumentLanguage::of_extension(&file_extension(&file.path)) else {
         return;
     };
     let parts = programs(input, file.base);
@@ -165,20 +171,20 @@ pub(super) fn check(
                 missing = lacking(vertex, fragment, asked(language, &file.text));
             }
         };
-        link_parts(&input.sources, vertex, fragment, more, diagnostics);
+        link_stages(&input.sources, vertex, fragment, more, diagnostics);
         let missing = missing.into_iter();
         diagnostics.extend(missing.filter_map(|m| report_lacking(m, file.base, settings)));
     }
 }
 
 /// By embedded shader of a page: its shader, if it may be a stage of a program.
-fn programs(input: &SplitInput, base: u32) -> Vec<Option<&Part>> {
+fn programs(input: &SplitInput, base: u32) -> Vec<Option<&ShaderInput>> {
     let by_start = input.parts.iter().flat_map(|part| {
         let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
         let codes = files.iter().filter_map(|id| input.sources.code(*id));
         codes.map(move |code| (code.base, part))
     });
-    let by_start: HashMap<u32, &Part> = by_start.collect();
+    let by_start: HashMap<u32, &ShaderInput> = by_start.collect();
     let of = |embedded: &Embedded| {
         let part = *by_start.get(&(base + embedded.start as u32))?;
         part.may_be_program().then_some(part)
@@ -188,7 +194,7 @@ fn programs(input: &SplitInput, base: u32) -> Vec<Option<&Part>> {
 
 /// The vertex and the fragment shader, if there is one of each.
 fn pair(
-    parts: &[Option<&Part>],
+    parts: &[Option<&ShaderInput>],
     members: &mut dyn Iterator<Item = usize>,
 ) -> Option<(usize, usize)> {
     let (mut vertex, mut fragment) = (None, None);
@@ -205,10 +211,10 @@ fn pair(
 }
 
 /// Links a vertex and a fragment shader. `more` is called if both are complete and without errors.
-fn link_parts(
+fn link_stages(
     sources: &Arc<Sources>,
-    one: &Part,
-    other: &Part,
+    one: &ShaderInput,
+    other: &ShaderInput,
     more: impl FnOnce(&Program, &Program),
     diagnostics: &mut Vec<Diagnostic>,
 ) {
@@ -259,14 +265,14 @@ struct LinkedStage {
 /// The readings of a shader in which it is complete and has no errors except unknown names.
 fn programs_of<'p>(
     sources: &'p Arc<Sources>,
-    part: &'p Part,
+    part: &'p ShaderInput,
 ) -> impl Iterator<Item = (LinkedStage, &'p Reading)> {
     let readings = part.may_be_program().then_some(&part.readings.all);
     let readings = readings.into_iter().flatten().enumerate();
     let is_closed = part.missing.is_empty() && !part.readings.has_gaps();
     readings.filter_map(move |(index, reading)| {
         // A complete shader was checked in its first reading.
-        let is_checked = |a: &&Analysis| index == 0 && a.wholeness == Wholeness::Whole;
+        let is_checked = |a: &&Analysis| index == 0 && a.completeness == Completeness::Complete;
         let checked = part.analysis.as_ref().filter(is_checked);
         let stage = match checked.filter(|a| !a.has_errors) {
             Some(analysis) => LinkedStage {
@@ -280,7 +286,7 @@ fn programs_of<'p>(
                     stage: reading.stage,
                     dialect: reading.dialect,
                     infer_channels: false,
-                    wholeness: Wholeness::Whole,
+                    completeness: Completeness::Complete,
                 });
                 let mut found = checked.diagnostics.iter().filter(|d| is_error(d));
                 let lacks_names = found.next().is_some();

@@ -92,7 +92,7 @@ pub fn with_host(
             return Some(own);
         }
         let prelude = sources.add("", None, Role::Prelude, declared)?;
-        return behind_version(sources, own, prelude);
+        return after_version(sources, own, prelude);
     };
     let mut files = vec![sources.add("", None, Role::Prelude, header + &declared)?];
     files.extend(own);
@@ -136,7 +136,7 @@ fn declares(code: &str, name: &str) -> bool {
 }
 
 /// Inserts declarations after the line with `#version`, or at the start if there is none.
-pub fn behind_version(
+pub fn after_version(
     sources: &mut Sources,
     own: Vec<FileId>,
     prelude: FileId,
@@ -148,12 +148,12 @@ pub fn behind_version(
     let mut files = Vec::new();
     match version_end(&text) {
         None => files.extend([prelude, first]),
-        Some(behind) => {
+        Some(after) => {
             let file = sources.file_id_at(base)?;
             let offset = (base - sources.file(file)?.base) as usize;
-            files.push(sources.embed(file, offset, text.get(..behind)?)?);
+            files.push(sources.embed(file, offset, text.get(..after)?)?);
             files.push(prelude);
-            files.push(sources.embed(file, offset + behind, text.get(behind..)?)?);
+            files.push(sources.embed(file, offset + after, text.get(after..)?)?);
         }
     }
     files.extend(own);
@@ -195,13 +195,13 @@ mod tests {
         };
         let own =
             "uniform mat4 a;\n#define B 2\nvec4 g() { vec3 c; return d; }\nfloat f(float y) { }";
-        let told = prelude(&preset, own, true);
-        let left: Vec<&str> = told.lines().filter(|l| l.contains(';')).collect();
+        let shown = prelude(&preset, own, true);
+        let left: Vec<&str> = shown.lines().filter(|l| l.contains(';')).collect();
         assert_eq!(
             left,
             ["uniform vec3 c[4];", "layout(location = 0) out vec4 d;"]
         );
-        assert!(!told.contains("#define B"));
+        assert!(!shown.contains("#define B"));
         assert!(prelude(&preset, "out vec4 x;", false).starts_with("#define OWN_OUTPUT"));
     }
 }

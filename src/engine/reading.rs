@@ -2,13 +2,14 @@
 //! which a host may complete it.
 
 use super::options::{DialectChoice, Options};
-use super::prelude::{behind_version, prelude, with_host};
+use super::prelude::{after_version, prelude, with_host};
 use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
 use shaderlint_host::{HostVersion, Preset};
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
-    Checked, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, Stage, Unit, Wholeness, analyze_part,
-    analyze_within, confirm_unknown, first_of_300, guess, needs_300, part_declarations,
+    CHUNK_OUTPUT, Checked, Completeness, Dialect, Guess, GuessedKind, Pass, Stage, Unit,
+    analyze_chunk, analyze_within, chunk_declarations, confirm_unknown, first_of_300, guess,
+    needs_300,
 };
 use shaderlint_syntax::{ES_300, Feature, Search, Version};
 use shaderlint_text::kind::has_main;
@@ -31,15 +32,15 @@ pub struct Reading {
 
 /// How complete a text is, before it is checked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Standing {
+pub enum PresumedCompleteness {
     /// Complete.
-    Whole,
-    /// Complete, unless it uses names that it does not declare.
     Complete,
+    /// Complete, unless it uses names that it does not declare.
+    CompleteIfDeclared,
     /// Complete, but only valid if a host writes `#version 300 es` before it.
     Unversioned,
     /// A shader fragment that a host completes.
-    Part,
+    Chunk,
     /// A shader fragment with omissions.
     Excerpt,
 }
@@ -86,7 +87,7 @@ pub struct Readings {
     /// The readings, most likely first.
     pub all: Vec<Reading>,
     /// How complete the text is.
-    pub standing: Standing,
+    pub presumed: PresumedCompleteness,
     /// The hosts that may complete it.
     pub hosts: Vec<String>,
     /// Whether a host renames what the text declares.
@@ -98,13 +99,13 @@ pub struct Readings {
     /// Patterns of names that the hosts declare depending on the object that is drawn.
     pub declared_at_times: Vec<String>,
     text: InputText,
-    told: Guess,
+    guessed: Guess,
     needs_300: bool,
 }
 
 impl Readings {
     /// The only reading of a complete shader.
-    pub fn whole(reading: Reading) -> Readings {
+    pub fn of_complete(reading: Reading) -> Readings {
         Readings {
             text: InputText {
                 files: reading.files.clone(),
@@ -116,13 +117,13 @@ impl Readings {
                 has_holes: false,
             },
             all: vec![reading],
-            standing: Standing::Whole,
+            presumed: PresumedCompleteness::Complete,
             hosts: Vec::new(),
             renames: false,
             is_guessed: false,
             are_hosts_complete: false,
             declared_at_times: Vec::new(),
-            told: Guess::default(),
+            guessed: Guess::default(),
             needs_300: false,
         }
     }
@@ -130,53 +131,59 @@ impl Readings {
     /// Determines the readings of a text. `None` if the address space is full.
     pub fn of(
         sources: &mut Sources,
-        (code, mut told): (&str, Guess),
+        (code, mut guessed): (&str, Guess),
         text: InputText,
         options: &Options,
     ) -> Option<Readings> {
         // Included text is part of the text, and resolved includes are not directives any more.
         let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
         if let Some(all) = &joined {
-            told = guess(all);
+            guessed = guess(all);
             // Includes were resolved, so missing files are known.
-            told.is_completed = false;
+            guessed.is_completed = false;
         }
         let code = joined.as_deref().unwrap_or(code);
         let needs_300 = LazyCell::new(|| needs_300(code));
-        let kind = kind_of(&told, &text, &needs_300, options.dialect);
-        let standing = standing(kind, &told, &text, code, &needs_300, options.dialect);
-        let needs_300 = text.is_300 || standing != Standing::Whole && *needs_300;
+        let kind = kind_of(&guessed, &text, &needs_300, options.dialect);
+        let presumed = presumed(kind, &guessed, &text, code, &needs_300, options.dialect);
+        let needs_300 = text.is_300 || presumed != PresumedCompleteness::Complete && *needs_300;
         let mut found = Readings {
             all: Vec::new(),
-            standing,
+            presumed,
             hosts: Vec::new(),
             renames: false,
             is_guessed: false,
             are_hosts_complete: false,
             declared_at_times: Vec::new(),
             text,
-            told,
+            guessed,
             needs_300,
         };
-        if standing == Standing::Part && is_body(code) {
+        if presumed == PresumedCompleteness::Chunk && is_body(code) {
             found.put_in_function(sources)?;
         }
         let given = options.host.preset.filter(|p| found.may_host(p));
-        if let Some(preset) = given.filter(|_| !told.is_shadertoy()) {
+        if let Some(preset) = given.filter(|_| !guessed.is_shadertoy()) {
             found.host(sources, &[preset], options)?;
-            let is_all = told.has_main && preset.is_complete && !found.text.is_open;
-            let is_all = is_all && !told.is_completed && standing != Standing::Excerpt;
+            let is_all = guessed.has_main && preset.is_complete && !found.text.is_open;
+            let is_all =
+                is_all && !guessed.is_completed && presumed != PresumedCompleteness::Excerpt;
             if is_all {
-                found.standing = Standing::Whole;
+                found.presumed = PresumedCompleteness::Complete;
             }
             return Some(found);
         }
-        if !matches!(standing, Standing::Part | Standing::Excerpt)
-            || kind.is_some_and(GuessedKind::is_whole)
+        if !matches!(
+            presumed,
+            PresumedCompleteness::Chunk | PresumedCompleteness::Excerpt
+        ) || kind.is_some_and(GuessedKind::is_complete)
         {
             found.all.push(found.as_it_stands(sources, kind, options)?);
         }
-        let may_be_part = matches!(standing, Standing::Complete | Standing::Unversioned);
+        let may_be_part = matches!(
+            presumed,
+            PresumedCompleteness::CompleteIfDeclared | PresumedCompleteness::Unversioned
+        );
         if found.all.is_empty() || may_be_part {
             found.complete(sources, None, options)?;
         }
@@ -185,7 +192,7 @@ impl Readings {
 
     /// Whether the text has a `#version`.
     pub fn has_version(&self) -> bool {
-        self.told.kind == Some(GuessedKind::Versioned)
+        self.guessed.kind == Some(GuessedKind::Versioned)
     }
 
     /// Whether the text may start or end anywhere: scripts concatenate such pieces.
@@ -195,7 +202,7 @@ impl Readings {
 
     /// Whether the text requires GLSL ES 3.00.
     pub fn needs_300(&self) -> bool {
-        self.needs_300 || self.told.is_300
+        self.needs_300 || self.guessed.is_300
     }
 
     /// Whether a page or script passes the text on, and may change it before.
@@ -217,8 +224,8 @@ impl Readings {
     /// The range of the first token that requires GLSL ES 3.00, if the text is compiled unchanged
     /// and lacks `#version`.
     pub fn lacks_version(&self, code: &str) -> Option<Range<usize>> {
-        let is_whole = self.told.has_main && !self.has_gaps() && !self.is_shown();
-        let is_lacking = is_whole && self.hosts.is_empty() && !self.has_version();
+        let is_complete = self.guessed.has_main && !self.has_gaps() && !self.is_shown();
+        let is_lacking = is_complete && self.hosts.is_empty() && !self.has_version();
         let is_lacking = is_lacking && !self.is_shadertoy();
         is_lacking.then(|| first_of_300(code)).flatten()
     }
@@ -230,7 +237,7 @@ impl Readings {
 
     /// Whether the text defines an entry function.
     pub fn holds_entry(&self) -> bool {
-        self.told.has_main
+        self.guessed.has_main
     }
 
     /// Whether the text is documentation, which is not compiled.
@@ -240,7 +247,7 @@ impl Readings {
 
     /// Whether the text is a vertex shader, by its content or its context.
     pub fn is_vertex(&self) -> bool {
-        self.text.stage.or(self.told.stage) == Some(Stage::Vertex)
+        self.text.stage.or(self.guessed.stage) == Some(Stage::Vertex)
     }
 
     /// Whether an included file is missing.
@@ -250,7 +257,7 @@ impl Readings {
 
     /// Treats the text as a fragment of a shader that a host composes.
     pub fn open(&mut self, host: &Preset, is_open: bool) {
-        self.standing = Standing::Part;
+        self.presumed = PresumedCompleteness::Chunk;
         self.hosts.push(host.title.clone());
         self.are_hosts_complete = host.is_complete;
         self.text.is_open = is_open;
@@ -260,8 +267,8 @@ impl Readings {
     pub fn has_gaps(&self) -> bool {
         self.text.is_open
             || self.text.has_holes
-            || self.told.is_completed
-            || self.standing == Standing::Excerpt
+            || self.guessed.is_completed
+            || self.presumed == PresumedCompleteness::Excerpt
     }
 
     /// Whether the text is a ShaderToy pass.
@@ -283,8 +290,8 @@ impl Readings {
         options: &Options,
     ) -> Option<()> {
         self.all.clear();
-        if self.standing != Standing::Excerpt {
-            self.standing = Standing::Part;
+        if self.presumed != PresumedCompleteness::Excerpt {
+            self.presumed = PresumedCompleteness::Chunk;
         }
         self.are_hosts_complete = presets.iter().all(|p| p.is_complete);
         let also = presets.iter().flat_map(|p| p.also.iter().cloned());
@@ -308,17 +315,17 @@ impl Readings {
     ) -> Option<()> {
         let code = code_of(sources, &self.text.files);
         for (version, stage) in self.ways(preset) {
-            let declared = part_declarations(version, stage);
+            let declared = chunk_declarations(version, stage);
             let is_vertex = stage == Stage::Vertex;
             let own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
             let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
             let own = match writes && !is_vertex && version.has(Feature::InOut) {
-                true => PART_OUTPUT.to_string() + &own,
+                true => CHUNK_OUTPUT.to_string() + &own,
                 false => own,
             };
             let files = if self.has_version() {
                 let prelude = sources.add("", None, Role::Prelude, declared + &own)?;
-                behind_version(sources, self.text.files.clone(), prelude)?
+                after_version(sources, self.text.files.clone(), prelude)?
             } else {
                 let first = version.profile().directive;
                 let header = format!("{first}{declared}{own}");
@@ -335,8 +342,8 @@ impl Readings {
 
     /// The versions and stages that a shader fragment may be compiled as, most likely first.
     fn ways(&self, preset: Option<&Preset>) -> Vec<(Version, Stage)> {
-        let versions: &[Version] = match (preset.map(|p| p.version), self.told.kind) {
-            (_, Some(GuessedKind::Versioned)) if self.told.is_300 => &[Version::Es300],
+        let versions: &[Version] = match (preset.map(|p| p.version), self.guessed.kind) {
+            (_, Some(GuessedKind::Versioned)) if self.guessed.is_300 => &[Version::Es300],
             (_, Some(GuessedKind::Versioned)) => &[Version::Es100],
             (Some(HostVersion::Es100), _) => &[Version::Es100],
             (Some(HostVersion::Es300), _) => &[Version::Es300],
@@ -349,7 +356,7 @@ impl Readings {
             (_, Some(GuessedKind::WebGl1)) => &[Version::Es100, Version::Es300],
             _ => &[Version::Es300, Version::Es100],
         };
-        let stages: &[Stage] = match self.text.stage.or(self.told.stage) {
+        let stages: &[Stage] = match self.text.stage.or(self.guessed.stage) {
             Some(Stage::Vertex) => &[Stage::Vertex],
             Some(Stage::Fragment) => &[Stage::Fragment],
             None => &[Stage::Fragment, Stage::Vertex],
@@ -374,7 +381,7 @@ impl Readings {
             _ => (None, Dialect::WebGl),
         };
         let stage = dialect.host().stage;
-        let stage = stage.or(self.text.stage).or(self.told.stage);
+        let stage = stage.or(self.text.stage).or(self.guessed.stage);
         Some(Reading {
             files: with_host(sources, header, self.text.files.clone(), options)?,
             stage: stage.unwrap_or(Stage::Fragment),
@@ -393,25 +400,27 @@ impl Readings {
 
     /// Checks the text in all readings, and returns the best result.
     pub fn check<'u>(&'u self, sources: &'u Arc<Sources>, infer_channels: bool) -> Option<Checked> {
-        let wholeness = match self.standing {
-            Standing::Whole | Standing::Complete | Standing::Unversioned => Wholeness::Whole,
-            Standing::Part if self.is_piece() => Wholeness::Piece,
-            Standing::Part => Wholeness::Part,
-            Standing::Excerpt => Wholeness::Excerpt,
+        let completeness = match self.presumed {
+            PresumedCompleteness::Complete
+            | PresumedCompleteness::CompleteIfDeclared
+            | PresumedCompleteness::Unversioned => Completeness::Complete,
+            PresumedCompleteness::Chunk if self.is_piece() => Completeness::Piece,
+            PresumedCompleteness::Chunk => Completeness::Chunk,
+            PresumedCompleteness::Excerpt => Completeness::Excerpt,
         };
-        let unit = |reading: &'u Reading, wholeness: Wholeness| Unit {
+        let unit = |reading: &'u Reading, completeness: Completeness| Unit {
             sources,
             files: &reading.files,
             stage: reading.stage,
             dialect: reading.dialect,
             infer_channels,
-            wholeness,
+            completeness,
         };
         let mut search = Search::for_text();
         let mut all = self.all.as_slice();
-        if wholeness == Wholeness::Whole {
+        if completeness == Completeness::Complete {
             let (first, others) = all.split_first()?;
-            let checked = analyze_within(&unit(first, wholeness), &mut search);
+            let checked = analyze_within(&unit(first, completeness), &mut search);
             // Macros of the text itself are not names that a host has to declare.
             let code = OnceCell::new();
             let is_macro = |name: &str| {
@@ -422,12 +431,12 @@ impl Readings {
                 .diagnostics
                 .iter()
                 .any(|d| self.may_lack(d) && !is_macro(sources.text(d.span)));
-            let is_whole = match self.standing {
-                Standing::Unversioned => {
+            let is_complete = match self.presumed {
+                PresumedCompleteness::Unversioned => {
                     let wrong = checked.diagnostics.iter().filter(|d| is_error(d)).count();
                     let is_left = |d: &&Diagnostic| is_error(d) && d.lacks().is_none();
                     let left = |search: &mut Search, r: &&'u Reading, _| {
-                        let with_version = analyze_within(&unit(r, wholeness), search);
+                        let with_version = analyze_within(&unit(r, completeness), search);
                         Some(with_version.diagnostics.iter().filter(is_left).count())
                     };
                     // Whether there are fewer errors with `#version 300 es`.
@@ -435,21 +444,21 @@ impl Readings {
                     let other = others.first();
                     search.fewest((wrong, 0), tokens, other, left).is_none()
                 }
-                Standing::Complete => !lacks,
+                PresumedCompleteness::CompleteIfDeclared => !lacks,
                 _ => true,
             };
-            if is_whole {
+            if is_complete {
                 return Some(checked);
             }
             all = others;
         }
-        let wholeness = match wholeness {
-            Wholeness::Whole if self.is_piece() => Wholeness::Piece,
-            Wholeness::Whole => Wholeness::Part,
-            wholeness => wholeness,
+        let completeness = match completeness {
+            Completeness::Complete if self.is_piece() => Completeness::Piece,
+            Completeness::Complete => Completeness::Chunk,
+            completeness => completeness,
         };
-        let units: Vec<Unit> = all.iter().map(|r| unit(r, wholeness)).collect();
-        analyze_part(&units, &mut search)
+        let units: Vec<Unit> = all.iter().map(|r| unit(r, completeness)).collect();
+        analyze_chunk(&units, &mut search)
     }
 }
 
@@ -458,7 +467,7 @@ impl Readings {
     pub fn confirm(
         &self,
         sources: &Arc<Sources>,
-        wholeness: Wholeness,
+        completeness: Completeness,
         unknown: &mut Vec<Diagnostic>,
     ) {
         let others = self.all.iter().skip(1).map(|reading| Unit {
@@ -467,7 +476,7 @@ impl Readings {
             stage: reading.stage,
             dialect: reading.dialect,
             infer_channels: false,
-            wholeness,
+            completeness,
         });
         confirm_unknown(&others.collect::<Vec<_>>(), unknown);
     }
@@ -500,22 +509,22 @@ pub fn code_of(sources: &Sources, files: &[FileId]) -> String {
 
 /// The kind of a text: what it is written for.
 fn kind_of(
-    told: &Guess,
+    guessed: &Guess,
     text: &InputText,
     needs_300: &LazyCell<bool, impl FnOnce() -> bool>,
     choice: DialectChoice,
 ) -> Option<GuessedKind> {
     match choice {
-        DialectChoice::Shadertoy => Some(match told.kind {
+        DialectChoice::Shadertoy => Some(match guessed.kind {
             Some(GuessedKind::ShaderToy(pass)) => GuessedKind::ShaderToy(pass),
             _ => GuessedKind::ShaderToy(Pass::Common),
         }),
         DialectChoice::Webgl1 => Some(GuessedKind::WebGl1),
-        DialectChoice::Webgl2 if told.kind == Some(GuessedKind::Versioned) => {
+        DialectChoice::Webgl2 if guessed.kind == Some(GuessedKind::Versioned) => {
             Some(GuessedKind::Versioned)
         }
         DialectChoice::Webgl2 => Some(GuessedKind::WebGl2),
-        DialectChoice::Auto => match told.kind {
+        DialectChoice::Auto => match guessed.kind {
             // The file of a stage is compiled unchanged: without `#version` it is GLSL ES 1.00.
             Some(GuessedKind::WebGl2)
                 if text.surroundings == Surroundings::StageFile && !**needs_300 =>
@@ -531,38 +540,42 @@ fn kind_of(
 }
 
 /// How complete a text is, by its content.
-fn standing(
+fn presumed(
     kind: Option<GuessedKind>,
-    told: &Guess,
+    guessed: &Guess,
     text: &InputText,
     code: &str,
     needs_300: &LazyCell<bool, impl FnOnce() -> bool>,
     choice: DialectChoice,
-) -> Standing {
+) -> PresumedCompleteness {
     if text.has_holes {
-        return Standing::Excerpt;
+        return PresumedCompleteness::Excerpt;
     }
     let is_literal = text.surroundings == Surroundings::Literal;
     match kind {
-        _ if choice != DialectChoice::Auto => Standing::Whole,
-        _ if text.is_open || told.is_completed => Standing::Part,
+        _ if choice != DialectChoice::Auto => PresumedCompleteness::Complete,
+        _ if text.is_open || guessed.is_completed => PresumedCompleteness::Chunk,
         // A literal that contains only the head of a shader is concatenated with others.
-        Some(GuessedKind::Versioned) if is_literal && !has_main(code) => Standing::Part,
-        Some(_) if text.surroundings == Surroundings::Shown => Standing::Complete,
-        Some(kind) if kind.is_whole() => Standing::Whole,
-        Some(GuessedKind::WebGl1) if is_literal && !text.is_compiled => Standing::Part,
-        Some(GuessedKind::WebGl1) if told.has_main => {
-            let is_supplied = match text.stage.or(told.stage) {
-                Some(Stage::Vertex) => told.has_attribute,
-                _ => told.has_precision,
+        Some(GuessedKind::Versioned) if is_literal && !has_main(code) => {
+            PresumedCompleteness::Chunk
+        }
+        Some(_) if text.surroundings == Surroundings::Shown => {
+            PresumedCompleteness::CompleteIfDeclared
+        }
+        Some(kind) if kind.is_complete() => PresumedCompleteness::Complete,
+        Some(GuessedKind::WebGl1) if is_literal && !text.is_compiled => PresumedCompleteness::Chunk,
+        Some(GuessedKind::WebGl1) if guessed.has_main => {
+            let is_supplied = match text.stage.or(guessed.stage) {
+                Some(Stage::Vertex) => guessed.has_attribute,
+                _ => guessed.has_precision,
             };
             match is_supplied {
-                true if **needs_300 => Standing::Unversioned,
-                true => Standing::Whole,
-                false => Standing::Complete,
+                true if **needs_300 => PresumedCompleteness::Unversioned,
+                true => PresumedCompleteness::Complete,
+                false => PresumedCompleteness::CompleteIfDeclared,
             }
         }
-        _ => Standing::Part,
+        _ => PresumedCompleteness::Chunk,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Repairs the errors of a project that have only one possible fix, in all passes.
 
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_lint::{Allow, Look, fix, without_pictures};
+use shaderlint_lint::{Allow, Look, fix, without_images};
 use shaderlint_port::{Composed, Project, add_repairs, compose};
 use shaderlint_text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
@@ -40,13 +40,13 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
     let files: Vec<&SourceFile> = users(composed).collect();
     let owners = owners(composed);
     let texts: Vec<&str> = files.iter().map(|f| &*f.text).collect();
-    let whole = texts.join(&BETWEEN.to_string());
-    let look = |text: &str| match text == whole {
+    let joined = texts.join(&BETWEEN.to_string());
+    let look = |text: &str| match text == joined {
         true => look(composed, text),
         false => look(&renewed(project, &owners, path, text)?, text),
     };
     // Code that does not compile has no image to compare.
-    let fixed = fix(&whole, Allow::Safe, look, without_pictures);
+    let fixed = fix(&joined, Allow::Safe, look, without_images);
     let mut repairs = Repairs::default();
     for file in &files {
         let (path, part) = (file.path.clone(), file.part.clone());
@@ -55,7 +55,7 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
             .add(path, part, Role::User, file.text.clone())?;
     }
     // The first text starts at address 0: offsets in the joined text are addresses.
-    repairs.done = fixed.applied.into_iter().map(told).collect();
+    repairs.done = fixed.applied.into_iter().map(as_note).collect();
     repairs.done.sort_by_key(|d| d.span);
     repairs.after = fixed.text.split(BETWEEN).map(str::to_string).collect();
     put(project, &owners, &fixed.text)?;
@@ -108,8 +108,8 @@ fn owners(composed: &Composed) -> Vec<usize> {
 }
 
 /// Splits a joined text and stores the parts in the passes.
-fn put(project: &mut Project, owners: &[usize], whole: &str) -> Option<()> {
-    let parts: Vec<&str> = whole.split(BETWEEN).collect();
+fn put(project: &mut Project, owners: &[usize], joined: &str) -> Option<()> {
+    let parts: Vec<&str> = joined.split(BETWEEN).collect();
     if parts.len() != owners.len() {
         return None;
     }
@@ -123,21 +123,21 @@ fn put(project: &mut Project, owners: &[usize], whole: &str) -> Option<()> {
 }
 
 /// A copy of the project with other texts, composed again.
-fn renewed(project: &Project, owners: &[usize], path: &str, whole: &str) -> Option<Composed> {
+fn renewed(project: &Project, owners: &[usize], path: &str, joined: &str) -> Option<Composed> {
     let mut project = project.clone();
-    put(&mut project, owners, whole)?;
+    put(&mut project, owners, joined)?;
     compose(&project, path)
 }
 
 /// The errors of a project, with positions in the joined text.
-fn look(composed: &Composed, whole: &str) -> Option<Look> {
+fn look(composed: &Composed, joined: &str) -> Option<Look> {
     let first = users(composed).next()?.base;
-    let span = Span::new(first, first + whole.len() as u32);
+    let span = Span::new(first, first + joined.len() as u32);
     let (diagnostics, size) = errors(composed);
     Some(Look {
         diagnostics,
         span,
-        judged: None,
+        checked_spans: None,
         size,
         shaders: Vec::new(),
     })
@@ -182,7 +182,7 @@ fn join(known: &mut Diagnostic, other: Diagnostic) {
 }
 
 /// The info about an error that was repaired.
-fn told(error: Diagnostic) -> Diagnostic {
+fn as_note(error: Diagnostic) -> Diagnostic {
     let how = error.fix.map_or(String::new(), |f| f.title);
     let message = format!("repaired: {how}");
     Diagnostic::new(

@@ -3,7 +3,7 @@
 use super::files::{FileType, Files};
 use super::path::plain;
 use rustc_hash::{FxHashMap, FxHasher};
-use shaderlint_text::kind::ending;
+use shaderlint_text::kind::file_extension;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::{Path, PathBuf};
@@ -73,7 +73,7 @@ impl RepositoryWords {
                     found.is_all = false;
                     return found;
                 }
-                let extension = ending(name);
+                let extension = file_extension(name);
                 let is_code = [GLSL, CODE]
                     .iter()
                     .any(|all| all.contains(&extension.as_str()));
@@ -97,7 +97,7 @@ impl RepositoryWords {
         let Ok(text) = files.load(&path) else {
             return 0;
         };
-        let is_shader = GLSL.contains(&ending(&path.to_string_lossy()).as_str());
+        let is_shader = GLSL.contains(&file_extension(&path.to_string_lossy()).as_str());
         if !is_shader {
             programs.any = true;
             programs.hand_over |= text.contains(".shaderSource(");
@@ -115,7 +115,7 @@ impl RepositoryWords {
     }
 
     /// Whether a word appears in a file other than this one.
-    pub fn is_beside(&self, word: &str, file: &Path) -> bool {
+    pub fn is_elsewhere(&self, word: &str, file: &Path) -> bool {
         match self.words.get(&hash(word)) {
             None => false,
             Some(&SEVERAL) => true,
@@ -233,7 +233,7 @@ mod tests {
         let file = Path::new("/r/a.glsl");
         assert_eq!(top(file, &files), Path::new("/r"));
         let words = RepositoryWords::under(Path::new("/r"), &files);
-        let beside = ["one", "two", "uThree", "four", "five"].map(|w| words.is_beside(w, file));
+        let beside = ["one", "two", "uThree", "four", "five"].map(|w| words.is_elsewhere(w, file));
         assert_eq!(beside, [false, true, true, false, false]);
         assert!(words.is_all);
     }

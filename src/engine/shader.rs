@@ -1,15 +1,15 @@
 //! A shader in a file of its own.
 
+use super::check_context::CheckContext;
 use super::include::{is_common, spread};
 use super::input::SplitInput;
 use super::options::{DialectChoice, Options};
-use super::part::Part;
 use super::reading::{InputText, Readings, Surroundings};
-use super::world::World;
+use super::shader_input::ShaderInput;
 use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
 use shaderlint_text::FileId;
 use shaderlint_text::embed::{Embedder, mask};
-use shaderlint_text::kind::ending;
+use shaderlint_text::kind::file_extension;
 use std::sync::Arc;
 
 /// Reads the shader of a shader file. `None` if it is too large.
@@ -18,17 +18,17 @@ pub(super) fn shader_part(
     name: &str,
     file: FileId,
     text: &str,
-    world: World,
+    context: CheckContext,
 ) -> Option<()> {
-    let options = world.options;
-    let extension = ending(name);
+    let options = context.options;
+    let extension = file_extension(name);
     let stage = match extension.as_str() {
         "vert" | "vs" | "vsh" => Some(Stage::Vertex),
         "frag" | "fs" | "fsh" => Some(Stage::Fragment),
         _ => None,
     };
-    let told = guess(text);
-    let masked = match may_be_template(text, &told, options) {
+    let guessed = guess(text);
+    let masked = match may_be_template(text, &guessed, options) {
         true => mask(text),
         false => None,
     };
@@ -40,7 +40,7 @@ pub(super) fn shader_part(
             Vec::new(),
         ),
         None => {
-            let own = spread(&mut input.sources, name, file, text, world)?;
+            let own = spread(&mut input.sources, name, file, text, context)?;
             input.problems.extend(own.problems);
             input.hushed.extend(own.hushed);
             (own.files, own.is_open, own.missing)
@@ -50,7 +50,7 @@ pub(super) fn shader_part(
         files,
         stage,
         surroundings: match stage {
-            _ if is_common(name, text, world) => Surroundings::CommonFile,
+            _ if is_common(name, text, context) => Surroundings::CommonFile,
             Some(_) => Surroundings::StageFile,
             None => Surroundings::File,
         },
@@ -61,12 +61,12 @@ pub(super) fn shader_part(
     };
     let readings = Readings::of(
         Arc::make_mut(&mut input.sources),
-        (text, told),
+        (text, guessed),
         about,
         options,
     )?;
     let first = readings.all.first()?;
-    input.parts.push(Part {
+    input.parts.push(ShaderInput {
         infer_channels: first.dialect.is_shadertoy(),
         readings,
         embedder: Embedder::default(),
@@ -80,8 +80,8 @@ pub(super) fn shader_part(
 
 /// Whether a program may fill holes in a shader file. If the text is evidently complete, only holes
 /// that are not valid GLSL and have both delimiters count.
-fn may_be_template(text: &str, told: &Guess, options: &Options) -> bool {
-    let is_whole = told.kind.is_some_and(GuessedKind::is_whole);
+fn may_be_template(text: &str, guessed: &Guess, options: &Options) -> bool {
+    let is_complete = guessed.kind.is_some_and(GuessedKind::is_complete);
     let has_ends = ["${", "{{", "<%", "{%"].iter().any(|s| text.contains(s));
-    options.dialect == DialectChoice::Auto && (has_ends || !is_whole)
+    options.dialect == DialectChoice::Auto && (has_ends || !is_complete)
 }

@@ -23,7 +23,7 @@ impl<'t> Vocabulary<'t> {
             declared: FxHashSet::default(),
         };
         let mut before = "";
-        for (_, token) in Tokens::of(code) {
+        for (_, token) in TextTokens::of(code) {
             if token.is_word {
                 *found.counts.entry(token.text).or_default() += 1;
                 let is_type = matches!(classify(before, Version::Es300), WordClass::Type(_));
@@ -84,7 +84,7 @@ pub fn variables(code: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let mut before = ' ';
     let mut in_directive = false;
-    for (at, token) in Tokens::of(code) {
+    for (at, token) in TextTokens::of(code) {
         in_directive = match token.text {
             "#" => true,
             "\n" => false,
@@ -105,29 +105,29 @@ pub fn variables(code: &str) -> Vec<(usize, &str)> {
 }
 
 /// The tokens of a text with their offsets: words, punctuation and line breaks.
-struct Tokens<'t> {
+struct TextTokens<'t> {
     code: &'t str,
     lexer: Lexer<'t>,
 }
 
-struct Token<'t> {
+struct TextToken<'t> {
     text: &'t str,
     is_word: bool,
 }
 
-impl<'t> Tokens<'t> {
-    fn of(code: &'t str) -> Tokens<'t> {
-        Tokens {
+impl<'t> TextTokens<'t> {
+    fn of(code: &'t str) -> TextTokens<'t> {
+        TextTokens {
             code,
             lexer: Lexer::new(code, 0),
         }
     }
 }
 
-impl<'t> Iterator for Tokens<'t> {
-    type Item = (usize, Token<'t>);
+impl<'t> Iterator for TextTokens<'t> {
+    type Item = (usize, TextToken<'t>);
 
-    fn next(&mut self) -> Option<(usize, Token<'t>)> {
+    fn next(&mut self) -> Option<(usize, TextToken<'t>)> {
         loop {
             let token = self.lexer.next_token();
             let range = token.span.start as usize..token.span.end as usize;
@@ -137,14 +137,14 @@ impl<'t> Iterator for Tokens<'t> {
                 RawKind::Whitespace | RawKind::LineComment | RawKind::BlockComment => continue,
                 RawKind::Newline => Some((
                     range.start,
-                    Token {
+                    TextToken {
                         text: "\n",
                         is_word: false,
                     },
                 )),
                 kind => Some((
                     range.start,
-                    Token {
+                    TextToken {
                         text,
                         is_word: kind == RawKind::Word,
                     },

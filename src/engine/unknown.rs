@@ -5,12 +5,12 @@
 //! others are listed in one info per file.
 
 use super::host::Hosts;
-use super::part::Part;
 use super::reading::code_of;
+use super::shader_input::ShaderInput;
 use super::typo::{Vocabulary, is_typo, variables};
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_host::matches_any;
-use shaderlint_semantic::{BuiltinId, Checked, Wholeness};
+use shaderlint_semantic::{BuiltinId, Checked, Completeness};
 use shaderlint_text::{Edit, Sources, Span};
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -28,9 +28,9 @@ pub struct Unresolved {
 
 /// Adds undeclared names to the diagnostics of a shader if they are mistakes, and to `unresolved`
 /// if a host may declare them.
-pub fn judge(
+pub fn decide_severity(
     sources: &Arc<Sources>,
-    part: &Part,
+    part: &ShaderInput,
     checked: &mut Checked,
     hosts: &Hosts,
     unresolved: &mut Unresolved,
@@ -43,7 +43,7 @@ pub fn judge(
     if !checked.program.tokens.undecided.is_empty() {
         report_inactive(checked, &vocabulary, hosts);
     }
-    if checked.wholeness == Wholeness::Whole {
+    if checked.completeness == Completeness::Complete {
         return;
     }
     let mut unknown = checked.open.unknown.clone();
@@ -69,7 +69,7 @@ pub fn judge(
     unresolved.first = unresolved.first.or(others.first().map(|d| d.span));
     unresolved.names.extend(others.iter().map(named));
     part.readings
-        .confirm(sources, checked.wholeness, &mut mistakes);
+        .confirm(sources, checked.completeness, &mut mistakes);
     if openness != Openness::Complete {
         let severities = mistakes.iter_mut().map(|d| &mut d.severity);
         severities.for_each(|s| *s = Severity::Warning);
@@ -94,7 +94,11 @@ enum Openness {
 }
 
 impl Openness {
-    fn of(part: &Part, unknown: &[Diagnostic], is_typo: impl Fn(&Diagnostic) -> bool) -> Openness {
+    fn of(
+        part: &ShaderInput,
+        unknown: &[Diagnostic],
+        is_typo: impl Fn(&Diagnostic) -> bool,
+    ) -> Openness {
         let readings = &part.readings;
         if !readings.holds_entry() || readings.has_gaps() || !part.missing.is_empty() {
             return Openness::Open;

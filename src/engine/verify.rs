@@ -1,7 +1,7 @@
 //! Verifies that the output of a port draws the same as the project: the output is read back, and
 //! each pass is compared with its original.
 
-use super::play::{Button, Moment, Mouse, Scene};
+use super::playback::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
 use serde::Deserialize;
 use shaderlint_exec::{
@@ -130,7 +130,7 @@ pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equali
     let found = equality([&before.code, &after.code], fuel, &draws);
     let is_large = |output: &OutputSlot| output.lanes() < output.scalars();
     match found {
-        Equality::Seen { .. } if before.code.outputs.iter().any(is_large) => {
+        Equality::SampledEqual { .. } if before.code.outputs.iter().any(is_large) => {
             Err("an output has more than four components, which are not all compared".to_string())
         }
         found => Ok(found),
@@ -357,7 +357,7 @@ mod tests {
             |found| *found == Ok(Equality::Proved),
         );
         check(&text.replace("at.xy * 0.5", "-(-at.xy) * 0.5"), |found| {
-            matches!(found, Ok(Equality::Seen { .. }))
+            matches!(found, Ok(Equality::SampledEqual { .. }))
         });
         check(&text.replace("at, 1)", "at + 0.01, 1)"), |found| {
             matches!(found, Ok(Equality::Differs { .. }))
@@ -366,7 +366,10 @@ mod tests {
         // Depends on the number of the vertex.
         let text = "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID % 7); }\n";
         let found = compare_vertices(text, &text.replace("% 7", "% 14 % 7"));
-        assert!(matches!(found, Ok(Equality::Seen { .. })), "{found:?}");
+        assert!(
+            matches!(found, Ok(Equality::SampledEqual { .. })),
+            "{found:?}"
+        );
         let found = compare_vertices(text, &text.replace("% 7", "% 17"));
         assert!(matches!(found, Ok(Equality::Differs { .. })), "{found:?}");
     }
@@ -378,7 +381,7 @@ mod tests {
             *found == Ok(Equality::Proved)
         });
         check(&BEFORE.replace("* 0.01, u,", "* 0.01, -(-u),"), |found| {
-            matches!(found, Ok(Equality::Seen { .. }))
+            matches!(found, Ok(Equality::SampledEqual { .. }))
         });
         check(&BEFORE.replace("u, 1)", "u + 0.001, 1)"), |found| {
             matches!(found, Ok(Equality::Differs { .. }))

@@ -1,21 +1,21 @@
 //! GLSL ES 3.00 shaders without `#version`, which browsers compile as GLSL ES 1.00.
 
 use super::host::Hosts;
-use super::part::Part;
 use super::reading::code_of;
+use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_semantic::{Checked, Wholeness};
+use shaderlint_semantic::{Checked, Completeness};
 use shaderlint_text::{Edit, Role, Sources, Span};
 
 /// Reports a shader that requires GLSL ES 3.00 but has no `#version`: an error if it is compiled
 /// unchanged, a warning in a file that no known host completes.
 pub fn missing(
     sources: &Sources,
-    part: &Part,
+    part: &ShaderInput,
     checked: &Checked,
     hosts: &Hosts,
 ) -> Option<Diagnostic> {
-    if checked.wholeness == Wholeness::Excerpt {
+    if checked.completeness == Completeness::Excerpt {
         return None;
     }
     let files = &part.reading()?.files;

@@ -1,6 +1,6 @@
 //! A draw call: bytecode with uniforms, textures and inputs, over a rectangle of pixels.
 
-use super::code::{Code, InputSlot, UniformSlot};
+use super::bytecode::{Bytecode, InputSlot, UniformSlot};
 use super::image::Texture;
 use shaderlint_semantic::Scalar;
 
@@ -10,7 +10,7 @@ const FUEL: u64 = 50_000_000;
 /// The state of a draw call.
 pub struct Draw<'c> {
     /// The compiled shader.
-    pub code: &'c Code,
+    pub code: &'c Bytecode,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
     /// Fuel: the number of instructions that each group of pixels may execute more than once.
@@ -40,7 +40,7 @@ pub enum Stop {
 
 impl<'c> Draw<'c> {
     /// A draw call with all uniforms zero and no textures.
-    pub fn new(code: &'c Code, size: [u32; 2]) -> Draw<'c> {
+    pub fn new(code: &'c Bytecode, size: [u32; 2]) -> Draw<'c> {
         let mut memory = vec![0; code.uniform_words as usize];
         memory.extend_from_slice(&code.tables);
         let planes = |slot: &InputSlot| match slot.name.as_str() {
@@ -81,8 +81,8 @@ impl<'c> Draw<'c> {
         let element = slot.ty.element().components() as usize;
         let count = element * slot.ty.array.max(1) as usize;
         let from = first.saturating_mul(element);
-        let is_whole = scalars.len().is_multiple_of(element.max(1)) && !scalars.is_empty();
-        if !is_whole || from.saturating_add(scalars.len()) > count {
+        let is_complete = scalars.len().is_multiple_of(element.max(1)) && !scalars.is_empty();
+        if !is_complete || from.saturating_add(scalars.len()) > count {
             return false;
         }
         let kind = slot.ty.element().scalar_kind();

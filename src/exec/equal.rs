@@ -1,7 +1,7 @@
 //! Equality of two shaders: identical bytecode proves that they draw the same image; otherwise both
 //! are run and their outputs compared bit by bit.
 
-use super::code::Code;
+use super::bytecode::Bytecode;
 use super::draw::{Draw, Stop};
 use super::render::{Sampled, quads_all_over, sample};
 
@@ -18,7 +18,7 @@ pub enum Equality {
     /// The bytecode is identical, so all images are.
     Proved,
     /// All sampled pixels are identical.
-    Seen {
+    SampledEqual {
         /// The number of pixels compared.
         pixels: u64,
     },
@@ -37,7 +37,7 @@ pub enum Equality {
 /// uniforms, textures and inputs, over an image of [`COMPARED_SIZE`]. `fuel` is the number of
 /// instructions that may be executed; the remaining fuel is written back.
 pub fn equality<'c>(
-    [a, b]: [&'c Code; 2],
+    [a, b]: [&'c Bytecode; 2],
     fuel: &mut u64,
     draws: &dyn Fn(usize) -> [Draw<'c>; 2],
 ) -> Equality {
@@ -58,7 +58,7 @@ pub fn equality<'c>(
     }
     match pixels {
         0 => Equality::TooLong,
-        pixels => Equality::Seen { pixels },
+        pixels => Equality::SampledEqual { pixels },
     }
 }
 
@@ -84,12 +84,12 @@ fn first_difference(a: &Sampled, b: &Sampled) -> Option<[u32; 2]> {
     a.pixels.get(at).copied()
 }
 
-impl Code {
+impl Bytecode {
     /// Whether the bytecode is identical for the same uniforms and samplers. Names of stage inputs
     /// must match, names of outputs need not.
-    fn is_same(&self, other: &Code) -> bool {
+    fn is_same(&self, other: &Bytecode) -> bool {
         self.body == other.body
-            && self.prologue == other.prologue
+            && self.uniform_prologue == other.uniform_prologue
             && self.constants == other.constants
             && self.tables == other.tables
             && self.arrays == other.arrays

@@ -5,27 +5,28 @@
 //! functions are computed by the same code everywhere, and runs are limited by fuel (counted
 //! operations), not by time. Constructs that cannot be run are refused with a reason.
 
-mod code;
+mod bytecode;
 mod compile;
 mod draw;
 mod equal;
+mod gpu_profile;
 mod image;
-mod inexact;
-mod machine;
+mod observations;
 mod render;
 mod row;
-mod seen;
 #[cfg(test)]
 mod tests;
+mod vm;
 
-pub use code::{Code, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
+pub use bytecode::{Bytecode, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
 pub use compile::compile;
-pub use compile::options::{CompileOptions, Lean, Persona, Probe, Refusal, Watch};
+pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
 pub use draw::{Draw, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
+pub use observations::{
+    BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
+    NumberObservation, Observations, SiteObservation, Witness,
+};
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample};
 pub use row::LANES;
-pub use seen::{
-    BranchSeen, ComparedSeen, FunctionSeen, Kind, LoopSeen, NumberSeen, Seen, WatchedSeen, Witness,
-};

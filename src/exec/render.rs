@@ -1,10 +1,10 @@
 //! Renders a draw call: the whole image, or sampled quads of it.
 
-use super::code::Code;
+use super::bytecode::Bytecode;
 use super::draw::{Draw, Stop};
-use super::machine::{Machine, Tile};
+use super::observations::Observations;
 use super::row::LANES;
-use super::seen::Seen;
+use super::vm::{Tile, Vm};
 use shaderlint_math::hash;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -24,9 +24,9 @@ pub struct Drawn {
     pub ran: Vec<u32>,
     /// By pixel: the number of loop iterations, if the shader was compiled with
     /// [`Watch::Flow`](crate::Watch::Flow).
-    pub turns: Vec<u32>,
+    pub iterations: Vec<u32>,
     /// The statistics of the run.
-    pub seen: Seen,
+    pub seen: Observations,
 }
 
 /// Sampled pixels: four per quad, in lane order.
@@ -43,7 +43,7 @@ pub struct Sampled {
     /// The number of instructions executed.
     pub spent: u64,
     /// The statistics of the run.
-    pub seen: Seen,
+    pub seen: Observations,
 }
 
 /// The tile of up to eight quads, given by their lower left pixels.
@@ -89,9 +89,9 @@ pub fn quads_all_over([width, height]: [u32; 2], count: usize, seed: u32) -> Vec
 }
 
 /// The quads of a group of 8x4 pixels.
-fn quads_of(size: [u32; 2], number: u32) -> Vec<[u32; 2]> {
+fn quads_of(size: [u32; 2], index: u32) -> Vec<[u32; 2]> {
     let across = size[0].div_ceil(8).max(1);
-    let (x, y) = (number % across * 8, number / across * 4);
+    let (x, y) = (index % across * 8, index / across * 4);
     let quads = (0..8).map(|q| [x + q % 4 * 2, y + q / 4 * 2]);
     quads
         .filter(|[x, y]| *x < size[0] && *y < size[1])
@@ -100,38 +100,38 @@ fn quads_of(size: [u32; 2], number: u32) -> Vec<[u32; 2]> {
 
 /// The results of a thread, in the order of the requested pixels.
 #[derive(Default)]
-struct Given {
+struct PixelResults {
     pixels: Vec<[u32; 2]>,
     outputs: Vec<Vec<[u32; 4]>>,
     covered: Vec<bool>,
     cost: Vec<u32>,
     ran: Vec<u32>,
-    turns: Vec<u32>,
+    iterations: Vec<u32>,
 }
 
-impl Given {
-    fn of(code: &Code) -> Given {
-        Given {
+impl PixelResults {
+    fn of(code: &Bytecode) -> PixelResults {
+        PixelResults {
             outputs: vec![Vec::new(); code.outputs.len()],
-            ..Given::default()
+            ..PixelResults::default()
         }
     }
 
     /// Copies the wanted pixels of a tile.
-    fn take(&mut self, machine: &Machine<'_>, code: &Code, tile: &Tile, covered: u32) {
+    fn take(&mut self, vm: &Vm<'_>, code: &Bytecode, tile: &Tile, covered: u32) {
         let wanted = (0..LANES).filter(|lane| tile.wanted >> lane & 1 == 1);
-        let (cost, turns) = (machine.watched.cost(), machine.watched.turns());
+        let (cost, iterations) = (vm.watched.cost(), vm.watched.iterations());
         for lane in wanted.clone() {
             self.pixels.extend(tile.pixels.get(lane));
             self.covered.push(covered >> lane & 1 == 1);
             self.cost.extend(cost.get(lane));
-            self.ran.push(machine.watched.ran());
-            self.turns.extend(turns.get(lane));
+            self.ran.push(vm.watched.ran());
+            self.iterations.extend(iterations.get(lane));
         }
         for (slot, given) in code.outputs.iter().zip(&mut self.outputs) {
             let mut rows = [[0; LANES]; 4];
             for (row, reg) in rows.iter_mut().zip(&slot.regs) {
-                *row = machine.row(*reg).bits();
+                *row = vm.row(*reg).bits();
             }
             for lane in wanted.clone() {
                 given.push(rows.map(|row| row.get(lane).copied().unwrap_or(0)));
@@ -149,17 +149,17 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
     let count = size.iter().map(|n| *n as usize).product();
     let tiles = size[0].div_ceil(8) * size[1].div_ceil(4);
     let next = AtomicU32::new(0);
-    let work = || -> Result<(Given, Seen), Stop> {
-        let mut machine = Machine::new(draw);
-        let mut given = Given::of(draw.code);
+    let work = || -> Result<(PixelResults, Observations), Stop> {
+        let mut vm = Vm::new(draw);
+        let mut given = PixelResults::of(draw.code);
         loop {
-            let number = next.fetch_add(1, Ordering::Relaxed);
-            if number >= tiles {
-                return Ok((given, machine.finish()));
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= tiles {
+                return Ok((given, vm.finish()));
             }
-            let tile = tile_of(size, &quads_of(size, number));
-            let covered = machine.run(&tile)?;
-            given.take(&machine, draw.code, &tile, covered);
+            let tile = tile_of(size, &quads_of(size, index));
+            let covered = vm.run(&tile)?;
+            given.take(&vm, draw.code, &tile, covered);
         }
     };
     let parts = match threads.clamp(1, tiles.max(1) as usize) {
@@ -175,8 +175,8 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
         covered: vec![false; count],
         cost: vec![0; count],
         ran: vec![0; count],
-        turns: vec![0; count],
-        seen: Seen::default(),
+        iterations: vec![0; count],
+        seen: Observations::default(),
     };
     for part in parts {
         let (given, seen) = part?;
@@ -199,13 +199,13 @@ impl Drawn {
     }
 
     /// Copies pixels to their positions in the image.
-    fn place(&mut self, given: &Given) {
+    fn place(&mut self, given: &PixelResults) {
         for (n, [x, y]) in given.pixels.iter().enumerate() {
             let at = *y as usize * self.size[0] as usize + *x as usize;
             put(&mut self.covered, at, given.covered.get(n));
             put(&mut self.cost, at, given.cost.get(n));
             put(&mut self.ran, at, given.ran.get(n));
-            put(&mut self.turns, at, given.turns.get(n));
+            put(&mut self.iterations, at, given.iterations.get(n));
             for (all, own) in self.outputs.iter_mut().zip(&given.outputs) {
                 put(all, at, own.get(n));
             }
@@ -224,19 +224,19 @@ fn put<T: Copy>(all: &mut [T], at: usize, value: Option<&T>) {
 /// # Errors
 /// Why the run was aborted.
 pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
-    let mut machine = Machine::new(draw);
-    let mut given = Given::of(draw.code);
+    let mut vm = Vm::new(draw);
+    let mut given = PixelResults::of(draw.code);
     for quads in quads.chunks(LANES / 4) {
         let tile = tile_of(draw.size, quads);
-        let covered = machine.run(&tile)?;
-        given.take(&machine, draw.code, &tile, covered);
+        let covered = vm.run(&tile)?;
+        given.take(&vm, draw.code, &tile, covered);
     }
     Ok(Sampled {
         pixels: given.pixels,
         outputs: given.outputs,
         covered: given.covered,
         cost: given.cost,
-        spent: machine.spent,
-        seen: machine.finish(),
+        spent: vm.spent,
+        seen: vm.finish(),
     })
 }

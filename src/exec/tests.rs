@@ -2,8 +2,8 @@
 //! termination.
 
 use super::{
-    COMPARED_SIZE, Code, CompileOptions, Draw, Drawn, Equality, Kind, Lean, Persona, Seen, Stop,
-    Watch, compile, draw, equality, quads_all_over, sample,
+    Bytecode, COMPARED_SIZE, CompileOptions, Draw, Drawn, Equality, ErrorDirection, FaultKind,
+    GpuProfile, Observations, Stop, Watch, compile, draw, equality, quads_all_over, sample,
 };
 use shaderlint_ir::lower;
 use shaderlint_semantic::analyze_fragment;
@@ -14,7 +14,7 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
                     uniform int n; uniform float x; uniform vec3 v; uniform mat3 m; \
                     uniform float a[4]; struct S { float a; vec2 b; };\n";
 
-fn compiled(code: &str, options: &CompileOptions) -> Code {
+fn compiled(code: &str, options: &CompileOptions) -> Bytecode {
     let analysis = analyze_fragment(code);
     assert_eq!(analysis.diagnostics, [], "{code}");
     let module = lower(&analysis.program);
@@ -79,7 +79,7 @@ fn who_left_early_gives_back_what_was_there() {
 
 /// Swizzles and conversions keep their value, whatever is written to the variable later.
 #[test]
-fn what_was_turned_stays() {
+fn what_was_swapped_stays() {
     check_row(
         "",
         "vec2 q = vec2(p, 1); mat2 k = transpose(mat2(q, q)); q.x = 9.0; color = vec4(k[0][1]);",
@@ -333,7 +333,7 @@ fn quads_do_not_depend_on_each_other() {
 fn watching_changes_nothing() {
     let text = format!("{HEAD}{BUSY}");
     let levels = [Watch::Nothing, Watch::Flow, Watch::Faults, Watch::Numbers];
-    let pictures = levels.map(|watch| {
+    let renders = levels.map(|watch| {
         let options = CompileOptions {
             watch,
             ..CompileOptions::default()
@@ -343,16 +343,16 @@ fn watching_changes_nothing() {
         set_all(&mut ready);
         draw(&ready, 1).unwrap().outputs
     });
-    for picture in &pictures {
-        assert_eq!(*picture, pictures[0]);
+    for render in &renders {
+        assert_eq!(*render, renders[0]);
     }
 }
 
-fn seen(statements: &str) -> Seen {
+fn seen(statements: &str) -> Observations {
     seen_by(Watch::Numbers, statements)
 }
 
-fn seen_by(watch: Watch, statements: &str) -> Seen {
+fn seen_by(watch: Watch, statements: &str) -> Observations {
     let text = format!("{HEAD}void main() {{ int p = int(gl_FragCoord.x); {statements} }}");
     let options = CompileOptions {
         watch,
@@ -373,7 +373,7 @@ fn loops_are_counted() {
     assert_eq!((only.pixels, only.entries, only.most), (8, 8, 5));
     // Pixels 5, 6 and 7 never break.
     assert_eq!((only.exhausted, only.exhausted_pixels), (3, 3));
-    assert_eq!(only.turns, 1 + 2 + 3 + 4 + 5 + 5 + 5 + 5);
+    assert_eq!(only.iterations, 1 + 2 + 3 + 4 + 5 + 5 + 5 + 5);
     assert_eq!(only.histogram, [0, 1, 1, 1, 1, 4]);
 }
 
@@ -394,11 +394,11 @@ fn branches_and_numbers_are_seen() {
     assert_eq!(
         found,
         [
-            (Kind::Infinite, 1, 2),
-            (Kind::DivisionByZero, 1, 2),
-            (Kind::Nan, 7, 0),
-            (Kind::Undefined, 7, 0),
-            (Kind::OutOfRange, 4, 4)
+            (FaultKind::Infinite, 1, 2),
+            (FaultKind::DivisionByZero, 1, 2),
+            (FaultKind::Nan, 7, 0),
+            (FaultKind::Undefined, 7, 0),
+            (FaultKind::OutOfRange, 4, 4)
         ]
     );
     let [compared] = seen.compared.as_slice() else {
@@ -413,9 +413,12 @@ fn branches_and_numbers_are_seen() {
 fn undefined_results_are_seen() {
     let first = |statements: &str| {
         let seen = seen(statements);
-        let undefined = seen.numbers.iter().filter(|n| n.kind == Kind::Undefined);
-        let told = undefined.map(|n| (n.times, n.witness.pixel[0], n.witness.operands.clone()));
-        told.collect::<Vec<_>>()
+        let undefined = seen
+            .numbers
+            .iter()
+            .filter(|n| n.kind == FaultKind::Undefined);
+        let shown = undefined.map(|n| (n.times, n.witness.pixel[0], n.witness.operands.clone()));
+        shown.collect::<Vec<_>>()
     };
     let of = |expression: &str| {
         first(&format!(
@@ -448,7 +451,7 @@ fn faults_need_not_look_at_every_number() {
     let statements = "float q = float(p) - 2.0; if (p > 2) q = -q; \
                       color = vec4(1.0 / q, sqrt(q), a[p], 4 % (p - 3));";
     let (all, faults) = (seen(statements), seen_by(Watch::Faults, statements));
-    let is_fault = |kind: Kind| !matches!(kind, Kind::Nan | Kind::Infinite);
+    let is_fault = |kind: FaultKind| !matches!(kind, FaultKind::Nan | FaultKind::Infinite);
     let mut expected = all.numbers;
     expected.retain(|number| is_fault(number.kind));
     assert!(expected.len() >= 4, "{expected:?}");
@@ -477,13 +480,13 @@ fn draws_differ_in_uniforms() {
 /// A GPU with the maximum permitted error draws sine noise differently, and a plain gradient almost
 /// identically.
 #[test]
-fn personas_differ_where_gpus_do() {
-    let picture = |expression: &str, persona: Persona| {
+fn gpu_profiles_differ_where_gpus_do() {
+    let render = |expression: &str, gpu_profile: GpuProfile| {
         let text = format!(
             "{HEAD}void main() {{ vec2 q = gl_FragCoord.xy; color = vec4({expression}); }}"
         );
         let options = CompileOptions {
-            persona,
+            gpu_profile,
             ..CompileOptions::default()
         };
         let code = compiled(&text, &options);
@@ -491,24 +494,31 @@ fn personas_differ_where_gpus_do() {
         let reds = drawn.outputs[0].iter().map(|p| f32::from_bits(p[0]));
         reds.collect::<Vec<f32>>()
     };
-    let most = |expression: &str, persona: Persona| {
-        let exact = picture(expression, Persona::Exact);
-        let pairs = exact.iter().zip(picture(expression, persona));
+    let most = |expression: &str, gpu_profile: GpuProfile| {
+        let exact = render(expression, GpuProfile::Exact);
+        let pairs = exact.iter().zip(render(expression, gpu_profile));
         pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
     };
     let noise = "fract(sin(dot(q, vec2(12.9898, 78.233))) * 43758.5453)";
     let plain = "sin(q.x / 8.0) * exp(-q.y / 8.0)";
-    for lean in [Lean::Out, Lean::In, Lean::Either] {
-        assert!(most(noise, Persona::Inexact(lean)) > 0.1, "{lean:?}");
-        let off = most(plain, Persona::Inexact(lean));
-        assert!(0.0 < off && off < 0.001, "{lean:?}: {off}");
+    for direction in [
+        ErrorDirection::Out,
+        ErrorDirection::In,
+        ErrorDirection::Either,
+    ] {
+        assert!(
+            most(noise, GpuProfile::Inexact(direction)) > 0.1,
+            "{direction:?}"
+        );
+        let off = most(plain, GpuProfile::Inexact(direction));
+        assert!(0.0 < off && off < 0.001, "{direction:?}: {off}");
     }
-    assert_eq!(most(plain, Persona::Mobile), 0.0);
+    assert_eq!(most(plain, GpuProfile::Mobile), 0.0);
 }
 
 /// Names, declaration order and helper functions do not change the bytecode; a constant does.
 #[test]
-fn the_same_code_is_the_same_picture() {
+fn the_same_code_is_the_same_image() {
     let code = |text: &str| compiled(&format!("{HEAD}{text}"), &CompileOptions::default());
     let plain = code("void main() { float k = x * 2.0; color = vec4(k + v.x); }");
     let compare = |text: &str| {
@@ -527,7 +537,7 @@ fn the_same_code_is_the_same_picture() {
         "float twice(float b) { return b * 2.0; } void main() { color = vec4(twice(x) + v.x); }";
     assert_eq!(compare(renamed), Equality::Proved);
     let other = "void main() { float k = x + x; color = vec4(k + v.x); }";
-    assert_eq!(compare(other), Equality::Seen { pixels: 8832 });
+    assert_eq!(compare(other), Equality::SampledEqual { pixels: 8832 });
     let wrong = "void main() { color = vec4(x * 2.0 + v.x + floor(gl_FragCoord.x / 300.0)); }";
     assert!(matches!(
         compare(wrong),
@@ -581,9 +591,9 @@ fn functions_cost_what_they_do_wherever_they_are_called() {
         };
         let sum: u64 = seen.functions.iter().map(|f| f.own).sum();
         assert_eq!(sum, seen.operations);
-        assert_eq!(globals.own + main.whole, seen.operations);
+        assert_eq!(globals.own + main.inclusive, seen.operations);
         // All 64 pixels call `f`; 16 of them call `g`, which calls `f` again.
-        assert_eq!(f.own, 5 * (g.whole - g.own));
+        assert_eq!(f.own, 5 * (g.inclusive - g.own));
         let paid = |x: usize| (drawn.cost[x], drawn.ran[x]);
         let (branch, all) = paid(0);
         assert_eq!(branch, all);
@@ -593,7 +603,7 @@ fn functions_cost_what_they_do_wherever_they_are_called() {
 }
 
 #[test]
-fn quads_are_real_and_all_over_the_picture() {
+fn quads_are_real_and_all_over_the_image() {
     let size = [1280, 720];
     for count in [250, 576] {
         let quads = quads_all_over(size, count, 1);

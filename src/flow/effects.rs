@@ -8,7 +8,7 @@ use shaderlint_syntax::ast::ExprId;
 
 /// The side effects of one function.
 #[derive(Clone, Copy, Default, Debug)]
-struct Summary {
+struct CallSummary {
     /// Whether it has `out` or `inout` parameters.
     gives_back: bool,
     /// Whether it, or a function that it calls, writes to globals or outputs or executes `discard`.
@@ -22,7 +22,7 @@ struct Summary {
 pub struct Effects {
     /// By expression, including the effects of its operands.
     exprs: Vec<bool>,
-    functions: Vec<Summary>,
+    functions: Vec<CallSummary>,
 }
 
 impl Effects {
@@ -80,8 +80,8 @@ impl Effects {
     }
 
     /// The summary of a function; a function that is not known may do anything.
-    fn summary(&self, function: FunctionRef) -> Summary {
-        let unknown = Summary {
+    fn summary(&self, function: FunctionRef) -> CallSummary {
+        let unknown = CallSummary {
             gives_back: true,
             acts: true,
             depends: true,
@@ -103,10 +103,10 @@ impl Effects {
 }
 
 /// The effects of a function's own code, without those of the functions that it calls.
-fn summary(module: &Module, writes: &Writes, id: FunctionRef) -> Summary {
-    let mut found = Summary::default();
+fn summary(module: &Module, writes: &Writes, id: FunctionRef) -> CallSummary {
+    let mut found = CallSummary::default();
     let Some((function, body)) = module.function(id).and_then(|f| Some((f, f.body?))) else {
-        return Summary {
+        return CallSummary {
             gives_back: true,
             acts: true,
             depends: true,

@@ -13,12 +13,12 @@ pub struct Gradient {
     /// The called built-in function.
     pub function: BuiltinId,
     /// The cause of the divergence.
-    pub parted: Parted,
+    pub cause: DivergenceCause,
 }
 
 /// The cause of divergence around a call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Parted {
+pub enum DivergenceCause {
     /// A loop that pixels exit at different iterations, around the call or around a call of its
     /// function.
     Loop(LoopId),
@@ -69,7 +69,7 @@ pub fn gradients<'a>(
         found.push(Gradient {
             call,
             function,
-            parted: around.map_or(Parted::Branch(control), Parted::Loop),
+            cause: around.map_or(DivergenceCause::Branch(control), DivergenceCause::Loop),
         });
     }
     found
@@ -79,13 +79,13 @@ pub fn gradients<'a>(
 fn loop_around(uniformity: &Uniformity, control: ControlId) -> Option<LoopId> {
     let mut at = uniformity.control(control)?.looped;
     while let Some(looped) = at {
-        let turns = uniformity.turns(looped)?;
+        let loop_controls = uniformity.loop_controls(looped)?;
         // Entering a loop divergently is not enough: pixels must exit it at different iterations.
-        let parting = uniformity.control(turns.inside)?.parting;
-        if parting.is_some_and(|p| uniformity.varies(Varying::Parting(p))) {
+        let divergence = uniformity.control(loop_controls.inside)?.divergence;
+        if divergence.is_some_and(|p| uniformity.varies(Varying::Divergence(p))) {
             return Some(looped);
         }
-        at = uniformity.control(turns.outside)?.looped;
+        at = uniformity.control(loop_controls.outside)?.looped;
     }
     None
 }

@@ -49,10 +49,10 @@ pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> 
     });
     // Other terms may cancel the jumps of rounding, as in `floor(p) + smooth(p - floor(p))`.
     let is_rounded = found.iter().any(|j| rounds(j.function));
-    let is_whole = is_rounded && (is_mixed || found.iter().any(|j| !rounds(j.function)));
+    let is_integer = is_rounded && (is_mixed || found.iter().any(|j| !rounds(j.function)));
     found
         .into_iter()
-        .find(|j| !is_whole || j.function == BuiltinId::Atan)
+        .find(|j| !is_integer || j.function == BuiltinId::Atan)
 }
 
 /// Whether the arguments stay within one continuous piece of the function.

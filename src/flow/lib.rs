@@ -3,31 +3,35 @@
 //! computed on demand, once, and is immutable afterwards.
 
 mod calls;
-pub mod defs;
+mod definite_assignment;
 mod effects;
 mod gradients;
 mod jumps;
-mod live;
+mod liveness;
 mod loops;
-mod paths;
 pub mod ranges;
+pub mod reaching_definitions;
 mod same;
 #[cfg(test)]
-mod sample;
+mod test_shader;
 mod trace;
 mod uniformity;
 mod work;
 mod writes;
 
 pub use calls::{CallSite, Calls};
+pub use definite_assignment::{
+    AssignmentFindings, DefiniteAssignment, PartMask, UnassignedVariable,
+};
 pub use effects::Effects;
-pub use gradients::{Gradient, Parted, gradients};
+pub use gradients::{DivergenceCause, Gradient, gradients};
 pub use jumps::{Jump, jump};
-pub use live::Live;
+pub use liveness::Liveness;
 pub use loops::{Bound, LoopFacts, Loops};
-pub use paths::{Findings, Parts, Paths, Unset};
 pub use same::is_same;
 pub use trace::{Start, origin, trace};
-pub use uniformity::{Control, ControlId, Parting, PartingId, Turns, Uniformity, Varying};
+pub use uniformity::{
+    Control, ControlId, Divergence, DivergenceId, LoopControls, Uniformity, Varying,
+};
 pub use work::{Nest, Work};
 pub use writes::Writes;

@@ -1,6 +1,6 @@
 //! Equality of values: whether two operations always compute the same result.
 
-use super::defs::Defs;
+use super::reaching_definitions::ReachingDefinitions;
 use shaderlint_ir::{Module, OpId, OpKind};
 
 /// Maximum number of operations compared per query.
@@ -8,12 +8,12 @@ const BUDGET: u32 = 48;
 
 /// Whether two operations compute the same value wherever both have run. Compares expression trees
 /// up to a depth; `false` where that does not prove it.
-pub fn is_same(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
+pub fn is_same(module: &Module, defs: &ReachingDefinitions, a: OpId, b: OpId) -> bool {
     let mut left = BUDGET;
     same(module, defs, a, b, &mut left)
 }
 
-fn same(module: &Module, defs: &Defs, a: OpId, b: OpId, left: &mut u32) -> bool {
+fn same(module: &Module, defs: &ReachingDefinitions, a: OpId, b: OpId, left: &mut u32) -> bool {
     if a == b {
         return true;
     }
@@ -65,14 +65,14 @@ fn all(
 
 /// Whether the same definitions reach two loads in all components. Elements of an array are not
 /// told apart.
-fn is_same_load(module: &Module, defs: &Defs, a: OpId, b: OpId) -> bool {
+fn is_same_load(module: &Module, defs: &ReachingDefinitions, a: OpId, b: OpId) -> bool {
     let (OpKind::Load(place), OpKind::Load(other)) = (module.op(a).kind, module.op(b).kind) else {
         return false;
     };
     let (place, other) = (module.place(place), module.place(other));
     let lanes = defs.lanes_of(a);
     let sees = |op, lane| defs.copied_from(module, defs.seen(op, lane));
-    let known = |lane| defs.get(sees(a, lane)) != super::defs::Def::Unknown;
+    let known = |lane| defs.get(sees(a, lane)) != super::reaching_definitions::Def::Unknown;
     // The length is determined by the components, so it is not compared.
     let components = module.ty(a).components().max(1).min(lanes);
     let is_one = (0..components).all(|lane| known(lane) && sees(a, lane) == sees(b, lane));

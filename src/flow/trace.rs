@@ -1,7 +1,7 @@
 //! Traces a component of a value back to its origins: through variables, swizzles, constructors and
 //! function parameters.
 
-use super::defs::{Def, DefId, Defs};
+use super::reaching_definitions::{Def, DefId, ReachingDefinitions};
 use shaderlint_ir::{Module, OpId, OpKind};
 use shaderlint_semantic::VariableId;
 
@@ -22,14 +22,14 @@ pub enum Start {
 /// a scalar. Returns whether all origins were visited within the budget.
 pub fn trace(
     module: &Module,
-    defs: &Defs,
+    defs: &ReachingDefinitions,
     (op, lane): (OpId, u32),
     mut visit: impl FnMut(Start) -> bool,
 ) -> bool {
     let mut trail = Trail {
         module,
         defs,
-        todo: vec![At::Lane(op, lane)],
+        todo: vec![TracePoint::Lane(op, lane)],
         seen: Vec::new(),
     };
     for _ in 0..BUDGET {
@@ -41,15 +41,15 @@ pub fn trace(
         }
         trail.seen.push(at);
         match at {
-            At::Lane(op, lane) => trail.lane(op, lane, &mut visit),
-            At::Def(def) => trail.def(def, &mut visit),
+            TracePoint::Lane(op, lane) => trail.lane(op, lane, &mut visit),
+            TracePoint::Def(def) => trail.def(def, &mut visit),
         }
     }
     trail.todo.is_empty()
 }
 
 /// The only origin of a component, copies followed; `None` where there may be several.
-pub fn origin(module: &Module, defs: &Defs, op: OpId, lane: u32) -> Option<Start> {
+pub fn origin(module: &Module, defs: &ReachingDefinitions, op: OpId, lane: u32) -> Option<Start> {
     let (mut first, mut count) = (None, 0);
     let is_all = trace(module, defs, (op, lane), |origin| {
         first = first.or(Some(origin));
@@ -60,16 +60,16 @@ pub fn origin(module: &Module, defs: &Defs, op: OpId, lane: u32) -> Option<Start
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum At {
+enum TracePoint {
     Lane(OpId, u32),
     Def(DefId),
 }
 
 struct Trail<'a> {
     module: &'a Module,
-    defs: &'a Defs,
-    todo: Vec<At>,
-    seen: Vec<At>,
+    defs: &'a ReachingDefinitions,
+    todo: Vec<TracePoint>,
+    seen: Vec<TracePoint>,
 }
 
 impl Trail<'_> {
@@ -82,24 +82,24 @@ impl Trail<'_> {
                 Def::Unknown => {
                     visit(Start::Made(op, lane));
                 }
-                _ => self.todo.push(At::Def(def)),
+                _ => self.todo.push(TracePoint::Def(def)),
             };
         }
         if let Some((part, lane)) = defs.part_of(module, op, lane) {
-            return self.todo.push(At::Lane(part, lane));
+            return self.todo.push(TracePoint::Lane(part, lane));
         }
         if let OpKind::Select {
             then, otherwise, ..
         } = found.kind
         {
             self.todo
-                .extend([then, otherwise].map(|side| At::Lane(side, lane)));
+                .extend([then, otherwise].map(|side| TracePoint::Lane(side, lane)));
             return;
         }
         if let OpKind::Call(function, _) = found.kind
             && let [value] = defs.returns_of(function)
         {
-            return self.todo.push(At::Lane(*value, lane));
+            return self.todo.push(TracePoint::Lane(*value, lane));
         }
         if visit(Start::Made(op, lane)) {
             module.each_operand(op, |operand| {
@@ -108,7 +108,7 @@ impl Trail<'_> {
                 } else {
                     lane
                 };
-                self.todo.push(At::Lane(operand, own));
+                self.todo.push(TracePoint::Lane(operand, own));
             });
         }
     }
@@ -116,25 +116,26 @@ impl Trail<'_> {
     fn def(&mut self, def: DefId, visit: &mut impl FnMut(Start) -> bool) {
         let (module, defs) = (self.module, self.defs);
         match defs.get(def) {
-            Def::Stored { value, lane } => self.todo.push(At::Lane(value, lane)),
+            Def::Stored { value, lane } => self.todo.push(TracePoint::Lane(value, lane)),
             Def::Merge { sides, .. } => {
                 let sides = defs.list(sides).iter();
                 self.todo
-                    .extend(sides.map(|side| At::Def(defs.unrefined(*side))));
+                    .extend(sides.map(|side| TracePoint::Def(defs.unrefined(*side))));
             }
             Def::Head { init, back, .. } => {
                 self.todo
-                    .extend([init, back].map(|side| At::Def(defs.unrefined(side))));
+                    .extend([init, back].map(|side| TracePoint::Def(defs.unrefined(side))));
             }
-            Def::Refined { of, .. } => self.todo.push(At::Def(of)),
+            Def::Refined { of, .. } => self.todo.push(TracePoint::Def(of)),
             Def::Entry(slot) => {
                 let (variable, lane) = defs.variable_at(slot);
                 match (defs.passed(module, slot), defs.global_writes(slot)) {
                     (Some(passed), _) if passed.args().len() == 1 => {
                         let args = passed.args();
-                        self.todo.extend(args.map(|arg| At::Lane(arg, passed.lane)));
+                        self.todo
+                            .extend(args.map(|arg| TracePoint::Lane(arg, passed.lane)));
                     }
-                    (None, &[written]) => self.todo.push(At::Def(defs.unrefined(written))),
+                    (None, &[written]) => self.todo.push(TracePoint::Def(defs.unrefined(written))),
                     _ => {
                         visit(Start::Given(variable, lane));
                     }

@@ -20,9 +20,9 @@ use shaderlint_syntax::ast::StmtId;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct ControlId(pub u32);
 
-/// Index of a [`Parting`].
+/// Index of a [`Divergence`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct PartingId(pub u32);
+pub struct DivergenceId(pub u32);
 
 /// A maximal piece of code that is executed by one set of pixels.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -30,7 +30,7 @@ pub struct Control {
     /// The enclosing control; `None` for the body of a function.
     pub outer: Option<ControlId>,
     /// What makes its pixels diverge from those of the enclosing control.
-    pub parting: Option<PartingId>,
+    pub divergence: Option<DivergenceId>,
     /// The function that contains it; `None` at global scope.
     pub function: Option<FunctionRef>,
     /// The innermost loop around it.
@@ -39,7 +39,7 @@ pub struct Control {
 
 /// A point of divergence: a condition, or an early exit that only some pixels take.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
-pub struct Parting {
+pub struct Divergence {
     /// The `break`, `continue` or `return` of an early exit.
     pub left_at: Option<StmtId>,
 }
@@ -56,7 +56,7 @@ pub enum Varying {
     /// Whether a piece of code is executed.
     Control(ControlId),
     /// Whether pixels that reach this point together diverge there.
-    Parting(PartingId),
+    Divergence(DivergenceId),
 }
 
 /// The non-uniform values and control flow of a shader.
@@ -66,16 +66,16 @@ pub struct Uniformity {
     /// By node: the node that made it non-uniform; the node itself for a source.
     from: Vec<Option<u32>>,
     controls: Vec<Control>,
-    partings: Vec<Parting>,
+    divergences: Vec<Divergence>,
     /// By operation.
     control_of: Vec<ControlId>,
     /// By loop.
-    loops: Vec<Turns>,
+    loops: Vec<LoopControls>,
 }
 
 /// The controls inside and around a loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Turns {
+pub struct LoopControls {
     /// The control of one iteration.
     pub inside: ControlId,
     /// The control of the code around the loop.
@@ -112,23 +112,23 @@ impl Uniformity {
             function: (module.ops.len() + module.variables.len()) as u32,
             control: (module.ops.len() + module.variables.len() + module.functions.len()) as u32,
         };
-        let mut walk = Walk::new(module, first);
+        let mut walk = UniformityWalk::new(module, first);
         walk.all();
-        let Walk {
+        let UniformityWalk {
             edges,
             controls,
-            partings,
+            divergences,
             control_of,
             loops,
             ..
         } = walk;
-        let nodes = first.control as usize + 2 * controls.len().max(partings.len());
+        let nodes = first.control as usize + 2 * controls.len().max(divergences.len());
         let spread = Lists::of(nodes, edges.iter().copied());
         let mut uniformity = Uniformity {
             first,
             from: vec![None; nodes],
             controls,
-            partings,
+            divergences,
             control_of,
             loops,
         };
@@ -170,12 +170,12 @@ impl Uniformity {
     }
 
     /// A point of divergence; `None` if the id belongs to another shader.
-    pub fn parting(&self, id: PartingId) -> Option<&Parting> {
-        self.partings.get(id.0 as usize)
+    pub fn divergence(&self, id: DivergenceId) -> Option<&Divergence> {
+        self.divergences.get(id.0 as usize)
     }
 
     /// The controls inside and around a loop.
-    pub fn turns(&self, id: LoopId) -> Option<&Turns> {
+    pub fn loop_controls(&self, id: LoopId) -> Option<&LoopControls> {
         self.loops.get(id.0 as usize)
     }
 
@@ -207,7 +207,7 @@ impl Uniformity {
             let number = (node - first.control) / 2;
             match (node - first.control) % 2 {
                 0 => Varying::Control(ControlId(number)),
-                _ => Varying::Parting(PartingId(number)),
+                _ => Varying::Divergence(DivergenceId(number)),
             }
         } else if node >= first.function {
             Varying::Returned(FunctionRef(node - first.function))
@@ -226,7 +226,7 @@ impl Firsts {
             Varying::Variable(v) => self.variable + v.0,
             Varying::Returned(f) => self.function + f.0,
             Varying::Control(c) => self.control + 2 * c.0,
-            Varying::Parting(p) => self.control + 2 * p.0 + 1,
+            Varying::Divergence(p) => self.control + 2 * p.0 + 1,
         }
     }
 }
@@ -246,13 +246,13 @@ fn sources(module: &Module) -> impl Iterator<Item = VariableId> {
 /// the others.
 #[derive(Clone, Copy, Default)]
 struct Leaves {
-    returns: Option<PartingId>,
-    breaks: Option<PartingId>,
-    continues: Option<PartingId>,
+    returns: Option<DivergenceId>,
+    breaks: Option<DivergenceId>,
+    continues: Option<DivergenceId>,
 }
 
 /// The walk that builds the dependence graph.
-struct Walk<'m> {
+struct UniformityWalk<'m> {
     module: &'m Module,
     first: Firsts,
     /// Dependences: if the first node is non-uniform, so is the second.
@@ -260,9 +260,9 @@ struct Walk<'m> {
     controls: Vec<Control>,
     /// The control of the code being walked.
     control: ControlId,
-    partings: Vec<Parting>,
+    divergences: Vec<Divergence>,
     control_of: Vec<ControlId>,
-    loops: Vec<Turns>,
+    loops: Vec<LoopControls>,
     /// By function: the control of its body.
     bodies: Vec<ControlId>,
     /// The control that declares a local: a write there is executed by all pixels that have the
@@ -282,7 +282,7 @@ impl Visited for Leaves {
     }
 }
 
-impl<'m> Visit<'m> for Walk<'m> {
+impl<'m> Visit<'m> for UniformityWalk<'m> {
     type Out = Leaves;
 
     fn module(&self) -> &'m Module {
@@ -293,7 +293,7 @@ impl<'m> Visit<'m> for Walk<'m> {
         let outer = self.control;
         let mut leaves = Leaves::default();
         // The divergence between the pixels still here and those that entered the region.
-        let mut since: Option<PartingId> = None;
+        let mut since: Option<DivergenceId> = None;
         for step in self.module.steps(region) {
             let left = self.step(step);
             let left = match since {
@@ -378,8 +378,8 @@ impl<'m> Visit<'m> for Walk<'m> {
     /// Pixels that exit a loop diverge from those that stay in it, and reconverge after it.
     fn looped(&mut self, id: LoopId, looped: &'m Loop) -> Leaves {
         let control = self.control;
-        let parting = self.add_parting(None, looped.condition.map(Varying::Value));
-        let inside = self.add_control(Some(control), Some(parting));
+        let divergence = self.add_divergence(None, looped.condition.map(Varying::Value));
+        let inside = self.add_control(Some(control), Some(divergence));
         if let Some(slot) = self.controls.get_mut(inside.0 as usize) {
             slot.looped = Some(id);
         }
@@ -391,10 +391,10 @@ impl<'m> Visit<'m> for Walk<'m> {
         let left = self.within(looped.body, inside);
         self.within(looped.step, inside);
         for way in [left.breaks, left.returns].into_iter().flatten() {
-            self.edge(Varying::Parting(way), Varying::Parting(parting));
+            self.edge(Varying::Divergence(way), Varying::Divergence(divergence));
         }
         Leaves {
-            returns: self.through(left.returns, Some(parting)),
+            returns: self.through(left.returns, Some(divergence)),
             ..Leaves::default()
         }
     }
@@ -410,7 +410,7 @@ impl<'m> Visit<'m> for Walk<'m> {
     }
 
     fn breaks(&mut self, stmt: StmtId) -> Leaves {
-        let breaks = Some(self.add_parting(Some(stmt), None));
+        let breaks = Some(self.add_divergence(Some(stmt), None));
         Leaves {
             breaks,
             ..Leaves::GO
@@ -418,7 +418,7 @@ impl<'m> Visit<'m> for Walk<'m> {
     }
 
     fn continues(&mut self, stmt: StmtId) -> Leaves {
-        let continues = Some(self.add_parting(Some(stmt), None));
+        let continues = Some(self.add_divergence(Some(stmt), None));
         Leaves {
             continues,
             ..Leaves::GO
@@ -426,7 +426,7 @@ impl<'m> Visit<'m> for Walk<'m> {
     }
 
     fn returns(&mut self, value: Option<OpId>, stmt: StmtId) -> Leaves {
-        let returns = Some(self.add_parting(Some(stmt), None));
+        let returns = Some(self.add_divergence(Some(stmt), None));
         self.returned(value, self.control);
         Leaves {
             returns,
@@ -435,22 +435,22 @@ impl<'m> Visit<'m> for Walk<'m> {
     }
 }
 
-impl<'m> Walk<'m> {
-    fn new(module: &'m Module, first: Firsts) -> Walk<'m> {
+impl<'m> UniformityWalk<'m> {
+    fn new(module: &'m Module, first: Firsts) -> UniformityWalk<'m> {
         let outside = ControlId(0);
-        let turns = Turns {
+        let loop_controls = LoopControls {
             inside: outside,
             outside,
         };
-        let mut walk = Walk {
+        let mut walk = UniformityWalk {
             module,
             first,
             edges: Vec::with_capacity(module.ops.len() * 2),
             controls: Vec::new(),
             control: outside,
-            partings: Vec::new(),
+            divergences: Vec::new(),
             control_of: vec![outside; module.ops.len()],
-            loops: vec![turns; module.loops.len()],
+            loops: vec![loop_controls; module.loops.len()],
             bodies: Vec::new(),
             declared_in: FxHashMap::default(),
         };
@@ -482,38 +482,42 @@ impl<'m> Walk<'m> {
             .push((self.first.node(from), self.first.node(to)));
     }
 
-    fn add_parting(&mut self, left_at: Option<StmtId>, from: Option<Varying>) -> PartingId {
-        let id = PartingId(self.partings.len() as u32);
-        self.partings.push(Parting { left_at });
+    fn add_divergence(&mut self, left_at: Option<StmtId>, from: Option<Varying>) -> DivergenceId {
+        let id = DivergenceId(self.divergences.len() as u32);
+        self.divergences.push(Divergence { left_at });
         if let Some(from) = from {
-            self.edge(from, Varying::Parting(id));
+            self.edge(from, Varying::Divergence(id));
         }
         id
     }
 
     /// Adds code executed by the pixels of `outer`, or only by those that take one side of
-    /// `parting`.
-    fn add_control(&mut self, outer: Option<ControlId>, parting: Option<PartingId>) -> ControlId {
+    /// `divergence`.
+    fn add_control(
+        &mut self,
+        outer: Option<ControlId>,
+        divergence: Option<DivergenceId>,
+    ) -> ControlId {
         let id = ControlId(self.controls.len() as u32);
         let around = outer.and_then(|o| self.controls.get(o.0 as usize)).copied();
         self.controls.push(Control {
             outer,
-            parting,
+            divergence,
             function: around.and_then(|c| c.function),
             looped: around.and_then(|c| c.looped),
         });
         let outer = outer.map(Varying::Control);
-        for from in outer.into_iter().chain(parting.map(Varying::Parting)) {
+        for from in outer.into_iter().chain(divergence.map(Varying::Divergence)) {
             self.edge(from, Varying::Control(id));
         }
         id
     }
 
     /// Combines the early exits of two paths.
-    fn join(&mut self, known: &mut Option<PartingId>, more: Option<PartingId>) {
+    fn join(&mut self, known: &mut Option<DivergenceId>, more: Option<DivergenceId>) {
         match (*known, more) {
             (Some(known), Some(more)) => {
-                self.edge(Varying::Parting(more), Varying::Parting(known));
+                self.edge(Varying::Divergence(more), Varying::Divergence(known));
             }
             (None, more) => *known = more,
             (_, None) => {}
@@ -526,21 +530,25 @@ impl<'m> Walk<'m> {
         self.join(&mut known.continues, more.continues);
     }
 
-    /// An early exit of code guarded by `parting`, as an exit of the enclosing code.
-    fn through(&mut self, way: Option<PartingId>, parting: Option<PartingId>) -> Option<PartingId> {
-        let left_at = self.partings.get(way?.0 as usize)?.left_at;
-        let outer = self.add_parting(left_at, way.map(Varying::Parting));
-        if let Some(parting) = parting {
-            self.edge(Varying::Parting(parting), Varying::Parting(outer));
+    /// An early exit of code guarded by `divergence`, as an exit of the enclosing code.
+    fn through(
+        &mut self,
+        way: Option<DivergenceId>,
+        divergence: Option<DivergenceId>,
+    ) -> Option<DivergenceId> {
+        let left_at = self.divergences.get(way?.0 as usize)?.left_at;
+        let outer = self.add_divergence(left_at, way.map(Varying::Divergence));
+        if let Some(divergence) = divergence {
+            self.edge(Varying::Divergence(divergence), Varying::Divergence(outer));
         }
         Some(outer)
     }
 
-    fn all_through(&mut self, leaves: Leaves, parting: Option<PartingId>) -> Leaves {
+    fn all_through(&mut self, leaves: Leaves, divergence: Option<DivergenceId>) -> Leaves {
         Leaves {
-            returns: self.through(leaves.returns, parting),
-            breaks: self.through(leaves.breaks, parting),
-            continues: self.through(leaves.continues, parting),
+            returns: self.through(leaves.returns, divergence),
+            breaks: self.through(leaves.breaks, divergence),
+            continues: self.through(leaves.continues, divergence),
         }
     }
 
@@ -554,10 +562,10 @@ impl<'m> Walk<'m> {
 
     /// Walks a region guarded by a condition.
     fn side(&mut self, condition: OpId, side: Region) -> Leaves {
-        let parting = Some(self.add_parting(None, Some(Varying::Value(condition))));
-        let inside = self.add_control(Some(self.control), parting);
+        let divergence = Some(self.add_divergence(None, Some(Varying::Value(condition))));
+        let inside = self.add_control(Some(self.control), divergence);
         let left = self.within(side, inside);
-        self.all_through(left, parting)
+        self.all_through(left, divergence)
     }
 
     fn returned(&mut self, value: Option<OpId>, control: ControlId) {
@@ -569,25 +577,28 @@ impl<'m> Walk<'m> {
         self.edge(Varying::Value(value), returned);
         // Divergent returns make the result non-uniform, even if each value is uniform.
         let body = self.bodies.get(function.0 as usize).copied();
-        self.part_since(body, control, returned);
+        self.diverge_since(body, control, returned);
     }
 
     /// Adds edges to `what` from every divergence between `from` and `control`. `None` is the start
     /// of the shader.
-    fn part_since(&mut self, from: Option<ControlId>, control: ControlId, what: Varying) {
+    fn diverge_since(&mut self, from: Option<ControlId>, control: ControlId, what: Varying) {
         let mut at = control;
         for _ in 0..MAX_OUTWARDS {
             if Some(at) == from {
                 return;
             }
-            let Some(&Control { outer, parting, .. }) = self.controls.get(at.0 as usize) else {
+            let Some(&Control {
+                outer, divergence, ..
+            }) = self.controls.get(at.0 as usize)
+            else {
                 return;
             };
             let Some(outer) = outer else {
                 break;
             };
-            if let Some(parting) = parting {
-                self.edge(Varying::Parting(parting), what);
+            if let Some(divergence) = divergence {
+                self.edge(Varying::Divergence(divergence), what);
             }
             at = outer;
         }
@@ -611,6 +622,6 @@ impl<'m> Walk<'m> {
             self.edge(Varying::Value(index), Varying::Variable(variable));
         });
         let declared = self.declared_in.get(&variable).copied();
-        self.part_since(declared, control, Varying::Variable(variable));
+        self.diverge_since(declared, control, Varying::Variable(variable));
     }
 }

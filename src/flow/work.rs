@@ -6,7 +6,7 @@ use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::StmtId;
 
 /// Assumed trip count of a loop whose bound is unknown.
-const UNKNOWN_TURNS: f64 = 8.0;
+const UNKNOWN_ITERATIONS: f64 = 8.0;
 /// Upper limit of all figures, so that nested loops do not overflow to infinity.
 const MOST: f64 = 1e30;
 /// Upper limit of the multiplied trip counts of nested loops.
@@ -31,7 +31,7 @@ struct Cost {
     /// Operations in its code after inlining all calls.
     size: f64,
     /// Iterations of innermost loops in one call.
-    turns: f64,
+    iterations: f64,
 }
 
 /// A loop on the path to the most expensive code.
@@ -40,7 +40,7 @@ pub struct Nest {
     /// The loop statement.
     pub stmt: StmtId,
     /// Iterations per execution of the loop.
-    pub turns: u64,
+    pub iterations: u64,
 }
 
 /// The part of a region with most iterations.
@@ -52,19 +52,19 @@ enum Heaviest {
 }
 
 impl Work {
-    /// Computes the cost of each function; `turns` returns the trip count of a loop.
-    pub fn of(module: &Module, calls: &Calls, turns: impl Fn(&Loop) -> Option<u64>) -> Work {
+    /// Computes the cost of each function; `iterations` returns the trip count of a loop.
+    pub fn of(module: &Module, calls: &Calls, iterations: impl Fn(&Loop) -> Option<u64>) -> Work {
         let mut work = Work {
             functions: vec![Cost::default(); module.functions.len()],
             loops: vec![0.0; module.loops.len()],
-            counts: module.loops.iter().map(turns).collect(),
+            counts: module.loops.iter().map(iterations).collect(),
         };
         for id in calls.graph().bottom_up() {
             let Some(body) = module.function(id).and_then(|f| f.body) else {
                 continue;
             };
             let mut cost = Cost::default();
-            cost.turns = work.region(module, body, 1.0, &mut cost);
+            cost.iterations = work.region(module, body, 1.0, &mut cost);
             if let Some(slot) = work.functions.get_mut(id.0 as usize) {
                 *slot = cost;
             }
@@ -89,15 +89,15 @@ impl Work {
 
     /// Iterations of innermost loops in one call of a function. A loop with an unknown trip count
     /// counts as one iteration.
-    pub fn turns(&self, function: FunctionRef) -> f64 {
-        self.cost(function).turns
+    pub fn iterations(&self, function: FunctionRef) -> f64 {
+        self.cost(function).iterations
     }
 
     /// Adds the cost of a region that is executed `times` times. Returns its iterations.
     fn region(&mut self, module: &Module, region: Region, times: f64, cost: &mut Cost) -> f64 {
-        let mut turns = 0.0;
+        let mut iterations = 0.0;
         for step in module.steps(region) {
-            turns += match *step {
+            iterations += match *step {
                 Step::Run(run) => run.ops().map(|op| self.op(module, op, times, cost)).sum(),
                 Step::If {
                     then,
@@ -124,7 +124,7 @@ impl Work {
                 _ => 0.0,
             };
         }
-        f64::min(turns, MOST)
+        f64::min(iterations, MOST)
     }
 
     fn looped(&mut self, module: &Module, id: LoopId, times: f64, cost: &mut Cost) -> f64 {
@@ -133,18 +133,18 @@ impl Work {
         };
         let count = self.count(id);
         let inside = f64::min(
-            times * count.map_or(UNKNOWN_TURNS, |t| t as f64),
+            times * count.map_or(UNKNOWN_ITERATIONS, |t| t as f64),
             MOST_OFTEN,
         );
-        let mut turns = 0.0;
+        let mut iterations = 0.0;
         for region in [found.test, found.body, found.step] {
-            turns += self.region(module, region, inside, cost);
+            iterations += self.region(module, region, inside, cost);
         }
-        let turns = f64::min(turns.max(1.0) * count.unwrap_or(1) as f64, MOST);
+        let iterations = f64::min(iterations.max(1.0) * count.unwrap_or(1) as f64, MOST);
         if let Some(slot) = self.loops.get_mut(id.0 as usize) {
-            *slot = turns;
+            *slot = iterations;
         }
-        turns
+        iterations
     }
 
     fn count(&self, id: LoopId) -> Option<u64> {
@@ -163,7 +163,7 @@ impl Work {
             OpKind::Call(callee, _) => {
                 let callee = self.cost(callee);
                 cost.add(callee.operations, callee.size, times);
-                return callee.turns;
+                return callee.iterations;
             }
             _ => {}
         }
@@ -179,7 +179,7 @@ impl Work {
             let parts = todo.iter().flat_map(|r| module.steps(*r));
             let parts = parts.flat_map(|step| self.parts(module, step));
             let most = parts
-                .filter(|(turns, _)| *turns > 0.0)
+                .filter(|(iterations, _)| *iterations > 0.0)
                 .reduce(|most, next| if next.0 > most.0 { next } else { most });
             todo = match most.map(|(_, part)| part) {
                 None => Vec::new(),
@@ -188,7 +188,7 @@ impl Work {
                 Some(Heaviest::Loop(id)) => module.looped(id).map_or(Vec::new(), |found| {
                     nests.push(Nest {
                         stmt: found.stmt,
-                        turns: self.count(id).unwrap_or(1),
+                        iterations: self.count(id).unwrap_or(1),
                     });
                     vec![found.test, found.body, found.step]
                 }),
@@ -199,28 +199,31 @@ impl Work {
 
     /// The loops, calls and regions in a step, with their iterations.
     fn parts(&self, module: &Module, step: &Step) -> Vec<(f64, Heaviest)> {
-        let region = |region: Region| (self.turns_in(module, region), Heaviest::Region(region));
+        let region =
+            |region: Region| (self.iterations_in(module, region), Heaviest::Region(region));
         match *step {
             Step::Run(run) => {
                 let calls = run.ops().filter_map(|op| match module.op(op).kind {
-                    OpKind::Call(callee, _) => Some((self.turns(callee), Heaviest::Call(callee))),
+                    OpKind::Call(callee, _) => {
+                        Some((self.iterations(callee), Heaviest::Call(callee)))
+                    }
                     _ => None,
                 });
                 calls.collect()
             }
-            Step::Loop(id) => vec![(self.turns_of(id), Heaviest::Loop(id))],
+            Step::Loop(id) => vec![(self.iterations_of(id), Heaviest::Loop(id))],
             _ => module.inside(step).into_iter().map(region).collect(),
         }
     }
 
-    fn turns_of(&self, id: LoopId) -> f64 {
+    fn iterations_of(&self, id: LoopId) -> f64 {
         self.loops.get(id.0 as usize).copied().unwrap_or(0.0)
     }
 
-    fn turns_in(&self, module: &Module, region: Region) -> f64 {
+    fn iterations_in(&self, module: &Module, region: Region) -> f64 {
         let steps = module.steps(region).iter();
         let parts = steps.flat_map(|step| self.parts(module, step));
-        parts.map(|(turns, _)| turns).sum()
+        parts.map(|(iterations, _)| iterations).sum()
     }
 }
 

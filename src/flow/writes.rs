@@ -155,10 +155,10 @@ fn all(module: &Module) -> Vec<Write> {
     writes.collect()
 }
 
-/// By operation: the last operation that uses its value; `BEHIND` if control flow uses it,
+/// By operation: the last operation that uses its value; `AFTER` if control flow uses it,
 /// `OpId(0)` if nothing does.
 fn last_uses(module: &Module) -> Vec<OpId> {
-    const BEHIND: OpId = OpId(u32::MAX);
+    const AFTER: OpId = OpId(u32::MAX);
     let mut last = vec![OpId(0); module.ops.len()];
     let mut set = |value: OpId, user: OpId| {
         if let Some(slot) = last.get_mut(value.0 as usize) {
@@ -170,15 +170,15 @@ fn last_uses(module: &Module) -> Vec<OpId> {
     }
     for step in &module.steps {
         match *step {
-            Step::If { condition, .. } => set(condition, BEHIND),
-            Step::Return(Some(value), _) => set(value, BEHIND),
+            Step::If { condition, .. } => set(condition, AFTER),
+            Step::Return(Some(value), _) => set(value, AFTER),
             _ => {}
         }
     }
     let conditions = module.loops.iter().filter_map(|l| l.condition);
-    conditions.for_each(|c| set(c, BEHIND));
+    conditions.for_each(|c| set(c, AFTER));
     let selectors = module.switches.iter().map(|s| s.selector);
-    selectors.for_each(|s| set(s, BEHIND));
+    selectors.for_each(|s| set(s, AFTER));
     last
 }
 

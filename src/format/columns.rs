@@ -214,7 +214,7 @@ fn held(items: &[FormatItem], roles: &[ItemRole], places: &[ItemPlace]) -> Vec<u
             continue;
         }
         let other = place
-            .hangs_on
+            .depends_on
             .and_then(|other| Some((line_of(other)?, other)));
         if let Some((line, other)) = other
             && let Some(held) = held.get_mut(line)

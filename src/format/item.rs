@@ -49,7 +49,7 @@ pub enum BranchDirective {
     /// `#if`, `#ifdef`, `#ifndef`
     Opens,
     /// `#elif`, `#else`
-    Turns,
+    Alternates,
     /// `#endif`
     Closes,
     Other,
@@ -276,9 +276,9 @@ impl ItemReader<'_> {
                 (count, span) = directive(raw, at);
                 match self.branch(raw, at, span) {
                     BranchDirective::Opens => depth += 1,
-                    BranchDirective::Turns | BranchDirective::Closes if depth == 0 => break,
+                    BranchDirective::Alternates | BranchDirective::Closes if depth == 0 => break,
                     BranchDirective::Closes => depth -= 1,
-                    BranchDirective::Turns | BranchDirective::Other => {}
+                    BranchDirective::Alternates | BranchDirective::Other => {}
                 }
             }
             is_first = match token.kind {
@@ -324,7 +324,7 @@ fn directive(raw: &[RawToken], at: usize) -> (usize, Span) {
 fn of_name(name: &str) -> BranchDirective {
     match name {
         "if" | "ifdef" | "ifndef" => BranchDirective::Opens,
-        "elif" | "else" => BranchDirective::Turns,
+        "elif" | "else" => BranchDirective::Alternates,
         "endif" => BranchDirective::Closes,
         _ => BranchDirective::Other,
     }

@@ -92,10 +92,10 @@ impl LineLayout<'_> {
                 self.start_line(at, item, column, level);
             }
             Gap::Inside => {
-                let (column, hangs_on) = self.continuation(at, item);
+                let (column, depends_on) = self.continuation(at, item);
                 self.start_line(at, item, column, self.role(at).level);
                 if let Some(place) = self.places.get_mut(at) {
-                    place.hangs_on = hangs_on;
+                    place.depends_on = depends_on;
                 }
             }
         }

@@ -89,8 +89,8 @@ impl LineLayout<'_> {
 
     fn gap_inside(&self, at: usize, item: &FormatItem, before: &FormatItem) -> Gap {
         let is_else_if = item.is(T::If) && before.is(T::Else);
-        let is_behind_block = self.role(at - 1).start == StatementStart::Close;
-        let breaks = item.breaks > 0 && !is_else_if && !is_behind_block;
+        let is_after_block = self.role(at - 1).start == StatementStart::Close;
+        let breaks = item.breaks > 0 && !is_else_if && !is_after_block;
         match breaks {
             true => Gap::Inside,
             false => Gap::Line,
@@ -98,8 +98,8 @@ impl LineLayout<'_> {
     }
 
     fn gap_statement(&self, at: usize, item: &FormatItem) -> Gap {
-        let is_behind_label = || self.labelled == Some(item.line) && self.line_fits(at, item);
-        match item.breaks == 0 && (self.is_in_row(at) || is_behind_label()) {
+        let is_after_label = || self.labelled == Some(item.line) && self.line_fits(at, item);
+        match item.breaks == 0 && (self.is_in_row(at) || is_after_label()) {
             true => Gap::Line,
             false => Gap::Level,
         }

@@ -34,13 +34,13 @@ impl LineLayout<'_> {
         let Some(item) = self.items.get(at) else {
             return;
         };
-        let (column, hangs_on) = self.hanging(at);
+        let (column, depends_on) = self.hanging(at);
         let level = self.role(at).level;
         let place = ItemPlace {
             breaks: 1,
             column,
             level,
-            hangs_on,
+            depends_on,
             ..ItemPlace::default()
         };
         self.put(at, place);

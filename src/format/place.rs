@@ -24,7 +24,7 @@ pub struct ItemPlace {
     /// Whether the white space before it is kept.
     pub keeps: bool,
     /// The item on a previous line with which its line is aligned.
-    pub hangs_on: Option<u32>,
+    pub depends_on: Option<u32>,
 }
 
 /// The state of the layout: the items placed so far.

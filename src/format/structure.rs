@@ -95,7 +95,7 @@ struct OpenBlock {
     is_labelled: bool,
     at: StatementPoint,
     /// The enclosing headers without braces: `if (a) for (;;) ...` has two.
-    controls: Vec<ControlKind>,
+    controls: Vec<ConstructKind>,
 }
 
 #[derive(Clone, Copy)]
@@ -121,7 +121,7 @@ enum StatementHead {
 }
 
 #[derive(Clone, Copy)]
-struct ControlKind {
+struct ConstructKind {
     kind: T,
     level: u32,
     /// The keyword, and the first item of its body.
@@ -205,8 +205,8 @@ impl StructureReader<'_> {
         if let Some(open) = open {
             return self.error(open, "unclosed bracket");
         }
-        self.settle_comments(0);
-        self.settle(None);
+        self.assign_comments(0);
+        self.assign(None);
         Ok(self.roles)
     }
 
@@ -384,7 +384,7 @@ impl StructureReader<'_> {
 
     /// Starts a construct where a statement may start.
     fn start(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
-        let tail = self.settle(Some(kind));
+        let tail = self.assign(Some(kind));
         if let Some(level) = tail {
             self.set_start(at, StatementStart::Tail, level);
             let next = match kind {
@@ -409,11 +409,11 @@ impl StructureReader<'_> {
         self.inner(at);
         let role = self.role(at);
         (role.start, role.level) = (start, level);
-        self.settle_comments(level);
+        self.assign_comments(level);
     }
 
     /// Sets the level of the comments before a line.
-    fn settle_comments(&mut self, level: u32) {
+    fn assign_comments(&mut self, level: u32) {
         for comment in std::mem::take(&mut self.comments) {
             self.role(comment).level = level;
         }
@@ -422,7 +422,7 @@ impl StructureReader<'_> {
     /// Opens a control-flow construct, after whose keyword `next` is expected.
     fn control(&mut self, at: u32, kind: T, level: u32, next: StatementPoint) {
         if let Some(block) = self.block() {
-            block.controls.push(ControlKind {
+            block.controls.push(ConstructKind {
                 kind,
                 level,
                 word: at,
@@ -495,7 +495,7 @@ impl StructureReader<'_> {
             return self.statement(at, kind, StatementStart::Statement, 0);
         };
         control.body = Some(at);
-        let ControlKind {
+        let ConstructKind {
             kind: word, level, ..
         } = *control;
         match (word, kind) {
@@ -523,9 +523,9 @@ impl StructureReader<'_> {
         let Some(open) = open else {
             return self.error(at, "unmatched closing bracket");
         };
-        self.settle(None);
+        self.assign(None);
         let inner = self.block().map_or(0, |b| b.statement_level());
-        self.settle_comments(inner);
+        self.assign_comments(inner);
         self.state.frames.pop();
         let level = self.role(open).level;
         self.set_start(at, StatementStart::Close, level);
@@ -544,7 +544,7 @@ impl StructureReader<'_> {
 
     /// Closes the control-flow constructs that end before the next token. Returns the level of the
     /// construct that continues with it (`else`, or the `while` of a `do`).
-    fn settle(&mut self, next: Option<T>) -> Option<u32> {
+    fn assign(&mut self, next: Option<T>) -> Option<u32> {
         let owner = match next {
             Some(T::Else) => T::If,
             Some(T::While) => T::Do,
@@ -585,7 +585,7 @@ impl StructureReader<'_> {
     fn directive(&mut self, at: u32, directive: BranchDirective) -> Result<(), Unformatted> {
         self.inner(at);
         let level = self.role(at).level;
-        self.settle_comments(level);
+        self.assign_comments(level);
         match directive {
             BranchDirective::Opens if self.branches.len() > MAX_DEPTH => {
                 return self.error(at, "`#if` groups are nested too deeply");
@@ -594,7 +594,7 @@ impl StructureReader<'_> {
                 before: self.state.clone(),
                 after_first: None,
             }),
-            BranchDirective::Turns => {
+            BranchDirective::Alternates => {
                 if let Some(branches) = self.branches.last_mut() {
                     let end = std::mem::replace(&mut self.state, branches.before.clone());
                     branches.after_first.get_or_insert(end);

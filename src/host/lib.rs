@@ -100,7 +100,7 @@ pub struct Preset {
     /// form.
     pub composes: bool,
     /// Extensions of files that contain its passes.
-    pub endings: Vec<String>,
+    pub extensions: Vec<String>,
     /// Directives that it processes before compilation; a trailing `*` matches any suffix.
     pub directives: Vec<String>,
     /// The functions that it calls.
@@ -108,7 +108,7 @@ pub struct Preset {
     /// Further evidence for this host in a shader.
     pub signs: Vec<TextSign>,
     /// Documentation of its names, from comments `/// The seconds since the start.`
-    pub said: BTreeMap<String, String>,
+    pub descriptions: BTreeMap<String, String>,
     /// The values of the names that it sets; those of its base come last.
     pub meanings: Meanings,
     /// The declarations that it puts before shaders.
@@ -246,7 +246,7 @@ impl Preset {
             ("Adds nothing to shaders for", &self.complete),
             ("Unless modified by", &self.patched),
             ("May also declare", &self.also),
-            ("Extensions of pass files", &self.endings),
+            ("Extensions of pass files", &self.extensions),
             ("Directives", &self.directives),
         ] {
             if !words.is_empty() {
@@ -270,7 +270,7 @@ impl Preset {
             "\nTo select it in `shaderlint.toml`:\n\n```toml\nhost = \"{}\"\n```\n",
             self.name
         ));
-        text.push_str(&self.meanings.page(&self.said));
+        text.push_str(&self.meanings.page(&self.descriptions));
         let prelude = self.prelude.get(self.own_start..).unwrap_or("").trim();
         if !prelude.is_empty() {
             text.push_str(
@@ -308,8 +308,8 @@ impl Preset {
             text.match_indices(start).any(|(at, _)| {
                 let inside = text.get(at + start.len()..).unwrap_or("");
                 let length = inside.find(|c| !is_word(c)).unwrap_or(inside.len());
-                let (word, behind) = inside.split_at(length);
-                !word.trim().is_empty() && (behind.starts_with(end) || word.ends_with(end))
+                let (word, after) = inside.split_at(length);
+                !word.trim().is_empty() && (after.starts_with(end) || word.ends_with(end))
             })
         })
     }
@@ -328,12 +328,12 @@ impl Preset {
     pub fn is_used_in(&self, script: &str) -> bool {
         self.globals.iter().any(|g| {
             let uses = script.match_indices(g.as_str());
-            let is_whole = |(at, _): (usize, &str)| {
+            let is_separate = |(at, _): (usize, &str)| {
                 let before = script.get(..at).and_then(|b| b.chars().next_back());
-                let behind = script.get(at + g.len()..).unwrap_or("");
-                behind.starts_with('.') && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+                let after = script.get(at + g.len()..).unwrap_or("");
+                after.starts_with('.') && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
             };
-            uses.into_iter().any(is_whole)
+            uses.into_iter().any(is_separate)
         })
     }
 
@@ -354,8 +354,8 @@ impl Preset {
     }
 
     /// Whether a file with this extension can contain a pass.
-    pub fn has_ending(&self, ending: &str) -> bool {
-        self.endings.iter().any(|own| own == ending)
+    pub fn has_extension(&self, extension: &str) -> bool {
+        self.extensions.iter().any(|own| own == extension)
     }
 
     /// Whether only this host declares a name.
@@ -413,7 +413,7 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
             let own = std::mem::take(&mut comment);
             if let (false, Some(name)) = (own.is_empty(), declared_in(line)) {
                 let own = own.trim().to_string();
-                preset.said.insert(name.to_string(), own);
+                preset.descriptions.insert(name.to_string(), own);
             }
             let is_end = is_theirs && word == "#endif";
             is_theirs |= word == SHADER_DECLARES;
@@ -482,7 +482,7 @@ impl GivenFacts {
 impl Preset {
     /// Applies the description of a user to a known host.
     pub fn over(mut self, base: &Preset) -> Preset {
-        self.put_behind(base);
+        self.put_after(base);
         self.is_complete &= base.is_complete;
         self.version = base.version;
         self.base = Some(base.name);
@@ -492,19 +492,19 @@ impl Preset {
         self
     }
 
-    fn put_behind(&mut self, base: &Preset) {
+    fn put_after(&mut self, base: &Preset) {
         self.own_start = base.prelude.len() + 1;
         self.prelude = format!("{}\n{}", base.prelude, self.prelude);
         self.meanings.inherit(&base.meanings);
-        for (name, said) in &base.said {
-            let own = self.said.entry(name.clone());
-            own.or_insert_with(|| said.clone());
+        for (name, description) in &base.descriptions {
+            let own = self.descriptions.entry(name.clone());
+            own.or_insert_with(|| description.clone());
         }
     }
 
     /// Inherits from the base. Evidence for the base is not evidence for this host.
     fn build_on(&mut self, base: &Preset, given: &GivenFacts) {
-        self.put_behind(base);
+        self.put_after(base);
         if !given.version {
             self.version = base.version;
         }
@@ -529,7 +529,7 @@ pub fn declared_in(line: &str) -> Option<&str> {
         return rest.split(|c| !is_name(c)).next();
     }
     let line = line.strip_prefix("layout").map_or(line, |rest| {
-        rest.split_once(')').map_or(rest, |(_, behind)| behind)
+        rest.split_once(')').map_or(rest, |(_, after)| after)
     });
     let end = line.find([';', '(', '[', '=', '{'])?;
     let head = line.get(..end)?.trim_end();
@@ -606,7 +606,7 @@ impl Preset {
             "patched" => self.patched.extend(words()),
             "also" => self.also.extend(words()),
             "directive" => self.directives.extend(words()),
-            "ending" => self.endings.extend(words()),
+            "ending" => self.extensions.extend(words()),
             "renames" => self.renames = yes_or_no(value)?,
             "composes" => self.composes = yes_or_no(value)?,
             "names" => {
@@ -722,10 +722,10 @@ mod tests {
             "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
         let preset = read(text).unwrap();
         assert_eq!(
-            preset.said.get("a").map(String::as_str),
+            preset.descriptions.get("a").map(String::as_str),
             Some("How long it runs.")
         );
-        assert_eq!(preset.said.len(), 1);
+        assert_eq!(preset.descriptions.len(), 1);
         assert_eq!(preset.prelude, "\n\n\nuniform float a;\nuniform float b;\n");
     }
 

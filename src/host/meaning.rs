@@ -9,12 +9,12 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 macro_rules! feeds {
-    ($($variant:ident $name:literal $says:literal,)*) => {
+    ($($variant:ident $name:literal $description:literal,)*) => {
         /// The value of a uniform. The player implements each (`player/program.js`).
         #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
         #[serde(rename_all = "camelCase")]
         pub enum Feed {
-            $(#[doc = $says] $variant,)*
+            $(#[doc = $description] $variant,)*
         }
 
         impl Feed {
@@ -27,8 +27,8 @@ macro_rules! feeds {
             }
 
             /// A description of the value.
-            pub fn says(self) -> &'static str {
-                match self { $(Feed::$variant => $says,)* }
+            pub fn description(self) -> &'static str {
+                match self { $(Feed::$variant => $description,)* }
             }
         }
     };
@@ -114,9 +114,9 @@ const TEXTURES: [(&str, TextureFeed, &str); 6] = [
 
 impl TextureFeed {
     /// A description of the input.
-    pub fn says(self) -> &'static str {
+    pub fn description(self) -> &'static str {
         let row = TEXTURES.iter().find(|(_, feed, _)| *feed == self);
-        row.map_or("", |(.., says)| says)
+        row.map_or("", |(.., description)| description)
     }
 }
 
@@ -188,12 +188,12 @@ pub struct Meanings {
 
 /// Whether a name matches the name of a row, in which `#` stands for a number.
 pub fn is_named(row: &str, name: &str) -> bool {
-    let Some((before, behind)) = row.split_once('#') else {
+    let Some((before, after)) = row.split_once('#') else {
         return row == name;
     };
     let number = name
         .strip_prefix(before)
-        .and_then(|n| n.strip_suffix(behind));
+        .and_then(|n| n.strip_suffix(after));
     number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
@@ -227,8 +227,9 @@ impl Meanings {
     }
 
     /// The table of names and values in Markdown.
-    pub(super) fn page(&self, said: &BTreeMap<String, String>) -> String {
-        let says = |name: &str, short: String| said.get(name).cloned().unwrap_or(short);
+    pub(super) fn page(&self, descriptions: &BTreeMap<String, String>) -> String {
+        let description =
+            |name: &str, short: String| descriptions.get(name).cloned().unwrap_or(short);
         let who = |is_declared| match is_declared {
             true => "the host",
             false => "the shader",
@@ -238,23 +239,26 @@ impl Meanings {
             (
                 &r.name,
                 types,
-                says(&r.name, r.feed.says().to_string()),
+                description(&r.name, r.feed.description().to_string()),
                 r.is_declared,
             )
         });
         let textures = self.textures.iter().map(|r| {
-            let short = format!("{} ({}, {})", r.texture.says(), r.filter, r.wrap);
-            let says = says(&r.name, short);
-            (&r.name, "sampler2D".to_string(), says, r.is_declared)
+            let short = format!("{} ({}, {})", r.texture.description(), r.filter, r.wrap);
+            let description = description(&r.name, short);
+            (&r.name, "sampler2D".to_string(), description, r.is_declared)
         });
         let varyings = self.varyings.iter().map(|r| {
-            let says = format!("`{}`", r.value);
-            (&r.name, r.ty.clone(), says, r.is_declared)
+            let description = format!("`{}`", r.value);
+            (&r.name, r.ty.clone(), description, r.is_declared)
         });
         let rows = feeds.chain(textures).chain(varyings);
-        let rows = rows.map(|(name, ty, says, is_declared)| {
+        let rows = rows.map(|(name, ty, description, is_declared)| {
             let name = name.replace('#', "N");
-            format!("| `{name}` | `{ty}` | {says} | {} |\n", who(is_declared))
+            format!(
+                "| `{name}` | `{ty}` | {description} | {} |\n",
+                who(is_declared)
+            )
         });
         let rows: String = rows.collect();
         match rows.is_empty() {
@@ -274,12 +278,12 @@ impl Meanings {
     }
 
     /// The description of a name's value.
-    pub fn says(&self, name: &str) -> Option<&'static str> {
+    pub fn description(&self, name: &str) -> Option<&'static str> {
         let feeds = self.feeds.iter().filter(|r| is_named(&r.name, name));
         let textures = self.textures.iter().filter(|r| is_named(&r.name, name));
         let mut all = feeds
-            .map(|r| r.feed.says())
-            .chain(textures.map(|r| r.texture.says()));
+            .map(|r| r.feed.description())
+            .chain(textures.map(|r| r.texture.description()));
         all.next()
     }
 
@@ -402,8 +406,8 @@ fn numbered(name: &str) -> Result<String, String> {
             "`numbered` requires a digit in the name, but `{name}` has none"
         ));
     };
-    let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-    Ok(format!("{before}#{behind}"))
+    let after = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+    Ok(format!("{before}#{after}"))
 }
 
 impl<'t> HostDeclaration<'t> {
@@ -473,12 +477,15 @@ mod tests {
             varying.value,
             "port_pos * vec2(port_size.x / port_size.y, 1.0)"
         );
-        assert_eq!(all.says("size"), Some(Feed::Resolution.says()));
-        assert_eq!(all.says("plain"), None);
+        assert_eq!(
+            all.description("size"),
+            Some(Feed::Resolution.description())
+        );
+        assert_eq!(all.description("plain"), None);
     }
 
     #[test]
-    fn what_cannot_be_read_is_said() {
+    fn what_cannot_be_read_is_reported() {
         wrong("uniform float t; // = tmie", "did you mean `time`?");
         wrong("uniform float t; // = time, ofen", "found `ofen`");
         wrong("uniform sampler2D t; // = files", "did you mean `file`?");

@@ -2,7 +2,7 @@
 
 use super::document::Document;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Origin};
-use shaderlint_engine::{Files, mend};
+use shaderlint_engine::{Files, fix_text};
 use shaderlint_lint::Allow;
 use shaderlint_text::{Edit, LineIndex, Span};
 
@@ -100,7 +100,7 @@ fn suppress(document: &Document, finding: usize, diagnostic: &Diagnostic) -> Opt
 
 /// The text with all safe fixes applied, if there are any.
 pub fn fix_all(document: &Document, files: &dyn Files) -> Option<String> {
-    let fixed = mend(
+    let fixed = fix_text(
         &document.path,
         &document.text,
         &document.options,

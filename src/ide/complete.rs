@@ -85,9 +85,9 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
         None => return nothing,
     };
     let found = match place {
-        CompletionPlace::Comment(said) => {
+        CompletionPlace::Comment(description) => {
             word = word_before(&document.text, offset, |c| is_of_name(c) || c == '-');
-            rules(&said)
+            rules(&description)
         }
         CompletionPlace::Directive => directives(),
         CompletionPlace::Include(path) => {
@@ -512,14 +512,14 @@ fn builtins(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
     let all = Builtins::of(program.version, program.stage);
     if is_inside {
         for id in all.functions() {
-            let said = entry(id.name());
+            let description = entry(id.name());
             let (_, overloads) = all.overloads_of(id);
-            let head = said.and_then(|e| e.heads.first());
+            let head = description.and_then(|e| e.heads.first());
             let item = Proposal::new(id.name(), CompletionKind::Symbol(SymbolKind::Function), 3);
             let form = overloads.first().map_or(String::new(), builtin_head);
             found.push(Proposal {
                 snippet: head.map(|head| call(id.name(), head)),
-                text: said.map_or(String::new(), |e| e.text.clone()),
+                text: description.map_or(String::new(), |e| e.text.clone()),
                 ..item.detail(form)
             });
         }

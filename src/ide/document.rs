@@ -21,7 +21,7 @@ pub struct FileSpan {
 
 /// The declaration of a name, independent of the shader that uses it.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(super) enum Origin {
+pub(super) enum SymbolOrigin {
     /// Declared in the user's text.
     Text(FileSpan),
     /// A parameter of the macro with its name at this position.
@@ -125,11 +125,11 @@ impl Document {
     }
 
     /// The declaration of a symbol.
-    pub(super) fn origin(&self, program: &Program, symbol: Symbol) -> Origin {
-        let given = || Origin::Given(symbol.name(program).to_string());
+    pub(super) fn origin(&self, program: &Program, symbol: Symbol) -> SymbolOrigin {
+        let given = || SymbolOrigin::Given(symbol.name(program).to_string());
         if let Symbol::MacroParameter(of, at) = symbol {
             let place = self.place(Span::at(of));
-            return place.map_or_else(given, |place| Origin::MacroParameter(place, at));
+            return place.map_or_else(given, |place| SymbolOrigin::MacroParameter(place, at));
         }
         let place = declared_at(program, symbol).and_then(|span| self.place(span));
         match place {
@@ -138,15 +138,15 @@ impl Document {
                     .path
                     .rsplit_once('.')
                     .map_or(&*place.path, |(stem, _)| stem);
-                Origin::Interface(stem.to_string(), symbol.name(program).to_string())
+                SymbolOrigin::Interface(stem.to_string(), symbol.name(program).to_string())
             }
-            Some(place) => Origin::Text(place),
+            Some(place) => SymbolOrigin::Text(place),
             None => given(),
         }
     }
 
     /// The occurrences in all shaders of a name with this origin.
-    pub(super) fn named(&self, origin: &Origin) -> Vec<Named> {
+    pub(super) fn named(&self, origin: &SymbolOrigin) -> Vec<NamedOccurrence> {
         let mut found = Vec::new();
         for (program, index) in self.shaders() {
             let mut known: BTreeMap<Symbol, bool> = BTreeMap::new();
@@ -156,7 +156,7 @@ impl Document {
                     .entry(symbol)
                     .or_insert_with(|| self.origin(program, symbol) == *origin);
                 if is_it && let Some(place) = self.place(occurrence.span) {
-                    found.push(Named {
+                    found.push(NamedOccurrence {
                         place,
                         access: occurrence.access,
                     });
@@ -183,7 +183,7 @@ fn is_linked(program: &Program, symbol: Symbol) -> bool {
 
 /// An occurrence of a name.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) struct Named {
+pub(super) struct NamedOccurrence {
     pub place: FileSpan,
     pub access: NameUse,
 }

@@ -1,7 +1,7 @@
 //! Inlay hints.
 
 use super::document::Document;
-use super::run::RunSeen;
+use super::run::RunObservations;
 use super::symbol::parameter_names;
 use shaderlint_flow::Bound;
 use shaderlint_lint::Facts;
@@ -26,7 +26,7 @@ pub enum HintKind {
     /// Name of a parameter, before its argument.
     Parameter,
     /// Number of iterations, after the head of a loop.
-    Turns,
+    Iterations,
     /// Type of `?:` or of a swizzle, after the expression.
     Type,
 }
@@ -47,7 +47,7 @@ pub fn hints(
     document: &Document,
     within: Span,
     options: HintOptions,
-    seen: &[Option<RunSeen>],
+    seen: &[Option<RunObservations>],
 ) -> Vec<Hint> {
     let mut found = Vec::new();
     for (number, analysis) in document.report.analyses.iter().enumerate() {
@@ -61,7 +61,7 @@ pub fn hints(
             finder.parameters();
         }
         if options.turns {
-            finder.turns(&analysis.facts(), seen.get(number).and_then(Option::as_ref));
+            finder.iterations(&analysis.facts(), seen.get(number).and_then(Option::as_ref));
         }
         if options.types {
             finder.types();
@@ -81,10 +81,10 @@ struct HintFinder<'d> {
 
 impl HintFinder<'_> {
     /// Adds a hint before or after a token, unless the token comes from a macro.
-    fn add(&mut self, token: TokenId, is_behind: bool, text: String, kind: HintKind) {
+    fn add(&mut self, token: TokenId, is_after: bool, text: String, kind: HintKind) {
         let token = self.program.token(token).filter(|t| t.is_direct());
         let place = token.map(|t| {
-            if is_behind {
+            if is_after {
                 t.span.after()
             } else {
                 t.span.before()
@@ -114,8 +114,8 @@ impl HintFinder<'_> {
             let names = parameter_names(program, function);
             for (arg, name) in program.tree.args(list).iter().zip(names) {
                 // Arguments that are names, and parameters with one letter, need no hint.
-                let says = self.is_plain(*arg);
-                if says || name.len() < 2 {
+                let is_clear = self.is_plain(*arg);
+                if is_clear || name.len() < 2 {
                     continue;
                 }
                 let first = program.tree.expr(*arg).extent.first;
@@ -133,7 +133,7 @@ impl HintFinder<'_> {
         }
     }
 
-    fn turns(&mut self, facts: &Facts, seen: Option<&RunSeen>) {
+    fn iterations(&mut self, facts: &Facts, seen: Option<&RunObservations>) {
         let program = self.program;
         for known in &facts.loops().all {
             let stmt = program.tree.stmt(known.stmt);
@@ -147,7 +147,7 @@ impl HintFinder<'_> {
                 Bound::Ends | Bound::Open => String::new(),
             };
             let seen = seen.and_then(|s| s.loops.get(&known.stmt));
-            let seen = seen.map(|turns| format!("sampled: {}", turns.most));
+            let seen = seen.map(|observed| format!("sampled: {}", observed.most));
             let all: Vec<String> = [text]
                 .into_iter()
                 .filter(|t| !t.is_empty())
@@ -156,7 +156,12 @@ impl HintFinder<'_> {
             // The head of the loop ends before its body.
             let head = program.tree.stmt(body).extent.first.checked_sub(1);
             if let Some(head) = head.filter(|_| !all.is_empty()) {
-                self.add(head, true, format!(" {}", all.join(", ")), HintKind::Turns);
+                self.add(
+                    head,
+                    true,
+                    format!(" {}", all.join(", ")),
+                    HintKind::Iterations,
+                );
             }
         }
     }

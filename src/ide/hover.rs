@@ -3,7 +3,7 @@
 use super::document::{Document, Spot};
 use super::index::{NameUse, Occurrence};
 use super::library::entry;
-use super::run::RunSeen;
+use super::run::RunObservations;
 use super::symbol::{Symbol, builtin_variable, declared_at};
 use shaderlint_flow::Bound;
 use shaderlint_flow::ranges::Interval;
@@ -25,7 +25,7 @@ pub struct Hover {
 }
 
 /// The hover at an offset; `seen` holds the results of sample runs.
-pub fn hover(document: &Document, offset: u32, seen: Option<&RunSeen>) -> Option<Hover> {
+pub fn hover(document: &Document, offset: u32, seen: Option<&RunObservations>) -> Option<Hover> {
     let spot = document.spot(offset)?;
     let facts = spot.analysis.facts();
     let (span, text) = match spot.name() {
@@ -62,15 +62,16 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         Symbol::Macro(_) => text.push_str(&of_macro(program, name)),
         Symbol::Struct(_) | Symbol::MacroParameter(..) | Symbol::Builtin(_) => {}
     }
-    let said = declared_at(program, name.symbol).and_then(|at| comment_above(program, at));
+    let description = declared_at(program, name.symbol).and_then(|at| comment_above(program, at));
     let is_given = declared_at(program, name.symbol).is_none_or(|at| !program.is_user(at));
-    let said = said.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
+    let description =
+        description.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
     let is_uniform = matches!(name.symbol, Symbol::Variable(id)
         if program.variable(id).is_some_and(|v| v.storage == Storage::Uniform));
     let told = || is_uniform.then(|| given(spot, own)).flatten();
-    let said = said.or_else(|| told().map(str::to_string));
-    if let Some(said) = said {
-        text.push_str(&format!("\n{said}\n"));
+    let description = description.or_else(|| told().map(str::to_string));
+    if let Some(description) = description {
+        text.push_str(&format!("\n{description}\n"));
     }
     text
 }
@@ -80,7 +81,7 @@ fn given(spot: &Spot, name: &str) -> Option<&'static str> {
     let bound = bindings(spot.program(), spot.analysis.host);
     let uniform = bound.uniforms.iter().find(|u| u.name == name)?;
     let is_known = !matches!(uniform.source, Feed::Control | Feed::Identity);
-    is_known.then(|| uniform.source.says())
+    is_known.then(|| uniform.source.description())
 }
 
 /// The value or range of an expression, or of a constant.
@@ -303,7 +304,11 @@ pub(super) fn expr_at(program: &Program, span: Span) -> Option<ExprId> {
 }
 
 /// The hover of other code: components, loops, operators.
-fn without_name(spot: &Spot, facts: &Facts, seen: Option<&RunSeen>) -> Option<(Span, String)> {
+fn without_name(
+    spot: &Spot,
+    facts: &Facts,
+    seen: Option<&RunObservations>,
+) -> Option<(Span, String)> {
     let program = spot.program();
     let tokens = &program.tokens.tokens;
     let touches = |span: Span| span.start <= spot.address && spot.address <= span.end;
@@ -335,15 +340,15 @@ fn without_name(spot: &Spot, facts: &Facts, seen: Option<&RunSeen>) -> Option<(S
     let text = program.expr_text(number);
     let shown = text.lines().next().unwrap_or("");
     let dots = if shown.len() < text.len() { " …" } else { "" };
-    let mut said = code(&format!("{} // {shown}{dots}", program.type_name(ty)));
+    let mut description = code(&format!("{} // {shown}{dots}", program.type_name(ty)));
     if matches!(expr.kind, ExprKind::Construct(..)) && token.span == program.span(expr.extent) {
         return None;
     }
-    said.push_str(&of_value(facts, Some(number), None));
-    Some((program.expr_span(number), said))
+    description.push_str(&of_value(facts, Some(number), None));
+    Some((program.expr_span(number), description))
 }
 
-fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunSeen>) -> Option<String> {
+fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunObservations>) -> Option<String> {
     let known = facts.loops().get(stmt)?;
     let mut text = match known.bound {
         Bound::Exact(n) if known.ends_early => format!("at most {}", iterations(n)),
@@ -374,7 +379,7 @@ fn comment_above(program: &Program, at: Span) -> Option<String> {
     if before.contains(['(', '{', ',', ';']) {
         return None;
     }
-    let mut said: Vec<String> = Vec::new();
+    let mut description: Vec<String> = Vec::new();
     let mut above = line;
     let comments = &program.tokens.comments;
     for comment in comments.iter().rev().filter(|c| c.end <= at.start) {
@@ -391,21 +396,21 @@ fn comment_above(program: &Program, at: Span) -> Option<String> {
         if last + 1 != above || !before.trim().is_empty() {
             break;
         }
-        said.push(plain(program.sources.text(*comment)));
+        description.push(plain(program.sources.text(*comment)));
         above = first;
     }
-    said.reverse();
-    let behind = comments.iter().find(|c| {
+    description.reverse();
+    let after = comments.iter().find(|c| {
         c.start >= at.end && file.span().contains(**c) && lines.line(c.start - file.base) == line
     });
-    if said.is_empty()
-        && let Some(behind) = behind
+    if description.is_empty()
+        && let Some(after) = after
     {
-        said.push(plain(program.sources.text(*behind)));
+        description.push(plain(program.sources.text(*after)));
     }
-    let said = said.join("\n");
-    let has_words = said.chars().any(char::is_alphabetic);
-    has_words.then_some(said)
+    let description = description.join("\n");
+    let has_words = description.chars().any(char::is_alphabetic);
+    has_words.then_some(description)
 }
 
 /// The text of a comment without its delimiters.

@@ -345,8 +345,8 @@ impl Builder<'_> {
                     RawKind::Newline => at_start = true,
                     RawKind::Hash if at_start => {
                         let end = rest.iter().position(|t| t.kind == RawKind::Newline);
-                        let (line, behind) = rest.split_at(end.unwrap_or(rest.len()));
-                        rest = behind;
+                        let (line, after) = rest.split_at(end.unwrap_or(rest.len()));
+                        rest = after;
                         self.directive(line, &global, seen);
                     }
                     RawKind::Word if self.is_inactive(first.span) => {

@@ -2,7 +2,7 @@
 
 use super::document::Document;
 use super::hover::operations;
-use super::run::RunSeen;
+use super::run::RunObservations;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::Span;
 
@@ -38,7 +38,7 @@ pub enum LensCommand {
 }
 
 /// The lenses of a document; `seen` holds the results of sample runs, by shader.
-pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
+pub fn lenses(document: &Document, seen: &[Option<RunObservations>]) -> Vec<Lens> {
     let mut found: Vec<Lens> = Vec::new();
     let analyses = document.report.analyses.iter();
     for (number, analysis) in analyses.enumerate() {
@@ -57,7 +57,7 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
                 command: LensCommand::Preview,
             });
             let title = match seen.get(number).and_then(Option::as_ref) {
-                Some(seen) => seen_cost(seen),
+                Some(seen) => observed_cost(seen),
                 None => {
                     let most = facts.work().operations(entry);
                     format!("estimated: up to {} per pixel", operations(most))
@@ -97,12 +97,12 @@ pub fn lenses(document: &Document, seen: &[Option<RunSeen>]) -> Vec<Lens> {
 }
 
 /// The cost of pixels in a sample run.
-fn seen_cost(seen: &RunSeen) -> String {
+fn observed_cost(seen: &RunObservations) -> String {
     let mut title = format!("sample run: {} per pixel", operations(seen.cost.round()));
     if f64::from(seen.most_cost) > seen.cost.round() {
         title.push_str(&format!(", {} at most", seen.most_cost));
     }
-    if let Some(most) = seen.loops.values().map(|turns| turns.most).max() {
+    if let Some(most) = seen.loops.values().map(|iterations| iterations.most).max() {
         let plural = if most == 1 { "" } else { "s" };
         title.push_str(&format!("; loops up to {most} iteration{plural}"));
     }

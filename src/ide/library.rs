@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 /// Documentation of a name.
 #[derive(Default, Debug)]
-pub struct Entry {
+pub struct LibraryEntry {
     /// Parameter names of each overload; empty for a variable.
     pub heads: Vec<Vec<&'static str>>,
     /// Text in Markdown.
@@ -15,31 +15,31 @@ pub struct Entry {
 }
 
 /// The documentation of a built-in name.
-pub fn entry(name: &str) -> Option<&'static Entry> {
-    static ENTRIES: OnceLock<FxHashMap<&'static str, Entry>> = OnceLock::new();
+pub fn entry(name: &str) -> Option<&'static LibraryEntry> {
+    static ENTRIES: OnceLock<FxHashMap<&'static str, LibraryEntry>> = OnceLock::new();
     ENTRIES
         .get_or_init(|| {
             let mut all = read(include_str!("built_ins.txt"));
-            let uniforms = shadertoy().into_iter().flat_map(|p| &p.said);
-            for (name, said) in uniforms {
-                all.entry(name).or_default().text = said.clone();
+            let uniforms = shadertoy().into_iter().flat_map(|p| &p.descriptions);
+            for (name, description) in uniforms {
+                all.entry(name).or_default().text = description.clone();
             }
             all
         })
         .get(name)
 }
 
-fn read(text: &'static str) -> FxHashMap<&'static str, Entry> {
-    let mut entries: FxHashMap<&str, Entry> = FxHashMap::default();
+fn read(text: &'static str) -> FxHashMap<&'static str, LibraryEntry> {
+    let mut entries: FxHashMap<&str, LibraryEntry> = FxHashMap::default();
     let mut name = "";
     for line in text.lines().filter(|l| !l.starts_with('#')) {
         match line.strip_prefix("    ") {
-            Some(said) => {
+            Some(description) => {
                 let entry = entries.entry(name).or_default();
                 if !entry.text.is_empty() {
                     entry.text.push(' ');
                 }
-                entry.text.push_str(said);
+                entry.text.push_str(description);
             }
             None if line.is_empty() => {}
             None => {

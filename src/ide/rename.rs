@@ -3,7 +3,7 @@
 //! There are no special cases. The changed texts are checked again, and the declarations that names
 //! refer to are compared. If one differs, the renaming is rejected with the position.
 
-use super::document::{Document, FileSpan, Origin, Overlay};
+use super::document::{Document, FileSpan, Overlay, SymbolOrigin};
 use super::index::NameUse;
 use super::navigate::name_at;
 use super::symbol::{Symbol, SymbolKind};
@@ -51,12 +51,12 @@ pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), Re
     let program = spot.program();
     let text = program.sources.text(name.span).to_string();
     match document.origin(program, name.symbol) {
-        Origin::Given(_)
+        SymbolOrigin::Given(_)
             if matches!(name.symbol, Symbol::Builtin(_)) || text.starts_with("gl_") =>
         {
             refused(format!("`{text}` is built in and cannot be renamed"))
         }
-        Origin::Given(_) => {
+        SymbolOrigin::Given(_) => {
             let host = program.dialect.host().called;
             refused(format!(
                 "`{text}` is declared by {host} and cannot be renamed"
@@ -136,7 +136,11 @@ fn is_name(program: &Program, word: &str) -> Result<(), RenameRefusal> {
 }
 
 /// The edits that rename a symbol.
-fn edits(documents: &[&Document], origin: &Origin, new: &str) -> Result<Renaming, RenameRefusal> {
+fn edits(
+    documents: &[&Document],
+    origin: &SymbolOrigin,
+    new: &str,
+) -> Result<Renaming, RenameRefusal> {
     let mut places: BTreeMap<FileSpan, &Document> = BTreeMap::new();
     for document in documents {
         for named in document.named(origin) {
@@ -305,9 +309,11 @@ fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<NameMea
             let place = document.place(o.span).map(&moved)?;
             let origin = origins.entry(o.symbol).or_insert_with(|| {
                 match document.origin(program, o.symbol) {
-                    Origin::Text(place) | Origin::MacroParameter(place, _) => Some(moved(place)),
+                    SymbolOrigin::Text(place) | SymbolOrigin::MacroParameter(place, _) => {
+                        Some(moved(place))
+                    }
                     // Stages are linked by name, independent of positions.
-                    Origin::Interface(..) | Origin::Given(_) => None,
+                    SymbolOrigin::Interface(..) | SymbolOrigin::Given(_) => None,
                 }
             });
             Some((place, origin.clone()))

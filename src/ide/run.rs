@@ -1,8 +1,8 @@
 //! Sample runs for editors: cost and iterations, and images of the values of a variable.
 
 use shaderlint_engine::Analysis;
-use shaderlint_engine::play::{Moment, Picture, Scene};
-use shaderlint_exec::{CompileOptions, LoopSeen, Probe, Watch, draw};
+use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
+use shaderlint_exec::{CompileOptions, LoopObservation, Probe, Watch, draw};
 use shaderlint_semantic::{Stage, VariableId};
 use shaderlint_syntax::ast::StmtId;
 use shaderlint_text::Span;
@@ -20,9 +20,9 @@ const MOST_INSTRUCTIONS: usize = 60_000;
 
 /// The result of a sample run.
 #[derive(Clone, Default, Debug)]
-pub struct RunSeen {
+pub struct RunObservations {
     /// Iterations by loop.
-    pub loops: BTreeMap<StmtId, SeenTurns>,
+    pub loops: BTreeMap<StmtId, ObservedIterations>,
     /// Average number of operations per pixel.
     pub cost: f64,
     /// Maximum number of operations of a pixel.
@@ -31,7 +31,7 @@ pub struct RunSeen {
 
 /// Number of iterations of a loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct SeenTurns {
+pub struct ObservedIterations {
     /// Maximum per pixel.
     pub most: u32,
     /// Average per execution of the loop.
@@ -40,7 +40,7 @@ pub struct SeenTurns {
     pub exhausted: f64,
 }
 
-impl fmt::Display for SeenTurns {
+impl fmt::Display for ObservedIterations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
@@ -50,11 +50,11 @@ impl fmt::Display for SeenTurns {
     }
 }
 
-impl SeenTurns {
-    fn of(seen: &LoopSeen) -> SeenTurns {
-        SeenTurns {
+impl ObservedIterations {
+    fn of(seen: &LoopObservation) -> ObservedIterations {
+        ObservedIterations {
             most: seen.most,
-            mean: seen.turns as f64 / seen.entries.max(1) as f64,
+            mean: seen.iterations as f64 / seen.entries.max(1) as f64,
             exhausted: seen.exhausted_pixels as f64 / seen.pixels.max(1) as f64,
         }
     }
@@ -62,7 +62,7 @@ impl SeenTurns {
 
 /// Draws a small image of a shader and returns statistics; `None` if it cannot run, or exceeds the
 /// budget.
-pub fn run(analysis: &Analysis) -> Option<RunSeen> {
+pub fn run(analysis: &Analysis) -> Option<RunObservations> {
     let options = CompileOptions {
         watch: Watch::Flow,
         most: Some(MOST_INSTRUCTIONS),
@@ -74,9 +74,10 @@ pub fn run(analysis: &Analysis) -> Option<RunSeen> {
     let drawn = draw(&drawing, 1).ok()?;
     let module = analysis.module();
     let loops = drawn.seen.loops.iter().filter(|l| l.entries > 0);
-    let turns = loops.filter_map(|l| Some((module.looped(l.id)?.stmt, SeenTurns::of(l))));
-    Some(RunSeen {
-        loops: turns.collect(),
+    let iterations =
+        loops.filter_map(|l| Some((module.looped(l.id)?.stmt, ObservedIterations::of(l))));
+    Some(RunObservations {
+        loops: iterations.collect(),
         cost: drawn.mean_cost(),
         most_cost: drawn.most_cost(),
     })
@@ -84,7 +85,7 @@ pub fn run(analysis: &Analysis) -> Option<RunSeen> {
 
 /// An image of the values of a variable that is used in a span; `None` if the shader cannot run, or
 /// exceeds the budget.
-pub fn picture_of(analysis: &Analysis, variable: VariableId, within: Span) -> Option<Picture> {
+pub fn image_of(analysis: &Analysis, variable: VariableId, within: Span) -> Option<RenderedImage> {
     let options = CompileOptions {
         probe: Some(Probe::Variable { variable, within }),
         most: Some(MOST_INSTRUCTIONS),
@@ -96,13 +97,13 @@ pub fn picture_of(analysis: &Analysis, variable: VariableId, within: Span) -> Op
     let drawn = draw(&drawing, 1).ok()?;
     // The last output is the flag that says whether the line ran.
     let output = scene.code.outputs.len().checked_sub(2)?;
-    let mut picture = Picture::of(&scene.code, &drawn, output);
+    let mut image = RenderedImage::of(&scene.code, &drawn, output);
     if scene.code.outputs.get(output)?.ty.components() == 1 {
         // Scalars are grey, vectors are colours.
         let grey = |pixel: &mut [f32; 4]| *pixel = [pixel[0], pixel[0], pixel[0], 1.0];
-        picture.pixels.iter_mut().for_each(grey);
+        image.pixels.iter_mut().for_each(grey);
     }
-    (!picture.pixels.is_empty()).then_some(picture)
+    (!image.pixels.is_empty()).then_some(image)
 }
 
 fn scene(analysis: &Analysis, options: &CompileOptions) -> Option<Scene> {

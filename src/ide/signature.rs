@@ -128,10 +128,10 @@ fn signature(head: &str, params: &[String], text: String) -> Signature {
 fn of_function(program: &Program, name: &str) -> Vec<Signature> {
     let all = program.functions.iter();
     let named = all.filter(|f| program.names.text(f.name) == name);
-    let said = |name: &str| entry(name).map_or(String::new(), |e| e.text.clone());
+    let description = |name: &str| entry(name).map_or(String::new(), |e| e.text.clone());
     let each = named.map(|function| {
         let head = format!("{} {name}", program.type_name(function.returns));
-        signature(&head, &parameters(program, function), said(name))
+        signature(&head, &parameters(program, function), description(name))
     });
     each.collect()
 }

@@ -119,7 +119,7 @@ fn proposed(text: &str, start: &str) -> Vec<String> {
 }
 
 #[test]
-fn what_may_be_written_hangs_on_the_place() {
+fn what_may_be_written_depends_on_the_place() {
     let scopes =
         "void main() { float before = 1.0; { float inner = 2.0; } |\n float behind = 3.0; }\n";
     assert_eq!(proposed(scopes, "before"), ["before"]);
@@ -155,7 +155,7 @@ fn hovered(text: &str) -> String {
 }
 
 #[test]
-fn what_is_known_is_said() {
+fn what_is_known_is_shown() {
     let text = hovered("void main() { float a = |fract(time); color = vec4(a); }\n");
     assert!(
         text.contains("float fract(float x)") && text.contains("at least 0 and less than 1"),
@@ -180,15 +180,18 @@ fn what_is_known_is_said() {
 }
 
 #[test]
-fn what_a_host_of_the_users_gives_is_said() {
+fn what_a_host_of_the_users_gives_is_shown() {
     let own = shaderlint_host::read("uniform float beat; // = time\n").unwrap();
     let mut options = Options::default();
     options.host.describe(own);
     let text = "void main() { gl_FragColor = vec4(beat); }\n";
     let document = Document::new("/a.glsl", text.into(), Arc::new(options), &NoFiles);
     let at = text.find("beat").unwrap() as u32;
-    let said = hover(&document, at, None).unwrap().text;
-    assert!(said.contains(shaderlint_host::Feed::Time.says()), "{said}");
+    let description = hover(&document, at, None).unwrap().text;
+    assert!(
+        description.contains(shaderlint_host::Feed::Time.description()),
+        "{description}"
+    );
 }
 
 #[test]
@@ -247,7 +250,7 @@ fn stretches_around_a_place_stand_in_each_other() {
 }
 
 #[test]
-fn a_call_that_is_open_tells_its_argument() {
+fn a_call_that_is_open_shows_its_argument() {
     let (document, at) = marked(
         "float f(vec2 p, float k) { return p.x * k; }\nvoid main() { color = vec4(f(vec2(1, 2), |)); }\n",
     );
@@ -269,8 +272,8 @@ fn a_number_is_grey_and_several_are_colours() {
     let middle = |name: &str| {
         let name = program.names.get(name).unwrap();
         let found = program.variables.iter().position(|v| v.name == name);
-        let picture = picture_of(analysis, VariableId(found.unwrap() as u32), all).unwrap();
-        picture.pixels[32]
+        let image = image_of(analysis, VariableId(found.unwrap() as u32), all).unwrap();
+        image.pixels[32]
     };
     let x = 32.5 / 64.0;
     assert_eq!(middle("x"), [x, x, x, 1.0]);

@@ -26,7 +26,7 @@ pub trait Arithmetic {
     fn negated(&mut self, value: Self::Value) -> Self::Value;
 
     /// Emits the square root of a non-negative number.
-    fn root(&mut self, value: Self::Value) -> Self::Value;
+    fn sqrt(&mut self, value: Self::Value) -> Self::Value;
 
     /// Emits a selection by a condition.
     fn choose(
@@ -48,11 +48,11 @@ pub fn face_forward<A: Arithmetic>(
     let zero = to.number(0.0);
     let product = to.dot(reference, i);
     let faces = to.binary(Operator::Less, product, zero);
-    let turned = |&along: &A::Value| {
+    let flipped = |&along: &A::Value| {
         let against = to.negated(along);
         to.choose(faces, along, against)
     };
-    n.iter().map(turned).collect()
+    n.iter().map(flipped).collect()
 }
 
 /// `reflect`
@@ -82,7 +82,7 @@ pub fn refract<A: Arithmetic>(
     let scaled = to.binary(Multiply, eta_square, rest);
     let k = to.binary(Subtract, one, scaled);
     let is_total = to.binary(Less, k, zero);
-    let root = to.root(k);
+    let root = to.sqrt(k);
     let along = to.binary(Multiply, eta, product);
     let along = to.binary(Add, along, root);
     let refracted = |(&i, &n): (&A::Value, &A::Value)| {

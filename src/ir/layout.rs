@@ -13,11 +13,11 @@ const MAX_LANES: u32 = 512;
 /// The layout of all types of a shader.
 #[derive(Debug)]
 pub struct Layout {
-    records: Vec<Record>,
+    records: Vec<RecordLayout>,
 }
 
 #[derive(Debug)]
-struct Record {
+struct RecordLayout {
     lanes: u32,
     scalars: Option<u32>,
     members: Vec<PartLayout>,
@@ -50,7 +50,7 @@ impl Layout {
                 let before = scalar.zip(layout.scalars(ty));
                 scalar = before.and_then(|(before, own)| before.checked_add(own));
             }
-            layout.records.push(Record {
+            layout.records.push(RecordLayout {
                 lanes: if lane > MAX_LANES { 0 } else { lane },
                 scalars: scalar,
                 members,
@@ -59,7 +59,7 @@ impl Layout {
         layout
     }
 
-    fn record(&self, ty: Type) -> Option<&Record> {
+    fn record(&self, ty: Type) -> Option<&RecordLayout> {
         match ty.base {
             Base::Struct(id) | Base::Block(id) => self.records.get(id as usize),
             _ => None,
@@ -106,10 +106,10 @@ impl Layout {
 
     /// The part at an index. An index out of range is extrapolated in scalars, and clamped to the
     /// last part in lanes.
-    pub fn part(&self, ty: Type, number: u32) -> Option<PartLayout> {
+    pub fn part(&self, ty: Type, index: u32) -> Option<PartLayout> {
         if ty.is_array() {
             let ty = ty.element();
-            let scalar = self.scalars(ty).and_then(|each| each.checked_mul(number));
+            let scalar = self.scalars(ty).and_then(|each| each.checked_mul(index));
             return Some(PartLayout {
                 ty,
                 lane: 0,
@@ -117,7 +117,7 @@ impl Layout {
             });
         }
         let Some((kind, columns, rows)) = ty.numeric() else {
-            return self.record(ty)?.members.get(number as usize).copied();
+            return self.record(ty)?.members.get(index as usize).copied();
         };
         let (ty, lanes, count) = match columns {
             1 => (Type::scalar(kind), 1, rows),
@@ -125,20 +125,20 @@ impl Layout {
         };
         Some(PartLayout {
             ty,
-            lane: number.min(count as u32 - 1) * lanes,
-            scalar: number.checked_mul(ty.components()),
+            lane: index.min(count as u32 - 1) * lanes,
+            scalar: index.checked_mul(ty.components()),
         })
     }
 
     /// The first lane of the part at an index; `None` if the type has no lanes.
-    pub fn lane(&self, ty: Type, number: u32) -> Option<u32> {
-        let part = self.part(ty, number)?;
+    pub fn lane(&self, ty: Type, index: u32) -> Option<u32> {
+        let part = self.part(ty, index)?;
         (ty.is_array() || self.lanes(ty) > 0).then_some(part.lane)
     }
 
     /// The types of all parts.
     pub fn parts(&self, ty: Type) -> impl Iterator<Item = Type> {
-        (0..self.count(ty)).filter_map(move |number| Some(self.part(ty, number)?.ty))
+        (0..self.count(ty)).filter_map(move |index| Some(self.part(ty, index)?.ty))
     }
 }
 

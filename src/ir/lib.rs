@@ -20,5 +20,5 @@ pub use form::{
 pub use layout::{Layout, PartLayout, column_lanes, length_lane};
 pub use lower::lower;
 pub use print::print;
-pub use verify::{Problem, verify};
+pub use verify::{Violation, verify};
 pub use walk::{Visit, Visited};

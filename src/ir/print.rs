@@ -75,10 +75,10 @@ fn used_by(module: &Module, step: &Step) -> Option<OpId> {
 
 /// The text of a value, and whether a postfix (`.x`, `[i]`) or operator may follow it without
 /// parentheses.
-type Text = (String, Bound);
+type Text = (String, BindingStrength);
 
 #[derive(Clone, Copy, PartialEq)]
-enum Bound {
+enum BindingStrength {
     Tight,
     Loose,
 }
@@ -254,14 +254,14 @@ impl Printer<'_> {
                     otherwise,
                     origin,
                 } => {
-                    let is_turned = module.steps(then).is_empty();
-                    let head = match is_turned {
+                    let is_inverted = module.steps(then).is_empty();
+                    let head = match is_inverted {
                         true => format!("if !{} {{", self.tight(condition)),
                         false => format!("if {} {{", self.value(condition).0),
                     };
                     self.put(depth, &head, self.token(origin));
                     self.region(then, depth + 1, None);
-                    if is_turned {
+                    if is_inverted {
                         self.region(otherwise, depth + 1, None);
                     } else if !module.steps(otherwise).is_empty() {
                         self.put(depth, "} else {", None);
@@ -442,14 +442,14 @@ impl Printer<'_> {
         if is_literal(op) || self.nested.get(id.0 as usize).copied().unwrap_or(false) {
             return self.text(id, op);
         }
-        (format!("%{}", id.0), Bound::Tight)
+        (format!("%{}", id.0), BindingStrength::Tight)
     }
 
     /// A value as an operand of a postfix or operator, in parentheses if necessary.
     fn tight(&self, id: OpId) -> String {
         match self.value(id) {
-            (text, Bound::Tight) => text,
-            (text, Bound::Loose) => format!("({text})"),
+            (text, BindingStrength::Tight) => text,
+            (text, BindingStrength::Loose) => format!("({text})"),
         }
     }
 
@@ -460,7 +460,7 @@ impl Printer<'_> {
     }
 
     fn text(&self, id: OpId, op: &Op) -> Text {
-        let loose = |text| (text, Bound::Loose);
+        let loose = |text| (text, BindingStrength::Loose);
         let text = match op.kind {
             OpKind::Const(_) => self.constant(op.ty, self.module.constant(id)),
             OpKind::Undef => "undefined".to_string(),
@@ -528,7 +528,7 @@ impl Printer<'_> {
                 format!("returned({}, {number})", self.value(call).0)
             }
         };
-        (text, Bound::Tight)
+        (text, BindingStrength::Tight)
     }
 
     /// The text of a member or element access.

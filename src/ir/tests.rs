@@ -27,9 +27,9 @@ fn check(statements: &str, expected: &str) {
     let lines = body.lines().map(|l| l.split(" //").next().unwrap());
     let lines = lines.map(|l| l.strip_prefix("  ").unwrap_or(l).trim_end());
     // Closing brackets and value numbers are irrelevant here.
-    let is_told = |l: &&str| !matches!(l.trim(), "" | "}");
-    let lines: Vec<String> = lines.filter(is_told).map(without_numbers).collect();
-    let expected: Vec<&str> = expected.lines().filter(is_told).collect();
+    let is_shown = |l: &&str| !matches!(l.trim(), "" | "}");
+    let lines: Vec<String> = lines.filter(is_shown).map(without_numbers).collect();
+    let expected: Vec<&str> = expected.lines().filter(is_shown).collect();
     assert_eq!(lines, expected, "{text}");
 }
 
@@ -206,8 +206,11 @@ fn broken(expected: &str, break_it: impl FnOnce(&mut Module)) {
     assert_eq!(verify(&program, &module), []);
     break_it(&mut module);
     let found = verify(&program, &module);
-    let said: Vec<String> = found.iter().map(ToString::to_string).collect();
-    assert!(said.iter().any(|s| s.contains(expected)), "{said:?}");
+    let messages: Vec<String> = found.iter().map(ToString::to_string).collect();
+    assert!(
+        messages.iter().any(|s| s.contains(expected)),
+        "{messages:?}"
+    );
 }
 
 #[test]

@@ -25,7 +25,7 @@ pub struct Broken<'a> {
     /// By function: whether it has errors.
     functions: Vec<bool>,
     /// Whether an error is in no function and no declaration.
-    whole: bool,
+    is_everything: bool,
 }
 
 impl<'a> Broken<'a> {
@@ -38,24 +38,24 @@ impl<'a> Broken<'a> {
         }
         broken.items = items(program);
         errors().for_each(|d| broken.mark_error(program, d));
-        if broken.whole {
+        if broken.is_everything {
             return broken;
         }
         broken.mark_unknown(program);
         broken.mark_dependents(program);
         broken.read_words(program);
-        broken.judge_functions(program);
+        broken.mark_functions(program);
         broken
     }
 
     /// Whether any item has errors.
     pub fn any(&self) -> bool {
-        self.whole || self.items.iter().any(|(_, is_broken)| *is_broken)
+        self.is_everything || self.items.iter().any(|(_, is_broken)| *is_broken)
     }
 
     /// Whether no rule can run on the shader.
-    pub fn whole(&self) -> bool {
-        self.whole
+    pub fn is_everything(&self) -> bool {
+        self.is_everything
     }
 
     /// Whether a function has errors.
@@ -106,8 +106,8 @@ impl<'a> Broken<'a> {
 
     /// Marks the item at an address; returns whether there is one.
     fn mark(&mut self, address: u32) -> bool {
-        let behind = self.items.partition_point(|(s, _)| s.start <= address);
-        let item = behind.checked_sub(1).and_then(|i| self.items.get_mut(i));
+        let after = self.items.partition_point(|(s, _)| s.start <= address);
+        let item = after.checked_sub(1).and_then(|i| self.items.get_mut(i));
         match item.filter(|(span, _)| address <= span.end) {
             Some((_, is_broken)) => {
                 *is_broken = true;
@@ -119,7 +119,7 @@ impl<'a> Broken<'a> {
 
     fn mark_error(&mut self, program: &Program, error: &Diagnostic) {
         // A missing or extra brace, or an unclosed conditional, moves the boundaries of items.
-        self.whole |= error.subject.is_brace() || error.has(Facet::Moves);
+        self.is_everything |= error.subject.is_brace() || error.has(Facet::Moves);
         let calls = error.macros.iter().map(|m| m.call);
         let labels = error.labels.iter().map(|l| l.span);
         let others: Vec<Span> = calls.chain(labels).collect();
@@ -127,7 +127,7 @@ impl<'a> Broken<'a> {
             self.mark(other.start);
         }
         let is_placed = self.mark(error.span.start) || self.mark_macro(program, error.span);
-        self.whole |= !is_placed;
+        self.is_everything |= !is_placed;
     }
 
     /// Marks all uses of the macro whose definition contains a span; returns whether there is one.
@@ -224,7 +224,7 @@ impl<'a> Broken<'a> {
         self.words = words;
     }
 
-    fn judge_functions(&mut self, program: &Program) {
+    fn mark_functions(&mut self, program: &Program) {
         let is_broken = |f: &Function| {
             let decl = f.definition.or(Some(f.declaration));
             let decl = decl.and_then(|d| program.tree.function(d));

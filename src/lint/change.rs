@@ -41,8 +41,8 @@ impl Moves {
     /// Maps an offset after the edits to one before them. Inserted text maps to the start of the text
     /// that it replaces.
     pub fn before(&self, offset: u32) -> u32 {
-        let behind = self.0.partition_point(|m| m.inserted.start <= offset);
-        match behind.checked_sub(1).and_then(|i| self.0.get(i)) {
+        let after = self.0.partition_point(|m| m.inserted.start <= offset);
+        match after.checked_sub(1).and_then(|i| self.0.get(i)) {
             None => offset,
             Some(last) if offset < last.inserted.end => last.from,
             Some(last) => offset + last.removed - last.added,
@@ -51,8 +51,8 @@ impl Moves {
 
     /// Whether an offset after the edits is in inserted text.
     fn has_inserted(&self, offset: u32) -> bool {
-        let behind = self.0.partition_point(|m| m.inserted.start <= offset);
-        let last = behind.checked_sub(1).and_then(|i| self.0.get(i));
+        let after = self.0.partition_point(|m| m.inserted.start <= offset);
+        let last = after.checked_sub(1).and_then(|i| self.0.get(i));
         last.is_some_and(|m| offset < m.inserted.end)
     }
 }
@@ -64,31 +64,31 @@ pub(super) fn errors(look: &Look) -> impl Iterator<Item = &Diagnostic> {
 }
 
 /// Compares the errors of a text before and after edits.
-pub(super) struct Change<'a> {
+pub(super) struct ErrorChange<'a> {
     seen: &'a Look,
     after: &'a Look,
     moves: Moves,
-    mended: &'a [&'a Diagnostic],
+    fixed: &'a [&'a Diagnostic],
 }
 
-impl<'a> Change<'a> {
+impl<'a> ErrorChange<'a> {
     pub fn new(
         seen: &'a Look,
         after: &'a Look,
         edits: &[Edit],
-        mended: &'a [&'a Diagnostic],
-    ) -> Change<'a> {
+        fixed: &'a [&'a Diagnostic],
+    ) -> ErrorChange<'a> {
         let mut edits: Vec<Edit> = edits.to_vec();
         for edit in &mut edits {
             edit.span.start -= seen.span.start;
             edit.span.end -= seen.span.start;
         }
         edits.sort_by_key(|e| e.span);
-        Change {
+        ErrorChange {
             seen,
             after,
             moves: Moves::of(&edits),
-            mended,
+            fixed,
         }
     }
 
@@ -106,21 +106,21 @@ impl<'a> Change<'a> {
         let is_same = |s: &Diagnostic| {
             s.span.start == place.start && s.rule == d.rule && s.message == d.message
         };
-        errors(self.seen).any(|s| is_same(s) && !self.mended.iter().any(|m| std::ptr::eq(*m, s)))
+        errors(self.seen).any(|s| is_same(s) && !self.fixed.iter().any(|m| std::ptr::eq(*m, s)))
     }
 
     /// Whether the errors that the edits fix are gone, and did not only move.
-    pub fn mends(&self) -> bool {
+    pub fn fixes_all(&self) -> bool {
         let remains = |d: &Diagnostic| {
             let place = self.origin(d);
             let is_at = |m: &&Diagnostic| {
                 let mut edits = m.fix.iter().flat_map(|f| &f.edits);
-                let whole = edits.clone().fold(m.span, |all, e| all.to(e.span));
+                let extent = edits.clone().fold(m.span, |all, e| all.to(e.span));
                 let is_error = m.severity == Severity::Error && m.rule == d.rule;
-                let is_inside = whole.start <= place.start && place.start < whole.end;
+                let is_inside = extent.start <= place.start && place.start < extent.end;
                 is_error && (is_inside || edits.any(|e| e.span.start == place.start))
             };
-            self.mended.iter().any(is_at) && !self.is_known(d, place)
+            self.fixed.iter().any(is_at) && !self.is_known(d, place)
         };
         !errors(self.after).any(remains)
     }
@@ -128,13 +128,13 @@ impl<'a> Change<'a> {
     /// Whether all new errors were hidden before: each is where the code could not be checked, and not
     /// in inserted text.
     pub fn only_reveals(&self) -> bool {
-        let Some(judged) = &self.seen.judged else {
+        let Some(checked_spans) = &self.seen.checked_spans else {
             return false;
         };
         errors(self.after).all(|d| {
             let place = self.origin(d);
             let offset = d.span.start.saturating_sub(self.after.span.start);
-            let is_hidden = !self.moves.has_inserted(offset) && !judged.has_seen(place);
+            let is_hidden = !self.moves.has_inserted(offset) && !checked_spans.has_seen(place);
             self.is_known(d, place) || (is_hidden && !d.has(Facet::Reads))
         })
     }

@@ -5,7 +5,7 @@ use super::option::{OptionType, Setting};
 use super::rule::Rule;
 use super::settings::Settings;
 use shaderlint_diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
-use shaderlint_exec::Kind;
+use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
 use shaderlint_ir::OpId;
 use shaderlint_semantic::Program;
@@ -100,9 +100,9 @@ impl<'p> Context<'_, 'p> {
 
     /// Checks the last finding against a sample run: adds a note with the evidence, and lowers the
     /// severity to info if the fault never occurred at its expression.
-    pub fn judge(&mut self, expr: ExprId, kinds: &[Kind]) {
+    pub fn confirm_by_sampling(&mut self, expr: ExprId, kinds: &[FaultKind]) {
         let op = self.facts.module().op_of(expr);
-        self.facts.tell(op);
+        self.facts.mark_reported(op);
         let Some(op) = op else { return };
         let verdict = self.facts.verdict(op, kinds);
         let (Some(last), Some(verdict)) = (self.diagnostics.last_mut(), verdict) else {
@@ -115,7 +115,7 @@ impl<'p> Context<'_, 'p> {
     }
 
     /// Reports a finding about the whole image, at the name of the entry function.
-    pub fn report_picture(&mut self, message: impl Into<String>) -> Finding<'_> {
+    pub fn report_image(&mut self, message: impl Into<String>) -> Finding<'_> {
         let program = self.program;
         let entry = self.facts.entry().and_then(|f| program.function(f));
         let decl = entry.and_then(|f| program.tree.function(f.definition?));

@@ -1,16 +1,16 @@
 //! Analyses of a whole shader for rules. Each is computed on first use.
 
 use super::broken::Broken;
+use super::inactive_words::InactiveWords;
 use super::march::{March, marches};
-use super::trial::{Supplier, Tried};
-use super::unseen::Unseen;
+use super::sample::{SampleCache, Supplier};
 use super::words::count;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_flow::defs::Defs;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
+use shaderlint_flow::reaching_definitions::ReachingDefinitions;
 use shaderlint_flow::{
-    Calls, Effects, Gradient, Jump, Live, Loops, Paths, Start, Uniformity, Work, Writes, gradients,
-    is_same, jump, origin, trace,
+    Calls, DefiniteAssignment, Effects, Gradient, Jump, Liveness, Loops, Start, Uniformity, Work,
+    Writes, gradients, is_same, jump, origin, trace,
 };
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, lower};
 use shaderlint_semantic::{
@@ -24,7 +24,7 @@ use std::sync::{Arc, OnceLock};
 
 /// Context of a shader that its text does not show.
 #[derive(Clone, Copy, Default)]
-pub struct Around<'a> {
+pub struct ShaderContext<'a> {
     /// Facts from the page or script that contains the shader.
     pub embedder: Embedder,
     /// By channel: whether its texture has mipmaps; `None` where unknown.
@@ -39,16 +39,16 @@ const SHARPEST: f32 = -8.0;
 /// Analyses that depend on the shader alone, each computed on first use. They can be cached with the
 /// shader, and shared.
 #[derive(Default, Debug)]
-pub struct Known {
+pub struct CachedFacts {
     module: OnceLock<Arc<Module>>,
     structure: OnceLock<Structure>,
     calls: OnceLock<Calls>,
     loops: OnceLock<Loops>,
     mentions: OnceLock<Mentions>,
-    defs: OnceLock<Defs>,
-    live: OnceLock<Live>,
+    reaching_definitions: OnceLock<ReachingDefinitions>,
+    liveness: OnceLock<Liveness>,
     ranges: OnceLock<Ranges>,
-    paths: OnceLock<Paths>,
+    definite_assignment: OnceLock<DefiniteAssignment>,
     entry: OnceLock<Option<FunctionRef>>,
     effects: OnceLock<Effects>,
     writes: OnceLock<Writes>,
@@ -59,7 +59,7 @@ pub struct Known {
     marches: OnceLock<Vec<March>>,
 }
 
-impl Known {
+impl CachedFacts {
     /// The IR of the shader.
     pub fn module(&self, program: &Program) -> &Arc<Module> {
         self.module.get_or_init(|| Arc::new(lower(program)))
@@ -73,10 +73,10 @@ impl Known {
             self.calls.get().is_some(),
             self.loops.get().is_some(),
             self.mentions.get().is_some(),
-            self.defs.get().is_some(),
-            self.live.get().is_some(),
+            self.reaching_definitions.get().is_some(),
+            self.liveness.get().is_some(),
             self.ranges.get().is_some(),
-            self.paths.get().is_some(),
+            self.definite_assignment.get().is_some(),
             self.entry.get().is_some(),
             self.effects.get().is_some(),
             self.writes.get().is_some(),
@@ -93,24 +93,24 @@ impl Known {
 /// The analyses of one shader, and its context.
 pub struct Facts<'a> {
     program: &'a Program,
-    known: Arc<Known>,
-    unseen: OnceCell<Unseen<'a>>,
-    pub(super) tried: Tried<'a>,
+    known: Arc<CachedFacts>,
+    inactive_words: OnceCell<InactiveWords<'a>>,
+    pub(super) samples: SampleCache<'a>,
     /// Context of the shader.
-    pub around: Around<'a>,
+    pub around: ShaderContext<'a>,
     /// The items with errors.
     pub(super) broken: Broken<'a>,
 }
 
 impl<'a> Facts<'a> {
     /// Facts without context. `known` must be of the same shader.
-    pub fn of(program: &'a Program, known: &Arc<Known>) -> Facts<'a> {
+    pub fn of(program: &'a Program, known: &Arc<CachedFacts>) -> Facts<'a> {
         Facts {
             program,
             known: known.clone(),
-            unseen: OnceCell::new(),
-            tried: Tried::default(),
-            around: Around::default(),
+            inactive_words: OnceCell::new(),
+            samples: SampleCache::default(),
+            around: ShaderContext::default(),
             broken: Broken::default(),
         }
     }
@@ -120,9 +120,9 @@ impl<'a> Facts<'a> {
         self.broken = Broken::of(self.program, errors);
         if self.broken.any() {
             let module = self.known.module(self.program).clone();
-            self.known = Arc::new(Known {
+            self.known = Arc::new(CachedFacts {
                 module: module.into(),
-                ..Known::default()
+                ..CachedFacts::default()
             });
         }
     }
@@ -176,9 +176,9 @@ impl<'a> Facts<'a> {
     /// The cost of each function.
     pub fn work(&self) -> &Work {
         self.known.work.get_or_init(|| {
-            let turns = self.loops().turns();
-            let turns = |l: &shaderlint_ir::Loop| turns.get(&l.stmt).copied().flatten();
-            Work::of(self.module(), self.calls(), turns)
+            let iterations = self.loops().iterations();
+            let iterations = |l: &shaderlint_ir::Loop| iterations.get(&l.stmt).copied().flatten();
+            Work::of(self.module(), self.calls(), iterations)
         })
     }
 
@@ -228,30 +228,30 @@ impl<'a> Facts<'a> {
     pub fn marches(&self) -> &[March] {
         self.known.marches.get_or_init(|| {
             let (shader, loops) = ((self.program, self.module()), (self.loops(), self.calls()));
-            marches(shader, loops, self.defs(), self.entry())
+            marches(shader, loops, self.reaching_definitions(), self.entry())
         })
     }
 
     /// Definite assignment on the paths through each function.
-    pub fn paths(&self) -> &Paths {
-        self.known.paths.get_or_init(|| {
+    pub fn definite_assignment(&self) -> &DefiniteAssignment {
+        self.known.definite_assignment.get_or_init(|| {
             let shader = (self.program, self.module());
-            Paths::of(shader, self.calls(), self.mentions(), &|| self.ranges())
+            DefiniteAssignment::of(shader, self.calls(), self.mentions(), &|| self.ranges())
         })
     }
 
     /// Reaching definitions.
-    pub fn defs(&self) -> &Defs {
+    pub fn reaching_definitions(&self) -> &ReachingDefinitions {
         self.known
-            .defs
-            .get_or_init(|| Defs::of(self.program, self.module(), self.calls()))
+            .reaching_definitions
+            .get_or_init(|| ReachingDefinitions::of(self.program, self.module(), self.calls()))
     }
 
     /// Liveness: which writes are read.
-    pub fn live(&self) -> &Live {
+    pub fn liveness(&self) -> &Liveness {
         self.known
-            .live
-            .get_or_init(|| Live::of(self.module(), self.defs()))
+            .liveness
+            .get_or_init(|| Liveness::of(self.module(), self.reaching_definitions()))
     }
 
     /// Value ranges.
@@ -259,7 +259,7 @@ impl<'a> Facts<'a> {
         Query {
             program: self.program,
             module: self.module(),
-            defs: self.defs(),
+            defs: self.reaching_definitions(),
             ranges: self.known.ranges.get_or_init(|| {
                 let mut ranges = Ranges::default();
                 if self.broken.any() {
@@ -324,7 +324,7 @@ impl<'a> Facts<'a> {
 
     /// Whether a bounded comparison shows that two operations have the same value.
     pub fn is_same_value(&self, a: OpId, b: OpId) -> bool {
-        is_same(self.module(), self.defs(), a, b)
+        is_same(self.module(), self.reaching_definitions(), a, b)
     }
 
     /// What makes a component of a value discontinuous between neighbouring pixels.
@@ -349,12 +349,17 @@ impl<'a> Facts<'a> {
 
     /// Calls `visit` with the sources of a component, as [`trace`] does.
     pub fn trace(&self, op: OpId, lane: u32, visit: impl FnMut(Start) -> bool) -> bool {
-        trace(self.module(), self.defs(), (op, lane), visit)
+        trace(
+            self.module(),
+            self.reaching_definitions(),
+            (op, lane),
+            visit,
+        )
     }
 
     /// The source of a component, followed through copies.
     pub fn origin(&self, op: OpId, lane: u32) -> Option<Start> {
-        origin(self.module(), self.defs(), op, lane)
+        origin(self.module(), self.reaching_definitions(), op, lane)
     }
 
     /// Whether a component is from a uniform or input of this name.
@@ -389,9 +394,9 @@ impl<'a> Facts<'a> {
     }
 
     /// The words in excluded or unused code.
-    pub fn unseen(&self) -> &Unseen<'a> {
-        self.unseen
-            .get_or_init(|| Unseen::of(self.program, &self.broken))
+    pub fn inactive_words(&self) -> &InactiveWords<'a> {
+        self.inactive_words
+            .get_or_init(|| InactiveWords::of(self.program, &self.broken))
     }
 
     /// Number of occurrences of a word in the user's files, without comments.

@@ -1,6 +1,6 @@
 //! The fix engine: selects fixes that do not overlap, applies them, and repeats until no fix is left.
 
-use super::change::{Change, Moves, errors};
+use super::change::{ErrorChange, Moves, errors};
 use super::look::Look;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Sources, Span, apply_edits};
@@ -98,7 +98,7 @@ pub fn fix(
 }
 
 /// Compares no images: the evidence is always [`Proof::Unknown`].
-pub fn without_pictures(_: &Look, _: &Look) -> Proof {
+pub fn without_images(_: &Look, _: &Look) -> Proof {
     Proof::Unknown
 }
 
@@ -176,7 +176,7 @@ enum Harm {
     /// They cause errors, change nothing, or exceed the budget.
     Errors,
     /// They change the image.
-    Picture,
+    Image,
 }
 
 /// The fixes that a round kept, and the resulting text.
@@ -228,14 +228,14 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
             if next.is_empty() {
                 continue;
             }
-            match (self.attempt(fixed, seen, &together), next) {
+            match (self.try_fixes(fixed, seen, &together), next) {
                 (Ok(after), _) => {
                     kept = Kept {
                         fixes: together,
                         after: Some(after),
                     };
                 }
-                (Err(Harm::Picture), [one]) => {
+                (Err(Harm::Image), [one]) => {
                     self.refuted.extend(Refuted::of(fixed, seen, one));
                 }
                 (Err(_), _) if next.len() > 1 => {
@@ -249,13 +249,13 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
     }
 
     /// The text after some fixes, if it changes, they cause no error, and safe fixes keep the image.
-    fn attempt(
+    fn try_fixes(
         &mut self,
         fixed: &Fixed,
         seen: &Look,
-        mended: &[&Diagnostic],
+        chosen: &[&Diagnostic],
     ) -> Result<(Fixed, Look), Harm> {
-        let fixes = mended.iter().filter_map(|d| d.fix.as_ref());
+        let fixes = chosen.iter().filter_map(|d| d.fix.as_ref());
         let mut edits: Vec<Edit> = fixes.clone().flat_map(|f| f.edits.clone()).collect();
         end_lines_alike(&mut edits, &fixed.text);
         let base = seen.span.start;
@@ -269,9 +269,9 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
         // Macros may expand a short text to many tokens.
         let expanded = (after.size * TOKEN_COST).saturating_sub(cost);
         self.left = self.left.saturating_sub(expanded);
-        let change = Change::new(seen, &after, &edits, mended);
+        let change = ErrorChange::new(seen, &after, &edits, chosen);
         let grows = errors(&after).count() > errors(seen).count();
-        if !change.mends() || grows && !change.only_reveals() {
+        if !change.fixes_all() || grows && !change.only_reveals() {
             return Err(Harm::Errors);
         }
         let proof = match fixes.into_iter().all(|fix| Allow::Safe.permits(fix)) {
@@ -279,11 +279,11 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
             false => Proof::Unknown,
         };
         if proof == Proof::Refuted {
-            return Err(Harm::Picture);
+            return Err(Harm::Image);
         }
         let mut next = fixed.clone();
         let offset = |address: u32| fixed.origin(address.saturating_sub(base));
-        next.applied.extend(mended.iter().map(|d| {
+        next.applied.extend(chosen.iter().map(|d| {
             let span = Span::new(offset(d.span.start), offset(d.span.end));
             Diagnostic {
                 span,
@@ -362,7 +362,7 @@ fn is_taken(taken: &[Span], span: Span) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judged::Judged;
+    use crate::checked_spans::CheckedSpans;
     use shaderlint_diagnostic::{Origin, Severity, error};
 
     fn info(span: Span) -> Diagnostic {
@@ -387,7 +387,7 @@ mod tests {
         Some(Look {
             diagnostics,
             span,
-            judged: None,
+            checked_spans: None,
             size: 0,
             shaders: Vec::new(),
         })
@@ -395,19 +395,19 @@ mod tests {
 
     #[test]
     fn all_fixes_are_applied() {
-        let fixed = fix("a.a.a", Allow::Safe, look, without_pictures);
+        let fixed = fix("a.a.a", Allow::Safe, look, without_images);
         assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("b.b.b", 3));
     }
 
     #[test]
     fn fixes_that_harm_are_not_kept() {
-        let fixed = fix("aa", Allow::Safe, look, without_pictures);
+        let fixed = fix("aa", Allow::Safe, look, without_images);
         assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("ba", 1));
     }
 
     #[test]
     fn one_fix_that_harms_does_not_keep_others_back() {
-        let fixed = fix("a.a.ab.a.a", Allow::Safe, look, without_pictures);
+        let fixed = fix("a.a.ab.a.a", Allow::Safe, look, without_images);
         assert_eq!(
             (fixed.text.as_str(), fixed.applied.len()),
             ("b.b.ab.b.b", 4)
@@ -422,14 +422,14 @@ mod tests {
             looks += 1;
             look(text)
         };
-        let fixed = fix(&text, Allow::Safe, count, without_pictures);
+        let fixed = fix(&text, Allow::Safe, count, without_images);
         assert_eq!(fixed.applied.len(), 1000);
         assert!(looks < 40, "{looks} looks");
     }
 
     /// All fixes but one change the image: they are not applied, even with `Allow::Unsafe`.
     #[test]
-    fn fixes_that_change_the_picture_are_left_alone() {
+    fn fixes_that_change_the_image_are_left_alone() {
         let compare = |_: &Look, after: &Look| match after.diagnostics.len() {
             0..4 => Proof::Refuted,
             _ => Proof::SameBits,
@@ -465,7 +465,7 @@ mod tests {
         Some(Look {
             diagnostics,
             span,
-            judged: None,
+            checked_spans: None,
             size: 0,
             shaders: Vec::new(),
         })
@@ -473,13 +473,13 @@ mod tests {
 
     #[test]
     fn fixes_that_overlap_take_one_round_each() {
-        let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_pictures);
+        let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_images);
         assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("a+b", 3));
     }
 
     #[test]
-    fn what_was_mended_is_known_by_its_first_place() {
-        let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_pictures);
+    fn what_was_fixed_is_known_by_its_first_place() {
+        let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_images);
         let places: Vec<&str> = fixed
             .applied
             .iter()
@@ -493,20 +493,20 @@ mod tests {
         let mut look = Look {
             diagnostics: Vec::new(),
             span: Span::new(0, text.len() as u32),
-            judged: None,
+            checked_spans: None,
             size: 0,
             shaders: Vec::new(),
         };
-        let mut judged = Judged::default();
+        let mut checked_spans = CheckedSpans::default();
         let mut hidden = false;
         for (i, c) in text.char_indices() {
             let span = Span::new(i as u32, i as u32 + 1);
             hidden |= c == 'a';
             let error = || Diagnostic::error(error::UNDECLARED_NAME, span, "x");
             if hidden {
-                judged.left.push(span)
+                checked_spans.left.push(span)
             } else {
-                judged.done.push(span)
+                checked_spans.done.push(span)
             }
             match c {
                 'a' => {
@@ -519,18 +519,15 @@ mod tests {
                 _ => {}
             }
         }
-        look.judged = Some(judged);
+        look.checked_spans = Some(checked_spans);
         Some(look)
     }
 
     #[test]
     fn what_comes_to_light_is_no_reason_to_refuse() {
+        assert_eq!(fix("acc", Allow::Safe, hiding, without_images).text, "bcc");
         assert_eq!(
-            fix("acc", Allow::Safe, hiding, without_pictures).text,
-            "bcc"
-        );
-        assert_eq!(
-            fix("ddacc", Allow::Safe, hiding, without_pictures).text,
+            fix("ddacc", Allow::Safe, hiding, without_images).text,
             "ddacc"
         );
     }
@@ -563,12 +560,9 @@ mod tests {
             }
             Some(look)
         };
+        assert_eq!(fix("a", Allow::Safe, unsafe_look, without_images).text, "a");
         assert_eq!(
-            fix("a", Allow::Safe, unsafe_look, without_pictures).text,
-            "a"
-        );
-        assert_eq!(
-            fix("a", Allow::Unsafe, unsafe_look, without_pictures).text,
+            fix("a", Allow::Unsafe, unsafe_look, without_images).text,
             "b"
         );
     }

@@ -2,7 +2,7 @@
 
 use super::facts::Facts;
 use rustc_hash::FxHashSet;
-use shaderlint_flow::defs::{Def, DefId};
+use shaderlint_flow::reaching_definitions::{Def, DefId};
 use shaderlint_ir::{OpId, OpKind, Root};
 use shaderlint_semantic::{BuiltinId, Program, Resolution, Storage, each_operand};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
@@ -12,7 +12,7 @@ const MAX_PARTS: usize = 160;
 
 /// Whether the range of an expression depends on arguments of callers or on globals: a check of such a
 /// value is reasonable. Also true if the value takes too long to follow.
-pub fn hangs_on_callers(facts: &Facts, expr: ExprId) -> bool {
+pub fn depends_on_callers(facts: &Facts, expr: ExprId) -> bool {
     let Some(op) = facts.module().op_of(expr) else {
         return false;
     };
@@ -89,7 +89,7 @@ impl GivenSearch<'_, '_> {
     }
 
     fn op(&mut self, op: OpId) {
-        let (module, defs) = (self.facts.module(), self.facts.defs());
+        let (module, defs) = (self.facts.module(), self.facts.reaching_definitions());
         match module.op(op).kind {
             OpKind::Load(_) => {
                 let width = module.ty(op).components().max(1).min(defs.lanes_of(op));
@@ -106,7 +106,7 @@ impl GivenSearch<'_, '_> {
 
     /// Follows a definition; returns whether it is an argument or global with a known range.
     fn def(&mut self, def: DefId) -> bool {
-        let (module, defs) = (self.facts.module(), self.facts.defs());
+        let (module, defs) = (self.facts.module(), self.facts.reaching_definitions());
         match defs.get(def) {
             Def::Stored { value, .. } => self.ops.push(value),
             Def::Merge { sides, .. } | Def::Measured(sides) => {

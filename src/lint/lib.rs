@@ -3,6 +3,7 @@
 
 mod broken;
 mod change;
+mod checked_spans;
 mod context;
 #[cfg(test)]
 mod example_rules;
@@ -11,30 +12,30 @@ mod facts;
 mod fix;
 pub mod formula;
 pub mod given;
+mod inactive_words;
 pub mod indent;
-mod judged;
 mod look;
+pub mod loop_invariant;
 pub mod march;
-mod misspelt;
+mod misspelled;
 mod option;
 mod page;
 mod removal;
 mod rule;
 mod run;
 mod same;
+pub mod sample;
 pub mod screen;
 mod settings;
-pub mod still;
 mod suppress;
-pub mod trial;
-mod unseen;
 mod words;
 
 pub use broken::Broken;
+pub use checked_spans::CheckedSpans;
 pub use context::{Context, Finding};
-pub use facts::{Around, Facts, Known};
-pub use fix::{Allow, Fixed, Proof, fix, keep_comments, without_pictures};
-pub use judged::Judged;
+pub use facts::{CachedFacts, Facts, ShaderContext};
+pub use fix::{Allow, Fixed, Proof, fix, keep_comments, without_images};
+pub use inactive_words::InactiveWords;
 pub use look::{Look, Shown};
 pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};
@@ -43,8 +44,7 @@ pub use rule::{
     ALIASES, BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape,
     rule_name,
 };
-pub use run::{Unrun, lint, lint_within};
+pub use run::{SkippedRules, lint, lint_within};
 pub use same::{code_hash, same_code};
 pub use settings::{Failing, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
 pub use suppress::Allows;
-pub use unseen::Unseen;

@@ -1,6 +1,6 @@
 //! Result of a check, for the comparison before and after fixes.
 
-use super::judged::Judged;
+use super::checked_spans::CheckedSpans;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_semantic::Program;
 use shaderlint_text::Span;
@@ -13,7 +13,7 @@ pub struct Look {
     /// Addresses of the text.
     pub span: Span,
     /// Which code was checked; `None` means all of it.
-    pub judged: Option<Judged>,
+    pub checked_spans: Option<CheckedSpans>,
     /// Number of tokens and macro calls.
     pub size: usize,
     /// The shaders, if images are compared.

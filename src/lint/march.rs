@@ -1,7 +1,7 @@
 //! Ray marching loops, and the scene functions that they call.
 
 use rustc_hash::FxHashSet;
-use shaderlint_flow::defs::{Def, DefId, Defs};
+use shaderlint_flow::reaching_definitions::{Def, DefId, ReachingDefinitions};
 use shaderlint_flow::{Calls, LoopFacts, Loops};
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Root};
 use shaderlint_semantic::builtins::Transfer;
@@ -22,7 +22,7 @@ pub struct March {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MarchGoal {
     /// Finds the surface that a pixel shows.
-    Picture,
+    Image,
     /// Tests whether a light is occluded.
     Shadow,
 }
@@ -31,7 +31,7 @@ impl MarchGoal {
     /// The name in messages, without an article.
     pub const fn name(self) -> &'static str {
         match self {
-            MarchGoal::Picture => "marching loop",
+            MarchGoal::Image => "marching loop",
             MarchGoal::Shadow => "shadow loop",
         }
     }
@@ -42,7 +42,7 @@ impl MarchGoal {
 pub fn marches(
     (program, module): (&Program, &Module),
     (loops, calls): (&Loops, &Calls),
-    defs: &Defs,
+    defs: &ReachingDefinitions,
     entry: Option<FunctionRef>,
 ) -> Vec<March> {
     let Some(entry) = entry else {
@@ -57,7 +57,7 @@ pub fn marches(
             scene: scene(program, calls, l)?,
             goal: match gives_light(module, defs, l.function) {
                 true => MarchGoal::Shadow,
-                false => MarchGoal::Picture,
+                false => MarchGoal::Image,
             },
         })
     })
@@ -66,7 +66,7 @@ pub fn marches(
 
 /// Whether a function returns only the visibility of a light: constants, and the minimum of quotients
 /// that a loop computes. Other marching functions return a distance.
-fn gives_light(module: &Module, defs: &Defs, function: FunctionRef) -> bool {
+fn gives_light(module: &Module, defs: &ReachingDefinitions, function: FunctionRef) -> bool {
     let Some(found) = module.function(function) else {
         return false;
     };
@@ -85,8 +85,8 @@ fn gives_light(module: &Module, defs: &Defs, function: FunctionRef) -> bool {
     let is_number = |op: &OpId| module.ty(*op).is_scalar();
     // A single constant is no evidence.
     let is_constant = |op: &OpId| matches!(module.op(*op).kind, OpKind::Const(_));
-    let is_told = returns.len() > 1 || !returns.iter().all(is_constant);
-    is_told && !gives_back && returns.iter().all(|r| is_number(r) && light.value(*r))
+    let is_scene = returns.len() > 1 || !returns.iter().all(is_constant);
+    is_scene && !gives_back && returns.iter().all(|r| is_number(r) && light.value(*r))
 }
 
 /// Most operations that are followed from the returned values.
@@ -95,7 +95,7 @@ const MAX_PARTS: u32 = 64;
 /// A walk from the returned values of a function back to their operands.
 struct Light<'a> {
     module: &'a Module,
-    defs: &'a Defs,
+    defs: &'a ReachingDefinitions,
     known: FxHashSet<DefId>,
     left: u32,
 }

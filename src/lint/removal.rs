@@ -22,17 +22,17 @@ pub fn remove_lines(program: &Program, span: Span) -> Edit {
     };
     let (text, base) = (&*file.text, file.base);
     let (start, end) = ((span.start - base) as usize, (span.end - base) as usize);
-    let (Some(before), Some(behind)) = (text.get(..start), text.get(end..)) else {
+    let (Some(before), Some(after)) = (text.get(..start), text.get(end..)) else {
         return Edit::delete(span);
     };
     // Uses the line index, since one line may be the whole file and hold very many such spans.
     let bounds = |at: usize| file.lines().bounds(at as u32, text.len() as u32);
     let (line, next) = (bounds(start).0 as usize, bounds(end).1 as usize);
-    let blanks = behind.len() - behind.trim_start_matches([' ', '\t']).len();
-    let (spaced, newline) = match behind.get(..next - end) {
+    let blanks = after.len() - after.trim_start_matches([' ', '\t']).len();
+    let (spaced, newline) = match after.get(..next - end) {
         Some(line) if line.ends_with('\n') => line.split_at(line.len() - 1),
         Some(line) => (line, ""),
-        None => (behind, ""),
+        None => (after, ""),
     };
     let is_first = before.get(line..).is_some_and(|s| s.trim().is_empty());
     let rest = spaced.trim();

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// Where rules did not run because of errors.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub enum Unrun {
+pub enum SkippedRules {
     /// They ran everywhere.
     #[default]
     Nowhere,
@@ -48,25 +48,25 @@ pub fn lint_within(
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Unrun {
+) -> SkippedRules {
     let program = facts.program();
-    facts.tried.supplier = facts.around.supplier;
-    facts.tried.limit = settings.trial_limit();
+    facts.samples.supplier = facts.around.supplier;
+    facts.samples.limit = settings.sample_limit();
     facts.break_at(errors);
-    if facts.broken.whole() {
-        return Unrun::Everywhere;
+    if facts.broken.is_everything() {
+        return SkippedRules::Everywhere;
     }
     let before = diagnostics.len();
     walk(program, &facts, rules, settings, diagnostics);
     if !facts.broken.any() {
-        return Unrun::Nowhere;
+        return SkippedRules::Nowhere;
     }
     let mut at = 0;
     diagnostics.retain(|d| {
         at += 1;
         at <= before || facts.broken.admits(program, d)
     });
-    Unrun::Functions {
+    SkippedRules::Functions {
         names: broken_functions(program, &facts.broken),
         broken: facts.broken.spans().collect(),
     }
@@ -120,8 +120,8 @@ fn walk<'p>(
     }
     for (function, i) in program.functions.iter().zip(0..) {
         let decl = function.definition.and_then(|d| tree.function(d));
-        let is_whole = !facts.broken.function(FunctionRef(i));
-        if is_whole && decl.is_some_and(|d| d.extent.first >= first) {
+        let is_complete = !facts.broken.function(FunctionRef(i));
+        if is_complete && decl.is_some_and(|d| d.extent.first >= first) {
             run.each(&checks.function, |check, cx| check(cx, FunctionRef(i)));
         }
     }

@@ -81,12 +81,12 @@ fn within(facts: &Facts, op: OpId, lane: u32, depth: u32) -> Option<Along> {
                 let Start::Given(_, component) = size else {
                     return None;
                 };
-                let whole = of(a).filter(|a| a.share_of.is_none())?;
+                let all = of(a).filter(|a| a.share_of.is_none())?;
                 let is_size = facts.is_given(Some(size), "iResolution");
                 is_size.then_some(Along {
                     share_of: Some(component),
                     offset: Interval::ANY,
-                    ..whole
+                    ..all
                 })
             }
         },

@@ -2,7 +2,7 @@
 
 use super::option::{OptionType, OptionValue, Setting};
 use super::rule::{Group, Rule, rule_name};
-use super::trial::TrialLimit;
+use super::sample::SampleLimit;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{ERRORS, Severity};
 
@@ -44,7 +44,7 @@ pub struct Settings {
     /// The renderer.
     target: Renderer,
     /// How much of the shader is sampled.
-    trial: TrialLimit,
+    sample_run: SampleLimit,
 }
 
 /// A name that is not a rule or group.
@@ -77,7 +77,7 @@ impl Settings {
             failing: FxHashSet::default(),
             chosen: None,
             target: Renderer::default(),
-            trial: TrialLimit::default(),
+            sample_run: SampleLimit::default(),
         };
         for rule in rules.iter().filter(|r| r.default) {
             settings.set_level(rule, Some(rule.severity));
@@ -96,13 +96,13 @@ impl Settings {
     }
 
     /// Sets how much of the shader is sampled.
-    pub fn set_trial_limit(&mut self, limit: TrialLimit) {
-        self.trial = limit;
+    pub fn set_sample_limit(&mut self, limit: SampleLimit) {
+        self.sample_run = limit;
     }
 
     /// How much of the shader is sampled.
-    pub fn trial_limit(&self) -> TrialLimit {
-        self.trial
+    pub fn sample_limit(&self) -> SampleLimit {
+        self.sample_run
     }
 
     /// Adds the rules that `select` names, and removes those of `ignore`. The more specific word wins: a

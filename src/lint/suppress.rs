@@ -5,7 +5,7 @@
 //! errors cannot be allowed: the browser rejects the shader anyway. A file that tests a compiler uses
 //! `expect(error)` in the same way: the error is hidden, and its absence is reported.
 
-use super::misspelt::{self, Meant};
+use super::misspelled::{self, MisspelledComment};
 use super::removal::remove_lines;
 use super::rule::{Rule, rule_name};
 use super::settings::{Settings, nearest_rule};
@@ -23,10 +23,10 @@ const MARK: &str = "shaderlint:";
 #[derive(Default)]
 pub struct Allows {
     /// By address of the comment.
-    found: BTreeMap<u32, Allow>,
+    found: BTreeMap<u32, AllowComment>,
 }
 
-struct Allow {
+struct AllowComment {
     /// Removes the comment.
     removal: Edit,
     /// Span in which the findings start.
@@ -41,7 +41,7 @@ struct Allow {
 /// A malformed `allow(...)`.
 struct BadAllow {
     span: Span,
-    meant: Option<Meant>,
+    meant: Option<MisspelledComment>,
     /// The rules with findings that it may refer to.
     found: Vec<&'static str>,
 }
@@ -86,7 +86,7 @@ impl Allows {
         let mut reader: Option<CommentReader> = None;
         for &comment in &program.tokens.comments {
             let text = program.sources.text(comment);
-            if text.contains(MARK) || misspelt::read(text, rules).is_some() {
+            if text.contains(MARK) || misspelled::read(text, rules).is_some() {
                 own.push(comment.start);
                 self.found.entry(comment.start).or_insert_with(|| {
                     let reader = reader.get_or_insert_with(|| CommentReader::new(program));
@@ -131,8 +131,8 @@ impl Allows {
         allowed_at.values_mut().for_each(merge);
         let is_allowed = |name: &str, place: u32| {
             let targets = allowed_at.get(name).map_or(&[][..], Vec::as_slice);
-            let behind = targets.partition_point(|t| t.start <= place);
-            let last = behind.checked_sub(1).and_then(|i| targets.get(i));
+            let after = targets.partition_point(|t| t.start <= place);
+            let last = after.checked_sub(1).and_then(|i| targets.get(i));
             last.is_some_and(|t| place < t.end)
         };
         found.retain(|diagnostic| {
@@ -180,11 +180,11 @@ impl Allows {
                     let title = "remove the comment";
                     Fix::safe(title, vec![allow.removal.clone()])
                 });
-                let told = match allow.expects {
+                let diagnostic = match allow.expects {
                     true => unmet(name, finding, fix),
-                    false => judge(name, rules, settings, finding, fix),
+                    false => check_name(name, rules, settings, finding, fix),
                 };
-                out.extend(told);
+                out.extend(diagnostic);
             }
         }
     }
@@ -201,7 +201,7 @@ fn unmet(
 }
 
 /// Checks one name in an `allow(...)`.
-fn judge(
+fn check_name(
     allowed: &Allowed,
     rules: &[&'static Rule],
     settings: &Settings,
@@ -247,9 +247,9 @@ impl BadAllow {
         if names.is_empty() {
             return None;
         }
-        let spelt = meant.spelt(names);
-        let title = format!("use `{spelt}`");
-        Some(Fix::safe(title, vec![Edit::replace(self.span, spelt)]))
+        let corrected = meant.corrected(names);
+        let title = format!("use `{corrected}`");
+        Some(Fix::safe(title, vec![Edit::replace(self.span, corrected)]))
     }
 }
 
@@ -332,9 +332,9 @@ impl<'a> CommentReader<'a> {
     }
 
     /// Parses a suppression comment.
-    fn read(&mut self, comment: Span, text: &str, rules: &[&'static Rule]) -> Allow {
+    fn read(&mut self, comment: Span, text: &str, rules: &[&'static Rule]) -> AllowComment {
         let program = self.program;
-        let mut allow = Allow {
+        let mut allow = AllowComment {
             removal: remove_lines(program, comment),
             target: Span::at(comment.end),
             names: Vec::new(),
@@ -353,7 +353,7 @@ impl<'a> CommentReader<'a> {
             (list, word.trim_end())
         else {
             let length = order.trim_end_matches(['*', '/']).trim_end().len();
-            let meant = misspelt::read(text, rules);
+            let meant = misspelled::read(text, rules);
             let range = meant.as_ref().map(|m| m.range.clone());
             let range = range.unwrap_or(mark + blanks..mark + blanks + length);
             let at = |offset: usize| comment.start + offset as u32;
@@ -419,8 +419,8 @@ impl<'a> CommentReader<'a> {
         match self.stretch {
             Some((stretch, target)) if stretch.contains(Span::at(comment.end)) => target,
             _ => {
-                let behind = (comment.end - code.base) as usize;
-                let rest = code.text.get(behind..).unwrap_or("");
+                let after = (comment.end - code.base) as usize;
+                let rest = code.text.get(after..).unwrap_or("");
                 let (first, target) = next_code(rest, comment.end, &self.ends);
                 self.stretch = Some((Span::new(comment.end, first), target));
                 target

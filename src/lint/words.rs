@@ -17,9 +17,9 @@ pub fn count(program: &Program, word: &str) -> usize {
         let at = |i: usize| file.text.as_bytes().get(i).copied();
         let found = file.text.match_indices(word).filter(|(start, _)| {
             let before = start.checked_sub(1).and_then(at);
-            let behind = at(start + word.len());
-            let is_whole = !before.is_some_and(is_part) && !behind.is_some_and(is_part);
-            is_whole && !is_comment(file.base + *start as u32)
+            let after = at(start + word.len());
+            let is_word = !before.is_some_and(is_part) && !after.is_some_and(is_part);
+            is_word && !is_comment(file.base + *start as u32)
         });
         found.count()
     };

@@ -4,21 +4,21 @@ use super::single::sign_of;
 use wide::f32x8;
 
 /// From this magnitude on, every float is an integer.
-const WHOLE: f32 = 8_388_608.0;
+const FIRST_INTEGERS_ONLY: f32 = 8_388_608.0;
 
 /// `trunc(x)`
 #[inline(always)]
 pub fn trunc(x: f32x8) -> f32x8 {
-    let small = x.abs().simd_lt(f32x8::splat(WHOLE));
-    let whole = f32x8::from_i32x8(x.fast_trunc_int()) | sign_of(x);
-    small.bitselect(whole, x)
+    let small = x.abs().simd_lt(f32x8::splat(FIRST_INTEGERS_ONLY));
+    let integer = f32x8::from_i32x8(x.fast_trunc_int()) | sign_of(x);
+    small.bitselect(integer, x)
 }
 
 /// `floor(x)`
 #[inline(always)]
 pub fn floor(x: f32x8) -> f32x8 {
-    let whole = trunc(x);
-    whole - (whole.simd_gt(x) & f32x8::splat(1.0))
+    let integer = trunc(x);
+    integer - (integer.simd_gt(x) & f32x8::splat(1.0))
 }
 
 /// `ceil(x)`
@@ -30,10 +30,10 @@ pub fn ceil(x: f32x8) -> f32x8 {
 /// `roundEven(x)` and `round(x)`; the latter may round halves either way.
 #[inline(always)]
 pub fn round_even(x: f32x8) -> f32x8 {
-    let small = x.abs().simd_lt(f32x8::splat(WHOLE));
-    let rounder = f32x8::splat(WHOLE) | sign_of(x);
-    let whole = ((x + rounder) - rounder) | sign_of(x);
-    small.bitselect(whole, x)
+    let small = x.abs().simd_lt(f32x8::splat(FIRST_INTEGERS_ONLY));
+    let rounder = f32x8::splat(FIRST_INTEGERS_ONLY) | sign_of(x);
+    let integer = ((x + rounder) - rounder) | sign_of(x);
+    small.bitselect(integer, x)
 }
 
 /// `fract(x)`; less than 1 even for tiny negative numbers, where the difference rounds to 1.

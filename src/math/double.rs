@@ -60,8 +60,8 @@ pub(super) fn exp2(x: f64x8) -> f64x8 {
     let within = x
         .fast_max(f64x8::splat(-400.0))
         .fast_min(f64x8::splat(400.0));
-    let (whole, bits) = round(within);
-    let r = within - whole;
+    let (integer, bits) = round(within);
+    let r = within - integer;
     let power = f64x8::splat(1.0)
         + r * polynomial(
             r,
@@ -89,7 +89,7 @@ pub(super) fn log2(x: f64x8) -> f64x8 {
     let exponent = shifted >> 52_u32;
     let m = of_bits((shifted & u64x8::splat(0x000f_ffff_ffff_ffff)) + from);
     // An integer in the low bits of the double 2^52 becomes a double by subtracting 2^52.
-    let whole = of_bits(exponent | u64x8::splat(0x4330_0000_0000_0000))
+    let integer = of_bits(exponent | u64x8::splat(0x4330_0000_0000_0000))
         - f64x8::splat(4_503_599_627_370_496.0 + 1023.0);
     let one = f64x8::splat(1.0);
     let s = (m - one) / (m + one);
@@ -104,7 +104,7 @@ pub(super) fn log2(x: f64x8) -> f64x8 {
             0.2829066238319144,
         ],
     );
-    whole + s * series
+    integer + s * series
 }
 
 /// The arc tangent of a non-negative number, including infinity.
@@ -113,8 +113,8 @@ pub(super) fn atan(x: f64x8) -> f64x8 {
     let one = f64x8::splat(1.0);
     let large = x.simd_gt(f64x8::splat(2.414_213_562_373_095));
     let middle = x.simd_gt(f64x8::splat(0.414_213_562_373_095_03));
-    let turned = (x - one) / (x + one);
-    let small = large.bitselect(-one / x, middle.bitselect(turned, x));
+    let rotated = (x - one) / (x + one);
+    let small = large.bitselect(-one / x, middle.bitselect(rotated, x));
     let from = large.bitselect(
         f64x8::splat(std::f64::consts::FRAC_PI_2),
         middle & f64x8::splat(std::f64::consts::FRAC_PI_4),

@@ -31,9 +31,9 @@ fn special_power(x: f32x8, y: f32x8) -> f32x8 {
 pub fn exp(x: f32x8) -> f32x8 {
     // Clamped to the range beyond which the result is 0 or infinite.
     let x = min(f32x8::splat(128.0), max(f32x8::splat(-128.0), x));
-    let (whole, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
+    let (integer, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
     // The first part of ln 2 has 14 significant bits, so that the product is exact.
-    let r = x - whole * f32x8::splat(LN_2_HIGH) - whole * f32x8::splat(LN_2_LOW);
+    let r = x - integer * f32x8::splat(LN_2_HIGH) - integer * f32x8::splat(LN_2_LOW);
     let series = [
         0.5,
         1.666_657_6e-1,
@@ -50,8 +50,8 @@ pub fn exp(x: f32x8) -> f32x8 {
 pub fn exp2(x: f32x8) -> f32x8 {
     // Clamped to the range beyond which the result is 0 or infinite.
     let x = min(f32x8::splat(180.0), max(f32x8::splat(-180.0), x));
-    let (whole, bits) = round(x);
-    let r = x - whole;
+    let (integer, bits) = round(x);
+    let r = x - integer;
     let series = [
         6.931_472e-1,
         2.402_265e-1,
@@ -73,7 +73,7 @@ const LN_2_LOW: f32 = 3.194_618_3e-5;
 #[inline]
 pub fn log(x: f32x8) -> f32x8 {
     let (exponent, r) = split(x);
-    let small = exponent * f32x8::splat(LN_2_LOW) + behind_the_first(r);
+    let small = exponent * f32x8::splat(LN_2_LOW) + after_the_first(r);
     unless_special(x, exponent * f32x8::splat(LN_2_HIGH) + (r + small))
 }
 
@@ -81,7 +81,7 @@ pub fn log(x: f32x8) -> f32x8 {
 #[inline]
 pub fn log2(x: f32x8) -> f32x8 {
     let (exponent, r) = split(x);
-    let small = behind_the_first(r);
+    let small = after_the_first(r);
     // `log2(e) - 1`, so that `r` itself is added without rounding.
     let more = f32x8::splat(0.442_695_05);
     unless_special(x, exponent + (r + (small + (r * more + small * more))))
@@ -89,7 +89,7 @@ pub fn log2(x: f32x8) -> f32x8 {
 
 /// `log(1 + r) - r`, for `1 + r` between sqrt(1/2) and sqrt(2).
 #[inline(always)]
-fn behind_the_first(r: f32x8) -> f32x8 {
+fn after_the_first(r: f32x8) -> f32x8 {
     let series = [
         3.333_333e-1,
         -2.499_999_7e-1,

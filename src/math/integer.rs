@@ -8,9 +8,9 @@ use wide::{f32x8, i32x8, u32x8};
 pub fn int_of_float(x: f32x8) -> i32x8 {
     let limit = f32x8::splat(2_147_483_648.0);
     let within = x.abs().simd_lt(limit);
-    let whole: f32x8 = bytemuck::cast(x.fast_trunc_int());
+    let truncated: f32x8 = bytemuck::cast(x.fast_trunc_int());
     let lowest = f32x8::splat(f32::from_bits(0x8000_0000));
-    bytemuck::cast(within.bitselect(whole, lowest))
+    bytemuck::cast(within.bitselect(truncated, lowest))
 }
 
 /// `uint(x)`; 0 if `x` is negative or too large.

@@ -20,11 +20,11 @@ const TWO_OVER_PI: [u128; 2] = [
 #[inline(always)]
 fn reduce(x: f32x8) -> (u64x8, f64x8) {
     let wide = widen(x);
-    let (whole, quarters) = round(wide * f64x8::splat(FRAC_2_PI));
+    let (integer, quarters) = round(wide * f64x8::splat(FRAC_2_PI));
     // The first part of pi/2 has 25 significant bits, so that the product is exact.
     let rest = wide
-        - whole * f64x8::splat(f64::from_bits(0x3ff9_21fb_5000_0000))
-        - whole * f64x8::splat(f64::from_bits(0x3e51_10b4_611a_6263));
+        - integer * f64x8::splat(f64::from_bits(0x3ff9_21fb_5000_0000))
+        - integer * f64x8::splat(f64::from_bits(0x3e51_10b4_611a_6263));
     let huge = x.abs().simd_ge(f32x8::splat(HUGE));
     if huge.any() {
         reduce_huge(x, quarters, rest)

@@ -176,7 +176,7 @@ fn what_is_undefined_is_what_the_browser_makes_of_it() {
 }
 
 #[test]
-fn powers_of_whole_numbers_are_exact() {
+fn powers_of_integers_are_exact() {
     for x in 0..=4000 {
         let x = x as f32;
         exactly(|x| pow(x, f32x8::splat(2.0)), &[(x, x * x)]);

@@ -20,10 +20,10 @@ const QUARTER: [f32; 4] = [1.570_312_5, 4.837_513e-4, 7.549_533_6e-8, 2.563_344e
 /// quarter turns.
 #[inline(always)]
 fn reduce(x: f32x8) -> (f32x8, u32x8) {
-    let (whole, quarters) = round(x * f32x8::splat(FRAC_2_PI));
+    let (integer, quarters) = round(x * f32x8::splat(FRAC_2_PI));
     let mut rest = x;
     for part in QUARTER {
-        rest -= whole * f32x8::splat(part);
+        rest -= integer * f32x8::splat(part);
     }
     (rest, quarters)
 }
@@ -133,7 +133,7 @@ pub fn acos(x: f32x8) -> f32x8 {
 }
 
 /// tan(pi/8) and tan(3pi/8), where the range reduction of `atan` switches.
-const TURNS: [f32; 2] = [0.414_213_57, 2.414_213_7];
+const OCTANT_TANGENTS: [f32; 2] = [0.414_213_57, 2.414_213_7];
 
 /// The arc tangent of a number of at most tan(pi/8).
 #[inline(always)]
@@ -153,7 +153,7 @@ fn small_atan(x: f32x8) -> f32x8 {
 #[inline]
 pub fn atan(x: f32x8) -> f32x8 {
     let (one, size) = (f32x8::splat(1.0), x.abs());
-    let [middle, large] = TURNS.map(|turn| size.simd_gt(f32x8::splat(turn)));
+    let [middle, large] = OCTANT_TANGENTS.map(|tangent| size.simd_gt(f32x8::splat(tangent)));
     let above = large.bitselect(-one, middle.bitselect(size - one, size));
     let below = large.bitselect(size, middle.bitselect(size + one, one));
     let from = large.bitselect(f32x8::splat(FRAC_PI_2), middle & f32x8::splat(FRAC_PI_4));
@@ -169,7 +169,7 @@ pub fn atan2(y: f32x8, x: f32x8) -> f32x8 {
         steep.bitselect(width, height),
         steep.bitselect(height, width),
     );
-    let middle = short.simd_gt(long * f32x8::splat(TURNS[0]));
+    let middle = short.simd_gt(long * f32x8::splat(OCTANT_TANGENTS[0]));
     let above = middle.bitselect(short - long, short);
     let below = middle.bitselect(short + long, long);
     let angle = (middle & f32x8::splat(FRAC_PI_4)) + small_atan(above / below);

@@ -63,7 +63,7 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
         .map(|p| (p.stage, std::mem::take(&mut p.partner)))
         .collect();
     let named_passes = passes.into_iter().map(|p| NamedPass {
-        ending: ending(p.stage),
+        extension: extension(p.stage),
         content: p.text.into_bytes(),
         slug: p.slug.to_string(),
         name: p.name,
@@ -94,7 +94,7 @@ fn shaders(order: Order, project: &Project, composed: &Composed) -> Result<Build
 }
 
 /// The file extension of a stage.
-fn ending(stage: Stage) -> &'static str {
+fn extension(stage: Stage) -> &'static str {
     match stage {
         Stage::Fragment => "frag",
         Stage::Vertex => "vert",
@@ -104,9 +104,11 @@ fn ending(stage: Stage) -> &'static str {
 /// The path of a stage's shader for a given output name: for `points.frag` or `points.glsl` the
 /// fragment shader has that name and the vertex shader is next to it.
 fn shader_path(name: &Path, stage: Stage) -> PathBuf {
-    let names_vertices = name.extension().is_some_and(|e| e == ending(Stage::Vertex));
+    let names_vertices = name
+        .extension()
+        .is_some_and(|e| e == extension(Stage::Vertex));
     match stage {
         Stage::Fragment if !names_vertices => name.to_path_buf(),
-        _ => name.with_extension(ending(stage)),
+        _ => name.with_extension(extension(stage)),
     }
 }

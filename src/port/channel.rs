@@ -321,7 +321,7 @@ mod tests {
     use crate::{Info, ProjectPass};
 
     #[test]
-    fn a_misspelt_word_is_told_from_a_file() {
+    fn a_misspelled_word_is_distinguished_from_a_file() {
         let said = |text: &str| unknown_source(text);
         assert!(said("keyboard,neerest").ends_with("did you mean `nearest` instead of `neerest`?"));
         assert!(said("keybord").ends_with("did you mean `keyboard`?"));

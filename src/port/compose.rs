@@ -1,7 +1,7 @@
 //! Composes each pass as the player compiles it: header, Common passes in order, its own code.
 
 use super::{Project, ProjectPass, Wrapper};
-use shaderlint_semantic::{Channels, Checked, Dialect, Pass, Stage, Unit, Wholeness, analyze};
+use shaderlint_semantic::{Channels, Checked, Completeness, Dialect, Pass, Stage, Unit, analyze};
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
@@ -42,7 +42,7 @@ struct UnitKey(Pass, Wrapper, Channels, [Arc<str>; 3]);
 
 impl UnitKey {
     fn of(pass: &ProjectPass) -> UnitKey {
-        let texts = [&pass.before, &pass.code, &pass.behind].map(Arc::clone);
+        let texts = [&pass.before, &pass.code, &pass.after].map(Arc::clone);
         UnitKey(pass.kind, pass.wrapper, pass.channels(), texts)
     }
 }
@@ -60,7 +60,7 @@ impl Composed {
                     Wrapper::Own => Dialect::WebGl,
                 },
                 infer_channels: false,
-                wholeness: Wholeness::Whole,
+                completeness: Completeness::Complete,
             })
         })
     }
@@ -105,7 +105,7 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
         };
         files.extend(around(&mut sources, &found.before)?);
         files.push(file);
-        files.extend(around(&mut sources, &found.behind)?);
+        files.extend(around(&mut sources, &found.after)?);
         units.push(PassUnit {
             pass,
             kind: found.kind,

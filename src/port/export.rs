@@ -7,7 +7,7 @@
 use super::{Info, Input, InputKind, OutputId, PassRole, Project, ProjectPass, SamplerSettings};
 use serde_json::Value;
 use shaderlint_semantic::{GuessedKind, Pass, guess};
-use shaderlint_text::json::mend_escapes;
+use shaderlint_text::json::repair_escapes;
 use std::fmt;
 
 /// Maximum number of passes; ShaderToy itself loads 8, and the largest known export has 11.
@@ -55,10 +55,10 @@ impl fmt::Display for ProjectError {
             ProjectError::NotAnExport => {
                 write!(f, "not a ShaderToy export: `renderpass` is missing")
             }
-            ProjectError::Answer(said) => {
+            ProjectError::Answer(answer) => {
                 write!(
                     f,
-                    "expected a shader, found an error from ShaderToy: {said}"
+                    "expected a shader, found an error from ShaderToy: {answer}"
                 )
             }
             ProjectError::TooLarge(size) => {
@@ -87,7 +87,7 @@ impl Project {
         if text.len() > MAX_EXPORT {
             return Err(ProjectError::TooLarge(text.len()));
         }
-        let text = mend_escapes(text.trim_start_matches('\u{feff}'));
+        let text = repair_escapes(text.trim_start_matches('\u{feff}'));
         let json: Value = serde_json::from_str(&text).map_err(|e| ProjectError::Json {
             line: e.line(),
             column: e.column(),
@@ -142,7 +142,7 @@ fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
     let shader = shader.get("Shader").unwrap_or(shader);
     match (shader.get("renderpass"), shader.get("Error")) {
         (Some(Value::Array(_) | Value::Object(_)), _) => Ok(shader),
-        (_, Some(Value::String(said))) => Err(ProjectError::Answer(plain(said))),
+        (_, Some(Value::String(answer))) => Err(ProjectError::Answer(plain(answer))),
         _ => Err(ProjectError::NotAnExport),
     }
 }
@@ -225,7 +225,7 @@ fn read_pass(pass: &Value, path: &str) -> Result<ProjectPass, ProjectError> {
         "common" => Pass::Common,
         "sound" => Pass::Sound,
         "cubemap" => Pass::Cubemap,
-        "" => told_kind(output.as_ref(), &name, code).ok_or_else(|| {
+        "" => guessed_kind(output.as_ref(), &name, code).ok_or_else(|| {
             field(
                 format!("{path}.type"),
                 "the pass type is missing and cannot be inferred from the name or the code",
@@ -251,7 +251,7 @@ fn read_pass(pass: &Value, path: &str) -> Result<ProjectPass, ProjectError> {
 }
 
 /// Infers the kind of a pass without a type from its output, its name or its code.
-fn told_kind(output: Option<&OutputId>, name: &str, code: &str) -> Option<Pass> {
+fn guessed_kind(output: Option<&OutputId>, name: &str, code: &str) -> Option<Pass> {
     let by_output = output.and_then(|o| match o.0.as_str() {
         OutputId::IMAGE => Some(Pass::Image),
         OutputId::CUBE => Some(Pass::Cubemap),
@@ -349,8 +349,8 @@ fn source_id(kind: InputKind, id: &str, src: &str) -> String {
     if kind != InputKind::Buffer || output.number().is_some() {
         return output.0;
     }
-    let picture = src.strip_prefix("/media/previz/buffer0");
-    let number = picture.and_then(|rest| rest.strip_suffix(".png")?.parse::<usize>().ok());
+    let preview = src.strip_prefix("/media/previz/buffer0");
+    let number = preview.and_then(|rest| rest.strip_suffix(".png")?.parse::<usize>().ok());
     number.and_then(OutputId::buffer).unwrap_or(output).0
 }
 
@@ -391,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn buffers_are_known_by_number_picture_or_order() {
+    fn buffers_are_known_by_number_image_or_order() {
         let json = r#"{"Shader":{"renderpass":[
             {"type":"image","code":"","inputs":[
                 {"id":999,"ctype":"buffer","src":"/media/previz/buffer01.png","channel":0}]},
@@ -434,7 +434,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_tell_the_place() {
+    fn errors_show_the_place() {
         check("{", "line 1, column 1: EOF while parsing an object");
         check("{}", "not a ShaderToy export: `renderpass` is missing");
         check(

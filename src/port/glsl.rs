@@ -75,13 +75,13 @@ pub(super) fn signed(project: &Project, shader: String) -> String {
     }
     let mut surplus = credits.len();
     while surplus > 0
-        && let Some((line, behind)) = rest.split_once('\n')
+        && let Some((line, after)) = rest.split_once('\n')
     {
-        let is_joined = line.starts_with("uniform ") && behind.starts_with("uniform ");
+        let is_joined = line.starts_with("uniform ") && after.starts_with("uniform ");
         surplus -= usize::from(is_joined);
         text.push_str(line);
         text.push(if is_joined { ' ' } else { '\n' });
-        rest = behind;
+        rest = after;
     }
     text + rest
 }

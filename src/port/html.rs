@@ -102,12 +102,12 @@ fn fill(template: &str, values: &[(&str, &str)]) -> String {
     let room: usize = values.iter().map(|(_, v)| v.len()).sum();
     let mut out = String::with_capacity(template.len() + room);
     let mut rest = template;
-    while let Some((before, behind)) = rest.split_once("{{") {
+    while let Some((before, after)) = rest.split_once("{{") {
         out.push_str(before);
-        let (name, behind) = behind.split_once("}}").unwrap_or((behind, ""));
+        let (name, after) = after.split_once("}}").unwrap_or((after, ""));
         let value = values.iter().find(|(n, _)| *n == name);
         out.push_str(value.map_or("", |(_, v)| v));
-        rest = behind;
+        rest = after;
     }
     out.push_str(rest);
     out

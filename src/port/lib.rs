@@ -41,7 +41,7 @@ pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
-    Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, TextChange, TextsBeside,
+    Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
     UniformData, VaryingValue, bindings, calls_entry, hosted, may_be_composed, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
@@ -50,7 +50,7 @@ pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, waiting_page};
 pub use json::json;
 pub use media::{Generator, StandIn, add_stand_ins, is_gray};
-pub use order::{BadEnding, Destination, MainChoice, Order, Target};
+pub use order::{BadExtension, Destination, MainChoice, Order, Target};
 pub use output::{Build, BuildError, File, Remark};
 pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
 pub use project::{
@@ -63,4 +63,4 @@ pub use signature::{VolumeHead, kind_of_bytes, kind_of_name, why_not};
 pub use single::ShaderError;
 pub use supply::{Missing, missing};
 #[cfg(feature = "naga")]
-pub use translated::{WholeShader, WholeShaders, translate_shaders, whole_shaders};
+pub use translated::{CompleteShader, CompleteShaders, complete_shaders, translate_shaders};

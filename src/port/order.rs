@@ -40,7 +40,7 @@ impl Target {
     ///
     /// # Errors
     /// If the extension does not correspond to a target.
-    pub fn of_path(path: &Path) -> Result<Target, BadEnding> {
+    pub fn of_path(path: &Path) -> Result<Target, BadExtension> {
         Ok(
             match path.extension().and_then(|e| e.to_str()).unwrap_or("") {
                 "html" | "htm" => Target::Html,
@@ -55,17 +55,17 @@ impl Target {
                 #[cfg(feature = "naga")]
                 "metal" | "msl" => Target::Msl,
                 #[cfg(not(feature = "naga"))]
-                ending @ ("wgsl" | "spv" | "hlsl" | "metal" | "msl") => {
-                    return Err(BadEnding::NotBuilt(ending.to_string()));
+                extension @ ("wgsl" | "spv" | "hlsl" | "metal" | "msl") => {
+                    return Err(BadExtension::NotBuilt(extension.to_string()));
                 }
                 "" | "frag" | "glsl" | "fs" | "fsh" => Target::Glsl,
-                other => return Err(BadEnding::Unknown(other.to_string())),
+                other => return Err(BadExtension::Unknown(other.to_string())),
             },
         )
     }
 
     /// The file extension.
-    pub fn ending(self) -> &'static str {
+    pub fn extension(self) -> &'static str {
         match self {
             Target::Html => "html",
             Target::Json => "json",
@@ -105,24 +105,24 @@ impl Target {
 
 /// An extension without a target.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum BadEnding {
+pub enum BadExtension {
     /// The extension of a language that this build does not include.
     NotBuilt(String),
     /// Any other extension.
     Unknown(String),
 }
 
-impl fmt::Display for BadEnding {
+impl fmt::Display for BadExtension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BadEnding::NotBuilt(ending) => write!(
+            BadExtension::NotBuilt(extension) => write!(
                 f,
-                "this build does not support `.{ending}` files; rebuild with \
+                "this build does not support `.{extension}` files; rebuild with \
                  `cargo install --path . --features naga`"
             ),
-            BadEnding::Unknown(ending) => {
-                write!(f, "unknown output extension `.{ending}`; ")?;
-                f.write_str(match ending.as_str() {
+            BadExtension::Unknown(extension) => {
+                write!(f, "unknown output extension `.{extension}`; ")?;
+                f.write_str(match extension.as_str() {
                     "vert" => "use `-o NAME.frag`, which writes NAME.vert as well",
                     "jsx" | "tsx" => "use `--target react`",
                     "ts" => "use `--target module`, which writes its types as well",

@@ -76,7 +76,7 @@ pub(super) struct NamedPass {
     /// The file name in a folder, without extension.
     pub slug: String,
     /// The file extension.
-    pub ending: &'static str,
+    pub extension: &'static str,
     /// The content of the file.
     pub content: Vec<u8>,
 }
@@ -97,11 +97,13 @@ pub(super) fn named(order: Order, passes: Vec<NamedPass>) -> Result<Vec<File>, B
     };
     let mut files: Vec<File> = Vec::new();
     for pass in passes {
-        let NamedPass { slug, ending, .. } = &pass;
-        let mut path = folder.join(format!("{slug}.{ending}"));
+        let NamedPass {
+            slug, extension, ..
+        } = &pass;
+        let mut path = folder.join(format!("{slug}.{extension}"));
         let mut number = 2;
         while files.iter().any(|f| f.path == path) {
-            path = folder.join(format!("{slug}_{number}.{ending}"));
+            path = folder.join(format!("{slug}_{number}.{extension}"));
             number += 1;
         }
         files.push(file(&path, pass.content));

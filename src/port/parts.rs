@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn names_tell_what_a_file_is_for() {
+    fn names_show_what_a_file_is_for() {
         check("image", Some("image"));
         check("Image", Some("image"));
         check("buffer_a", Some("buffer_a"));

@@ -61,7 +61,7 @@ pub struct ProjectPass {
     /// Text before the code of a complete shader.
     pub before: Arc<str>,
     /// Text after it.
-    pub behind: Arc<str>,
+    pub after: Arc<str>,
     /// The values of the uniforms and varyings of a complete shader.
     pub bound: Bindings,
     /// The shader stage of the code.
@@ -354,7 +354,7 @@ impl ProjectPass {
             output: None,
             wrapper: Wrapper::Player,
             before: Arc::from(""),
-            behind: Arc::from(""),
+            after: Arc::from(""),
             bound: Bindings::default(),
             stage: Stage::Fragment,
             draw: PassDraw::default(),

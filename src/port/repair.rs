@@ -91,8 +91,8 @@ fn layout(program: &Program, at: Span) -> Option<Fix> {
         .find(|q| program.span(q.extent).contains(at))?;
     let next = span_of(program, found.extent.last + 1)?;
     let gone = Span::new(program.span(found.extent).start, next.start);
-    let is_whole = program.is_direct(found.extent);
-    is_whole.then(|| Fix::safe("remove the `layout` qualifier", vec![Edit::delete(gone)]))
+    let is_complete = program.is_direct(found.extent);
+    is_complete.then(|| Fix::safe("remove the `layout` qualifier", vec![Edit::delete(gone)]))
 }
 
 /// Removes the initial value of a uniform, which desktop GLSL accepts: the page has a control with
@@ -126,17 +126,18 @@ fn varying(program: &Program, word: Span) -> Option<Fix> {
         let DeclKind::Variables { declarators, .. } = decl.kind else {
             return None;
         };
-        let whole = program.span(decl.extent);
+        let declaration = program.span(decl.extent);
         let [declarator] = program.tree.declarators(declarators) else {
             return None;
         };
         let name = program.names.text(declarator.ident.name);
-        if !whole.contains(word) || !program.is_direct(decl.extent) || !PLACES.contains(&name) {
+        if !declaration.contains(word) || !program.is_direct(decl.extent) || !PLACES.contains(&name)
+        {
             return None;
         }
         let line = format!("#define {name} (gl_FragCoord.xy / iResolution.xy)");
         let title = format!("define `{name}` as the position in the image");
-        Some(Fix::safe(title, vec![Edit::replace(whole, line)]))
+        Some(Fix::safe(title, vec![Edit::replace(declaration, line)]))
     })
 }
 

@@ -6,7 +6,7 @@
 //! reported, and the pass keeps the player's header.
 
 use super::glsl::signed;
-use super::same::{Added, Lowered, is_same};
+use super::same::{Added, LoweredShader, is_same};
 use super::{Composed, PassUnit, Project, Wrapper};
 use shaderlint_ir::lower;
 use shaderlint_semantic::{FunctionRef, Pass, Program, Stage, analyze_alone, builtins::Builtins};
@@ -87,11 +87,11 @@ fn prove(program: &Program, main: &Main, how: &Rewriting, text: &str) -> Result<
         let message = format!("the rewritten shader does not compile: {}", problem.message);
         return Err(not_safe(main.header, message));
     }
-    let pass = Lowered {
+    let pass = LoweredShader {
         program,
         module: &lower(program),
     };
-    let made = Lowered {
+    let made = LoweredShader {
         program: &made.program,
         module: &lower(&made.program),
     };

@@ -12,7 +12,7 @@ use shaderlint_ir::{
 use shaderlint_semantic::{FunctionRef, Program, Value, VariableId};
 
 /// A checked shader and its IR.
-pub(super) struct Lowered<'a> {
+pub(super) struct LoweredShader<'a> {
     pub(super) program: &'a Program,
     pub(super) module: &'a Module,
 }
@@ -31,7 +31,12 @@ pub(super) struct Added<'a> {
 
 /// Whether `main` of the rewritten shader is equivalent to `mainImage` of the pass, including
 /// everything that it calls or that runs before it.
-pub(super) fn is_same(pass: &Lowered, image: FunctionRef, made: &Lowered, added: &Added) -> bool {
+pub(super) fn is_same(
+    pass: &LoweredShader,
+    image: FunctionRef,
+    made: &LoweredShader,
+    added: &Added,
+) -> bool {
     let mut pair = ShaderPair {
         a: pass,
         b: made,
@@ -47,8 +52,8 @@ pub(super) fn is_same(pass: &Lowered, image: FunctionRef, made: &Lowered, added:
 
 /// Two shaders that are compared in parallel. `None` results mean a difference.
 struct ShaderPair<'a> {
-    a: &'a Lowered<'a>,
-    b: &'a Lowered<'a>,
+    a: &'a LoweredShader<'a>,
+    b: &'a LoweredShader<'a>,
     variables: FxHashMap<VariableId, VariableId>,
     back: FxHashMap<VariableId, VariableId>,
     ops: FxHashMap<OpId, OpId>,
@@ -81,7 +86,7 @@ fn holds(is_so: bool) -> Option<()> {
     is_so.then_some(())
 }
 
-impl Lowered<'_> {
+impl LoweredShader<'_> {
     /// The name of a variable; `None` for one created by lowering.
     fn name(&self, id: VariableId) -> Option<&str> {
         let variable = self.program.variable(id)?;
@@ -190,7 +195,7 @@ impl ShaderPair<'_> {
 
     /// Compares the initial values of globals, except those of outputs.
     fn globals(&mut self) -> Option<()> {
-        let own = |side: &Lowered| {
+        let own = |side: &LoweredShader| {
             let all = items(side.module, side.module.globals);
             let is_output = |item: &ComparedItem| {
                 let root = side.store(*item).and_then(|s| side.module.variable(s.0));
@@ -214,7 +219,7 @@ impl ShaderPair<'_> {
     fn others(&mut self) -> Option<()> {
         while let Some((a, b)) = self.queue.pop() {
             let (ours, theirs) = (self.a.module.function(a)?, self.b.module.function(b)?);
-            let name = |side: &Lowered, id| {
+            let name = |side: &LoweredShader, id| {
                 let function = side.program.function(id);
                 function.map(|f| side.program.names.text(f.name).to_string())
             };
@@ -385,8 +390,8 @@ impl ShaderPair<'_> {
         if let Some((coordinate, fragment)) = self.coordinate
             && ours.variable == coordinate
         {
-            let whole = [Access::Lanes(Lanes::new([0, 1]))];
-            let wanted = if path.is_empty() { &whole } else { path };
+            let both = [Access::Lanes(Lanes::new([0, 1]))];
+            let wanted = if path.is_empty() { &both } else { path };
             let is_known = matches!(wanted, [Access::Lanes(_)]);
             return holds(is_known && theirs.variable == fragment && path_b == wanted);
         }
@@ -414,7 +419,7 @@ impl ShaderPair<'_> {
     /// Records that two variables of the same type correspond.
     fn take(&mut self, a: VariableId, b: VariableId) -> Option<()> {
         let (ours, theirs) = (self.a.module.variable(a)?, self.b.module.variable(b)?);
-        let name = |side: &Lowered, ty| side.program.type_name(ty);
+        let name = |side: &LoweredShader, ty| side.program.type_name(ty);
         holds(name(self.a, ours.ty) == name(self.b, theirs.ty))?;
         holds(ours.precision == theirs.precision && ours.is_flat == theirs.is_flat)?;
         self.variables.insert(a, b);

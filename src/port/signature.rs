@@ -9,7 +9,7 @@ const HEAD: usize = 4096;
 /// The kind of input and media type of a file; `None` for types that browsers do not support.
 pub fn kind_of_bytes(bytes: &[u8]) -> Option<(InputKind, &'static str)> {
     let head = bytes.get(..HEAD).unwrap_or(bytes);
-    picture(head).or_else(|| film_or_music(head)).or_else(|| {
+    image(head).or_else(|| film_or_music(head)).or_else(|| {
         let head = VolumeHead::read(bytes);
         head.map(|_| (InputKind::Volume, "application/octet-stream"))
     })
@@ -17,8 +17,8 @@ pub fn kind_of_bytes(bytes: &[u8]) -> Option<(InputKind, &'static str)> {
 
 /// The media type for the extension of a file name.
 pub fn kind_of_name(path: &str) -> Option<&'static str> {
-    let ending = path.rsplit_once('.')?.1.to_ascii_lowercase();
-    Some(match ending.as_str() {
+    let extension = path.rsplit_once('.')?.1.to_ascii_lowercase();
+    Some(match extension.as_str() {
         "png" => "image/png",
         "jpg" | "jpeg" => "image/jpeg",
         "webp" => "image/webp",
@@ -37,7 +37,7 @@ pub fn kind_of_name(path: &str) -> Option<&'static str> {
     })
 }
 
-fn picture(head: &[u8]) -> Option<(InputKind, &'static str)> {
+fn image(head: &[u8]) -> Option<(InputKind, &'static str)> {
     let is_brand = |wanted: &[u8]| brands(head).any(|b| b == wanted);
     let kind = match head {
         [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', ..] => "image/png",
@@ -71,7 +71,7 @@ fn film_or_music(head: &[u8]) -> Option<(InputKind, &'static str)> {
         _ if riff(head) == Some(b"WAVE") => (InputKind::Music, "audio/wav"),
         // Only audio has a brand of its own; images of this family were matched before.
         _ if first.is_some_and(|b| b.starts_with(b"M4A")) => (InputKind::Music, "audio/mp4"),
-        _ if first.is_some_and(|b| !PICTURES.contains(&b)) => (InputKind::Video, "video/mp4"),
+        _ if first.is_some_and(|b| !IMAGE_BRANDS.contains(&b)) => (InputKind::Video, "video/mp4"),
         // A frame of MPEG audio: eleven set bits, then version, layer, bit rate and frequency.
         [0xff, second, third, ..]
             if second & 0xe6 == 0xe2
@@ -87,7 +87,7 @@ fn film_or_music(head: &[u8]) -> Option<(InputKind, &'static str)> {
 }
 
 /// Brands of MP4-like files that are images which browsers do not support.
-const PICTURES: [&[u8]; 6] = [b"heic", b"heix", b"hevc", b"hevx", b"mif1", b"msf1"];
+const IMAGE_BRANDS: [&[u8]; 6] = [b"heic", b"heix", b"hevc", b"hevx", b"mif1", b"msf1"];
 
 /// The form type of a RIFF file.
 fn riff(head: &[u8]) -> Option<&[u8; 4]> {
@@ -137,8 +137,8 @@ impl VolumeHead {
         let size = [field(4)?, field(8)?, field(12)?];
         let mut sides = size.iter().map(|side| *side as usize);
         let data = sides.try_fold(components * width, usize::checked_mul)?;
-        let is_whole = data > 0 && data.checked_add(VolumeHead::LENGTH) == Some(file.len());
-        is_whole.then_some(VolumeHead {
+        let is_complete = data > 0 && data.checked_add(VolumeHead::LENGTH) == Some(file.len());
+        is_complete.then_some(VolumeHead {
             size,
             components,
             width,

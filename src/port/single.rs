@@ -1,6 +1,6 @@
 //! A shader file as a project: a ShaderToy pass, or a complete shader of any host.
 
-use super::dialect::{self, Clues, Plan, PlannedPass, Recognised, TextsBeside, bind, recognise};
+use super::dialect::{self, Clues, Plan, PlannedPass, Recognised, SiblingTexts, bind, recognise};
 use super::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
@@ -52,7 +52,7 @@ impl Project {
         code: &str,
         host: Option<&'static Preset>,
     ) -> Result<Project, ShaderError> {
-        Project::draft_beside(title, code, host, &TextsBeside::new())
+        Project::draft_with_siblings(title, code, host, &SiblingTexts::new())
     }
 
     /// Like [`Project::draft`], for a text with companion files. Those that have not been read yet
@@ -60,18 +60,18 @@ impl Project {
     ///
     /// # Errors
     /// If its text shows that the page cannot show it.
-    pub fn draft_beside(
+    pub fn draft_with_siblings(
         title: &str,
         code: &str,
         host: Option<&'static Preset>,
-        beside: &TextsBeside,
+        siblings: &SiblingTexts,
     ) -> Result<Project, ShaderError> {
-        let told = guess(code);
-        let pass = match told.kind {
+        let first_guess = guess(code);
+        let pass = match first_guess.kind {
             Some(GuessedKind::ShaderToy(kind)) => Some(kind),
             _ => None,
         };
-        let clues = Clues::beside(code, title, beside);
+        let clues = Clues::with_siblings(code, title, siblings);
         let recognised = host.map(Recognised::given).or_else(|| recognise(&clues));
         let recognised = recognised.ok_or(ShaderError::NoEntry)?;
         let Some(plan) = dialect::plan(recognised.host, &clues) else {
@@ -82,12 +82,12 @@ impl Project {
             return Err(ShaderError::NoEntry);
         }
         let draws_vertices = plan.draws.iter().any(|d| d.has_vertices);
-        if told.stage == Some(Stage::Vertex) && !draws_vertices {
+        if first_guess.stage == Some(Stage::Vertex) && !draws_vertices {
             return Err(ShaderError::Vertex);
         }
         let mut project = Project::of_plan(title, recognised.host, plan)?;
         if host.is_none() && !recognised.signs.is_empty() {
-            project.notes.insert(0, recognised.told());
+            project.notes.insert(0, recognised.summary());
         }
         Ok(project)
     }
@@ -96,8 +96,8 @@ impl Project {
     /// `None` for other shaders, or if the host completes them. The result is the input of
     /// [`Project::draft`].
     pub fn modernized(&self, text: &str) -> Option<Project> {
-        let is_whole = self.host.is_some_and(|h| !h.declares()) && self.passes.len() == 1;
-        let is_old = is_whole && guess(text).kind == Some(GuessedKind::WebGl1);
+        let is_complete = self.host.is_some_and(|h| !h.declares()) && self.passes.len() == 1;
+        let is_old = is_complete && guess(text).kind == Some(GuessedKind::WebGl1);
         is_old.then(|| {
             let pass = ProjectPass {
                 wrapper: Wrapper::Own,
@@ -195,7 +195,7 @@ impl Project {
 
     /// Notes about how a shader file was interpreted and which values are assumed.
     pub fn remarks(&self) -> Vec<String> {
-        let mut told = self.notes.clone();
+        let mut notes = self.notes.clone();
         let quoted = |names: Vec<&str>| format!("`{}`", names.join("`, `"));
         let names = |of: fn(&Bindings) -> &[String]| {
             let all = self.passes.iter().flat_map(|p| of(&p.bound));
@@ -224,10 +224,10 @@ impl Project {
             (zeros, "unknown uniforms, set to zero"),
         ] {
             if !names.is_empty() && self.host.is_some() {
-                told.push(format!("{what}: {}", quoted(names)));
+                notes.push(format!("{what}: {}", quoted(names)));
             }
         }
-        told
+        notes
     }
 }
 
@@ -244,7 +244,7 @@ fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, Sha
         name: planned.name,
         wrapper: Wrapper::Own,
         before: best.before,
-        behind: best.behind,
+        after: best.after,
         stage: best.stage,
         inputs: planned.inputs,
         output: Some(planned.output),

@@ -118,15 +118,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_at_hand_is_said() {
+    fn what_is_not_available_is_reported() {
         let json = r#"{"renderpass":[{"type":"image","code":"","inputs":[
             {"type":"texture","channel":0,"filepath":"/media/a/x.jpg"},
             {"type":"keyboard","channel":1},{"type":"buffer","id":"4dXGR8","channel":2},
             {"type":"mic","channel":3}]}]}"#;
         let project = Project::from_json(json).unwrap();
-        let said: Vec<String> = missing(&project).iter().map(Missing::to_string).collect();
+        let messages: Vec<String> = missing(&project).iter().map(Missing::to_string).collect();
         assert_eq!(
-            said,
+            messages,
             [
                 "image.0: texture file /media/a/x.jpg is not available; the channel is black; use \
                  `--channel image.0=FILE`, or drop a file on the page",

@@ -6,7 +6,9 @@ use super::order::Order;
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 use super::{Composed, Project};
 use shaderlint_diagnostic::{Diagnostic, Severity};
-use shaderlint_semantic::{Checked, Dialect, GuessedKind, Stage, Unit, Wholeness, analyze, guess};
+use shaderlint_semantic::{
+    Checked, Completeness, Dialect, GuessedKind, Stage, Unit, analyze, guess,
+};
 use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;
@@ -34,7 +36,7 @@ pub(super) fn translated(
 }
 
 /// A complete shader, with its own uniforms and `main`.
-pub struct WholeShader {
+pub struct CompleteShader {
     /// The path given by the user.
     pub path: String,
     /// The shader stage.
@@ -44,22 +46,22 @@ pub struct WholeShader {
 }
 
 /// The complete shaders of one run.
-pub struct WholeShaders {
+pub struct CompleteShaders {
     /// Their texts.
     pub sources: Arc<Sources>,
     /// One for each input file.
-    pub shaders: Vec<WholeShader>,
+    pub shaders: Vec<CompleteShader>,
 }
 
 /// Checks shaders, given with path and stage. Returns `None` unless all are complete: they have a
 /// `#version`, or compile as WebGL1.
-pub fn whole_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<WholeShaders> {
+pub fn complete_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<CompleteShaders> {
     let mut sources = Sources::new();
     let mut added = Vec::new();
     for (path, code, stage) in files {
-        let told = guess(&code);
-        let kind = told.kind?;
-        let stage = stage.or(told.stage).unwrap_or(Stage::Fragment);
+        let guessed = guess(&code);
+        let kind = guessed.kind?;
+        let stage = stage.or(guessed.stage).unwrap_or(Stage::Fragment);
         let file = sources.add(path.clone(), None, Role::User, code)?;
         added.push((path, kind, stage, file));
     }
@@ -72,24 +74,24 @@ pub fn whole_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<Whol
             stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
-            wholeness: Wholeness::Whole,
+            completeness: Completeness::Complete,
         });
-        let is_whole = match kind {
+        let is_complete = match kind {
             GuessedKind::Versioned => true,
             // A shader fragment for a host can look like this too.
             GuessedKind::WebGl1 => !is_wrong(&checked),
             _ => false,
         };
-        if !is_whole {
+        if !is_complete {
             return None;
         }
-        shaders.push(WholeShader {
+        shaders.push(CompleteShader {
             path,
             stage,
             checked,
         });
     }
-    Some(WholeShaders { sources, shaders })
+    Some(CompleteShaders { sources, shaders })
 }
 
 fn is_wrong(checked: &Checked) -> bool {
@@ -102,7 +104,7 @@ fn is_wrong(checked: &Checked) -> bool {
 ///
 /// # Errors
 /// If several shaders are to be written to one file.
-pub fn translate_shaders(order: Order, all: &WholeShaders) -> Result<Build, BuildError> {
+pub fn translate_shaders(order: Order, all: &CompleteShaders) -> Result<Build, BuildError> {
     let Some(language) = order.target.language() else {
         return Ok(Build::default());
     };
@@ -145,7 +147,7 @@ struct ShaderOutcome {
 
 /// The files of all shaders; none if one cannot be translated.
 fn files(order: Order, all: Vec<ShaderOutcome>) -> Result<Build, BuildError> {
-    let ending = order.target.language().map_or("", |l| l.ending());
+    let extension = order.target.language().map_or("", |l| l.extension());
     let mut remarks = Vec::new();
     let mut passes = Vec::new();
     let mut interfaces = Vec::new();
@@ -155,7 +157,7 @@ fn files(order: Order, all: Vec<ShaderOutcome>) -> Result<Build, BuildError> {
                 passes.push(NamedPass {
                     name: made.title,
                     slug: made.slug,
-                    ending,
+                    extension,
                     content: done.text,
                 });
                 interfaces.push(done.interface);
@@ -171,14 +173,14 @@ fn files(order: Order, all: Vec<ShaderOutcome>) -> Result<Build, BuildError> {
     }
     let mut files = named(order, passes)?;
     if order.interface {
-        let told = files.iter().zip(&interfaces).map(|(shader, interface)| {
+        let guessed = files.iter().zip(&interfaces).map(|(shader, interface)| {
             let mut path = shader.path.clone().into_os_string();
             path.push(".json");
             let text = serde_json::to_string_pretty(interface).unwrap_or_default();
             file(Path::new(&path), text + "\n")
         });
-        let told: Vec<File> = told.collect();
-        files.extend(told);
+        let guessed: Vec<File> = guessed.collect();
+        files.extend(guessed);
     }
     Ok(Build { files, remarks })
 }

@@ -19,9 +19,9 @@ const MAX_NEW: usize = 60;
 
 /// The texts printed so far. A note that many findings share is printed once.
 #[derive(Default)]
-pub struct Told(HashSet<String>);
+pub struct SeenNotes(HashSet<String>);
 
-impl Told {
+impl SeenNotes {
     /// Whether a text was not printed before.
     fn is_new(&mut self, text: &str) -> bool {
         self.0.insert(text.to_string())
@@ -33,7 +33,7 @@ pub fn write(
     out: &mut impl Write,
     sources: &Sources,
     diagnostic: &Diagnostic,
-    told: &mut Told,
+    notes: &mut SeenNotes,
 ) -> io::Result<()> {
     let span = diagnostic.span;
     write!(
@@ -46,7 +46,7 @@ pub fn write(
         clean(&diagnostic.message)
     )?;
     if let Some(fix) = &diagnostic.fix {
-        write!(out, "; {}", told_fix(sources, fix, span, told))?;
+        write!(out, "; {}", fix_in_words(sources, fix, span, notes))?;
     }
     for used in &diagnostic.macros {
         write!(out, "; in macro `{}`", clean(&used.name))?;
@@ -62,7 +62,7 @@ pub fn write(
         write!(out, "; {}: {message}", joined(&places))?;
     }
     for note in diagnostic.notes.iter().chain(&diagnostic.help) {
-        if told.is_new(note) {
+        if notes.is_new(note) {
             write!(out, "; {}", clean(note))?;
         }
     }
@@ -117,15 +117,15 @@ fn joined(places: &[String]) -> String {
 }
 
 /// The edits of a fix: ``replace `1` with `1.0` at 5:3, 6:7``.
-fn told_fix(sources: &Sources, fix: &Fix, at: Span, told: &mut Told) -> String {
+fn fix_in_words(sources: &Sources, fix: &Fix, at: Span, notes: &mut SeenNotes) -> String {
     // The same edit in several places is printed once.
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for edit in &fix.edits {
-        let what = told_edit(sources, edit, told);
+        let what = edit_in_words(sources, edit, notes);
         let from = other_place(sources, edit.span.start, at);
         let place = match is_short(sources, edit) {
             true => from,
-            false => match whole_lines(sources, edit) {
+            false => match complete_lines(sources, edit) {
                 Some((first, last)) if first == last => format!("line {first}"),
                 Some((first, last)) => format!("lines {first}-{last}"),
                 None => format!("{from}-{}", place(sources, edit.span.end)),
@@ -153,11 +153,11 @@ fn told_fix(sources: &Sources, fix: &Fix, at: Span, told: &mut Told) -> String {
 }
 
 /// The first and last line that an edit deletes, if it deletes whole lines and nothing else.
-fn whole_lines(sources: &Sources, edit: &Edit) -> Option<(u32, u32)> {
+fn complete_lines(sources: &Sources, edit: &Edit) -> Option<(u32, u32)> {
     let file = sources.file_at(edit.span.start)?;
     let (start, end) = (file.position(edit.span.start), file.position(edit.span.end));
-    let is_whole = start.column == 1 && end.column == 1 && end.line > start.line;
-    (is_whole && edit.text.is_empty()).then_some((start.line, end.line - 1))
+    let is_complete = start.column == 1 && end.column == 1 && end.line > start.line;
+    (is_complete && edit.text.is_empty()).then_some((start.line, end.line - 1))
 }
 
 /// Whether the replaced code is short enough to be quoted.
@@ -166,13 +166,13 @@ fn is_short(sources: &Sources, edit: &Edit) -> bool {
     old.chars().count() <= MAX_OLD && !old.contains('\n')
 }
 
-fn told_edit(sources: &Sources, edit: &Edit, told: &mut Told) -> String {
+fn edit_in_words(sources: &Sources, edit: &Edit, notes: &mut SeenNotes) -> String {
     let old = match is_short(sources, edit) {
         true => code(sources.text(edit.span)),
         false => String::new(),
     };
     let is_long = edit.text.chars().count() > MAX_NEW;
-    let new = match is_long && !told.is_new(&edit.text) {
+    let new = match is_long && !notes.is_new(&edit.text) {
         true => {
             let head: String = edit.text.chars().take(MAX_OLD).collect();
             format!("{}...` (as before)", code(&head))

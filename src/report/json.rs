@@ -196,8 +196,8 @@ pub fn write_line(
 
 /// Writes everything after the last finding.
 pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
-    let unrun = summary.unrun_functions.iter();
-    let unrun: Vec<_> = unrun
+    let skipped = summary.skipped_functions.iter();
+    let skipped: Vec<_> = skipped
         .map(|(function, file)| json!({"file": file, "function": function}))
         .collect();
     let value = json!({
@@ -211,8 +211,8 @@ pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
         "left_out": summary.left_out,
         "parts": summary.parts,
         "open_names": summary.open_names.len(),
-        "unrun_shaders": summary.unrun_shaders,
-        "unrun_functions": unrun
+        "unrun_shaders": summary.skipped_shaders,
+        "unrun_functions": skipped
     });
     let readings = summary.readings.iter();
     let readings: Vec<_> = readings

@@ -76,14 +76,14 @@ pub struct Reporter<W: Write> {
     out: W,
     color: bool,
     pages: Pages,
-    ending: ReportEnd,
+    end: ReportEnd,
     /// Base folder of paths in the formats that services read; ends with a slash.
     root: String,
     summary: Summary,
     /// Number of findings printed.
     printed: usize,
     /// The texts that the agent format printed already.
-    told: agent::Told,
+    notes: agent::SeenNotes,
     /// Number of findings by rule, for the statistics and SARIF.
     names: BTreeMap<&'static str, usize>,
 }
@@ -97,11 +97,11 @@ impl<W: Write> Reporter<W> {
             out,
             color,
             pages: |_| None,
-            ending: ReportEnd::Counts,
+            end: ReportEnd::Counts,
             root: "/".to_string(),
             summary: Summary::default(),
             printed: 0,
-            told: agent::Told::default(),
+            notes: agent::SeenNotes::default(),
             names: BTreeMap::new(),
         }
     }
@@ -115,13 +115,13 @@ impl<W: Write> Reporter<W> {
     /// Prints at the end what was checked, where rules did not run, and how many findings can be
     /// fixed.
     pub fn summing_up(mut self) -> Reporter<W> {
-        self.ending = ReportEnd::All;
+        self.end = ReportEnd::All;
         self
     }
 
     /// Prints no summary, except in the formats that always have one.
     pub fn without_summary(mut self) -> Reporter<W> {
-        self.ending = ReportEnd::None;
+        self.end = ReportEnd::None;
         self
     }
 
@@ -132,7 +132,7 @@ impl<W: Write> Reporter<W> {
     }
 
     /// Whether the format prints how each input was interpreted.
-    pub fn tells_readings(&self) -> bool {
+    pub fn shows_readings(&self) -> bool {
         matches!(self.format, Format::Json | Format::Jsonl)
     }
 
@@ -222,7 +222,7 @@ impl<W: Write> Reporter<W> {
             match self.format {
                 Format::Human => human::write(out, sources, diagnostic, self.color)?,
                 Format::Short => short::write(out, sources, diagnostic)?,
-                Format::Agent => agent::write(out, sources, diagnostic, &mut self.told)?,
+                Format::Agent => agent::write(out, sources, diagnostic, &mut self.notes)?,
                 Format::Json => json::write(out, sources, diagnostic, self.printed == 0)?,
                 Format::Jsonl => json::write_line(out, sources, diagnostic, read_as)?,
                 Format::Github => github::write(out, sources, diagnostic, &self.root)?,
@@ -252,7 +252,7 @@ impl<W: Write> Reporter<W> {
     /// Writes the summary.
     fn sum_up(&mut self) -> io::Result<()> {
         let summary = &self.summary;
-        let lines = match self.ending {
+        let lines = match self.end {
             ReportEnd::None => Vec::new(),
             ReportEnd::Counts if summary.findings() == 0 => Vec::new(),
             ReportEnd::Counts => {
@@ -287,7 +287,7 @@ impl<W: Write> Reporter<W> {
             Format::Json => json::end(&mut self.out, &self.summary)?,
             Format::Human => self.sum_up()?,
             Format::Agent => {
-                self.ending = ReportEnd::All;
+                self.end = ReportEnd::All;
                 self.sum_up()?;
             }
             Format::Sarif => {

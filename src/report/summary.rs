@@ -23,9 +23,9 @@ pub struct Scope {
     /// How the input was interpreted, for the formats that print it.
     pub read_as: Option<ReadAs>,
     /// Number of shaders that rules skipped because of errors outside functions.
-    pub unrun_shaders: usize,
+    pub skipped_shaders: usize,
     /// The functions that rules skipped because of errors.
-    pub unrun_functions: Vec<String>,
+    pub skipped_functions: Vec<String>,
     /// The names that hosts have to declare for the shader fragments of this input.
     pub open_names: BTreeSet<String>,
     /// Number of findings dropped because there are too many.
@@ -74,9 +74,9 @@ pub struct Summary {
     /// These names.
     pub open_names: BTreeSet<String>,
     /// Number of shaders that rules skipped.
-    pub unrun_shaders: usize,
+    pub skipped_shaders: usize,
     /// The functions that rules skipped, in source order, each with its file.
-    pub unrun_functions: Vec<(String, String)>,
+    pub skipped_functions: Vec<(String, String)>,
     /// How each input was interpreted, for the formats that print it.
     pub readings: Vec<(String, ReadAs)>,
 }
@@ -101,17 +101,17 @@ impl Summary {
         self.left_out += scope.left_out;
         self.hidden += scope.hidden;
         self.known += scope.known;
-        self.unrun_shaders += scope.unrun_shaders;
+        self.skipped_shaders += scope.skipped_shaders;
         self.parts += usize::from(!scope.open_names.is_empty());
         self.open_names.extend(scope.open_names.iter().cloned());
         self.failing += scope.failing.len();
         self.failing_rules.extend(&scope.failing);
         // Several passes may contain the same function.
         let mut seen = BTreeSet::new();
-        let functions = scope.unrun_functions.iter();
+        let functions = scope.skipped_functions.iter();
         let functions: Vec<&String> = functions.filter(|f| seen.insert(*f)).collect();
         let named = functions.iter().map(|f| (f.to_string(), input.to_string()));
-        self.unrun_functions.extend(named);
+        self.skipped_functions.extend(named);
     }
 
     /// The number of findings of all severities.
@@ -192,14 +192,14 @@ impl Summary {
                 rules.join(", ")
             ));
         }
-        lines.extend(self.unrun());
+        lines.extend(self.skipped());
         lines
     }
 
     /// The lines about functions and shaders that rules skipped.
-    fn unrun(&self) -> Vec<String> {
+    fn skipped(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        let functions = &self.unrun_functions;
+        let functions = &self.skipped_functions;
         if !functions.is_empty() {
             let is_one_file = self.files == 1;
             let name = |(function, file): &(String, String)| match is_one_file {
@@ -216,10 +216,10 @@ impl Summary {
                 names.join(", ")
             ));
         }
-        if self.unrun_shaders > 0 {
+        if self.skipped_shaders > 0 {
             lines.push(format!(
                 "Rules skipped {} with errors outside functions",
-                count(self.unrun_shaders, "shader")
+                count(self.skipped_shaders, "shader")
             ));
         }
         if self.parts > 0 {

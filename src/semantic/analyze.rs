@@ -1,12 +1,12 @@
 //! Analysis of one shader from files to findings, including error attribution to macro definitions
 //! and directives.
 
-use super::blame::attribute;
 use super::builtins::Stage;
 use super::checker::MAX_ERRORS;
+use super::chunk::Completeness;
 use super::dialect::Dialect;
-use super::once::analyze_once;
-use super::part::Wholeness;
+use super::root_cause::attribute;
+use super::single_pass::analyze_single_pass;
 use super::unit::{Checked, Unit};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_syntax::Search;
@@ -34,13 +34,13 @@ fn analyze_files(sources: Sources, files: &[FileId]) -> Checked {
         stage: Stage::Fragment,
         dialect: Dialect::WebGl,
         infer_channels: false,
-        wholeness: Wholeness::Whole,
+        completeness: Completeness::Complete,
     })
 }
 
 /// Checks a shader fragment in every way in which a host may complete it, most likely first; only
 /// errors that occur in all of them are kept.
-pub fn analyze_part(readings: &[Unit], search: &mut Search) -> Option<Checked> {
+pub fn analyze_chunk(readings: &[Unit], search: &mut Search) -> Option<Checked> {
     let (first, others) = readings.split_first()?;
     let mut analysis = analyze_within(first, search);
     for other in others {
@@ -61,10 +61,10 @@ pub fn analyze_part(readings: &[Unit], search: &mut Search) -> Option<Checked> {
             open,
             ..
         } = analyze_within(other, search);
-        let is_told = |d: &Diagnostic| found.iter().any(|o| o.span.touches(d.span));
+        let is_reported = |d: &Diagnostic| found.iter().any(|o| o.span.touches(d.span));
         analysis
             .diagnostics
-            .retain(|d| d.severity != Severity::Error || is_told(d));
+            .retain(|d| d.severity != Severity::Error || is_reported(d));
         keep_common(&mut analysis.open.unknown, &open.unknown);
     }
     Some(analysis)
@@ -96,8 +96,8 @@ pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
         program,
         diagnostics,
         open,
-        wholeness,
-    } = analyze_once(unit, search);
+        completeness,
+    } = analyze_single_pass(unit, search);
     let mut diagnostics = attribute(unit, &program, diagnostics, search);
     // The entry function may be inside an `#if` without `#endif`.
     if diagnostics
@@ -106,7 +106,7 @@ pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
     {
         diagnostics.retain(|d| !d.is(error::MISSING_MAIN));
     }
-    if unit.wholeness != Wholeness::Whole {
+    if unit.completeness != Completeness::Complete {
         keep_own(unit.sources, &mut diagnostics);
     }
     limit(&mut diagnostics);
@@ -114,7 +114,7 @@ pub fn analyze_within(unit: &Unit, search: &mut Search) -> Checked {
         program,
         diagnostics,
         open,
-        wholeness,
+        completeness,
     }
 }
 

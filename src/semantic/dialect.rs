@@ -43,12 +43,12 @@ pub type Channels = [Option<Sampler>; 4];
 
 /// Output declaration for a fragment that writes to `gl_FragColor` and is compiled as GLSL ES 3.00,
 /// if its host declares none.
-pub const PART_OUTPUT: &str =
+pub const CHUNK_OUTPUT: &str =
     "out highp vec4 host_FragColor;\n#define gl_FragColor host_FragColor\n";
 
 /// Declarations added before a shader fragment, after its `#version`: default precisions and, as
 /// hosts that compile as GLSL ES 3.00 do, macros for the names of 1.00.
-pub fn part_declarations(version: Version, stage: Stage) -> String {
+pub fn chunk_declarations(version: Version, stage: Stage) -> String {
     const SAMPLERS: [&str; 2] = ["sampler2D", "samplerCube"];
     const NEW_SAMPLERS: [&str; 13] = [
         "sampler3D",
@@ -136,7 +136,7 @@ pub enum GuessedKind {
 
 impl GuessedKind {
     /// Whether texts of this kind are complete, or completed by a known host.
-    pub fn is_whole(self) -> bool {
+    pub fn is_complete(self) -> bool {
         matches!(self, GuessedKind::ShaderToy(_) | GuessedKind::Versioned)
     }
 }
@@ -211,9 +211,9 @@ fn is_completed(text: &str) -> bool {
         let (word, rest) = line.split_at(word_of(line));
         let is_own = || {
             let rest = rest.trim_start();
-            let (name, behind) = rest.split_at(word_of(rest));
+            let (name, after) = rest.split_at(word_of(rest));
             !matches!(name, "STDGL" | "optimize" | "debug")
-                && behind.trim_start().starts_with([':', '('])
+                && after.trim_start().starts_with([':', '('])
         };
         match word {
             "include" | "import" => true,
@@ -314,7 +314,7 @@ impl Seen {
     fn read(&mut self, text: &str) {
         use shaderlint_syntax::{Lexer, RawKind};
         let mut lexer = Lexer::new(text, 0);
-        let mut behind_hash = false;
+        let mut after_hash = false;
         let mut last = "";
         let may_be_vertex = VERTEX_WORDS.iter().any(|w| text.contains(w));
         while may_be_vertex || !self.version {
@@ -325,13 +325,13 @@ impl Seen {
                 RawKind::Word => {
                     let word = text.get(token.span.start as usize..token.span.end as usize);
                     let word = word.unwrap_or("");
-                    let behind = text.get(token.span.end as usize..).unwrap_or("");
-                    self.word(word, behind_hash, last, behind);
+                    let after = text.get(token.span.end as usize..).unwrap_or("");
+                    self.word(word, after_hash, last, after);
                     last = word;
                 }
                 _ => {}
             }
-            behind_hash = token.kind == RawKind::Hash;
+            after_hash = token.kind == RawKind::Hash;
         }
         // A text with its own `main` may call `mainImage` itself.
         if self.defines_main && self.entries > 1 {
@@ -339,16 +339,16 @@ impl Seen {
         }
     }
 
-    fn word(&mut self, word: &str, behind_hash: bool, last: &str, behind: &str) {
+    fn word(&mut self, word: &str, after_hash: bool, last: &str, after: &str) {
         self.vertex |= VERTEX_WORDS.contains(&word);
         match word {
-            "version" if behind_hash => {
+            "version" if after_hash => {
                 self.version = true;
-                self.is_300 = behind.trim_start_matches([' ', '\t']).starts_with("300");
+                self.is_300 = after.trim_start_matches([' ', '\t']).starts_with("300");
             }
             "mainImage" => {
                 self.entries += 1;
-                if may_be_entry(last, behind) {
+                if may_be_entry(last, after) {
                     self.pass = Some(Pass::Image);
                 }
             }
@@ -374,8 +374,8 @@ impl Seen {
 
 /// Whether the context of `mainImage` fits ShaderToy's entry function: others have more parameters
 /// or return a value.
-fn may_be_entry(last: &str, behind: &str) -> bool {
-    let params = behind.trim_start().strip_prefix('(');
+fn may_be_entry(last: &str, after: &str) -> bool {
+    let params = after.trim_start().strip_prefix('(');
     let params = params.and_then(|p| p.split(['(', ')', '{', ';']).next());
     let gives = last == "void" || params.is_some_and(|p| p.contains("out "));
     gives && params.is_none_or(|p| p.matches(',').count() < 2)
@@ -391,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn the_words_of_a_text_tell_what_it_is_for() {
+    fn the_words_of_a_text_show_what_it_is_for() {
         check(
             "#version 300 es\nvoid mainImage(){} void main(){}",
             Some(GuessedKind::Versioned),

@@ -19,7 +19,7 @@ pub struct Host {
     pub hides_alpha: bool,
     /// Renamed identifiers: old name, current name, year of the change.
     pub renamed: &'static [(&'static str, &'static str, &'static str)],
-    prelude: &'static [Piece],
+    prelude: &'static [PreludePiece],
     /// Number of lines of the original prelude; `__LINE__` continues from it.
     lines: usize,
 }
@@ -72,7 +72,7 @@ impl EntryPoint {
 
 /// A piece of the text that a host adds before a shader.
 #[derive(Debug)]
-enum Piece {
+enum PreludePiece {
     Text(&'static str),
     /// The four channel uniforms, each with one of these types.
     Channels(&'static [Sampler]),
@@ -81,13 +81,13 @@ enum Piece {
 }
 
 /// The first six lines added by ShaderToy's renderer.
-const RENDERER: Piece = Piece::Text(
+const RENDERER: PreludePiece = PreludePiece::Text(
     "#version 300 es\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n\
      precision mediump sampler3D;\n#endif\n#define HW_PERFORMANCE 1\n",
 );
-const UNIFORMS: Piece = Piece::Text(include_str!("builtins/shadertoy.glsl"));
-const CHANNELS: Piece =
-    Piece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D]);
+const UNIFORMS: PreludePiece = PreludePiece::Text(include_str!("builtins/shadertoy.glsl"));
+const CHANNELS: PreludePiece =
+    PreludePiece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D]);
 
 const MAIN: EntryPoint = EntryPoint {
     name: "main",
@@ -143,8 +143,8 @@ static IMAGE: Host = Host {
         RENDERER,
         UNIFORMS,
         CHANNELS,
-        Piece::ChannelStructs,
-        Piece::Text(include_str!("builtins/shadertoy_image.glsl")),
+        PreludePiece::ChannelStructs,
+        PreludePiece::Text(include_str!("builtins/shadertoy_image.glsl")),
     ],
     lines: 53,
     ..PLAYER
@@ -156,7 +156,7 @@ static BUFFER: Host = Host {
         RENDERER,
         UNIFORMS,
         CHANNELS,
-        Piece::Text(include_str!("builtins/shadertoy_buffer.glsl")),
+        PreludePiece::Text(include_str!("builtins/shadertoy_buffer.glsl")),
     ],
     lines: 27,
     ..PLAYER
@@ -168,7 +168,7 @@ static CUBEMAP: Host = Host {
         RENDERER,
         UNIFORMS,
         CHANNELS,
-        Piece::Text(include_str!("builtins/shadertoy_cubemap.glsl")),
+        PreludePiece::Text(include_str!("builtins/shadertoy_cubemap.glsl")),
     ],
     lines: 30,
     ..PLAYER
@@ -178,9 +178,9 @@ static SOUND: Host = Host {
     entry: Some(MAIN_SOUND),
     prelude: &[
         RENDERER,
-        Piece::Text(include_str!("builtins/shadertoy_sound.glsl")),
-        Piece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube]),
-        Piece::Text(include_str!("builtins/shadertoy_sound_main.glsl")),
+        PreludePiece::Text(include_str!("builtins/shadertoy_sound.glsl")),
+        PreludePiece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube]),
+        PreludePiece::Text(include_str!("builtins/shadertoy_sound_main.glsl")),
     ],
     lines: 20,
     ..PLAYER
@@ -223,8 +223,8 @@ impl Host {
         let mut text = String::new();
         for piece in self.prelude {
             match piece {
-                Piece::Text(piece) => text.push_str(piece),
-                Piece::Channels(kinds) => {
+                PreludePiece::Text(piece) => text.push_str(piece),
+                PreludePiece::Channels(kinds) => {
                     for (i, channel) in channels.iter().enumerate() {
                         let sampler = channel
                             .filter(|c| kinds.contains(c))
@@ -232,7 +232,7 @@ impl Host {
                         text.push_str(&format!("uniform {} iChannel{i};\n", sampler.name()));
                     }
                 }
-                Piece::ChannelStructs => {
+                PreludePiece::ChannelStructs => {
                     for (i, channel) in channels.iter().enumerate() {
                         let sampler = channel.unwrap_or(Sampler::Sampler2D).name();
                         text.push_str(&format!(

@@ -6,27 +6,27 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod analyze;
-mod blame;
 pub mod builtins;
 mod calls;
 mod channels;
 mod checker;
+mod chunk;
 mod constant;
+mod corrections;
 mod dialect;
 mod explain;
 mod fold;
 mod host;
-mod judge;
+mod infer_channels;
 pub mod link;
 pub mod lists;
 mod mentions;
-mod once;
 mod parsed;
-mod part;
 mod program;
 mod reach;
+mod root_cause;
 mod scope;
-mod settle;
+mod single_pass;
 pub mod snippet;
 mod structure;
 mod target;
@@ -37,19 +37,19 @@ mod undefined;
 mod unit;
 
 pub use analyze::{
-    analyze, analyze_alone, analyze_fragment, analyze_part, analyze_within, confirm_unknown,
+    analyze, analyze_alone, analyze_chunk, analyze_fragment, analyze_within, confirm_unknown,
 };
 pub use builtins::{BuiltinId, Stage};
 pub use calls::CallGraph;
 pub use channels::needed_channels;
+pub use chunk::{Completeness, Open};
 pub use constant::{Constant, Pool, Value};
 pub use dialect::first_of_300;
 pub use dialect::{
-    Channels, Dialect, Guess, GuessedKind, PART_OUTPUT, Pass, guess, needs_300, part_declarations,
+    CHUNK_OUTPUT, Channels, Dialect, Guess, GuessedKind, Pass, chunk_declarations, guess, needs_300,
 };
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use mentions::Mentions;
-pub use part::{Open, Wholeness};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,

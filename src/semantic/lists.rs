@@ -25,8 +25,8 @@ impl<T: Copy> Lists<T> {
         let mut starts = vec![0; count + 1];
         let mut first = None;
         for (list, entry) in all.clone() {
-            if let Some(behind) = starts.get_mut(list as usize + 1) {
-                *behind += 1;
+            if let Some(after) = starts.get_mut(list as usize + 1) {
+                *after += 1;
                 first = Some(entry);
             }
         }
@@ -52,9 +52,9 @@ impl<T: Copy> Lists<T> {
     }
 
     /// The list with this index; empty if there is none.
-    pub fn get(&self, number: u32) -> &[T] {
-        let start = self.starts.get(number as usize).copied().unwrap_or(0);
-        let end = self.starts.get(number as usize + 1).copied().unwrap_or(0);
+    pub fn get(&self, index: u32) -> &[T] {
+        let start = self.starts.get(index as usize).copied().unwrap_or(0);
+        let end = self.starts.get(index as usize + 1).copied().unwrap_or(0);
         let range = start as usize..end as usize;
         self.entries.get(range).unwrap_or(&[])
     }

@@ -20,7 +20,7 @@ pub enum Binding {
 }
 
 #[derive(Clone, Copy)]
-struct Entry {
+struct ScopeEntry {
     binding: Binding,
     depth: u32,
 }
@@ -133,9 +133,9 @@ impl Deref for Scopes {
 #[derive(Default)]
 pub struct NameBindings {
     /// Current binding, by name.
-    entries: Vec<Option<Entry>>,
+    entries: Vec<Option<ScopeEntry>>,
     /// Shadowed bindings, restored when their scope ends.
-    hidden: Vec<(Name, Option<Entry>)>,
+    hidden: Vec<(Name, Option<ScopeEntry>)>,
     /// Length of `hidden` at the start of each open scope.
     marks: Vec<usize>,
 }
@@ -202,7 +202,7 @@ impl NameBindings {
         if self.entries.len() <= index {
             self.entries.resize(index + 64, None);
         }
-        let entry = Entry {
+        let entry = ScopeEntry {
             binding,
             depth: self.depth(),
         };
@@ -219,7 +219,7 @@ impl NameBindings {
         if self.marks.is_empty() {
             return self.declare(name, binding);
         }
-        let global = Entry { binding, depth: 0 };
+        let global = ScopeEntry { binding, depth: 0 };
         if let Some((_, before)) = self.hidden.iter_mut().find(|(n, _)| *n == name) {
             *before = Some(global);
             return;

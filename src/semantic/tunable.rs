@@ -33,7 +33,7 @@ pub fn tunables(program: &Program) -> Vec<Tunable> {
             return None;
         }
         let (value_span, value) = number(program, i)?;
-        let (range, text) = range_behind(program, value_span)?;
+        let (range, text) = range_after(program, value_span)?;
         Some(Tunable {
             definition: MacroId(i as u32),
             name: definition.name_span,
@@ -91,7 +91,7 @@ pub struct TunableRange {
 }
 
 /// The range in a comment after a position on the same line, and the text of that comment.
-pub fn range_behind(program: &Program, place: Span) -> Option<(TunableRange, &str)> {
+pub fn range_after(program: &Program, place: Span) -> Option<(TunableRange, &str)> {
     let comments = &program.tokens.comments;
     let next = comments.partition_point(|c| c.start < place.end);
     let comment = *comments.get(next)?;
@@ -118,7 +118,7 @@ fn find_range(text: &str) -> Option<(usize, usize, f64, f64)> {
     let mut from = 0;
     while let Some(tilde) = text.get(from..)?.find('~').map(|i| i + from) {
         from = tilde + 1;
-        let (before, behind) = (text.get(..tilde)?, text.get(tilde + 1..)?);
+        let (before, after) = (text.get(..tilde)?, text.get(tilde + 1..)?);
         let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e');
         let left = before.trim_end();
         let start = left.rfind(|c: char| !is_part(c)).map_or(0, |i| {
@@ -127,11 +127,11 @@ fn find_range(text: &str) -> Option<(usize, usize, f64, f64)> {
                 .and_then(|r| r.chars().next())
                 .map_or(1, char::len_utf8)
         });
-        let right = behind.trim_start();
+        let right = after.trim_start();
         let len = right.find(|c: char| !is_part(c)).unwrap_or(right.len());
         // A full stop after the number ends a sentence.
         let high = right.get(..len)?.trim_end_matches('.');
-        let right_end = tilde + 1 + (behind.len() - right.len()) + high.len();
+        let right_end = tilde + 1 + (after.len() - right.len()) + high.len();
         let low = left.get(start..).and_then(|t| t.parse::<f64>().ok());
         let high = high.parse::<f64>().ok();
         let (Some(min), Some(max)) = (low, high) else {
@@ -154,7 +154,7 @@ fn label(comment: &str, range: &str) -> String {
     let text = comment
         .trim_start_matches(['/', '*'])
         .trim_end_matches(['/', '*']);
-    let (before, behind) = text.split_once(range).unwrap_or((text, ""));
+    let (before, after) = text.split_once(range).unwrap_or((text, ""));
     let tidy = |text: &str| {
         let text = text.trim();
         let rest = text
@@ -165,11 +165,7 @@ fn label(comment: &str, range: &str) -> String {
             .to_string()
     };
     let label = tidy(before);
-    if label.is_empty() {
-        tidy(behind)
-    } else {
-        label
-    }
+    if label.is_empty() { tidy(after) } else { label }
 }
 
 #[cfg(test)]

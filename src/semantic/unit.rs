@@ -1,8 +1,8 @@
 //! Input and result of the analysis of one shader.
 
 use super::builtins::Stage;
+use super::chunk::{Completeness, Open};
 use super::dialect::Dialect;
-use super::part::{Open, Wholeness};
 use super::program::Program;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{FileId, Sources};
@@ -21,7 +21,7 @@ pub struct Unit<'a> {
     /// Whether the types of its channels are unknown and inferred from their uses.
     pub infer_channels: bool,
     /// How much of a shader the files contain.
-    pub wholeness: Wholeness,
+    pub completeness: Completeness,
 }
 
 /// An analysed shader.
@@ -33,7 +33,7 @@ pub struct Checked {
     /// What cannot be resolved in a shader fragment.
     pub open: Open,
     /// How much of a shader the text contains.
-    pub wholeness: Wholeness,
+    pub completeness: Completeness,
 }
 
 impl Checked {

@@ -62,9 +62,9 @@ pub struct LanguageProfile {
 const fn features(all: &[Feature]) -> u32 {
     let mut bits = 0;
     let mut rest = all;
-    while let [first, behind @ ..] = rest {
+    while let [first, after @ ..] = rest {
         bits |= 1 << *first as u32;
-        rest = behind;
+        rest = after;
     }
     bits
 }

@@ -80,7 +80,7 @@ impl<'a> Lexer<'a> {
         let mut spliced = false;
         let mut kind = kind;
         if self.splices && splice_len(self.bytes, self.at).is_some() {
-            (kind, spliced) = self.continue_behind_splice(start, kind);
+            (kind, spliced) = self.continue_after_splice(start, kind);
         }
         let span = Span::new(self.base + start as u32, self.base + self.at as u32);
         RawToken {
@@ -93,7 +93,7 @@ impl<'a> Lexer<'a> {
     /// Called when the token that started at `start` ends at a backslash-newline: continues it on
     /// the next line if possible. Returns the combined token and whether it grew.
     #[cold]
-    fn continue_behind_splice(&mut self, start: usize, kind: RawKind) -> (RawKind, bool) {
+    fn continue_after_splice(&mut self, start: usize, kind: RawKind) -> (RawKind, bool) {
         match kind {
             RawKind::LineComment => {
                 self.at = line_comment_end(self.bytes, self.at);

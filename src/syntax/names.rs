@@ -178,9 +178,9 @@ impl SpecialWords {
             if len == 0 {
                 return;
             }
-            let (word, behind) = rest.split_at(len);
+            let (word, after) = rest.split_at(len);
             self.add(word, classes);
-            rest = behind;
+            rest = after;
         }
     }
 }

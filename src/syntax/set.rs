@@ -14,9 +14,9 @@ impl TokenSet {
     pub const fn of(kinds: &[TokenKind]) -> TokenSet {
         let mut bits = 0;
         let mut rest = kinds;
-        while let [first, behind @ ..] = rest {
+        while let [first, after @ ..] = rest {
             bits |= 1 << (*first as u32);
-            rest = behind;
+            rest = after;
         }
         TokenSet(bits)
     }

@@ -97,8 +97,8 @@ impl JsonString {
 
 /// Replaces every escape of a lone surrogate with U+FFFD, as a browser shows it. Offsets stay the
 /// same.
-pub fn mend_escapes(text: &str) -> Cow<'_, str> {
-    let mut mended = String::new();
+pub fn repair_escapes(text: &str) -> Cow<'_, str> {
+    let mut repaired = String::new();
     let (mut at, mut copied) = (0, 0);
     while let Some(plain) = memchr(b'\\', text.as_bytes().get(at..).unwrap_or(&[])) {
         at += plain;
@@ -107,8 +107,8 @@ pub fn mend_escapes(text: &str) -> Cow<'_, str> {
             continue;
         };
         if c == char::REPLACEMENT_CHARACTER {
-            mended.push_str(text.get(copied..at).unwrap_or(""));
-            mended.push_str("\\ufffd");
+            repaired.push_str(text.get(copied..at).unwrap_or(""));
+            repaired.push_str("\\ufffd");
             copied = at + length;
         }
         at += length;
@@ -116,8 +116,8 @@ pub fn mend_escapes(text: &str) -> Cow<'_, str> {
     if copied == 0 {
         return Cow::Borrowed(text);
     }
-    mended.push_str(text.get(copied..).unwrap_or(""));
-    Cow::Owned(mended)
+    repaired.push_str(text.get(copied..).unwrap_or(""));
+    Cow::Owned(repaired)
 }
 
 /// The character of the escape at the start of a text, and the length of the escape.

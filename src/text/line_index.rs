@@ -97,8 +97,8 @@ impl LineIndex {
 
     /// The last multi-byte character that starts before an offset.
     fn wide_before(&self, offset: usize) -> Wide {
-        let behind = self.wide.partition_point(|w| (w.at as usize) < offset);
-        let last = behind.checked_sub(1).and_then(|i| self.wide.get(i));
+        let after = self.wide.partition_point(|w| (w.at as usize) < offset);
+        let last = after.checked_sub(1).and_then(|i| self.wide.get(i));
         last.copied().unwrap_or_default()
     }
 }

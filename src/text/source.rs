@@ -9,7 +9,7 @@ pub struct FileId(pub u32);
 
 impl FileId {
     /// Whether it is a file, and not an embedded piece.
-    pub fn is_whole(self) -> bool {
+    pub fn is_file(self) -> bool {
         self.0 & PIECE == 0
     }
 }
@@ -143,9 +143,9 @@ impl Sources {
         code: impl Into<Arc<str>>,
     ) -> Option<FileId> {
         let code = code.into();
-        let whole = self.file(file)?;
-        whole.text.get(offset..offset.checked_add(code.len())?)?;
-        let base = whole.base + offset as u32;
+        let parent = self.file(file)?;
+        parent.text.get(offset..offset.checked_add(code.len())?)?;
+        let base = parent.base + offset as u32;
         let id = FileId(PIECE | self.pieces.len() as u32);
         let last = self.pieces.last();
         self.is_shuffled |= last.is_some_and(|p| p.base > base);
@@ -162,7 +162,7 @@ impl Sources {
 
     /// The code to compile of a file or a piece.
     pub fn code(&self, id: FileId) -> Option<CompiledText<'_>> {
-        if id.is_whole() {
+        if id.is_file() {
             let file = self.file(id)?;
             return Some(CompiledText {
                 text: &file.text,

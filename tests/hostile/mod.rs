@@ -35,17 +35,17 @@ use Verdict::{Compiles, Refused};
 
 /// Checks a pass with the text `code`, on a thread with the same stack size as in the programs.
 #[track_caller]
-fn judge(code: &str, expected: Verdict) {
+fn expect(code: &str, expected: Verdict) {
     std::thread::scope(|scope| {
         let builder = std::thread::Builder::new().stack_size(STACK);
-        let thread = builder.spawn_scoped(scope, || judge_here(code, expected));
+        let thread = builder.spawn_scoped(scope, || expect_here(code, expected));
         if thread.unwrap().join().is_err() {
             panic!("see above");
         }
     });
 }
 
-fn judge_here(code: &str, expected: Verdict) {
+fn expect_here(code: &str, expected: Verdict) {
     let (asked, ()) = asked(|| answer(code, expected));
     assert!(asked.times <= MAX_ASKED.times, "{asked:?}");
     assert!(asked.bytes <= MAX_ASKED.bytes, "{asked:?}");
@@ -89,9 +89,9 @@ fn each(count: usize, text: impl Fn(usize) -> String) -> String {
     (0..count).map(text).collect()
 }
 
-/// `inner`, surrounded by `count` copies of `before` and `behind`.
-fn nest(count: usize, before: &str, inner: &str, behind: &str) -> String {
-    format!("{}{inner}{}", before.repeat(count), behind.repeat(count))
+/// `inner`, surrounded by `count` copies of `before` and `after`.
+fn nest(count: usize, before: &str, inner: &str, after: &str) -> String {
+    format!("{}{inner}{}", before.repeat(count), after.repeat(count))
 }
 
 #[test]
@@ -112,9 +112,9 @@ fn deeply_nested_constructs() {
         ("(float) ", "x", ""),
         ("x, (", "x", ")"),
     ];
-    for (before, inner, behind) in constructs {
-        judge(
-            &body(&format!("x = {};", nest(50_000, before, inner, behind))),
+    for (before, inner, after) in constructs {
+        expect(
+            &body(&format!("x = {};", nest(50_000, before, inner, after))),
             Refused,
         );
     }
@@ -130,8 +130,8 @@ fn deeply_nested_constructs() {
         ("struct S { ", "float a;", "};"),
         ("float f() { ", ";", "}"),
     ];
-    for (before, inner, behind) in statements {
-        judge(&body(&nest(50_000, before, inner, behind)), Refused);
+    for (before, inner, after) in statements {
+        expect(&body(&nest(50_000, before, inner, after)), Refused);
     }
 }
 
@@ -169,44 +169,44 @@ fn unclosed_constructs() {
         "return ",
     ];
     for text in opened {
-        judge(&body(&text.repeat(20_000)), Refused);
-        judge(&text.repeat(20_000), Refused);
+        expect(&body(&text.repeat(20_000)), Refused);
+        expect(&text.repeat(20_000), Refused);
     }
     // Closing tokens without an opening one.
     for text in [
         ")", "]", "}", "};", "*/", "#endif\n", "#else\n", ":", ";)", "},",
     ] {
-        judge(&body(&text.repeat(20_000)), Refused);
+        expect(&body(&text.repeat(20_000)), Refused);
     }
 }
 
 #[test]
 fn long_chains_do_not_count_as_nesting() {
     let count = 200;
-    judge(&body(&format!("x = {}x;", "x + ".repeat(count))), Compiles);
+    expect(&body(&format!("x = {}x;", "x + ".repeat(count))), Compiles);
     let arms = each(5_000, |i| {
         format!("if (x < {i}.0) {{ o.x = {i}.0; }} else ")
     });
-    judge(&body(&format!("{arms};")), Refused);
-    judge(&body(&"x += 1.0; ".repeat(100_000)), Compiles);
-    judge(&body(&format!("x = {}x;", "x + ".repeat(100_000))), Refused);
-    judge(&body(&format!("x = {}x;", "x, ".repeat(100_000))), Refused);
-    judge(
+    expect(&body(&format!("{arms};")), Refused);
+    expect(&body(&"x += 1.0; ".repeat(100_000)), Compiles);
+    expect(&body(&format!("x = {}x;", "x + ".repeat(100_000))), Refused);
+    expect(&body(&format!("x = {}x;", "x, ".repeat(100_000))), Refused);
+    expect(
         &body(&format!("o = o{};", ".xyzw".repeat(50_000))),
         Compiles,
     );
-    judge(&body(&format!("o = o{};", ".q.w".repeat(50_000))), Refused);
+    expect(&body(&format!("o = o{};", ".q.w".repeat(50_000))), Refused);
 }
 
 #[test]
 fn many_errors_in_one_line() {
     let many = |text: &str| text.repeat(100_000);
     for head in ["if (x; ", "while (x; ", "for (;; x; ", "for (x; "] {
-        judge(&body(&many(head)), Refused);
+        expect(&body(&many(head)), Refused);
     }
     let structs = many("struct S { float ; vec3 a( ; }; ");
-    judge(&format!("{structs}{}", body("")), Refused);
-    judge(&body(&structs), Refused);
+    expect(&format!("{structs}{}", body("")), Refused);
+    expect(&body(&structs), Refused);
 }
 
 /// Two candidate repairs that may remove the same token.
@@ -214,7 +214,7 @@ fn many_errors_in_one_line() {
 fn overlapping_corrections() {
     let code = "y 08 default: return \u{e9}, += f(uniform ; } /* note */ [o = vec4(x, y, 0.0, 1.0);\n\
                 o ) vec3 #else\nx const ";
-    judge(code, Refused);
+    expect(code, Refused);
 }
 
 #[test]
@@ -223,7 +223,7 @@ fn exponential_macro_expansion() {
         let lines = each(depth, |i| format!("#define M{} M{i} + M{i}\n", i + 1));
         format!("#define M0 1.0\n{lines}{}", body(&format!("x = M{depth};")))
     };
-    judge(&doubled(60), Refused);
+    expect(&doubled(60), Refused);
     let calls = |depth| nest(depth, "F(", "1.0", ")");
     let definitions = [
         ("x", Compiles),
@@ -235,31 +235,31 @@ fn exponential_macro_expansion() {
     for (definition, verdict) in definitions {
         for (depth, verdict) in [(25, verdict), (5_000, Refused)] {
             let code = body(&format!("x = {};", calls(depth)));
-            judge(&format!("#define F(x) {definition}\n{code}"), verdict);
+            expect(&format!("#define F(x) {definition}\n{code}"), verdict);
         }
     }
     let chain = each(50_000, |i| format!("#define M{} M{i}\n", i + 1));
-    judge(
+    expect(
         &format!("#define M0 1.0\n{chain}{}", body("x = M50000;")),
         Compiles,
     );
     let ring = each(10_000, |i| format!("#define M{i} M{}\n", (i + 1) % 10_000));
-    judge(
+    expect(
         &format!("{ring}{}", body("float M0 = 1.0; x = M0;")),
         Compiles,
     );
     let params: Vec<String> = (0..10_000).map(|i| format!("a{i}")).collect();
     let args = vec!["1.0"; 10_000].join(",");
     let code = body(&format!("x = F({args});"));
-    judge(
+    expect(
         &format!("#define F({}) a0\n{code}", params.join(",")),
         Compiles,
     );
-    judge(
+    expect(
         &format!("#define A {}\n{}", "A ".repeat(100_000), body("A")),
         Refused,
     );
-    judge(
+    expect(
         &format!("#define E\n{}", body(&"E ".repeat(200_000))),
         Compiles,
     );
@@ -267,18 +267,18 @@ fn exponential_macro_expansion() {
 
 #[test]
 fn extreme_directives() {
-    judge(
+    expect(
         &format!("#if {}\n#endif\n{}", nest(50_000, "(", "1", ")"), body("")),
         Refused,
     );
-    judge(
+    expect(
         &format!("#if {}1\n#endif\n{}", "!".repeat(100_000), body("")),
         Refused,
     );
     let groups = nest(50_000, "#if 1\n", "", "#endif\n");
-    judge(&format!("{groups}{}", body("")), Compiles);
+    expect(&format!("{groups}{}", body("")), Compiles);
     let arms = format!("#if 0\n{}#endif\n", "#elif 0\n".repeat(50_000));
-    judge(&format!("{arms}{}", body("")), Compiles);
+    expect(&format!("{arms}{}", body("")), Compiles);
     for line in [
         "99999999999999999999",
         "-5 3",
@@ -288,17 +288,17 @@ fn extreme_directives() {
         "1 2 3",
         "x",
     ] {
-        judge(&format!("#line {line}\n{}", body("undefined;")), Refused);
+        expect(&format!("#line {line}\n{}", body("undefined;")), Refused);
     }
-    judge(
+    expect(
         &format!("{}{}", "#line 7\n".repeat(20_000), body("")),
         Compiles,
     );
-    judge(
+    expect(
         &format!("{}{}", "#pragma x\n".repeat(50_000), body("")),
         Compiles,
     );
-    judge(
+    expect(
         &format!("{}{}", "#nothing\n".repeat(50_000), body("")),
         Refused,
     );
@@ -306,51 +306,51 @@ fn extreme_directives() {
 
 #[test]
 fn huge_tokens() {
-    judge(
+    expect(
         &body(&format!("float {} = 1.0;", "a".repeat(1_000_000))),
         Refused,
     );
-    judge(
+    expect(
         &body(&format!("float {} = 1.0;", "a".repeat(1_024))),
         Compiles,
     );
-    judge(&body(&format!("int i = {};", "9".repeat(100_000))), Refused);
-    judge(
+    expect(&body(&format!("int i = {};", "9".repeat(100_000))), Refused);
+    expect(
         &body(&format!("int i = 0x{};", "f".repeat(100_000))),
         Refused,
     );
-    judge(&body(&format!("x = 1{}.0;", "0".repeat(100_000))), Compiles);
-    judge(&body(&format!("x = 0.{}1;", "0".repeat(100_000))), Compiles);
-    judge(&body("x = 1.0e999999999999;"), Compiles);
-    judge(&body(&format!("o = o.{};", "x".repeat(100_000))), Refused);
-    judge(
+    expect(&body(&format!("x = 1{}.0;", "0".repeat(100_000))), Compiles);
+    expect(&body(&format!("x = 0.{}1;", "0".repeat(100_000))), Compiles);
+    expect(&body("x = 1.0e999999999999;"), Compiles);
+    expect(&body(&format!("o = o.{};", "x".repeat(100_000))), Refused);
+    expect(
         &format!("/*{}*/{}", "line\n".repeat(100_000), body("")),
         Compiles,
     );
-    judge(
+    expect(
         &format!("{}{}", "// line\n".repeat(100_000), body("")),
         Compiles,
     );
-    judge(
+    expect(
         &format!("//{}\n{}", " \\\n".repeat(100_000), body("")),
         Compiles,
     );
-    judge(
+    expect(
         &body(&format!("x{} = 1.0;", "\\\n".repeat(100_000))),
         Compiles,
     );
-    judge(&body(&"x\\\n=\\\n1.\\\n0;".repeat(20_000)), Compiles);
-    judge(&body(&"é".repeat(50_000)), Refused);
-    judge(&body(&"é ".repeat(50_000)), Refused);
-    judge(&body(&"\u{200b}$`@".repeat(50_000)), Refused);
-    judge(&body(&each(20_000, |i| format!("é{i};"))), Refused);
-    judge(&format!("{}{}", body(""), "\0".repeat(100_000)), Compiles);
+    expect(&body(&"x\\\n=\\\n1.\\\n0;".repeat(20_000)), Compiles);
+    expect(&body(&"é".repeat(50_000)), Refused);
+    expect(&body(&"é ".repeat(50_000)), Refused);
+    expect(&body(&"\u{200b}$`@".repeat(50_000)), Refused);
+    expect(&body(&each(20_000, |i| format!("é{i};"))), Refused);
+    expect(&format!("{}{}", body(""), "\0".repeat(100_000)), Compiles);
 }
 
 #[test]
 fn many_repetitions_of_each_construct() {
     let count = 10_000;
-    judge(
+    expect(
         &format!(
             "{}{}",
             each(count, |i| format!("float f{i}(float x) {{ return x; }}\n")),
@@ -361,7 +361,7 @@ fn many_repetitions_of_each_construct() {
     let chain = each(count, |i| {
         format!("float f{}(float x) {{ return f{i}(x); }}\n", i + 1)
     });
-    judge(
+    expect(
         &format!(
             "float f0(float x) {{ return x; }}\n{chain}{}",
             body("x = f10000(x);")
@@ -374,24 +374,24 @@ fn many_repetitions_of_each_construct() {
             i + 1
         )
     });
-    judge(
+    expect(
         &format!(
             "float f0(float x) {{ return x; }}\n{fan}{}",
             body("x = f60(x);")
         ),
         Compiles,
     );
-    judge(
+    expect(
         &body(&each(count, |i| format!("float v{i} = x;"))),
         Compiles,
     );
-    judge(
+    expect(
         &body(&each(count, |i| {
             format!("float v{i} = x; {{ float v{i} = x; }}")
         })),
         Compiles,
     );
-    judge(
+    expect(
         &format!(
             "{}{}",
             each(count, |i| format!("const int c{i} = {i};\n")),
@@ -399,7 +399,7 @@ fn many_repetitions_of_each_construct() {
         ),
         Compiles,
     );
-    judge(
+    expect(
         &format!(
             "{}{}",
             each(count, |i| format!("struct S{i} {{ float a; }};\n")),
@@ -410,22 +410,22 @@ fn many_repetitions_of_each_construct() {
     let overloads = each(5_000, |i| {
         format!("struct S{i} {{ float a; }}; float f(S{i} s) {{ return s.a; }}\n")
     });
-    judge(
+    expect(
         &format!("{overloads}{}", body("S1 s; s.a = 1.0; x = f(s);")),
         Compiles,
     );
-    judge(
+    expect(
         &format!("{overloads}{}", body(&"x = f(x);".repeat(1_000))),
         Refused,
     );
-    judge(
+    expect(
         &body(&format!(
             "switch (n) {{ {} }}",
             each(count, |i| format!("case {i}: x = 1.0; break;\n"))
         )),
         Compiles,
     );
-    judge(
+    expect(
         &body(&format!(
             "switch (n) {{ {} }}",
             "case 1: x = 1.0; break;\n".repeat(count)
@@ -433,15 +433,15 @@ fn many_repetitions_of_each_construct() {
         Refused,
     );
     let args = vec!["x"; count].join(", ");
-    judge(&body(&format!("x = f({args});")), Refused);
-    judge(&body(&format!("o = vec4({args});")), Refused);
-    judge(&body(&format!("float a[] = float[]({args});")), Compiles);
+    expect(&body(&format!("x = f({args});")), Refused);
+    expect(&body(&format!("o = vec4({args});")), Refused);
+    expect(&body(&format!("float a[] = float[]({args});")), Compiles);
     let params = vec!["float"; count].join(", ");
-    judge(
+    expect(
         &format!("float f({params}) {{ return 1.0; }}\n{}", body("")),
         Refused,
     );
-    judge(
+    expect(
         &body(&format!(
             "float {};",
             (0..count)
@@ -451,7 +451,7 @@ fn many_repetitions_of_each_construct() {
         )),
         Compiles,
     );
-    judge(
+    expect(
         &format!(
             "struct S {{ {} }};\n{}",
             each(count, |i| format!("float m{i};")),
@@ -463,46 +463,46 @@ fn many_repetitions_of_each_construct() {
 
 #[test]
 fn many_errors() {
-    judge(
+    expect(
         &body(&each(50_000, |i| format!("undefined{i};\n"))),
         Refused,
     );
-    judge(&body(&"undefined;\n".repeat(50_000)), Refused);
-    judge(&body(&"x = 1;\n".repeat(50_000)), Refused);
-    judge(&body(&"x = ;\n".repeat(50_000)), Refused);
-    judge(&body(&"float x float y\n".repeat(20_000)), Refused);
-    judge(&"x y z\n".repeat(50_000), Refused);
-    judge(
+    expect(&body(&"undefined;\n".repeat(50_000)), Refused);
+    expect(&body(&"x = 1;\n".repeat(50_000)), Refused);
+    expect(&body(&"x = ;\n".repeat(50_000)), Refused);
+    expect(&body(&"float x float y\n".repeat(20_000)), Refused);
+    expect(&"x y z\n".repeat(50_000), Refused);
+    expect(
         &format!(
             "#define F undefined + 1\n{}",
             body(&"x = F;\n".repeat(20_000))
         ),
         Refused,
     );
-    judge(
+    expect(
         &body(&format!("x = {};", "undefined + ".repeat(20_000))),
         Refused,
     );
     let long = format!("x = {}1; ", "x + ".repeat(10)).repeat(10_000);
-    judge(&body(&long), Refused);
+    expect(&body(&long), Refused);
 }
 
 #[test]
 fn huge_types() {
-    judge(&body("float a[2147483647]; x = a[0];"), Refused);
-    judge(&body("float a[0]; float b[-1]; float c[n];"), Refused);
-    judge(&body("int a[10000000]; int b[10000000]; a = b;"), Refused);
+    expect(&body("float a[2147483647]; x = a[0];"), Refused);
+    expect(&body("float a[0]; float b[-1]; float c[n];"), Refused);
+    expect(&body("int a[10000000]; int b[10000000]; a = b;"), Refused);
     let doubling = each(60, |i| format!("struct S{} {{ S{i} a, b; }};\n", i + 1));
-    judge(
+    expect(
         &format!("struct S0 {{ float a, b; }};\n{doubling}{}", body("S60 s;")),
         Refused,
     );
     let nested = each(5_000, |i| format!("struct S{} {{ S{i} a; }};\n", i + 1));
-    judge(
+    expect(
         &format!("struct S0 {{ float a; }};\n{nested}{}", body("")),
         Refused,
     );
-    judge(
+    expect(
         "struct A { A a; }; struct B { C c; }; struct C { B b; };",
         Refused,
     );
@@ -510,7 +510,7 @@ fn huge_types() {
         "const float a[] = float[]({});\n",
         vec!["1.0"; 50_000].join(",")
     );
-    judge(
+    expect(
         &format!(
             "{constant}{}",
             body(&each(1_000, |i| format!("x += a[{i}];")))
@@ -522,5 +522,5 @@ fn huge_types() {
         "const float[1000] b0 = float[1000]({});\n",
         vec!["1.0"; 1_000].join(",")
     );
-    judge(&format!("{first}{copies}{}", body("")), Compiles);
+    expect(&format!("{first}{copies}{}", body("")), Compiles);
 }

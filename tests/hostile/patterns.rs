@@ -3,7 +3,7 @@
 
 use shaderlint::cli::STACK;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
-use shaderlint::lint::trial::TrialLimit;
+use shaderlint::lint::sample::SampleLimit;
 use shaderlint::lint::{FenceKind, Page, Settings};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
@@ -86,7 +86,7 @@ pub fn repeat(kind: &str, pattern: &str, size: usize) -> Input {
     let marked = || segments.iter().skip(1).step_by(2);
     let length: usize = marked().map(|s| s.len() + 2 * s.matches('№').count()).sum();
     let count = size / length.max(1) + 1;
-    let (name, before, behind) = frame(kind);
+    let (name, before, after) = frame(kind);
     let mut text = before.to_string();
     for (i, segment) in segments.iter().enumerate() {
         match i % 2 {
@@ -94,7 +94,7 @@ pub fn repeat(kind: &str, pattern: &str, size: usize) -> Input {
             _ => (0..count).for_each(|n| text.push_str(&segment.replace('№', &n.to_string()))),
         }
     }
-    (name, text + behind)
+    (name, text + after)
 }
 
 /// Checks a text and prints the findings.
@@ -117,11 +117,11 @@ pub fn report((name, text): &Input, options: &Options) {
 pub fn grown(
     patterns: &[Pattern],
     size: usize,
-    limit: TrialLimit,
+    limit: SampleLimit,
     grows: impl Fn(&[Input; 2], &Options) -> Option<String> + Sync,
 ) -> Vec<String> {
     let mut settings = Settings::new(RULES, &["all".to_string()], &[]).unwrap();
-    settings.set_trial_limit(limit);
+    settings.set_sample_limit(limit);
     let options = Options::new(DialectChoice::Auto, settings);
     let (next, problems) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let one_after_the_other = || {

@@ -4,10 +4,10 @@
 
 use super::Verdict::Refused;
 use super::counting::{Asked, asked};
-use super::judge;
+use super::expect;
 use super::patterns::{Input, Pattern, examples, grown, listed, repeat, report};
 use shaderlint::engine::Options;
-use shaderlint::lint::trial::TrialLimit;
+use shaderlint::lint::sample::SampleLimit;
 
 /// Size of the larger text in bytes; the smaller one has an eighth of it. Larger texts detect
 /// weaker quadratic growth.
@@ -31,7 +31,7 @@ fn growth(texts: &[Input; 2], options: &Options) -> Option<String> {
 
 fn all_grow_in_line(patterns: &[Pattern]) {
     // Additional pixels only repeat the same allocations.
-    let limit = TrialLimit {
+    let limit = SampleLimit {
         pixels: 64,
         insists: false,
     };
@@ -52,5 +52,5 @@ fn examples_take_linear_work() {
 #[test]
 fn deeply_nested_macro_calls_are_read_in_place() {
     let pattern = "#define F(x) x↵float f(float a) { return «F(»a«)»; }";
-    judge(&repeat("pass", pattern, 1_000_000).1, Refused);
+    expect(&repeat("pass", pattern, 1_000_000).1, Refused);
 }

@@ -11,16 +11,16 @@ const LEFT: &[&[&str]] = &[
     &["fuzz/src/main.rs", "fuzz/src/throw.rs"],
     &[
         "src/engine/lib.rs",
-        "src/engine/mend.rs",
+        "src/engine/fix.rs",
         "src/engine/verify.rs",
     ],
     &[
-        "src/engine/play/project/channel.rs",
-        "src/engine/play/project/mod.rs",
-        "src/engine/play/project/sound.rs",
-        "src/engine/play/project/target.rs",
+        "src/engine/playback/project/channel.rs",
+        "src/engine/playback/project/mod.rs",
+        "src/engine/playback/project/sound.rs",
+        "src/engine/playback/project/target.rs",
     ],
-    &["src/exec/machine/mod.rs", "src/exec/machine/watch.rs"],
+    &["src/exec/vm/mod.rs", "src/exec/vm/watch.rs"],
     &[
         "src/flow/ranges/back.rs",
         "src/flow/ranges/mod.rs",
@@ -33,13 +33,13 @@ const LEFT: &[&[&str]] = &[
         "src/lint/option.rs",
         "src/lint/rule.rs",
         "src/lint/settings.rs",
-        "src/lint/trial/bench.rs",
-        "src/lint/trial/culprit.rs",
-        "src/lint/trial/hit.rs",
-        "src/lint/trial/longer.rs",
-        "src/lint/trial/mod.rs",
-        "src/lint/trial/picture.rs",
-        "src/lint/trial/verdict.rs",
+        "src/lint/sample/bench.rs",
+        "src/lint/sample/culprit.rs",
+        "src/lint/sample/hit.rs",
+        "src/lint/sample/more_iterations.rs",
+        "src/lint/sample/mod.rs",
+        "src/lint/sample/pixels.rs",
+        "src/lint/sample/verdict.rs",
     ],
     &[
         "src/port/dialect/",
@@ -54,7 +54,7 @@ const LEFT: &[&[&str]] = &[
         "src/syntax/parser/mod.rs",
     ],
     &[
-        "src/syntax/preprocessor/amend.rs",
+        "src/syntax/preprocessor/directive_repair.rs",
         "src/syntax/preprocessor/input.rs",
         "src/syntax/preprocessor/macros.rs",
         "src/syntax/preprocessor/mod.rs",
@@ -100,7 +100,7 @@ fn file_dependencies_have_no_new_cycles() {
     let count: usize = arrows.values().map(BTreeSet::len).sum();
     assert!(count > 1000, "{count} dependencies");
     let mut met = BTreeSet::new();
-    let mut said = Vec::new();
+    let mut circles_left = Vec::new();
     for circle in circles(&arrows) {
         let place = |file: &&str, left: &[&'static str]| {
             let place = left.iter().find(|place| file.starts_with(**place));
@@ -109,10 +109,10 @@ fn file_dependencies_have_no_new_cycles() {
         let is_left = |left: &&&[&'static str]| circle.iter().all(|f| place(f, left).is_some());
         match LEFT.iter().find(is_left) {
             Some(left) => met.extend(circle.iter().filter_map(|f| place(f, left))),
-            None => said.push(tell(&circle, &arrows)),
+            None => circles_left.push(describe(&circle, &arrows)),
         }
     }
-    assert!(said.is_empty(), "{}", said.join("\n"));
+    assert!(circles_left.is_empty(), "{}", circles_left.join("\n"));
     let places = LEFT.iter().copied().flatten();
     let gone: Vec<&str> = places.filter(|p| !met.contains(*p)).copied().collect();
     assert!(
@@ -122,14 +122,14 @@ fn file_dependencies_have_no_new_cycles() {
     );
 }
 
-fn tell(circle: &[&str], arrows: &Arrows) -> String {
-    let mut said = format!("a dependency cycle of {} files:", circle.len());
+fn describe(circle: &[&str], arrows: &Arrows) -> String {
+    let mut circles_left = format!("a dependency cycle of {} files:", circle.len());
     for from in circle {
         for to in arrows[from].iter().filter(|to| circle.contains(to)) {
-            said += &format!("\n    {from} -> {to}");
+            circles_left += &format!("\n    {from} -> {to}");
         }
     }
-    said
+    circles_left
 }
 
 /// The dependency cycles of a crate with these files.

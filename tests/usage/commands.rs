@@ -1,6 +1,6 @@
 //! `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
 
-use super::scratch::{BROKEN, Scratch, mended};
+use super::scratch::{BROKEN, Scratch, after_fix};
 use shaderlint::lint::ALIASES;
 use shaderlint::rules::RULES;
 use std::io::{BufRead, BufReader, Read};
@@ -194,11 +194,11 @@ fn watching_checks_again_when_a_file_changes() {
     until(&told, "checking");
     until(&found, "a.glsl:5:24: error[int-float-mix]");
     until(&told, "waiting for changes");
-    scratch.write("a.glsl", mended().replace("halfOf(a)", "halfOf(b)"));
+    scratch.write("a.glsl", after_fix().replace("halfOf(a)", "halfOf(b)"));
     until(&told, "checking");
     until(&found, "undeclared");
     until(&told, "waiting for changes");
-    scratch.write("a.glsl", mended());
+    scratch.write("a.glsl", after_fix());
     until(&told, "waiting for changes");
     child.kill().unwrap();
     child.wait().unwrap();

@@ -208,11 +208,11 @@ fn three_declares_its_names() {
     let code = "varying vec2 vUv;\nvoid main() {\n    vUv = uv;\n    \
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);\n}\n";
     let wrong = code.replace("vec4(position, 1.0)", "vec4(normal.xy, 1.0)");
-    let misspelt = code.replace("modelViewMatrix", "modelVeiwMatrix");
+    let misspelled = code.replace("modelViewMatrix", "modelVeiwMatrix");
     let files = [
         ("a.vert", code),
         ("wrong.vert", &wrong),
-        ("misspelt.vert", &misspelt),
+        ("misspelt.vert", &misspelled),
     ];
     let scratch = Scratch::new(&files);
     for config in ["", "host = \"three\""] {

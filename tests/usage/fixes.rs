@@ -1,6 +1,6 @@
 //! `--fix`, `--unsafe-fixes` and `--diff`.
 
-use super::scratch::{BROKEN, CLEAN, Scratch, WARNED, mended};
+use super::scratch::{BROKEN, CLEAN, Scratch, WARNED, after_fix};
 use std::fs;
 
 #[test]
@@ -14,10 +14,10 @@ fn safe_fixes_are_written_until_nothing_is_left() {
             "All checks passed (2 shaders in 2 files); fixed 2 findings\n"
         )
     );
-    assert_eq!(scratch.read("a.glsl"), mended());
+    assert_eq!(scratch.read("a.glsl"), after_fix());
     let again = scratch.run(&["-q", "--fix", "."]);
     assert_eq!((again.code, again.out.as_str()), (0, ""));
-    assert_eq!(scratch.read("a.glsl"), mended());
+    assert_eq!(scratch.read("a.glsl"), after_fix());
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn a_diff_writes_nothing() {
 fn fixed_standard_input_is_printed() {
     let scratch = Scratch::new(&[]);
     let ran = scratch.pipe(BROKEN, &["--fix", "-"]);
-    assert_eq!((ran.code, ran.out), (0, mended()));
+    assert_eq!((ran.code, ran.out), (0, after_fix()));
     let ran = scratch.pipe(CLEAN, &["--fix", "-"]);
     assert_eq!(
         (ran.code, ran.out.as_str(), ran.err.as_str()),
@@ -120,7 +120,7 @@ fn line_ends_are_preserved() {
     let crlf = BROKEN.replace('\n', "\r\n");
     let scratch = Scratch::new(&[("a.glsl", &crlf)]);
     assert_eq!(scratch.run(&["--fix", "a.glsl"]).code, 0);
-    assert_eq!(scratch.read("a.glsl"), mended().replace('\n', "\r\n"));
+    assert_eq!(scratch.read("a.glsl"), after_fix().replace('\n', "\r\n"));
     // Lines inserted by a fix end like the other lines of the file.
     let code = "#version 300 es\r\nout vec4 c;\r\nvoid main() {\r\n    c = vec4(1.0);\r\n}\r\n";
     scratch.write("b.frag", code);
@@ -147,7 +147,7 @@ fn symbolic_links_modes_and_read_only_files() {
     symlink("real/a.glsl", scratch.path("link.glsl")).unwrap();
     assert_eq!(scratch.run(&["--fix", "link.glsl"]).code, 0);
     assert!(scratch.path("link.glsl").is_symlink());
-    assert_eq!(scratch.read("real/a.glsl"), mended());
+    assert_eq!(scratch.read("real/a.glsl"), after_fix());
     let metadata = fs::metadata(scratch.path("real/a.glsl")).unwrap();
     assert_eq!(metadata.permissions().mode() & 0o777, 0o640);
     let ran = scratch.run(&["--fix", "locked.glsl"]);

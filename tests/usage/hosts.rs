@@ -69,9 +69,9 @@ fn both_programs_recognise_the_same_host() {
                 "{host}/{name}: {line}\n{told}"
             ),
             None => {
-                let is_told =
+                let is_reported =
                     presets().any(|p| line.starts_with(&format!("{} (found ", p.read_as())));
-                assert!(!is_told, "{host}/{name}: {line}");
+                assert!(!is_reported, "{host}/{name}: {line}");
             }
         }
     }
@@ -82,9 +82,10 @@ fn both_programs_recognise_the_same_host() {
 fn playable_shaders_are_not_rejected_for_their_dialect() {
     let scratch = Scratch::new(&[]);
     for (host, path) in fixtures() {
-        let is_whole = ["bonzomatic", "kodelife", "kodi", "synthclipse"].contains(&host.as_str());
+        let is_complete =
+            ["bonzomatic", "kodelife", "kodi", "synthclipse"].contains(&host.as_str());
         let composes = preset(&host).is_some_and(|host| host.composes);
-        if !is_whole && !composes {
+        if !is_complete && !composes {
             continue;
         }
         let (_, plays) = ported(&scratch, &path, &["--host", &host]);

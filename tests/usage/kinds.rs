@@ -10,7 +10,7 @@ const SHADER: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n
 /// A typical desktop program, after its `#version`.
 const DESKTOP: &str = "layout(location = 0) out vec4 color;\nvoid main() {\n    float a = 1;\n    color = vec4(a)\n}\n";
 
-fn mended(text: &str) -> String {
+fn after_fix(text: &str) -> String {
     text.replace("a = 1;", "a = 1.0;")
         .replace("max(a, 0)", "max(a, 0.0)")
 }
@@ -257,7 +257,7 @@ fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
         };
         for (name, text) in HOLDERS {
             let before = text.replace('§', SHADER);
-            add(name, &before, &text.replace('§', &mended(SHADER)));
+            add(name, &before, &text.replace('§', &after_fix(SHADER)));
         }
         for (name, text) in OTHERS {
             let text = text.replace('§', SHADER);
@@ -280,7 +280,7 @@ fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
             )
         };
         let code = "// \"größe\" \\ a/b\nvoid mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    c = vec4(a);\n}\n";
-        add("pass.json", &export(code), &export(&mended(code)));
+        add("pass.json", &export(code), &export(&after_fix(code)));
     }
     let utf16: Vec<u8> = SHADER.encode_utf16().flat_map(u16::to_le_bytes).collect();
     let utf16 = [vec![0xff, 0xfe], utf16].concat();
@@ -295,7 +295,7 @@ fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
     }
     let marked = |text: String| [b"\xef\xbb\xbf", text.as_bytes()].concat();
     let text = |shader: &str| format!("let a = 1;\nconst s = `{shader}`;\n");
-    let files = (marked(text(SHADER)), marked(text(&mended(SHADER))));
+    let files = (marked(text(SHADER)), marked(text(&after_fix(SHADER))));
     all.insert("marked.js".to_string(), files);
     all
 }

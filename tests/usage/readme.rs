@@ -149,7 +149,7 @@ impl Place {
 }
 
 /// What `cargo` is asked for must be there; gives the command that its `run` stands for.
-fn judge_cargo(line: &str) -> Option<String> {
+fn check_cargo(line: &str) -> Option<String> {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
     let words: Vec<&str> = line.split_whitespace().collect();
     let value = |flag: &str| words.iter().position(|w| *w == flag).map(|i| words[i + 1]);
@@ -184,7 +184,7 @@ fn run_fence(place: &Place, fence: &str) -> usize {
             continue;
         } else if line.starts_with("cargo ") {
             needs_feature |= line.contains("--features");
-            match judge_cargo(line) {
+            match check_cargo(line) {
                 Some(run) => command = run,
                 None => continue,
             }

@@ -384,10 +384,10 @@ fn channel_images_have_the_correct_orientation() {
         assert_eq!(ran.code, 0, "{}", ran.err);
         (pixels(&scratch, "drawn.png").2, ran.out + &ran.err)
     };
-    let turned = [COLORS[2], COLORS[3], COLORS[0], COLORS[1]];
+    let flipped = [COLORS[2], COLORS[3], COLORS[0], COLORS[1]];
     assert_eq!(draw(&["show.glsl", "--channel", "0=colors.png"]).0, COLORS);
     let noflip = "0=colors.png,nearest,clamp,noflip";
-    assert_eq!(draw(&["show.glsl", "--channel", noflip]).0, turned);
+    assert_eq!(draw(&["show.glsl", "--channel", noflip]).0, flipped);
     let (drawn, said) = draw(&["show.glsl", "--channel", "0=half.png"]);
     assert_eq!(drawn, [[0; 3]; 4]);
     assert!(said.contains("; the channel is empty"), "{said}");

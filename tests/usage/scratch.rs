@@ -151,7 +151,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 ";
 
 /// [`BROKEN`] after `--fix`.
-pub fn mended() -> String {
+pub fn after_fix() -> String {
     BROKEN
         .replace("x / 2;", "x / 2.0;")
         .replace("a = 1;", "a = 1.0;")

@@ -49,9 +49,9 @@ fn unused_suppressions_are_reported() {
     assert_eq!(found(unused), ["3:32 unused-allow"]);
     let one_of_two = format!("{POW} // shaderlint: allow(pow-negative-base, float-equality)");
     assert_eq!(found(&one_of_two), ["3:69 unused-allow"]);
-    let misspelt = format!("{POW} // shaderlint: allow(pow-negativ-base)");
+    let misspelled = format!("{POW} // shaderlint: allow(pow-negativ-base)");
     assert_eq!(
-        found(&misspelt),
+        found(&misspelled),
         ["3:10 pow-negative-base", "3:50 unused-allow"]
     );
     for (order, place) in [

@@ -423,8 +423,8 @@ impl Writer {
     fn matrix(&mut self, ty: Type, depth: usize) -> Value {
         match self.below(6) {
             0 => {
-                let turned = Type::matrix(ty.rows, ty.columns);
-                let x = self.expression(turned, depth);
+                let transposed = Type::matrix(ty.rows, ty.columns);
+                let x = self.expression(transposed, depth);
                 Value::new(format!("transpose({})", x.text), x.most)
             }
             1 => {

@@ -13,7 +13,11 @@ struct Path {
 impl Writer {
     /// An expression of a type, with operators nested at most `depth` deep.
     pub(super) fn expression(&mut self, ty: Type, depth: u32) -> String {
-        let ty = if self.slip() { self.numeric_type() } else { ty };
+        let ty = if self.mistake() {
+            self.numeric_type()
+        } else {
+            ty
+        };
         if depth == 0 {
             return self.leaf(ty);
         }
@@ -36,7 +40,7 @@ impl Writer {
     /// Names of variables, their members, elements and components.
     fn paths(&mut self, writable: bool) -> Vec<Path> {
         let mut paths = Vec::new();
-        let anything = writable && self.slip();
+        let anything = writable && self.mistake();
         for variable in self.visible() {
             let fits = match variable.usage {
                 _ if anything => true,
@@ -76,7 +80,7 @@ impl Writer {
 
     /// An index into something with `size` components.
     fn index(&mut self, size: u32) -> String {
-        if self.slip() {
+        if self.mistake() {
             let odd = ["-1", "7", "1.0", "true", "(0, 9)", "9u"];
             return self.pick(&odd).to_string();
         }
@@ -192,7 +196,7 @@ impl Writer {
     /// Constructor arguments for a scalar, vector or matrix.
     fn components(&mut self, ty: Type, depth: u32) -> Vec<String> {
         let wanted = ty.components();
-        if self.slip() {
+        if self.mistake() {
             let ty = self.numeric_type();
             return vec![self.expression(ty, depth); self.below(3)];
         }
@@ -237,7 +241,7 @@ impl Writer {
 
     fn binary(&mut self, ty: Type, depth: u32) -> Option<String> {
         let scalar = ty.scalar_kind()?;
-        if self.slip() {
+        if self.mistake() {
             let ops = ["%", "&", "<<", "&&", "<", "==", "+", "^^"];
             let op = self.pick(&ops);
             return Some(self.infix(ty, op, ty, depth));
@@ -336,7 +340,7 @@ impl Writer {
     fn ternary(&mut self, ty: Type, depth: u32) -> Option<String> {
         ty.numeric().filter(|_| !ty.is_array()).or_else(|| {
             // The conditional operator does not accept structs or arrays.
-            self.slip().then_some((Scalar::Int, 1, 1))
+            self.mistake().then_some((Scalar::Int, 1, 1))
         })?;
         let condition = self.expression(Type::BOOL, depth);
         let yes = self.expression(ty, depth);
@@ -377,7 +381,7 @@ impl Writer {
 
     /// A call, with one argument too many or too few if it is to be invalid.
     fn call_text(&mut self, name: String, mut args: Vec<String>) -> String {
-        if self.slip() {
+        if self.mistake() {
             match self.below(2) {
                 0 => drop(args.pop()),
                 _ => args.push("1.0".to_string()),
@@ -395,7 +399,7 @@ impl Writer {
 
     /// The offset of a texture lookup.
     fn offset(&mut self, ty: Type) -> String {
-        if self.slip() {
+        if self.mistake() {
             return self.expression(ty, 1);
         }
         let parts: Vec<String> = (0..ty.components())
@@ -457,13 +461,13 @@ impl Writer {
 
     fn swizzle(&mut self, size: u8, count: u8) -> String {
         let set = ["xyzw", "rgba", "stpq"][self.below(3)].as_bytes();
-        let size = if self.slip() { 4 } else { size as usize };
+        let size = if self.mistake() { 4 } else { size as usize };
         (0..count).map(|_| set[self.below(size)] as char).collect()
     }
 
     fn comma(&mut self, ty: Type, depth: u32) -> Option<String> {
         let is_plain = !self.holds_array(ty) && (!self.is_300 || !self.constant);
-        if !is_plain && !self.slip() {
+        if !is_plain && !self.mistake() {
             return None;
         }
         let before = loop {

@@ -29,13 +29,13 @@ impl Writer {
             }
         }
         self.returns = Type::VOID;
-        let name = if self.slip() { "mian" } else { "main" };
+        let name = if self.mistake() { "mian" } else { "main" };
         let body = self.in_scope(|w| w.statements(3) + &w.statements(3));
         text + &format!("void {name}() {{\n{body}}}\n")
     }
 
     fn extension(&mut self) -> &'static str {
-        if self.slip() {
+        if self.mistake() {
             return self.pick(&[
                 "#extension GL_OES_standard_derivatives : require\n",
                 "#extension GL_EXT_frag_depth : enable\n",
@@ -52,10 +52,10 @@ impl Writer {
 
     fn default_precisions(&mut self) -> String {
         let mut text = String::new();
-        if self.is_fragment() && !self.slip() {
+        if self.is_fragment() && !self.mistake() {
             text.push_str("precision highp float;\n");
         }
-        if self.is_300 && !self.slip() {
+        if self.is_300 && !self.mistake() {
             for name in ["sampler3D", "sampler2DArray", "isampler2D", "usampler2D"] {
                 text.push_str(&format!("precision mediump {name};\n"));
             }
@@ -80,7 +80,7 @@ impl Writer {
             let scalar = [Scalar::Float, Scalar::Float, Scalar::Int, Scalar::Uint][self.below(4)];
             let ty = Type::vector(scalar, self.below(4) as u8 + 1);
             let name = self.new_name("o");
-            let layout = match (self.slip(), count) {
+            let layout = match (self.mistake(), count) {
                 (true, _) => format!("layout(location = {}) ", self.below(10)),
                 (_, 1) if self.one_in(2) => String::new(),
                 _ => format!("layout(location = {at}) "),
@@ -104,10 +104,10 @@ impl Writer {
             7 | 8 => self.sampler_uniform(),
             9 => self.varying(),
             10 if self.is_300 => self.interface_block(),
-            11 if !self.is_fragment() && self.one_in(4) && self.slip() => {
+            11 if !self.is_fragment() && self.one_in(4) && self.mistake() => {
                 "invariant gl_Position;\n".to_string()
             }
-            _ if self.slip() => self.odd_item(),
+            _ if self.mistake() => self.odd_item(),
             _ => self.uniform(),
         }
     }
@@ -151,7 +151,7 @@ impl Writer {
             } else {
                 ty
             };
-            let name = if self.slip() {
+            let name = if self.mistake() {
                 "m0".to_string()
             } else {
                 format!("m{}", fields.len())
@@ -222,7 +222,7 @@ impl Writer {
         let ty = self.value_type();
         let name = self.new_name("u");
         let precision = self.precision(ty);
-        let word = if self.slip() {
+        let word = if self.mistake() {
             self.pick(&[
                 "const uniform",
                 "flat uniform",
@@ -269,7 +269,7 @@ impl Writer {
         let scalar = ty.scalar_kind().unwrap_or(Scalar::Float);
         let is_attribute = !self.is_fragment() && self.one_in(2);
         let plain = scalar == Scalar::Float || (self.is_300 && scalar != Scalar::Bool);
-        if !plain && !self.slip() {
+        if !plain && !self.mistake() {
             ty = Type::vector(Scalar::Float, 3);
         }
         let scalar = ty.scalar_kind().unwrap_or(Scalar::Float);
@@ -289,7 +289,7 @@ impl Writer {
                 "smooth out",
             ]),
         };
-        let word = if self.slip() {
+        let word = if self.mistake() {
             self.pick(&[
                 "in",
                 "out",
@@ -331,7 +331,7 @@ impl Writer {
         }
         let block = self.new_name("B");
         self.take_name(&block);
-        let word = if self.slip() {
+        let word = if self.mistake() {
             self.pick(&["in", "out", "const", ""])
         } else {
             "uniform"

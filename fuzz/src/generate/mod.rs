@@ -38,7 +38,7 @@ pub fn generate(seed: u64) -> Written {
     } else {
         Stage::Vertex
     };
-    let slip_in = (random.below(5) > 1).then(|| random.below(160) as u32);
+    let mistake_in = (random.below(5) > 1).then(|| random.below(160) as u32);
     let version = if is_300 {
         Version::Es300
     } else {
@@ -57,7 +57,7 @@ pub fn generate(seed: u64) -> Written {
         loops: 0,
         switches: 0,
         returns: Type::VOID,
-        slip_in,
+        mistake_in,
         is_right: true,
     };
     let mut text = writer.program();
@@ -138,7 +138,7 @@ struct Writer {
     switches: u32,
     returns: Type,
     /// Number of opportunities for an error to skip before one is inserted.
-    slip_in: Option<u32>,
+    mistake_in: Option<u32>,
     is_right: bool,
 }
 
@@ -158,10 +158,10 @@ impl Writer {
     }
 
     /// Whether to insert the error here. Called at every opportunity.
-    fn slip(&mut self) -> bool {
-        match &mut self.slip_in {
+    fn mistake(&mut self) -> bool {
+        match &mut self.mistake_in {
             Some(0) => {
-                self.slip_in = None;
+                self.mistake_in = None;
                 self.is_right = false;
                 true
             }
@@ -184,7 +184,7 @@ impl Writer {
 
     /// A name for a new declaration; sometimes one that shadows an outer name.
     fn new_name(&mut self, letter: &str) -> String {
-        if self.slip() {
+        if self.mistake() {
             return match self.below(4) {
                 0 => "gl_x".to_string(),
                 1 => "a__b".to_string(),
@@ -257,7 +257,7 @@ impl Writer {
     /// Generates only constant expressions.
     fn constantly(&mut self, write: impl FnOnce(&mut Writer) -> String) -> String {
         let before = std::mem::replace(&mut self.constant, true);
-        if self.slip() {
+        if self.mistake() {
             self.constant = false;
         }
         let text = write(self);

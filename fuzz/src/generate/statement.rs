@@ -17,7 +17,7 @@ impl Writer {
     }
 
     fn statement(&mut self, depth: u32) -> String {
-        if self.slip() {
+        if self.mistake() {
             return self.misplaced();
         }
         let nests = depth > 0;
@@ -256,7 +256,7 @@ impl Writer {
                 _ => text.push_str(&self.statements(depth)),
             }
         }
-        if count > 0 && !self.slip() {
+        if count > 0 && !self.mistake() {
             text.push_str(self.pick(&["break;\n", "return_\n", ";\n", "{}\n"]));
         }
         self.switches -= 1;
@@ -270,7 +270,7 @@ impl Writer {
     }
 
     fn label(&mut self, at: usize, scalar: Scalar) -> String {
-        if self.slip() {
+        if self.mistake() {
             let odd = ["case 0:", "case 1.0:", "case true:", "case v1:", "case 1u:"];
             return self.pick(&odd).to_string();
         }
@@ -337,7 +337,7 @@ impl Writer {
                 w.declare(name, *ty, usage);
             }
             let mut body = w.statements(3);
-            if !returns.is_void() && !w.slip() {
+            if !returns.is_void() && !w.mistake() {
                 body.push_str(&w.return_statement());
             }
             body
@@ -366,7 +366,7 @@ impl Writer {
             2 => ("in ", Way::In),
             _ => ("", Way::In),
         };
-        let word = if self.slip() {
+        let word = if self.mistake() {
             self.pick(&["uniform ", "const out ", "flat ", "in in ", "highp in "])
         } else {
             word

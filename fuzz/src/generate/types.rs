@@ -46,7 +46,7 @@ impl Writer {
 
     /// An array size: a constant expression with that value.
     fn array_size(&mut self, size: u32) -> String {
-        if self.slip() {
+        if self.mistake() {
             let odd = ["0", "-1", "", "1.0", "u1", "(1, 2)", "2][2", "true"];
             return self.pick(&odd).to_string();
         }
@@ -162,7 +162,7 @@ impl Writer {
             Base::Sampler(_) => true,
             _ => false,
         };
-        if takes && self.one_in(6) || !takes && self.slip() {
+        if takes && self.one_in(6) || !takes && self.mistake() {
             ["lowp ", "mediump ", "highp "][self.below(3)]
         } else {
             ""

@@ -4,7 +4,7 @@ mod editor;
 mod project;
 
 use crate::engine::config::{Config, Selection, options, parse, style};
-use crate::engine::{HostNames, Memo, Options};
+use crate::engine::{FileCache, HostNames, Options};
 use crate::format::{Style, StyleChoice};
 use crate::host::{Preset, host_named, kept, read as read_host};
 use crate::lint::{Settings, UnknownRule};
@@ -22,7 +22,7 @@ pub struct ConfigArgs {
     /// Overrides every configuration.
     pub given: Selection,
     /// `--config` and `--no-config`
-    pub source: Source,
+    pub source: ConfigSource,
     /// `--force-exclude`
     pub exclusion: Exclusion,
     /// The paths on the command line.
@@ -40,7 +40,7 @@ pub enum Exclusion {
 
 /// Which configuration file is used.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Source {
+pub enum ConfigSource {
     /// The nearest one above each file.
     Nearest,
     /// This one for all files.
@@ -54,7 +54,7 @@ pub struct Configs {
     asked: ConfigArgs,
     cache: Mutex<Cache>,
     /// Files that were read for other files, such as includes.
-    memo: Arc<Memo>,
+    file_cache: Arc<FileCache>,
 }
 
 type FoundConfig = Result<Option<Arc<Config>>, Arc<str>>;
@@ -82,16 +82,16 @@ impl Configs {
         Configs {
             asked,
             cache: Mutex::default(),
-            memo: Arc::default(),
+            file_cache: Arc::default(),
         }
     }
 
     /// The configuration that applies to a file.
     pub fn config(&self, path: &Path) -> FoundConfig {
         match &self.asked.source {
-            Source::Nowhere => Ok(None),
-            Source::File(file) => self.cached(file, || load(file).map(Some)),
-            Source::Nearest => {
+            ConfigSource::Nowhere => Ok(None),
+            ConfigSource::File(file) => self.cached(file, || load(file).map(Some)),
+            ConfigSource::Nearest => {
                 let path = absolute(path);
                 let folder = path.parent().unwrap_or(Path::new("/"));
                 self.nearest(folder)
@@ -111,7 +111,7 @@ impl Configs {
     /// The configuration file that applies to a file.
     pub fn file_of(&self, path: &Path) -> Option<PathBuf> {
         match &self.asked.source {
-            Source::File(file) => Some(file.clone()),
+            ConfigSource::File(file) => Some(file.clone()),
             _ => Some(self.config(path).ok()??.root.join(FILE)),
         }
     }
@@ -147,8 +147,8 @@ impl Configs {
     pub fn problem(&self) -> Option<Arc<str>> {
         let words = self.asked.given.adjust(&mut Settings::of_rules(RULES));
         let named = match &self.asked.source {
-            Source::File(_) => self.config(Path::new("")).err(),
-            Source::Nearest | Source::Nowhere => None,
+            ConfigSource::File(_) => self.config(Path::new("")).err(),
+            ConfigSource::Nearest | ConfigSource::Nowhere => None,
         };
         words.map_err(unknown).err().or(named)
     }
@@ -168,7 +168,7 @@ impl Configs {
         let mut options = options(config.as_deref(), layers, &self.asked.given).map_err(unknown)?;
         options.includes.tops.clone_from(&project.tops);
         options.includes.root = project.root.canonicalize().unwrap_or_default();
-        options.memo = self.memo.clone();
+        options.file_cache = self.file_cache.clone();
         let options = Arc::new(options);
         self.lock().options.insert(key, options.clone());
         Ok(options)
@@ -184,8 +184,8 @@ impl Configs {
         let config = self.config(path)?;
         let path = absolute(path);
         let others = editor::choice(&path).or(last);
-        let said = config.map(|c| style(&c, &c.layers(&path), others));
-        Ok(said.unwrap_or(others).style())
+        let chosen = config.map(|c| style(&c, &c.layers(&path), others));
+        Ok(chosen.unwrap_or(others).style())
     }
 
     /// The project that contains a file.
@@ -246,7 +246,7 @@ pub fn host_of(name: &str) -> Result<&'static Preset, String> {
 pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
     let configs = Configs::new(ConfigArgs {
         given: Selection::default(),
-        source: Source::Nearest,
+        source: ConfigSource::Nearest,
         exclusion: Exclusion::Found,
         paths: Vec::new(),
     });

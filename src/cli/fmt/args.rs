@@ -1,6 +1,6 @@
 //! The arguments of `shaderlint fmt`.
 
-use super::super::config::{ConfigArgs, Exclusion, Source};
+use super::super::config::{ConfigArgs, ConfigSource, Exclusion};
 use crate::engine::config::Selection;
 use clap::Parser;
 use std::path::PathBuf;
@@ -49,9 +49,9 @@ impl FormatArgs {
         ConfigArgs {
             given: Selection::default(),
             source: match &self.config {
-                Some(file) => Source::File(file.clone()),
-                None if self.no_config => Source::Nowhere,
-                None => Source::Nearest,
+                Some(file) => ConfigSource::File(file.clone()),
+                None if self.no_config => ConfigSource::Nowhere,
+                None => ConfigSource::Nearest,
             },
             exclusion: match self.force_exclude {
                 true => Exclusion::Named,

@@ -1,7 +1,7 @@
 //! The arguments of `shaderlint`.
 
 use super::super::color::ColorChoice;
-use super::super::config::{ConfigArgs, Exclusion, Source};
+use super::super::config::{ConfigArgs, ConfigSource, Exclusion};
 use crate::cli::config::host_of;
 use crate::engine::DialectChoice;
 use crate::engine::config::Selection;
@@ -327,9 +327,9 @@ impl LintArgs {
                 run_samples: self.run_samples.or(self.no_run.then_some(0)),
             },
             source: match &self.config {
-                Some(file) => Source::File(file.clone()),
-                None if self.no_config => Source::Nowhere,
-                None => Source::Nearest,
+                Some(file) => ConfigSource::File(file.clone()),
+                None if self.no_config => ConfigSource::Nowhere,
+                None => ConfigSource::Nearest,
             },
             exclusion: if self.force_exclude {
                 Exclusion::Named

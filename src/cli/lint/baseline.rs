@@ -6,7 +6,7 @@ use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::args::{LintArgs, Talk};
-use super::examine::{Outcome, examine_all};
+use super::inputs::{Outcome, check_all};
 use crate::diagnostic::Diagnostic;
 use crate::report::fingerprints;
 use crate::text::Sources;
@@ -135,7 +135,7 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
     let Some(path) = &args.write_baseline else {
         return Ok(FAILED);
     };
-    let tell = |message: &str| {
+    let print_message = |message: &str| {
         if args.talk() > Talk::Nothing {
             complain(message);
         }
@@ -148,7 +148,7 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
     let folder = folder_of(path);
     let mut all_well = true;
     let mut count = 0;
-    examine_all(inputs, configs, None, &mut |input, outcome| {
+    check_all(inputs, configs, None, &mut |input, outcome| {
         match outcome {
             Outcome::Checked(mut report, ..) => {
                 let found = &mut report.diagnostics;
@@ -169,11 +169,11 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
             }
             Outcome::Skipped(..) => {}
             Outcome::Failed(message) => {
-                tell(&format!("{}: {message}", input.name));
+                print_message(&format!("{}: {message}", input.name));
                 all_well = false;
             }
             Outcome::Misconfigured(message) => {
-                tell(&message);
+                print_message(&message);
                 all_well = false;
             }
         }
@@ -189,10 +189,10 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
     write_file(path, text.as_bytes(), Overwrite::Allowed)?;
     if args.talk() >= Talk::Normal {
         for ((file, rule), _) in old.iter().flat_map(|o| &o.stale) {
-            tell(&format!("{file}: removed `{rule}`"));
+            print_message(&format!("{file}: removed `{rule}`"));
         }
         let noun = if count == 1 { "finding" } else { "findings" };
-        tell(&format!("wrote {count} {noun} to {}", path.display()));
+        print_message(&format!("wrote {count} {noun} to {}", path.display()));
     }
     Ok(if all_well { CLEAN } else { FAILED })
 }

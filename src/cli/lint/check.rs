@@ -5,13 +5,13 @@ use super::super::config::Configs;
 use super::super::input::{InputFile, collect};
 use super::args::{LintArgs, Talk};
 use super::baseline::{self, Baseline};
-use super::examine::{Outcome, examine_all};
-use super::mend::{Mend, Mended};
+use super::fix::{AppliedFixes, FixMode};
+use super::inputs::{Outcome, check_all};
 use super::verbose::Recognition;
 use super::{explain, verbose};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Offer, Report, Shader, Wholeness};
-use crate::lint::{Proof, Unrun};
+use crate::engine::{Completeness, Offer, Report, Shader};
+use crate::lint::{Proof, SkippedRules};
 use crate::report::{Format, Reporter, Scope, Summary};
 use std::collections::{BTreeMap, HashSet};
 use std::io::{self, BufWriter, Write};
@@ -21,18 +21,18 @@ use std::sync::Arc;
 /// Checks the paths once.
 pub fn check(args: &LintArgs) -> io::Result<u8> {
     let talk = args.talk();
-    let tell = |message: &str| {
+    let print_message = |message: &str| {
         if talk > Talk::Nothing {
             complain(message);
         }
     };
     let configs = Configs::new(args.asked());
     if let Some(message) = configs.problem() {
-        tell(&message);
+        print_message(&message);
         return Ok(FAILED);
     }
     let collected = collect(&args.paths(), args.stdin_filename.as_deref(), &configs);
-    collected.problems.iter().for_each(|p| tell(p));
+    collected.problems.iter().for_each(|p| print_message(p));
     let failed = !collected.problems.is_empty();
     let inputs = &collected.inputs;
     if inputs.is_empty() && !failed && talk >= Talk::Normal {
@@ -41,7 +41,7 @@ pub fn check(args: &LintArgs) -> io::Result<u8> {
     if args.write_baseline.is_some() {
         return baseline::write(args, inputs, &configs);
     }
-    let (summary, read_all) = judge(args, inputs, &configs)?;
+    let (summary, read_all) = check_inputs(args, inputs, &configs)?;
     if talk == Talk::Verbose {
         verbose::passed_over(&collected.passed_over);
     }
@@ -60,11 +60,15 @@ pub fn check(args: &LintArgs) -> io::Result<u8> {
 
 /// Checks all inputs in parallel and prints their findings in order. The flag says whether every
 /// input could be read and written.
-fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<(Summary, bool)> {
-    let mend = Mend::of(args);
+fn check_inputs(
+    args: &LintArgs,
+    inputs: &[InputFile],
+    configs: &Configs,
+) -> io::Result<(Summary, bool)> {
+    let fix_mode = FixMode::of(args);
     let baseline = args.baseline.as_deref().map(Baseline::load).transpose()?;
     // The first round prints diffs or fixed text instead of findings.
-    let prints_text = mend.is_some_and(|m| m.prints(inputs));
+    let prints_text = fix_mode.is_some_and(|m| m.prints(inputs));
     let format = if prints_text {
         Format::Short
     } else {
@@ -75,29 +79,32 @@ fn judge(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result
         talk: args.talk(),
         configs,
         baseline,
-        told: Vec::new(),
+        reported: Vec::new(),
         left: BTreeMap::new(),
-        said: HashSet::new(),
+        printed: HashSet::new(),
         all_well: true,
     };
-    let mut left_to_mend = mend;
+    let mut remaining_fix_mode = fix_mode;
     // Files include each other, so all fixes are applied before findings are printed.
-    if let Some(mend) = mend.filter(|m| m.writes() && !prints_text) {
-        let all = mend_all(inputs, configs, mend)?;
+    if let Some(fix_mode) = fix_mode.filter(|m| m.writes() && !prints_text) {
+        let all = fix_all(inputs, configs, fix_mode)?;
         printer.reporter.add_fixed(all.fixed);
         for (name, proofs) in &all.proofs {
             printer.proofs(name, proofs)?;
         }
         for message in all.refused {
-            printer.tell(&message)?;
+            printer.print_message(&message)?;
             printer.all_well = false;
         }
         printer.left = all.left;
-        left_to_mend = None;
+        remaining_fix_mode = None;
     }
-    examine_all(inputs, configs, left_to_mend, &mut |input, outcome| {
-        printer.outcome(input, outcome)
-    })?;
+    check_all(
+        inputs,
+        configs,
+        remaining_fix_mode,
+        &mut |input, outcome| printer.outcome(input, outcome),
+    )?;
     if printer.talk >= Talk::Normal
         && let Some(baseline) = &printer.baseline
     {
@@ -131,7 +138,7 @@ fn reporter(
 }
 
 /// Identifies a finding: file, pass and offset, rule, message.
-type Said = ((String, Option<String>, u32), &'static str, String);
+type FindingKey = ((String, Option<String>, u32), &'static str, String);
 
 /// Prints the outcomes of inputs.
 struct FindingPrinter<'a> {
@@ -140,53 +147,53 @@ struct FindingPrinter<'a> {
     configs: &'a Configs,
     baseline: Option<Baseline>,
     /// Configuration errors that were printed already.
-    told: Vec<Arc<str>>,
+    reported: Vec<Arc<str>>,
     /// By input: the findings whose fixes were not applied.
     left: BTreeMap<String, Vec<Diagnostic>>,
     /// The findings that were printed: several files may include the same one.
-    said: HashSet<Said>,
+    printed: HashSet<FindingKey>,
     /// Whether every input could be read and written.
     all_well: bool,
 }
 
 impl FindingPrinter<'_> {
     fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
-        let (report, mending, offer) = match outcome {
-            Outcome::Checked(report, mending, offer) => (report, mending, offer),
-            Outcome::Skipped(reason, mended) => {
-                let is_told = input.is_explicit && self.talk >= Talk::Normal;
-                if is_told || self.talk == Talk::Verbose {
-                    self.tell(&format!("{}: skipped: {reason}", input.name))?;
+        let (report, fix_outcome, offer) = match outcome {
+            Outcome::Checked(report, fix_outcome, offer) => (report, fix_outcome, offer),
+            Outcome::Skipped(reason, applied) => {
+                let is_printed = input.is_explicit && self.talk >= Talk::Normal;
+                if is_printed || self.talk == Talk::Verbose {
+                    self.print_message(&format!("{}: skipped: {reason}", input.name))?;
                 }
                 // Standard input is passed through unchanged.
-                return mended.map_or(Ok(()), |m| self.mended(input, m));
+                return applied.map_or(Ok(()), |m| self.applied(input, m));
             }
             Outcome::Failed(message) => {
                 self.all_well = false;
-                return self.tell(&format!("{}: {message}", input.name));
+                return self.print_message(&format!("{}: {message}", input.name));
             }
             Outcome::Misconfigured(message) => {
                 self.all_well = false;
-                if self.told.contains(&message) {
+                if self.reported.contains(&message) {
                     return Ok(());
                 }
-                self.tell(&message)?;
-                self.told.push(message);
+                self.print_message(&message)?;
+                self.reported.push(message);
                 return Ok(());
             }
         };
         if self.talk == Talk::Verbose {
-            self.tell(&verbose::read(input, &report, self.configs))?;
+            self.print_message(&verbose::read(input, &report, self.configs))?;
         }
-        self.proofs(&input.name, &mending.proofs)?;
-        if let Some(mended) = mending.mended {
-            self.mended(input, mended)?;
+        self.proofs(&input.name, &fix_outcome.proofs)?;
+        if let Some(applied) = fix_outcome.applied {
+            self.applied(input, applied)?;
         }
         self.report(input, *report, offer)
     }
 
     /// Prints a message on standard error.
-    fn tell(&mut self, message: &str) -> io::Result<()> {
+    fn print_message(&mut self, message: &str) -> io::Result<()> {
         self.reporter.flush()?;
         if self.talk > Talk::Nothing {
             complain(message);
@@ -197,21 +204,23 @@ impl FindingPrinter<'_> {
     /// With `-v`, prints how fixes were verified to keep the image.
     fn proofs(&mut self, name: &str, proofs: &[Proof]) -> io::Result<()> {
         match verbose::proofs(proofs) {
-            Some(said) if self.talk == Talk::Verbose => self.tell(&format!("{name}: {said}")),
+            Some(printed) if self.talk == Talk::Verbose => {
+                self.print_message(&format!("{name}: {printed}"))
+            }
             _ => Ok(()),
         }
     }
 
-    fn mended(&mut self, input: &InputFile, mended: Mended) -> io::Result<()> {
-        match mended {
-            Mended::Written(count) => {
+    fn applied(&mut self, input: &InputFile, applied: AppliedFixes) -> io::Result<()> {
+        match applied {
+            AppliedFixes::Written(count) => {
                 self.reporter.add_fixed(count);
                 Ok(())
             }
-            Mended::Text(text) => io::stdout().lock().write_all(text.as_bytes()),
-            Mended::Refused(message) => {
+            AppliedFixes::Text(text) => io::stdout().lock().write_all(text.as_bytes()),
+            AppliedFixes::Refused(message) => {
                 self.all_well = false;
-                self.tell(&format!("{}: {message}", input.name))
+                self.print_message(&format!("{}: {message}", input.name))
             }
         }
     }
@@ -230,7 +239,7 @@ impl FindingPrinter<'_> {
         let settings = options.as_ref().map(|o| &o.settings);
         let mut scope = scope_of(&report.shaders);
         scope.left_out = report.left_out;
-        if self.reporter.tells_readings() {
+        if self.reporter.shows_readings() {
             scope.read_as = Some(verbose::reading(
                 &input.name,
                 &report,
@@ -255,7 +264,7 @@ impl FindingPrinter<'_> {
                 file.part.clone(),
                 d.span.start - file.base,
             );
-            self.said.insert((place, d.rule, d.message.clone()))
+            self.printed.insert((place, d.rule, d.message.clone()))
         });
         if let Some(baseline) = &mut self.baseline {
             let before = found.len();
@@ -285,12 +294,16 @@ fn scope_of(shaders: &[Shader]) -> Scope {
     };
     for shader in shaders {
         scope.open_names.extend(shader.holes.iter().cloned());
-        match &shader.unrun {
-            Unrun::Functions { names, .. } => scope.unrun_functions.extend(names.iter().cloned()),
-            Unrun::Everywhere if shader.has_errors && shader.wholeness == Wholeness::Whole => {
-                scope.unrun_shaders += 1;
+        match &shader.skipped {
+            SkippedRules::Functions { names, .. } => {
+                scope.skipped_functions.extend(names.iter().cloned())
             }
-            Unrun::Everywhere | Unrun::Nowhere => {}
+            SkippedRules::Everywhere
+                if shader.has_errors && shader.completeness == Completeness::Complete =>
+            {
+                scope.skipped_shaders += 1;
+            }
+            SkippedRules::Everywhere | SkippedRules::Nowhere => {}
         }
     }
     scope
@@ -298,7 +311,7 @@ fn scope_of(shaders: &[Shader]) -> Scope {
 
 /// The results of fixing all inputs.
 #[derive(Default)]
-struct AllMended {
+struct AllFixed {
     /// The number of fixed findings.
     fixed: usize,
     /// Messages about files that could not be written.
@@ -310,22 +323,22 @@ struct AllMended {
 }
 
 /// Fixes all inputs that are files.
-fn mend_all(inputs: &[InputFile], configs: &Configs, mend: Mend) -> io::Result<AllMended> {
+fn fix_all(inputs: &[InputFile], configs: &Configs, fix_mode: FixMode) -> io::Result<AllFixed> {
     /// Fixing a file may allow more fixes in the files that include it.
     const ROUNDS: usize = 3;
-    let mut all = AllMended::default();
+    let mut all = AllFixed::default();
     for round in 0..ROUNDS {
         let before = all.fixed;
         let mut includes = false;
-        examine_all(inputs, configs, Some(mend), &mut |input, outcome| {
-            if let Outcome::Checked(report, mending, _) = outcome {
+        check_all(inputs, configs, Some(fix_mode), &mut |input, outcome| {
+            if let Outcome::Checked(report, fix_outcome, _) = outcome {
                 includes |= report.includes();
                 let proofs = all.proofs.entry(input.name.clone()).or_default();
-                proofs.extend(mending.proofs);
-                all.left.insert(input.name.clone(), mending.left);
-                match mending.mended {
-                    Some(Mended::Written(count)) => all.fixed += count,
-                    Some(Mended::Refused(message)) if round == 0 => {
+                proofs.extend(fix_outcome.proofs);
+                all.left.insert(input.name.clone(), fix_outcome.left);
+                match fix_outcome.applied {
+                    Some(AppliedFixes::Written(count)) => all.fixed += count,
+                    Some(AppliedFixes::Refused(message)) if round == 0 => {
                         all.refused.push(format!("{}: {message}", input.name));
                     }
                     _ => {}

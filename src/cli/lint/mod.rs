@@ -4,10 +4,10 @@
 mod args;
 mod baseline;
 mod check;
-mod examine;
 pub mod explain;
-mod mend;
-pub mod middle;
+mod fix;
+mod inputs;
+pub mod ir;
 pub mod reduce;
 mod verbose;
 mod watch;

@@ -3,10 +3,10 @@
 use super::super::command::complain;
 use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
-use crate::engine::{Report, Shader, Wholeness};
+use crate::engine::{Completeness, Report, Shader};
 use crate::host::shadertoy;
-use crate::lint::{Proof, Unrun};
-use crate::port::{Clues, Recognised, TextsBeside, recognise};
+use crate::lint::{Proof, SkippedRules};
+use crate::port::{Clues, Recognised, SiblingTexts, recognise};
 use crate::report::ReadAs;
 use crate::semantic::Stage;
 use std::path::Path;
@@ -39,10 +39,10 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
     let shaders = match report.shaders.as_slice() {
         [] => "no shader".to_string(),
         all => {
-            let told = all.iter().map(|s| told(s, report));
+            let text = all.iter().map(|s| describe(s, report));
             let mut lines: Vec<(String, usize)> = Vec::new();
             // A page or a document may contain many shaders of the same kind.
-            for line in told {
+            for line in text {
                 match lines.iter_mut().find(|(l, _)| *l == line) {
                     Some((_, count)) => *count += 1,
                     None => lines.push((line, 1)),
@@ -86,13 +86,13 @@ fn recognised(name: &str, report: &Report) -> Option<Recognised> {
         return None;
     }
     let title = Path::new(name).file_stem()?.to_string_lossy();
-    let nothing = TextsBeside::new();
-    let found = recognise(&Clues::beside(&file.text, &title, &nothing))?;
+    let nothing = SiblingTexts::new();
+    let found = recognise(&Clues::with_siblings(&file.text, &title, &nothing))?;
     (!found.signs.is_empty() && !found.is_player()).then_some(found)
 }
 
 /// How one shader was interpreted, and where rules were skipped.
-fn told(shader: &Shader, report: &Report) -> String {
+fn describe(shader: &Shader, report: &Report) -> String {
     let file = shader.file.and_then(|id| report.sources.file(id));
     let stage = match shader.stage {
         Stage::Vertex => "vertex shader",
@@ -104,28 +104,30 @@ fn told(shader: &Shader, report: &Report) -> String {
     };
     let part = file.and_then(|f| f.part.as_deref());
     let part = part.map_or(String::new(), |p| format!(" ({p})"));
-    let unrun = match (shader.wholeness, &shader.unrun) {
-        (_, Unrun::Nowhere) => String::new(),
-        (_, Unrun::Functions { names, .. }) => {
+    let skipped = match (shader.completeness, &shader.skipped) {
+        (_, SkippedRules::Nowhere) => String::new(),
+        (_, SkippedRules::Functions { names, .. }) => {
             format!(", rules skipped `{}` because of errors", names.join("`, `"))
         }
-        (Wholeness::Excerpt, Unrun::Everywhere) => ", excerpt: rules skipped".to_string(),
-        (Wholeness::Part | Wholeness::Piece, Unrun::Everywhere) => {
+        (Completeness::Excerpt, SkippedRules::Everywhere) => ", excerpt: rules skipped".to_string(),
+        (Completeness::Chunk | Completeness::Piece, SkippedRules::Everywhere) => {
             ", incomplete: rules skipped".to_string()
         }
-        (Wholeness::Whole, Unrun::Everywhere) => ", rules skipped because of errors".to_string(),
+        (Completeness::Complete, SkippedRules::Everywhere) => {
+            ", rules skipped because of errors".to_string()
+        }
     };
     // For a file that is one shader, `recognised` already names the host.
     let host = shader.host.filter(|_| report.holds_shaders());
     let host = host.map_or(String::new(), |h| format!("{}: ", h.read_as()));
-    format!("{host}{kind}{part}{unrun}{}", completed(shader))
+    format!("{host}{kind}{part}{skipped}{}", completed(shader))
 }
 
 /// For a shader fragment: its hosts, the names they declare, and missing includes.
 fn completed(shader: &Shader) -> String {
-    let mut told = String::new();
+    let mut text = String::new();
     if !shader.hosts.is_empty() {
-        told.push_str(&format!(", for {}", shader.hosts.join(" or ")));
+        text.push_str(&format!(", for {}", shader.hosts.join(" or ")));
     }
     let names = &shader.holes;
     if !names.is_empty() {
@@ -134,19 +136,19 @@ fn completed(shader: &Shader) -> String {
             0 => String::new(),
             n => format!(" and {n} more"),
         };
-        told.push_str(&format!(
+        text.push_str(&format!(
             ", names from the host: `{}`{more}",
             first.join("`, `")
         ));
     }
     for missing in &shader.missing {
         let places = missing.looked_in.join(", ");
-        told.push_str(&format!(", `{}` {}", missing.path, missing.why));
+        text.push_str(&format!(", `{}` {}", missing.path, missing.why));
         if !places.is_empty() {
-            told.push_str(&format!(" (searched in {places})"));
+            text.push_str(&format!(" (searched in {places})"));
         }
     }
-    told
+    text
 }
 
 /// How fixes were verified to keep the image; `None` if nothing was fixed.
@@ -157,9 +159,9 @@ pub fn proofs(proofs: &[Proof]) -> Option<String> {
         (Proof::Unknown, "not compared"),
     ];
     let counts = ways.map(|(way, words)| (proofs.iter().filter(|p| **p == way).count(), words));
-    let told = counts.iter().filter(|(count, _)| *count > 0);
-    let told = told.map(|(count, words)| format!("{count} {words}"));
-    (!proofs.is_empty()).then(|| format!("fixed: {}", told.collect::<Vec<_>>().join(", ")))
+    let text = counts.iter().filter(|(count, _)| *count > 0);
+    let text = text.map(|(count, words)| format!("{count} {words}"));
+    (!proofs.is_empty()).then(|| format!("fixed: {}", text.collect::<Vec<_>>().join(", ")))
 }
 
 /// Reports the files and folders that were skipped.
@@ -175,11 +177,11 @@ pub fn passed_over(passed: &PassedOver) {
     }
     if passed.others > 0 {
         let noun = if passed.others == 1 { "file" } else { "files" };
-        let endings: Vec<&str> = passed.endings.iter().map(String::as_str).collect();
+        let extensions: Vec<&str> = passed.extensions.iter().map(String::as_str).collect();
         complain(&format!(
             "{} {noun} skipped because of the extension ({}); files in .gitignore are not counted",
             passed.others,
-            endings.join(", ")
+            extensions.join(", ")
         ));
     }
 }

@@ -4,7 +4,7 @@ use super::super::disk::Disk;
 use super::position::{Columns, TextLines};
 use super::uri::path_of;
 use crate::engine::{FileType, Files, LoadError, Options};
-use crate::ide::{Document, RunSeen};
+use crate::ide::{Document, RunObservations};
 use crate::text::LineIndex;
 use gen_lsp_types::{Position, Range, TextDocumentContentChangeEvent, Uri};
 use std::collections::BTreeMap;
@@ -40,7 +40,7 @@ pub struct Ran {
     /// The analysis, including the findings of sample runs.
     pub document: Arc<Document>,
     /// By shader: the recorded values.
-    pub seen: Vec<Option<RunSeen>>,
+    pub seen: Vec<Option<RunObservations>>,
 }
 
 impl TextBuffer {
@@ -55,8 +55,8 @@ impl TextBuffer {
                 .map(|c| if c == ':' { '/' } else { c })
                 .collect();
             let name = name.trim_start_matches('/');
-            let has_ending = name.rsplit('/').next().is_some_and(|n| n.contains('.'));
-            format!("/{name}{}", if has_ending { "" } else { ".glsl" })
+            let has_extension = name.rsplit('/').next().is_some_and(|n| n.contains('.'));
+            format!("/{name}{}", if has_extension { "" } else { ".glsl" })
         });
         let lines = LineIndex::new(&text);
         TextBuffer {
@@ -128,8 +128,8 @@ pub fn changed(
             TextDocumentContentChangeEvent::TextDocumentContentChangePartial(part) => {
                 (Some(part.range), part.text)
             }
-            TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(whole) => {
-                (None, whole.text)
+            TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(change) => {
+                (None, change.text)
             }
         };
         match range {
@@ -150,7 +150,7 @@ pub fn changed(
 }
 
 /// The range of a complete text.
-pub fn whole(lines: TextLines) -> Range {
+pub fn full_range(lines: TextLines) -> Range {
     Range {
         start: Position::default(),
         end: lines.position(lines.text.len() as u32),

@@ -8,8 +8,8 @@ use crate::lint::Check;
 use crate::rules::RULES;
 use crate::text::Span;
 use gen_lsp_types::{
-    Code, CodeDescription, Diagnostic as Told, DiagnosticRelatedInformation, DiagnosticSeverity,
-    DiagnosticTag, Location, Range,
+    Code, CodeDescription, Diagnostic as LspDiagnostic, DiagnosticRelatedInformation,
+    DiagnosticSeverity, DiagnosticTag, Location, Range,
 };
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -27,26 +27,30 @@ const DEPRECATED: [&str; 1] = ["legacy-extension"];
 
 /// All findings of a document: with those of sample runs if they have finished, otherwise with
 /// those of an earlier state where the surrounding text is unchanged.
-pub fn diagnostics(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
+pub fn diagnostics(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<LspDiagnostic> {
     if snapshot.leaves_out(buffer) {
         return Vec::new();
     }
     let document = snapshot.best(buffer);
-    let mut told = convert(snapshot, &document, Some(buffer));
+    let mut converted = convert(snapshot, &document, Some(buffer));
     if buffer.ran.get().is_none() {
-        told.extend(carried(snapshot, buffer));
-        told.sort_by_key(|d| (d.range.start, d.range.end));
+        converted.extend(carried(snapshot, buffer));
+        converted.sort_by_key(|d| (d.range.start, d.range.end));
     }
-    told
+    converted
 }
 
 /// The findings of an analysed document.
-pub fn convert(snapshot: &Snapshot, document: &Document, buffer: Option<&TextBuffer>) -> Vec<Told> {
+pub fn convert(
+    snapshot: &Snapshot,
+    document: &Document,
+    buffer: Option<&TextBuffer>,
+) -> Vec<LspDiagnostic> {
     let settings = &document.options.settings;
     let all = document.report.diagnostics.iter();
     let all = all.filter(|d| settings.reports(d.rule));
-    let told = all.filter_map(|d| one(snapshot, document, buffer, d));
-    told.collect()
+    let converted = all.filter_map(|d| one(snapshot, document, buffer, d));
+    converted.collect()
 }
 
 /// Converts one finding; `None` if it belongs to another file.
@@ -55,7 +59,7 @@ pub fn one(
     document: &Document,
     buffer: Option<&TextBuffer>,
     diagnostic: &Diagnostic,
-) -> Option<Told> {
+) -> Option<LspDiagnostic> {
     let range = |span: Span| match buffer {
         Some(buffer) => Some(buffer.lines(snapshot.columns()).range(span)),
         None => snapshot.with_lines(&document.path, |lines| lines.range(span)),
@@ -80,7 +84,7 @@ pub fn one(
         }
     };
     let related = Some(related).filter(|r| !r.is_empty() && snapshot.client.related);
-    Some(Told {
+    Some(LspDiagnostic {
         range: range(span)?,
         severity: Some(match diagnostic.severity {
             Severity::Error => DiagnosticSeverity::Error,
@@ -162,7 +166,7 @@ fn directive_of(document: &Document, name: &str) -> Option<Span> {
 
 /// Findings of sample runs of an earlier state, where the surrounding text is unchanged. Otherwise
 /// they would flicker while typing.
-fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
+fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<LspDiagnostic> {
     let Some((text, ran)) = &buffer.earlier else {
         return Vec::new();
     };
@@ -189,13 +193,13 @@ fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Told> {
             ),
             _ => return None,
         };
-        let told = one(snapshot, document, None, d)?;
+        let converted = one(snapshot, document, None, d)?;
         let range: Range = buffer.lines(snapshot.columns()).range(span);
-        Some(Told {
+        Some(LspDiagnostic {
             range,
             // Related locations would refer to the earlier text.
             related_information: None,
-            ..told
+            ..converted
         })
     });
     moved.collect()
@@ -211,9 +215,9 @@ fn same_ends(a: &str, b: &str) -> (u32, u32) {
 }
 
 /// A result id, by which the client detects unchanged diagnostics.
-pub fn result_id(told: &[Told]) -> String {
+pub fn result_id(converted: &[LspDiagnostic]) -> String {
     let mut hasher = DefaultHasher::new();
-    for one in told {
+    for one in converted {
         serde_json::to_string(one)
             .unwrap_or_default()
             .hash(&mut hasher);

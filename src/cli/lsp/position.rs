@@ -145,11 +145,11 @@ mod tests {
                 character: 99,
             };
             assert_eq!(lines.offset(beyond), 7);
-            let behind = Position {
+            let after = Position {
                 line: 9,
                 character: 0,
             };
-            assert_eq!(lines.offset(behind), text.len() as u32);
+            assert_eq!(lines.offset(after), text.len() as u32);
         }
     }
 }

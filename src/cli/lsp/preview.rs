@@ -84,7 +84,7 @@ fn parts(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<PassFile> {
 
 /// The role of a file according to its name.
 fn role_of(name: &str) -> Option<PassRole> {
-    let (stem, ending) = name.rsplit_once('.')?;
-    let is_shader = shadertoy().is_some_and(|host| host.has_ending(ending));
+    let (stem, extension) = name.rsplit_once('.')?;
+    let is_shader = shadertoy().is_some_and(|host| host.has_extension(extension));
     PassRole::of_name(stem).filter(|_| is_shader)
 }

@@ -1,6 +1,6 @@
 //! The main loop: reads messages, maintains the documents, dispatches work, publishes findings.
 
-use super::super::config::{ConfigArgs, Configs, Exclusion, FILE, Source};
+use super::super::config::{ConfigArgs, ConfigSource, Configs, Exclusion, FILE};
 use super::super::disk::Disk;
 use super::answers::{Jobs, Lane, diagnostics_of};
 use super::buffers::{OpenFiles, TextBuffer, changed};
@@ -52,7 +52,7 @@ struct Server {
     /// Messages that were read but not handled.
     queue: VecDeque<Message>,
     /// Documents with findings to publish.
-    untold: Vec<PathBuf>,
+    unreported_faults: Vec<PathBuf>,
     /// When the documents are due for a sample run.
     due: BTreeMap<PathBuf, Instant>,
     pending: Pending,
@@ -101,7 +101,7 @@ fn configs(folders: &[PathBuf], run_samples: Option<u32>) -> Arc<Configs> {
             run_samples,
             ..Selection::default()
         },
-        source: Source::Nearest,
+        source: ConfigSource::Nearest,
         exclusion: Exclusion::Named,
         paths: folders.to_vec(),
     }))
@@ -166,7 +166,7 @@ impl Server {
             jobs: Jobs::new(),
             now,
             queue: VecDeque::new(),
-            untold: Vec::new(),
+            unreported_faults: Vec::new(),
             due: BTreeMap::new(),
             pending: Pending::default(),
             slow: Worker::start("requests")?,
@@ -218,7 +218,7 @@ impl Server {
         let _ = self.connection.sender.send(message);
     }
 
-    fn tell<N: Notification>(&self, params: &N::Params) {
+    fn notify<N: Notification>(&self, params: &N::Params) {
         self.send(Sent::new(N::METHOD.to_string(), params).into());
     }
 
@@ -226,7 +226,7 @@ impl Server {
     fn run(&mut self) -> bool {
         loop {
             if self.queue.is_empty() {
-                self.tell_findings();
+                self.publish_findings();
                 self.start_runs();
                 match self.wait() {
                     Some(event) => self.take(event),
@@ -358,7 +358,7 @@ impl Server {
             let is_wanted = !is_cancelled() && !snapshot.is_stale();
             let answer = is_wanted.then(|| guarded(|| job(&snapshot)));
             let was_cancelled = lock(&pending).remove(&id) == Some(true);
-            let (told, request) = match answer {
+            let (response, request) = match answer {
                 _ if was_cancelled => (cancelled(id), None),
                 Some(Ok((value, request))) if !snapshot.is_stale() => {
                     (response(id, Ok(value)), request)
@@ -366,7 +366,7 @@ impl Server {
                 Some(Err(failure)) if !snapshot.is_stale() => (response(id, Err(failure)), None),
                 _ => (stale(id), None),
             };
-            let _ = connection.sender.send(told.into());
+            let _ = connection.sender.send(response.into());
             if let Some(request) = request {
                 let _ = connection.sender.send(request.into());
             }
@@ -395,7 +395,7 @@ impl Server {
     }
 
     fn log(&self, message: &str) {
-        self.tell::<LogMessageNotification>(&LogMessageParams {
+        self.notify::<LogMessageNotification>(&LogMessageParams {
             kind: MessageType::Warning,
             message: message.to_string(),
         });
@@ -416,7 +416,7 @@ impl Server {
                 self.renew();
             }
             Ok(_) => {}
-            Err(message) => self.tell::<ShowMessageNotification>(&ShowMessageParams {
+            Err(message) => self.notify::<ShowMessageNotification>(&ShowMessageParams {
                 kind: MessageType::Warning,
                 message,
             }),
@@ -440,14 +440,14 @@ impl Server {
     fn put(&mut self, buffer: TextBuffer) {
         let path = PathBuf::from(&buffer.path);
         Arc::make_mut(&mut self.now.files.open).insert(path.clone(), Arc::new(buffer));
-        self.tell_later(path.clone());
+        self.publish_later(path.clone());
         self.renew_users(&path);
     }
 
-    fn tell_later(&mut self, path: PathBuf) {
+    fn publish_later(&mut self, path: PathBuf) {
         self.due.insert(path.clone(), Instant::now() + PAUSE);
-        if !self.untold.contains(&path) {
-            self.untold.push(path);
+        if !self.unreported_faults.contains(&path) {
+            self.unreported_faults.push(path);
         }
     }
 
@@ -475,7 +475,7 @@ impl Server {
         let next = buffer.next(buffer.version, buffer.text.clone(), state);
         let path = PathBuf::from(&buffer.path);
         Arc::make_mut(&mut self.now.files.open).insert(path.clone(), Arc::new(next));
-        self.tell_later(path);
+        self.publish_later(path);
     }
 
     /// Analyses all open documents again, with configurations that are read again.
@@ -522,9 +522,9 @@ impl Server {
         Arc::make_mut(&mut self.now.files.open).remove(&path);
         self.now.sent_tokens().remove(&buffer.path);
         self.due.remove(&path);
-        self.untold.retain(|p| *p != path);
+        self.unreported_faults.retain(|p| *p != path);
         if !self.now.client.pulls {
-            self.tell::<PublishDiagnosticsNotification>(&PublishDiagnosticsParams {
+            self.notify::<PublishDiagnosticsNotification>(&PublishDiagnosticsParams {
                 uri,
                 version: None,
                 diagnostics: Vec::new(),
@@ -564,17 +564,17 @@ impl Server {
     }
 
     /// Publishes the findings of changed documents, unless the client requests them.
-    fn tell_findings(&mut self) {
-        let untold = std::mem::take(&mut self.untold);
+    fn publish_findings(&mut self) {
+        let unreported_faults = std::mem::take(&mut self.unreported_faults);
         if self.now.client.pulls {
             return;
         }
-        for path in untold {
+        for path in unreported_faults {
             let Some(buffer) = self.now.files.open.get(&path) else {
                 continue;
             };
             if let Ok(params) = guarded(|| Ok(diagnostics_of(&self.now, buffer))) {
-                self.tell::<PublishDiagnosticsNotification>(&params);
+                self.notify::<PublishDiagnosticsNotification>(&params);
             }
         }
     }
@@ -623,7 +623,7 @@ impl Server {
         }
         if !self.now.client.pulls {
             if let Ok(params) = guarded(|| Ok(diagnostics_of(&self.now, buffer))) {
-                self.tell::<PublishDiagnosticsNotification>(&params);
+                self.notify::<PublishDiagnosticsNotification>(&params);
             }
         } else if self.now.client.refreshes_diagnostics {
             self.ask("workspace/diagnostic/refresh", Value::Null);
@@ -680,7 +680,7 @@ impl Server {
                 "window/showDocument",
                 json!({ "uri": uri, "takeFocus": true }),
             ),
-            None => self.tell::<ShowMessageNotification>(&ShowMessageParams {
+            None => self.notify::<ShowMessageNotification>(&ShowMessageParams {
                 kind: MessageType::Info,
                 message: format!("{rule}: {}", Page::new(text).summary),
             }),

@@ -8,7 +8,7 @@ use super::position::{Columns, TextLines};
 use super::uri::{path_of, uri_of};
 use crate::engine::{Files, Options};
 use crate::format::{Indentation, Style, StyleChoice};
-use crate::ide::{Document, FileSpan, RunSeen};
+use crate::ide::{Document, FileSpan, RunObservations};
 use crate::text::kind::Claim;
 use crate::text::{LineIndex, Span};
 use gen_lsp_types::{FormattingOptions, Location, Position, TextDocumentPositionParams, Uri};
@@ -123,7 +123,7 @@ impl Snapshot {
     }
 
     /// The values that sample runs recorded, by shader.
-    pub fn seen(&self, buffer: &TextBuffer) -> Vec<Option<RunSeen>> {
+    pub fn seen(&self, buffer: &TextBuffer) -> Vec<Option<RunObservations>> {
         buffer.ran.get().map_or(Vec::new(), |ran| ran.seen.clone())
     }
 

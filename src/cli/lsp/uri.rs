@@ -12,15 +12,15 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let mut rest = path.as_bytes();
     while let [first, after @ ..] = rest {
         let escaped = match (first, after) {
-            (b'%', [high, low, behind @ ..]) => {
+            (b'%', [high, low, after @ ..]) => {
                 let digits = hex(*high).zip(hex(*low));
-                digits.map(|(high, low)| (high << 4 | low, behind))
+                digits.map(|(high, low)| (high << 4 | low, after))
             }
             _ => None,
         };
-        let (byte, behind) = escaped.unwrap_or((*first, after));
+        let (byte, after) = escaped.unwrap_or((*first, after));
         bytes.push(byte);
-        rest = behind;
+        rest = after;
     }
     let path = String::from_utf8(bytes).ok()?;
     // `/C:/a` on Windows.

@@ -21,7 +21,7 @@ const MAX_RUNNING: usize = 2;
 /// The path of this program, and a limit on parallel commands.
 pub struct OwnProgram {
     path: PathBuf,
-    turns: Arc<Semaphore>,
+    permits: Arc<Semaphore>,
 }
 
 /// The result of a command.
@@ -37,7 +37,7 @@ pub struct CommandOutcome {
 
 impl CommandOutcome {
     /// Both outputs; a command that fails may use either.
-    pub fn said(&self) -> String {
+    pub fn message(&self) -> String {
         format!("{}{}", self.out, self.err)
     }
 }
@@ -50,7 +50,7 @@ impl OwnProgram {
     pub fn new() -> io::Result<OwnProgram> {
         Ok(OwnProgram {
             path: std::env::current_exe()?,
-            turns: Arc::new(Semaphore::new(MAX_RUNNING)),
+            permits: Arc::new(Semaphore::new(MAX_RUNNING)),
         })
     }
 
@@ -60,7 +60,7 @@ impl OwnProgram {
     /// # Errors
     /// A message if the command cannot be started, exceeds the time limit or is killed by a signal.
     pub async fn run(&self, args: Vec<OsString>, input: &str) -> Result<CommandOutcome, String> {
-        let turn = self.turns.clone().acquire_owned().await;
+        let permit = self.permits.clone().acquire_owned().await;
         let child = Command::new(&self.path)
             .args(args)
             // The client's environment may force colours.
@@ -75,7 +75,7 @@ impl OwnProgram {
         let input = input.to_string();
         // In its own task, because a stopped process must be waited for as well.
         let task = tokio::spawn(async move {
-            let _turn = turn;
+            let _permit = permit;
             ended(child, input, gone).await
         });
         let outcome = task.await.map_err(not_run)?;

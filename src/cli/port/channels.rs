@@ -4,8 +4,8 @@
 //! the form of the part of `--channel` after the `=`. Paths are relative to the file's folder and
 //! must not leave it, since the user may not have written a downloaded file.
 
-use super::beside::folder_of;
 use super::read::{read_text, shown};
+use super::siblings::folder_of;
 use crate::port::{ChannelOrder, ChannelSource};
 use crate::text::LineIndex;
 use std::path::{Path, PathBuf};

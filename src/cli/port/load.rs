@@ -1,15 +1,15 @@
 //! Loads a project from paths: shader files, folders, exports, and the inputs of channels.
 
 use super::args::PortArgs;
-use super::beside::{draft_beside, folder_of};
 use super::channels::{GivenOrder, file_of, orders};
 use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
+use super::siblings::{draft_with_siblings, folder_of};
 use crate::cli::config::{configured_host, host_of};
 use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::host::{Preset, shadertoy};
 use crate::port::{
-    ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, TextsBeside, add_stand_ins,
+    ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts, add_stand_ins,
     unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
@@ -44,7 +44,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         mut project,
         mut repairs,
         mut given,
-        beside,
+        siblings,
     } = match &args.input[..] {
         [] if args.pass.is_empty() => {
             return Err(USAGE.to_string());
@@ -59,10 +59,10 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     let mut composed = project.resolve(&name).map_err(wrong)?;
     if (mode == Mode::Repair || project.host.is_some() && composed.has_errors())
         && repairs.is_empty()
-        && let Some((mended, renewed, repaired)) = mend(&project, &composed, &name, mode)?
+        && let Some((fixed, renewed, repaired)) = apply_repairs(&project, &composed, &name, mode)?
     {
         given = Some(std::mem::replace(&mut composed, renewed));
-        (project, repairs) = (mended, repaired);
+        (project, repairs) = (fixed, repaired);
     }
     if project
         .passes
@@ -94,7 +94,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     }
     let mut read = files_of(args)?;
     if let Some(path) = args.input.first() {
-        read.extend(beside.keys().map(|asked| folder_of(path).join(asked)));
+        read.extend(siblings.keys().map(|asked| folder_of(path).join(asked)));
     }
     read.extend(carried.paths().cloned());
     let composed = project.renew(composed, &name).map_err(wrong)?;
@@ -110,22 +110,22 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
 
 /// The repaired project; `None` if there is nothing to repair. Without `--repair`, repairs are
 /// applied only if the result compiles, which makes WebGL1 and desktop shaders work.
-fn mend(
+fn apply_repairs(
     project: &Project,
     composed: &Composed,
     name: &str,
     mode: Mode,
 ) -> Result<Option<(Project, Composed, Repairs)>, String> {
     let wrong = |e: ShaderError| format!("{name}: {e}");
-    let mut mended = project.clone();
-    let repaired = repair(&mut mended, composed, name);
+    let mut fixed = project.clone();
+    let repaired = repair(&mut fixed, composed, name);
     let repaired = repaired.ok_or(wrong(ShaderError::TooLarge))?;
     if repaired.is_empty() {
         return Ok(None);
     }
-    let renewed = mended.resolve(name).map_err(wrong)?;
+    let renewed = fixed.resolve(name).map_err(wrong)?;
     let is_wanted = mode == Mode::Repair || !renewed.has_errors();
-    Ok(is_wanted.then_some((mended, renewed, repaired)))
+    Ok(is_wanted.then_some((fixed, renewed, repaired)))
 }
 
 /// Loads a file as a project without repairs. Returns the project and the files that it was loaded
@@ -140,11 +140,11 @@ pub(in crate::cli) fn draft(
         return Ok((parts(&[path.to_path_buf()], &[])?, files));
     }
     let drafted = one_file(path, Mode::AsItIs, host(from)?)?;
-    let beside = drafted
-        .beside
+    let siblings = drafted
+        .siblings
         .keys()
         .map(|asked| folder_of(path).join(asked));
-    let read = beside.chain([path.to_path_buf()]).collect();
+    let read = siblings.chain([path.to_path_buf()]).collect();
     Ok((drafted.project, read))
 }
 
@@ -243,7 +243,7 @@ struct Drafted {
     /// The composed passes before these repairs.
     given: Option<Composed>,
     /// The companion files that it was loaded from.
-    beside: TextsBeside,
+    siblings: SiblingTexts,
 }
 
 impl Drafted {
@@ -253,7 +253,7 @@ impl Drafted {
             project,
             repairs: Repairs::default(),
             given: None,
-            beside: TextsBeside::new(),
+            siblings: SiblingTexts::new(),
         }
     }
 }
@@ -283,17 +283,18 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         None if name != "-" => configured_host(path)?,
         from => from,
     };
-    let mut beside = TextsBeside::new();
+    let mut siblings = SiblingTexts::new();
     let mut draft = |text: &str| {
-        draft_beside(path, &mut beside, |beside| {
-            Project::draft_beside(&title, text, from, beside).map_err(|e| wrong(e.to_string()))
+        draft_with_siblings(path, &mut siblings, |siblings| {
+            Project::draft_with_siblings(&title, text, from, siblings)
+                .map_err(|e| wrong(e.to_string()))
         })
     };
     let mut project = draft(&text)?;
     let modern = project.modernized(&text);
     let Some(mut modern) = modern.filter(|_| mode == Mode::Repair) else {
         return Ok(Drafted {
-            beside,
+            siblings,
             ..Drafted::of(project)
         });
     };
@@ -306,7 +307,7 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         project,
         repairs,
         given: Some(given),
-        beside,
+        siblings,
     })
 }
 
@@ -347,8 +348,8 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
         .collect::<Result<Vec<_>, String>>()?;
     let title = match paths {
         [folder] if folder.is_dir() => {
-            let whole = folder.canonicalize().unwrap_or_else(|_| folder.clone());
-            whole
+            let absolute = folder.canonicalize().unwrap_or_else(|_| folder.clone());
+            absolute
                 .file_name()
                 .map_or(String::new(), |n| n.to_string_lossy().into_owned())
         }
@@ -403,6 +404,6 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
 
 /// Whether a file in a folder can be a pass.
 fn is_shader(path: &Path) -> bool {
-    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    shadertoy().is_some_and(|host| host.has_ending(ending)) && path.is_file()
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    shadertoy().is_some_and(|host| host.has_extension(extension)) && path.is_file()
 }

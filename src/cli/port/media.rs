@@ -65,10 +65,10 @@ impl Carried {
         let (kind, first) = self.face(path)?;
         let mut urls = vec![first.clone()];
         if is_cube {
-            let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+            let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             for face in 1..6 {
-                let path = path.with_file_name(format!("{stem}_{face}.{ending}"));
+                let path = path.with_file_name(format!("{stem}_{face}.{extension}"));
                 urls.push(match path.is_file() {
                     true => self.face(&path)?.1,
                     false => first.clone(),

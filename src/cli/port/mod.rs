@@ -1,18 +1,18 @@
 //! The command line interface of `shaderport`.
 
 mod args;
-mod beside;
+mod build;
 mod channels;
+#[cfg(feature = "naga")]
+mod complete;
 mod load;
-mod make;
 mod media;
 mod read;
 mod report;
 mod save;
 mod serve;
+mod siblings;
 mod watch;
-#[cfg(feature = "naga")]
-mod whole;
 
 pub use args::PortArgs;
 pub(super) use load::{draft, in_folder, put_channels};
@@ -20,15 +20,15 @@ pub(super) use read::{read_text, shown};
 pub(super) use save::save;
 
 use super::command::FAILED;
-use make::{make, print};
-use report::tell;
+use build::{build_output, print};
+use report::print_note;
 
 /// Runs `shaderport` and returns the exit code.
 pub fn run(args: &PortArgs) -> u8 {
     match port(args) {
         Ok(code) => code,
         Err(message) => {
-            tell(&message);
+            print_note(&message);
             FAILED
         }
     }
@@ -38,7 +38,7 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     if args.watch || args.serve.is_some() {
         return watch::run(args);
     }
-    let made = make(args, None)?;
+    let made = build_output(args, None)?;
     if args.is_saved() {
         save(&made.files, args.overwrite(), &made.read)?;
     } else if let Some(first) = made.files.first() {

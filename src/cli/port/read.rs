@@ -93,15 +93,15 @@ fn wait_for<R: Read>(
         let _ = to.send(read.map(|()| Vec::new()));
     });
     let mut bytes = Vec::new();
-    let mut is_told = false;
+    let mut is_reported = false;
     loop {
         match from.recv_timeout(PATIENCE) {
             Ok(Ok(part)) if part.is_empty() => return Ok(bytes),
             Ok(Ok(part)) => bytes.extend(part),
             Ok(Err(e)) => return Err(format!("{name}: {}", plain_error(&e))),
             Err(RecvTimeoutError::Disconnected) => return Ok(bytes),
-            Err(RecvTimeoutError::Timeout) if !is_told => {
-                is_told = true;
+            Err(RecvTimeoutError::Timeout) if !is_reported => {
+                is_reported = true;
                 let _ = writeln!(
                     io::stderr(),
                     "waiting for {name}; press Ctrl+D to end the input, Ctrl+C to cancel"
@@ -202,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_are_read_and_said() {
+    fn sizes_are_read_and_shown() {
         assert_eq!(size_of("64M"), Ok(64 * MIB));
         assert_eq!(size_of("1.5 GiB"), Ok(1536 * MIB));
         assert_eq!(size_of("12"), Ok(12));

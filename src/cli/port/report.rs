@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use std::io::{self, IsTerminal, Write};
 
 /// Prints a message to standard error.
-pub(super) fn tell(message: &str) {
+pub(super) fn print_note(message: &str) {
     let _ = writeln!(io::stderr(), "shaderport: {message}");
 }
 
@@ -24,12 +24,12 @@ pub(super) fn report<'a>(
 ) -> io::Result<Summary> {
     // Several passes may share a text or its includes, so the same finding can occur more than
     // once.
-    let mut said = HashSet::new();
+    let mut printed = HashSet::new();
     let place = |d: &Diagnostic| {
         let file = sources.file_at(d.span.start);
         file.map(|f| (f.path.clone(), f.part.clone(), d.span.start - f.base))
     };
-    let is_new = |d: &&Diagnostic| said.insert((place(d), d.rule, d.message.clone()));
+    let is_new = |d: &&Diagnostic| printed.insert((place(d), d.rule, d.message.clone()));
     let mut found: Vec<Diagnostic> = problems.filter(is_new).cloned().collect();
     let mut stderr = io::stderr().lock();
     let mut errors = 0;

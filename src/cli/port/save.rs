@@ -28,7 +28,7 @@ impl OutputPlace {
         match target.is_shaders() {
             true if is_folder || may_be_folder => OutputPlace::Folder(path.to_path_buf()),
             false if is_folder => {
-                let name = format!("{}.{}", file_name(title), target.ending());
+                let name = format!("{}.{}", file_name(title), target.extension());
                 OutputPlace::File(path.join(name))
             }
             _ => OutputPlace::File(path.to_path_buf()),
@@ -132,8 +132,12 @@ mod tests {
             path: path.clone(),
             content: content.as_bytes().to_vec(),
         };
-        let said = save(&[file("one"), file("two")], Overwrite::Allowed, &[]);
-        assert!(said.unwrap_err().starts_with("two files would be written"));
+        let result = save(&[file("one"), file("two")], Overwrite::Allowed, &[]);
+        assert!(
+            result
+                .unwrap_err()
+                .starts_with("two files would be written")
+        );
         assert!(!path.exists());
     }
 

@@ -1,7 +1,7 @@
 //! A server for one page, accessible from this machine only. `/` is the page, `/events` announces
 //! new versions.
 
-use super::report::tell;
+use super::report::print_note;
 use crate::cli::command::{CLEAN, FAILED};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
@@ -49,7 +49,7 @@ impl PageServer {
     pub(super) fn open(port: u16) -> Result<PageServer, String> {
         let bind = |port| TcpListener::bind((Ipv4Addr::LOCALHOST, port));
         let opened = bind(port).or_else(|why| {
-            tell(&format!("cannot use port {port} ({why}); choosing another"));
+            print_note(&format!("cannot use port {port} ({why}); choosing another"));
             bind(0)
         });
         let listener = opened.map_err(|e| format!("cannot serve the page: {e}"))?;
@@ -86,7 +86,7 @@ impl PageServer {
     }
 
     /// Shows an error on open pages.
-    pub(super) fn tell(&self, trouble: &str) {
+    pub(super) fn show_trouble(&self, trouble: &str) {
         self.shown.page().trouble = trouble.replace(['\r', '\n'], " ");
         self.shown.changed.notify_all();
     }
@@ -112,7 +112,7 @@ impl ServedPage {
     }
 
     /// Whether both have the same version and the same error.
-    fn says(&self, other: &ServedPage) -> bool {
+    fn shows(&self, other: &ServedPage) -> bool {
         self.version == other.version && self.trouble == other.trouble
     }
 }
@@ -131,7 +131,7 @@ impl ShownPage {
 
     /// Waits until the page differs from a known one, or until the pulse interval has passed.
     fn next(&self, known: &ServedPage) -> ServedPage {
-        let is_known = |page: &mut ServedPage| page.says(known);
+        let is_known = |page: &mut ServedPage| page.shows(known);
         let waited = self
             .changed
             .wait_timeout_while(self.page(), PULSE, is_known);
@@ -167,7 +167,7 @@ fn answer(stream: &TcpStream, address: SocketAddr, shown: &ShownPage) -> io::Res
             let page = shown.first();
             reply(stream, "200 OK", "text/html; charset=utf-8", &page.content)
         }
-        "/events" => tell_changes(stream, shown),
+        "/events" => send_changes(stream, shown),
         _ => reply(stream, "404 Not Found", "text/plain", b"not found\n"),
     }
 }
@@ -183,8 +183,8 @@ fn read(stream: &TcpStream) -> io::Result<Option<Request>> {
     }
     let mut headers = [httparse::EMPTY_HEADER; MAX_HEADERS];
     let mut request = httparse::Request::new(&mut headers);
-    let is_whole = matches!(request.parse(&head), Ok(status) if status.is_complete());
-    if !is_whole || request.method != Some("GET") {
+    let is_complete = matches!(request.parse(&head), Ok(status) if status.is_complete());
+    if !is_complete || request.method != Some("GET") {
         return Ok(None);
     }
     let mut all = request.headers.iter();
@@ -209,7 +209,7 @@ fn reply(mut stream: &TcpStream, status: &str, kind: &str, content: &[u8]) -> io
 }
 
 /// Announces each new version to a page, as server-sent events.
-fn tell_changes(mut stream: &TcpStream, shown: &ShownPage) -> io::Result<()> {
+fn send_changes(mut stream: &TcpStream, shown: &ShownPage) -> io::Result<()> {
     stream.write_all(
         b"HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\n\
           Connection: close\r\n\r\n",
@@ -238,9 +238,9 @@ mod tests {
         let mut stream = TcpStream::connect(server.address).unwrap();
         let head = head.replace("HOST", &server.address.to_string());
         stream.write_all(head.as_bytes()).unwrap();
-        let mut said = String::new();
-        stream.read_to_string(&mut said).unwrap();
-        said
+        let mut response = String::new();
+        stream.read_to_string(&mut response).unwrap();
+        response
     }
 
     #[test]
@@ -279,9 +279,9 @@ mod tests {
         ));
         server.show("1", b"hello".to_vec());
         stream.set_read_timeout(None).unwrap();
-        let mut said = String::new();
-        stream.read_to_string(&mut said).unwrap();
-        assert!(said.ends_with("\r\n\r\nhello"), "{said}");
+        let mut response = String::new();
+        stream.read_to_string(&mut response).unwrap();
+        assert!(response.ends_with("\r\n\r\nhello"), "{response}");
     }
 
     #[test]
@@ -295,7 +295,7 @@ mod tests {
         let mut next = || news.find_map(|l| l.strip_prefix("data: ").map(str::to_string));
         assert_eq!(next().as_deref(), Some("1"));
         assert_eq!(next().as_deref(), Some(""));
-        server.tell("there is\nno such file");
+        server.show_trouble("there is\nno such file");
         assert_eq!(next().as_deref(), Some("there is no such file"));
         server.show("2", Vec::new());
         assert_eq!(next().as_deref(), Some("2"));

@@ -1,9 +1,9 @@
 //! `--watch` and `--serve`: rebuilds the output on each change, and serves it as a page.
 
 use super::args::PortArgs;
+use super::build::build_output;
 use super::load::files_of;
-use super::make::make;
-use super::report::tell;
+use super::report::print_note;
 use super::save::save;
 use super::serve::PageServer;
 use crate::cli::output::Overwrite;
@@ -30,26 +30,26 @@ pub(super) fn run(args: &PortArgs) -> Result<u8, String> {
 /// Writes the output on each change.
 fn write(args: &PortArgs) -> Result<u8, String> {
     let mut before = look(args, &[]);
-    let made = make(args, None)?;
+    let made = build_output(args, None)?;
     save(&made.files, args.overwrite(), &made.read)?;
     let mut read = made.read;
     loop {
         before = next_change(args, before, &read);
         // From here on the output belongs to this run, and a file that cannot be read may be half
         // saved.
-        let saved = make(args, None).and_then(|m| {
+        let saved = build_output(args, None).and_then(|m| {
             read = m.read;
             save(&m.files, Overwrite::Allowed, &read)
         });
         if let Err(message) = saved {
-            tell(&message);
+            print_note(&message);
         }
     }
 }
 
 /// Serves the page; with `--watch` rebuilds it on each change.
 fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
-    tell(&format!(
+    print_note(&format!(
         "serving the page at {}; press Ctrl+C to stop",
         server.address()
     ));
@@ -57,7 +57,7 @@ fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
     let mut before = look(args, &read);
     loop {
         let version = version();
-        match make(args, Some(&version)) {
+        match build_output(args, Some(&version)) {
             Ok(made) => {
                 read = made.read;
                 if let Some(page) = made.files.into_iter().next() {
@@ -66,8 +66,8 @@ fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
             }
             Err(message) if !args.watch => return Err(message),
             Err(message) => {
-                tell(&message);
-                server.tell(&message);
+                print_note(&message);
+                server.show_trouble(&message);
                 if server.is_empty() {
                     server.show(&version, waiting_page(&message, &version).into_bytes());
                 }
@@ -82,7 +82,7 @@ fn serve(args: &PortArgs, server: PageServer) -> Result<u8, String> {
 
 /// Waits until the files differ from their state before the build. Returns their new state.
 fn next_change(args: &PortArgs, before: Stamp, read: &[PathBuf]) -> Stamp {
-    tell("waiting for changes");
+    print_note("waiting for changes");
     // Files that were discovered during the build are taken in their current state.
     let before = before.with(read.iter().cloned());
     wait(before, || look(args, read));

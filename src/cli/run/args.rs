@@ -1,7 +1,7 @@
 //! The arguments of `shaderlint run`.
 
 use super::super::color::ColorChoice;
-use crate::engine::play::{Button, Moment, Mouse};
+use crate::engine::playback::{Button, Moment, Mouse};
 use crate::exec::Watch;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};

@@ -6,8 +6,8 @@ use super::heat;
 use super::load::Shot;
 use super::png::Bitmap;
 use super::progress::Progress;
-use crate::engine::play::{Button, Moment, Mouse, Picture};
-use crate::exec::{Code, Drawn};
+use crate::engine::playback::{Button, Moment, Mouse, RenderedImage};
+use crate::exec::{Bytecode, Drawn};
 use serde::Serialize;
 
 /// Times in seconds that are compared by default.
@@ -43,7 +43,7 @@ struct MomentCompared {
 }
 
 /// The comparison of one frame, pixel by pixel.
-struct ComparedPictures {
+struct ComparedImages {
     told: MomentCompared,
     /// By pixel: the largest difference of a channel; a tiny value if only bits differ that are not
     /// shown.
@@ -76,7 +76,7 @@ pub fn compare(
         told.push(found.told);
     }
     drop(progress);
-    let picture = worst.map(|(_, values)| heat::map(args.size, &values, "DIFFERENCE"));
+    let image = worst.map(|(_, values)| heat::map(args.size, &values, "DIFFERENCE"));
     let compared = Compared {
         schema: 1,
         file: names[0].to_string(),
@@ -86,7 +86,7 @@ pub fn compare(
         moments: told,
         output: None,
     };
-    Ok((compared, picture))
+    Ok((compared, image))
 }
 
 /// The frames to compare: the given one, or several with and without the mouse.
@@ -113,10 +113,10 @@ fn moments(args: &RunArgs) -> Vec<Moment> {
     .collect()
 }
 
-fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> ComparedPictures {
+fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> ComparedImages {
     let [a, b] = drawn;
     let [code, other] = codes;
-    let pictures = [(code, a), (other, b)].map(|(code, drawn)| Picture::of(code, drawn, 0));
+    let images = [(code, a), (other, b)].map(|(code, drawn)| RenderedImage::of(code, drawn, 0));
     let mut by_pixel = Vec::with_capacity(a.covered.len());
     let mut told = MomentCompared {
         time: moment.time,
@@ -128,7 +128,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> Compare
         first: None,
     };
     let width = a.size[0].max(1);
-    let [left, right] = pictures.each_ref().map(|p| p.pixels.as_slice());
+    let [left, right] = images.each_ref().map(|p| p.pixels.as_slice());
     for ((one, two), at) in left.iter().zip(right).zip(0_usize..) {
         let covered = a.covered.get(at) == b.covered.get(at);
         let outputs = a.outputs.len() == b.outputs.len()
@@ -147,13 +147,13 @@ fn difference(drawn: [&Drawn; 2], codes: [&Code; 2], moment: &Moment) -> Compare
             false => f64::from(u8::from(one.map(f32::to_bits) != two.map(f32::to_bits))).max(most),
         });
         told.pixels += 1;
-        told.shown += u64::from(Picture::shown(*one) != Picture::shown(*two));
+        told.shown += u64::from(RenderedImage::shown(*one) != RenderedImage::shown(*two));
         told.most = gap.max(told.most);
         let place = || [at as u32 % width, at as u32 / width];
         told.first.get_or_insert_with(place);
         by_pixel.push(gap.max(f64::from(f32::MIN_POSITIVE)));
     }
-    ComparedPictures { told, by_pixel }
+    ComparedImages { told, by_pixel }
 }
 
 impl Compared {

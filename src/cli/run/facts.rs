@@ -4,7 +4,7 @@ use super::columns::{percent, seconds};
 use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
-use crate::engine::play::{Button, Moment, PictureFacts};
+use crate::engine::playback::{Button, ImageFacts, Moment};
 use crate::exec::Drawn;
 use serde::Serialize;
 
@@ -92,7 +92,7 @@ impl OutputFacts {
     pub fn of(
         name: &str,
         (ty, lanes): (String, u32),
-        facts: &PictureFacts,
+        facts: &ImageFacts,
         pixels: usize,
     ) -> OutputFacts {
         let first = |all: [f64; 3]| all.into_iter().take(lanes.max(1) as usize).collect();
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_there_is_never_told_as_none() {
+    fn what_is_there_is_never_reported_as_none() {
         let all = [0.0, 1e-7, 0.005, 0.5, 0.9999, 1.0].map(percent);
         assert_eq!(
             all,

@@ -62,14 +62,14 @@ pub fn width(text: &str, scale: u32) -> u32 {
 }
 
 /// Draws a text with its upper left corner at a position.
-pub fn write(picture: &mut Bitmap, text: &str, at: [u32; 2], scale: u32, color: [u8; 3]) {
+pub fn write(image: &mut Bitmap, text: &str, at: [u32; 2], scale: u32, color: [u8; 3]) {
     for (character, i) in text.chars().zip(0..) {
         for (row, y) in rows(character.to_ascii_uppercase()).into_iter().zip(0..) {
             for x in (0..3).filter(|x| row >> (2 - x) & 1 == 1) {
                 let left = at[0] + (i * ADVANCE + x) * scale;
                 let dots = (0..scale).flat_map(|dy| (0..scale).map(move |dx| (dx, dy)));
                 for (dx, dy) in dots {
-                    picture.set(left + dx, at[1] + y * scale + dy, color);
+                    image.set(left + dx, at[1] + y * scale + dy, color);
                 }
             }
         }
@@ -82,12 +82,12 @@ mod tests {
 
     #[test]
     fn a_number_is_written() {
-        let mut picture = Bitmap::filled([7, 5], [0; 3]);
-        write(&mut picture, "17", [0, 0], 1, [255; 3]);
+        let mut image = Bitmap::filled([7, 5], [0; 3]);
+        write(&mut image, "17", [0, 0], 1, [255; 3]);
         let row = |y| (0..7).map(move |x| (x, y));
         let text: Vec<String> = (0..5)
             .map(|y| {
-                let lit = row(y).map(|(x, y)| picture.pixel(x, y) == [255; 3]);
+                let lit = row(y).map(|(x, y)| image.pixel(x, y) == [255; 3]);
                 lit.map(|is| if is { '#' } else { '.' }).collect()
             })
             .collect();

@@ -2,7 +2,7 @@
 
 use super::columns::{columns, percent};
 use super::place::position;
-use crate::exec::{FunctionSeen, Seen};
+use crate::exec::{FunctionObservation, Observations};
 use crate::semantic::Program;
 use serde::Serialize;
 
@@ -22,12 +22,12 @@ pub struct FunctionRow {
 }
 
 /// All functions that ran, most expensive first.
-pub fn rows(program: &Program, seen: &Seen) -> Vec<FunctionRow> {
-    let mut seen_functions: Vec<&FunctionSeen> = seen.functions.iter().collect();
-    seen_functions.retain(|f| f.whole > 0);
+pub fn rows(program: &Program, seen: &Observations) -> Vec<FunctionRow> {
+    let mut seen_functions: Vec<&FunctionObservation> = seen.functions.iter().collect();
+    seen_functions.retain(|f| f.inclusive > 0);
     seen_functions.sort_by_key(|f| {
         (
-            std::cmp::Reverse((f.own, f.whole)),
+            std::cmp::Reverse((f.own, f.inclusive)),
             f.function.map(|id| id.0),
         )
     });
@@ -42,7 +42,7 @@ pub fn rows(program: &Program, seen: &Seen) -> Vec<FunctionRow> {
             at: token.and_then(|t| position(&program.sources, t.span)),
             own_operations: own.own,
             own: share(own.own),
-            with_callees: share(own.whole),
+            with_callees: share(own.inclusive),
         }
     });
     rows.collect()

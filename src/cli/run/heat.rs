@@ -42,7 +42,7 @@ const NO_NUMBER: [u8; 3] = [255, 0, 255];
 pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
     let finite = || values.iter().copied().filter(|n| n.is_finite());
     let (least, most) = (finite().fold(0.0, f64::min), finite().fold(0.0, f64::max));
-    let mut picture = Bitmap::filled(size, [0; 3]);
+    let mut image = Bitmap::filled(size, [0; 3]);
     let places = (0..size[1])
         .rev()
         .flat_map(|y| (0..size[0]).map(move |x| (x, y)));
@@ -55,38 +55,44 @@ pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
             true => color(share),
             false => NO_NUMBER,
         };
-        picture.set(x, y, color);
+        image.set(x, y, color);
     }
-    with_legend(picture, title, [least, most])
+    with_legend(image, title, [least, most])
 }
 
 /// Adds a legend with the title and the ends of the scale.
-fn with_legend(picture: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
-    let [width, height] = picture.size;
+fn with_legend(image: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
+    let [width, height] = image.size;
     if width < NARROWEST {
-        return picture;
+        return image;
     }
     let scale = (width / 320).clamp(1, 4);
     let [margin, bar] = [4 * scale, 8 * scale];
     let below = 2 * margin + bar;
-    let mut whole = Bitmap::filled([width, height + below], GROUND);
-    whole.paste(&picture, 0, 0);
-    let middle = height + margin + (bar - font::HEIGHT * scale) / 2;
-    font::write(&mut whole, title, [margin, middle], scale, TEXT);
+    let mut framed = Bitmap::filled([width, height + below], GROUND);
+    framed.paste(&image, 0, 0);
+    let baseline = height + margin + (bar - font::HEIGHT * scale) / 2;
+    font::write(&mut framed, title, [margin, baseline], scale, TEXT);
     let least = font::width(title, scale) + 2 * margin;
     let [first, number] = ends.map(short);
-    font::write(&mut whole, &first, [least, middle], scale, TEXT);
+    font::write(&mut framed, &first, [least, baseline], scale, TEXT);
     let room = font::width(&number, scale) + margin;
     let left = least + font::width(&first, scale) + margin;
     let right = width.saturating_sub(room + margin).max(left + 1);
     for x in left..right {
         let share = f64::from(x - left) / f64::from((right - left).max(2) - 1);
         for y in 0..bar {
-            whole.set(x, height + margin + y, color(share));
+            framed.set(x, height + margin + y, color(share));
         }
     }
-    font::write(&mut whole, &number, [right + margin, middle], scale, TEXT);
-    whole
+    font::write(
+        &mut framed,
+        &number,
+        [right + margin, baseline],
+        scale,
+        TEXT,
+    );
+    framed
 }
 
 /// Formats a number in about four digits.
@@ -115,12 +121,9 @@ mod tests {
 
     #[test]
     fn the_lowest_row_is_below_and_a_legend_under_it() {
-        let picture = map([1, 2], &[0.0, 4.0], "STEPS");
-        assert_eq!(picture.size, [1, 2]);
-        assert_eq!(
-            (picture.pixel(0, 0), picture.pixel(0, 1)),
-            (RAMP[5], RAMP[0])
-        );
+        let image = map([1, 2], &[0.0, 4.0], "STEPS");
+        assert_eq!(image.size, [1, 2]);
+        assert_eq!((image.pixel(0, 0), image.pixel(0, 1)), (RAMP[5], RAMP[0]));
         let wide = map([320, 2], &[1.0; 640], "STEPS");
         assert_eq!(wide.size, [320, 18]);
         assert_eq!(wide.pixel(0, 17), GROUND);

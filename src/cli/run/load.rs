@@ -3,15 +3,15 @@
 use super::args::{RunArgs, ShotSetting};
 use super::place::{position, span};
 use super::progress::Progress;
-use super::{picture, show, uniforms};
+use super::{image_file, show, uniforms};
 use crate::cli::disk::Disk;
 use crate::cli::port;
 use crate::diagnostic::Severity;
-use crate::engine::play::{Moment, PlayOptions, Player, Scene, Unfit};
+use crate::engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
-use crate::exec::{Code, CompileOptions, Drawn, Refusal, Stop, draw};
+use crate::exec::{Bytecode, CompileOptions, Drawn, Refusal, Stop, draw};
 use crate::ir::Module;
-use crate::lint::Known;
+use crate::lint::CachedFacts;
 use crate::port::{Composed, PassUnit, Project, Wrapper, add_stand_ins, missing};
 use crate::report::{Format, Reporter};
 use crate::semantic::{Pass, Program, Stage, Storage};
@@ -64,11 +64,11 @@ pub struct Loaded {
 /// A pass that is ready to draw.
 pub struct Shot {
     /// The player of the pass.
-    play: Play,
+    play: Playback,
     /// The IR of the pass.
     pub module: Arc<Module>,
     /// Cached analyses of the pass.
-    pub known: Arc<Known>,
+    pub known: Arc<CachedFacts>,
     /// Index of the compile unit.
     unit: usize,
     /// Index of the pass in the project.
@@ -78,7 +78,7 @@ pub struct Shot {
 }
 
 /// What draws a pass.
-enum Play {
+enum Playback {
     /// The pass reads no other pass and no texture.
     Alone(Box<Scene>),
     /// The pass is drawn with the other passes of its project and its textures.
@@ -87,26 +87,26 @@ enum Play {
 
 impl Shot {
     /// The bytecode of the pass.
-    pub fn code(&self) -> &Code {
-        static NOTHING: OnceLock<Code> = OnceLock::new();
+    pub fn code(&self) -> &Bytecode {
+        static NOTHING: OnceLock<Bytecode> = OnceLock::new();
         match &self.play {
-            Play::Alone(scene) => &scene.code,
-            Play::Project(player) => player
+            Playback::Alone(scene) => &scene.code,
+            Playback::Project(player) => player
                 .code(self.pass)
-                .unwrap_or_else(|| NOTHING.get_or_init(Code::default)),
+                .unwrap_or_else(|| NOTHING.get_or_init(Bytecode::default)),
         }
     }
 
     /// Draws a frame.
     pub fn drawn(&mut self, moment: &Moment, progress: &Progress) -> Result<Drawn, String> {
         match &mut self.play {
-            Play::Alone(scene) => {
+            Playback::Alone(scene) => {
                 let own = scene.draw(self.size, moment);
                 draw(&own, self.threads).map_err(|stop| stopped(&stop))
             }
-            Play::Project(player) => {
-                let mut tell = |frame| progress.frame(frame, moment.frame);
-                let played = player.play_to(moment, &mut tell);
+            Playback::Project(player) => {
+                let mut report_frame = |frame| progress.frame(frame, moment.frame);
+                let played = player.play_to(moment, &mut report_frame);
                 let played = played.map_err(|stop| stopped(&stop))?;
                 let mut passes = played.passes.into_iter();
                 let own = passes.find(|(number, _)| *number == self.pass);
@@ -121,7 +121,7 @@ impl Shot {
         let mut notes = project.notes.clone();
         let quoted = |names: &[&str]| format!("`{}`", names.join("`, `"));
         match &self.play {
-            Play::Alone(scene) => {
+            Playback::Alone(scene) => {
                 let zeros = scene.zeros();
                 if !zeros.is_empty() {
                     notes.push(format!(
@@ -143,7 +143,7 @@ impl Shot {
                     ));
                 }
             }
-            Play::Project(player) => {
+            Playback::Project(player) => {
                 let missing = missing(project).into_iter();
                 notes.extend(missing.map(|m| format!("{}: {}; {}", m.place, m.what, m.stand_in)));
                 notes.extend(player.notes().iter().cloned());
@@ -155,8 +155,8 @@ impl Shot {
     /// Sets a uniform for all frames.
     fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
         match &mut self.play {
-            Play::Alone(scene) => scene.set(name, scalars),
-            Play::Project(player) => player.set(name, scalars),
+            Playback::Alone(scene) => scene.set(name, scalars),
+            Playback::Project(player) => player.set(name, scalars),
         }
     }
 }
@@ -184,13 +184,13 @@ pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<Loaded, Troub
     match read(path, args.host.as_deref(), &args.channel) {
         Ok(loaded) => Ok(loaded),
         Err(Undrawable::Errors(composed)) => {
-            if !tell_errors(path, &name, args, format)? {
-                tell_composed(&composed, args, format)?;
+            if !print_errors(path, &name, args, format)? {
+                print_composed(&composed, args, format)?;
             }
             Err(Trouble::Errors)
         }
         Err(Undrawable::Words(words)) => {
-            match path.is_file() && tell_errors(path, &name, args, format)? {
+            match path.is_file() && print_errors(path, &name, args, format)? {
                 true => Err(Trouble::Errors),
                 false => Err(Trouble::Words(words)),
             }
@@ -222,7 +222,7 @@ pub fn read(path: &Path, from: Option<&str>, channels: &[String]) -> Result<Load
 }
 
 /// Prints the errors that the linter finds; returns whether there are any.
-fn tell_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Result<bool, Trouble> {
+fn print_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Result<bool, Trouble> {
     if path.as_os_str() == "-" {
         return Ok(false);
     }
@@ -238,7 +238,7 @@ fn tell_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Resul
 }
 
 /// Prints the errors of the composed sources, including the code around the shader.
-fn tell_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result<(), Trouble> {
+fn print_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result<(), Trouble> {
     let all = composed.units.iter().map(|unit| composed.analysis(unit));
     let found = all.flat_map(|checked| &checked.diagnostics);
     let mut errors: Vec<_> = found
@@ -262,7 +262,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
         let words = format!("{name}: shaders that draw with a vertex shader are not supported");
         return Err(Trouble::Words(words));
     }
-    let known = Arc::<Known>::default();
+    let known = Arc::<CachedFacts>::default();
     let module = known.module(program).clone();
     let probe = match setting.show {
         Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
@@ -275,16 +275,16 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
     };
     let (size, threads) = (setting.size, setting.threads);
     let play = match alone(loaded, unit, &module, &compile)? {
-        Some(scene) => Play::Alone(Box::new(scene)),
+        Some(scene) => Playback::Alone(Box::new(scene)),
         None => {
-            let options = PlayOptions {
+            let options = PlaybackOptions {
                 size,
                 threads,
                 compile,
-                decode: Some(picture::decode),
+                decode: Some(image_file::decode),
             };
             let player = Player::new(&loaded.project, composed, &options);
-            Play::Project(Box::new(player.map_err(|e| format!("{name}: {e}"))?))
+            Playback::Project(Box::new(player.map_err(|e| format!("{name}: {e}"))?))
         }
     };
     let mut shot = Shot {
@@ -364,7 +364,7 @@ fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), T
             Err(unfit) => unfit,
         };
         let name = &given.name;
-        let said = match unfit {
+        let reason = match unfit {
             Unfit::Unknown => {
                 let near = near(name, program);
                 format!("unknown uniform `{name}`{near}")
@@ -378,7 +378,7 @@ fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), T
                 format!("`{name}` expects {takes} {noun}, found {count}")
             }
         };
-        return Err(wrong(given.at, said));
+        return Err(wrong(given.at, reason));
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use super::columns::{columns, percent};
 use super::load::Shot;
 use super::place::{position, span};
-use crate::exec::{LoopSeen, Seen};
+use crate::exec::{LoopObservation, Observations};
 use crate::flow::Bound;
 use crate::ir::Provenance;
 use crate::lint::Facts;
@@ -36,11 +36,11 @@ pub struct LoopRow {
 }
 
 /// All loops that were reached, most iterations first.
-pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
+pub fn rows(program: &Program, shot: &Shot, seen: &Observations) -> Vec<LoopRow> {
     let facts = Facts::of(program, &shot.known);
     let known = facts.loops();
-    let mut seen: Vec<&LoopSeen> = seen.loops.iter().filter(|l| l.entries > 0).collect();
-    seen.sort_by_key(|l| (std::cmp::Reverse(l.turns), l.id));
+    let mut seen: Vec<&LoopObservation> = seen.loops.iter().filter(|l| l.entries > 0).collect();
+    seen.sort_by_key(|l| (std::cmp::Reverse(l.iterations), l.id));
     let rows = seen.into_iter().filter_map(|own| {
         let stmt = shot.module.looped(own.id)?.stmt;
         let own_facts = known.get(stmt);
@@ -59,7 +59,7 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<LoopRow> {
             turns,
             pixels: own.pixels,
             most: own.most,
-            mean: own.turns as f64 / own.entries.max(1) as f64,
+            mean: own.iterations as f64 / own.entries.max(1) as f64,
             p99: quantile(&own.histogram, 0.99),
             exhausted: own_facts
                 .is_some_and(|f| f.ends_early)

@@ -7,10 +7,10 @@ mod facts;
 mod font;
 mod functions;
 mod heat;
+mod image_file;
 mod load;
 mod loops;
 mod numbers;
-mod picture;
 mod place;
 mod png;
 mod progress;
@@ -31,7 +31,7 @@ pub(super) use progress::Progress;
 use super::command::{CLEAN, FAILED, FINDINGS};
 use super::output::Overwrite;
 use super::port::save;
-use crate::engine::play::Picture;
+use crate::engine::playback::RenderedImage;
 use crate::exec::Drawn;
 use crate::port::File;
 use crate::report::Format;
@@ -87,7 +87,7 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     drop(progress);
     let bitmap = match (args.heatmap, &args.show) {
         (Some(heat), _) => heat_map(heat, &own, &drawn),
-        (None, Some(show)) => show::picture(show, own.code(), &drawn),
+        (None, Some(show)) => show::render(show, own.code(), &drawn),
         (None, None) => bitmap(&own, &drawn),
     };
     let output = write(args, &bitmap, &loaded.read)?;
@@ -107,14 +107,14 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
 fn bitmap(shot: &Shot, drawn: &Drawn) -> Bitmap {
     Bitmap {
         size: drawn.size,
-        bytes: Picture::of(shot.code(), drawn, 0).bytes(),
+        bytes: RenderedImage::of(shot.code(), drawn, 0).bytes(),
     }
 }
 
 fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
     let counts = |all: &[u32]| all.iter().map(|n| f64::from(*n)).collect::<Vec<_>>();
     let (values, title) = match heat {
-        Heat::Steps => (counts(&drawn.turns), "STEPS"),
+        Heat::Steps => (counts(&drawn.iterations), "STEPS"),
         Heat::Cost => (counts(&drawn.cost), "OPERATIONS"),
         Heat::Overdraw => {
             let waited = |(own, all): (&u32, &u32)| match *all {
@@ -125,12 +125,9 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
             (pairs.map(waited).collect(), "OVERDRAW IN 8X4, %")
         }
         Heat::Nan => {
-            let picture = Picture::of(shot.code(), drawn, 0);
+            let image = RenderedImage::of(shot.code(), drawn, 0);
             let is_bad = |pixel: &[f32; 4]| pixel.iter().any(|lane| !lane.is_finite());
-            let values = picture
-                .pixels
-                .iter()
-                .map(|p| f64::from(u8::from(is_bad(p))));
+            let values = image.pixels.iter().map(|p| f64::from(u8::from(is_bad(p))));
             (values.collect(), "NOT FINITE")
         }
     };
@@ -141,7 +138,7 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
     let code = shot.code();
     let program = loaded.program(shot);
     let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
-        let facts = Picture::of(code, drawn, at).facts(&drawn.covered);
+        let facts = RenderedImage::of(code, drawn, at).facts(&drawn.covered);
         let ty = program.map_or(String::new(), |p| p.type_name(slot.ty));
         let lanes = slot.ty.components();
         OutputFacts::of(&slot.name, (ty, lanes), &facts, drawn.covered.len())
@@ -169,10 +166,10 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
 fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
     let [(one, shot), (other, other_shot)] = both;
     let names = [&one.name, &other.name].map(String::as_str);
-    let (mut told, picture) = compare::compare([shot, other_shot], names, args)?;
+    let (mut told, image) = compare::compare([shot, other_shot], names, args)?;
     let read: Vec<PathBuf> = one.read.iter().chain(&other.read).cloned().collect();
-    if let Some(picture) = &picture {
-        told.output = write(args, picture, &read)?;
+    if let Some(image) = &image {
+        told.output = write(args, image, &read)?;
     }
     let code = if told.same { CLEAN } else { FINDINGS };
     Ok((told.print(args.format), code))
@@ -218,7 +215,7 @@ fn show(args: &RunArgs, bitmap: &Bitmap, written: Option<&str>) -> String {
     let (columns, lines) =
         terminal_size::terminal_size().map_or((80, 24), |(columns, lines)| (columns.0, lines.0));
     let size = terminal::fit(bitmap.size, u32::from(columns), u32::from(lines.max(8)) - 5);
-    if let Some(note) = palette.told() {
+    if let Some(note) = palette.note() {
         let _ = writeln!(io::stderr(), "note: {note}");
     }
     terminal::draw(&bitmap.shrunk(size), palette)

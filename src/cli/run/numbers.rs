@@ -3,7 +3,7 @@
 use super::columns::columns;
 use super::load::Shot;
 use super::place::{position, span};
-use crate::exec::{Kind, NumberSeen, Seen};
+use crate::exec::{FaultKind, NumberObservation, Observations};
 use crate::semantic::Program;
 use serde::Serialize;
 
@@ -28,7 +28,7 @@ pub struct NumberRow {
 const LONGEST: usize = 40;
 
 /// All invalid numbers in source order.
-pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<NumberRow> {
+pub fn rows(program: &Program, shot: &Shot, seen: &Observations) -> Vec<NumberRow> {
     let found = seen.numbers.iter().filter_map(|number| {
         let place = span(program, shot.module.provenance(number.op))?;
         Some((place, number))
@@ -49,13 +49,13 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Seen) -> Vec<NumberRow> {
     rows.collect()
 }
 
-const fn kind(number: &NumberSeen) -> &'static str {
+const fn kind(number: &NumberObservation) -> &'static str {
     match number.kind {
-        Kind::Nan => "nan",
-        Kind::Infinite => "infinite",
-        Kind::DivisionByZero => "division by zero",
-        Kind::OutOfRange => "out of range",
-        Kind::Undefined => "undefined",
+        FaultKind::Nan => "nan",
+        FaultKind::Infinite => "infinite",
+        FaultKind::DivisionByZero => "division by zero",
+        FaultKind::OutOfRange => "out of range",
+        FaultKind::Undefined => "undefined",
     }
 }
 

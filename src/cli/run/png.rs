@@ -1,8 +1,8 @@
 //! 8-bit images and PNG files.
 
 use super::args::MAX_PIXELS;
-use super::picture::of_png;
-use crate::engine::play::Decoded;
+use super::image_file::of_png;
+use crate::engine::playback::Decoded;
 
 /// An image of three bytes per pixel, top row first.
 #[derive(Clone, PartialEq, Debug)]
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_smaller_picture_has_the_same_light() {
+    fn a_smaller_image_has_the_same_light() {
         let mut bitmap = Bitmap::filled([4, 2], [0; 3]);
         bitmap.set(0, 0, [255; 3]);
         let small = bitmap.shrunk([2, 1]);

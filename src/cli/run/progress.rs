@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_line_tells_how_far_it_is() {
+    fn the_line_shows_how_far_it_is() {
         let second = Duration::from_secs(2);
         assert_eq!(line([0, 1], [0, 0], second), "drawing, 2 s");
         assert_eq!(

@@ -5,7 +5,7 @@ use super::font;
 use super::load::Shot;
 use super::png::Bitmap;
 use super::progress::Progress;
-use crate::engine::play::{Moment, Picture};
+use crate::engine::playback::{Moment, RenderedImage};
 
 /// Distance between two frames in pixels.
 const GAP: u32 = 4;
@@ -31,12 +31,12 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
             ..Moment::at(first.time + f64::from(i) * args.every)
         };
         let drawn = shot.drawn(&moment, &progress)?;
-        let picture = Bitmap {
+        let image = Bitmap {
             size: drawn.size,
-            bytes: Picture::of(shot.code(), &drawn, 0).bytes(),
+            bytes: RenderedImage::of(shot.code(), &drawn, 0).bytes(),
         };
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
-        sheet.paste(&picture.shrunk(small), left, top);
+        sheet.paste(&image.shrunk(small), left, top);
         let told = format!("{} S", super::heat::short(moment.time));
         font::write(&mut sheet, &told, [left, top + small[1] + GAP], scale, TEXT);
         progress.step();

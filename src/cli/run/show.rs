@@ -4,8 +4,8 @@ use super::args::Show;
 use super::heat;
 use super::place::span;
 use super::png::Bitmap;
-use crate::engine::play::Picture;
-use crate::exec::{Code, Drawn, Probe};
+use crate::engine::playback::RenderedImage;
+use crate::exec::{Bytecode, Drawn, Probe};
 use crate::ir::{Module, OpId, OpKind};
 use crate::port::{Composed, PassUnit};
 use crate::semantic::{Program, VariableId};
@@ -29,7 +29,7 @@ pub fn probe(
         .filter_map(|(variable, span)| Some((*variable, line_of(file?, *span)?)));
     let lines: BTreeSet<(u32, VariableId)> = in_file.map(|(v, line)| (line, v)).collect();
     let found = lines.iter().find(|(line, _)| *line == show.line);
-    let within = file.and_then(|file| whole_line(file, show.line));
+    let within = file.and_then(|file| full_line(file, show.line));
     if let (Some((_, variable)), Some(within)) = (found, within) {
         return Ok(Probe::Variable {
             variable: *variable,
@@ -80,7 +80,7 @@ fn line_of(file: &SourceFile, span: Span) -> Option<u32> {
 }
 
 /// The span of a line, by its number from 1.
-fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
+fn full_line(file: &SourceFile, number: u32) -> Option<Span> {
     let lines = file.text.split_inclusive('\n');
     let before = lines.clone().take(number as usize - 1).map(str::len);
     let start = file.base + before.sum::<usize>() as u32;
@@ -90,24 +90,24 @@ fn whole_line(file: &SourceFile, number: u32) -> Option<Span> {
 
 /// Draws a scalar as a heat map and a vector as colours. Values outside 0 to 1 are scaled to the
 /// range from smallest to largest.
-pub fn picture(show: &Show, code: &Code, drawn: &Drawn) -> Bitmap {
+pub fn render(show: &Show, code: &Bytecode, drawn: &Drawn) -> Bitmap {
     // The last output is the flag that says whether the line ran.
     let at = code.outputs.len().saturating_sub(2);
     let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());
-    let picture = Picture::of(code, drawn, at);
+    let image = RenderedImage::of(code, drawn, at);
     if lanes == 1 {
-        let values = picture.pixels.iter().map(|p| f64::from(p[0]));
+        let values = image.pixels.iter().map(|p| f64::from(p[0]));
         return heat::map(drawn.size, &values.collect::<Vec<_>>(), &show.name);
     }
     let numbers = || {
-        picture
+        image
             .pixels
             .iter()
             .flat_map(|p| p.iter().take(lanes as usize))
     };
     let finite = || numbers().copied().filter(|n| n.is_finite());
     let (least, most) = (finite().fold(0.0, f32::min), finite().fold(1.0, f32::max));
-    let scaled = picture.pixels.iter().map(|p| {
+    let scaled = image.pixels.iter().map(|p| {
         let lane = |n: f32| (n - least) / (most - least);
         let mut pixel = p.map(lane);
         if lanes == 2 {
@@ -115,7 +115,7 @@ pub fn picture(show: &Show, code: &Code, drawn: &Drawn) -> Bitmap {
         }
         pixel
     });
-    let scaled = Picture {
+    let scaled = RenderedImage {
         size: drawn.size,
         pixels: scaled.collect(),
     };

@@ -31,7 +31,7 @@ impl Palette {
     }
 
     /// The note about an image that is drawn in fewer colours.
-    pub const fn told(self) -> Option<&'static str> {
+    pub const fn note(self) -> Option<&'static str> {
         match self {
             Palette::True => None,
             Palette::Indexed => {
@@ -54,15 +54,15 @@ pub fn fit(size: [u32; 2], columns: u32, lines: u32) -> [u32; 2] {
 }
 
 /// The image as text with escape sequences.
-pub fn draw(picture: &Bitmap, palette: Palette) -> String {
+pub fn draw(image: &Bitmap, palette: Palette) -> String {
     let mut text = String::new();
-    let [width, height] = picture.size;
+    let [width, height] = image.size;
     for row in 0..height.div_ceil(2) {
         let (above, below) = (2 * row, 2 * row + 1);
         let mut last = None;
         for x in 0..width {
-            let upper = picture.pixel(x, above);
-            let lower = (below < height).then(|| picture.pixel(x, below));
+            let upper = image.pixel(x, above);
+            let lower = (below < height).then(|| image.pixel(x, below));
             if palette == Palette::Mono {
                 text.push(shade(upper, lower.unwrap_or(upper)));
                 continue;
@@ -167,7 +167,7 @@ fn shade(upper: [u8; 3], lower: [u8; 3]) -> char {
 mod tests {
     use super::*;
 
-    fn picture(pixels: &[[u8; 3]], width: u32) -> Bitmap {
+    fn bitmap(pixels: &[[u8; 3]], width: u32) -> Bitmap {
         Bitmap {
             size: [width, pixels.len() as u32 / width],
             bytes: pixels.concat(),
@@ -176,10 +176,10 @@ mod tests {
 
     #[test]
     fn two_pixels_are_a_character() {
-        let two = picture(&[[1, 2, 3], [1, 2, 3], [4, 5, 6], [4, 5, 6]], 2);
+        let two = bitmap(&[[1, 2, 3], [1, 2, 3], [4, 5, 6], [4, 5, 6]], 2);
         let text = draw(&two, Palette::True);
         assert_eq!(text, "\x1b[38;2;1;2;3;48;2;4;5;6m▀▀\x1b[0m\n");
-        let one = picture(&[[255, 0, 0]], 1);
+        let one = bitmap(&[[255, 0, 0]], 1);
         assert_eq!(draw(&one, Palette::True), "\x1b[38;2;255;0;0;49m▀\x1b[0m\n");
         assert_eq!(draw(&one, Palette::Indexed), "\x1b[38;5;196;49m▀\x1b[0m\n");
         assert_eq!(draw(&one, Palette::Sixteen), "\x1b[91;49m▀\x1b[0m\n");
@@ -187,12 +187,12 @@ mod tests {
 
     #[test]
     fn without_colours_there_is_light() {
-        let ramp = picture(&[[0; 3], [127; 3], [255; 3], [0; 3], [127; 3], [255; 3]], 3);
+        let ramp = bitmap(&[[0; 3], [127; 3], [255; 3], [0; 3], [127; 3], [255; 3]], 3);
         assert_eq!(draw(&ramp, Palette::Mono), " =@\n");
     }
 
     #[test]
-    fn the_environment_tells_the_palette() {
+    fn the_environment_selects_the_palette() {
         let with = |all: &'static [(&'static str, &'static str)]| {
             Palette::of(move |name| {
                 let found = all.iter().find(|(n, _)| *n == name);
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_fits_and_is_never_made_larger() {
+    fn an_image_fits_and_is_never_made_larger() {
         assert_eq!(fit([640, 360], 80, 40), [80, 45]);
         assert_eq!(fit([640, 360], 200, 20), [71, 40]);
         assert_eq!(fit([1, 1], 80, 40), [1, 1]);

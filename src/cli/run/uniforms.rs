@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_none_is_told_with_its_place() {
+    fn what_is_none_is_reported_with_its_place() {
         refuse("[1]", (1, 1), "expected an object of uniforms");
         refuse("{\n  \"a\": \"x\"\n}", (2, 8), "`a`: expected a number");
         refuse("{\n  \"a\": [1, null]\n}", (2, 8), "`a`: expected a number");

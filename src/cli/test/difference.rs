@@ -12,7 +12,7 @@ const VISIBLE: f64 = 0.02;
 
 /// The difference between two images of the same size.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct PictureDifference {
+pub struct ImageDifference {
     /// Share of the pixels that differ visibly, 0 to 1.
     pub visible: f64,
     /// Average distance of the pixels in Oklab.
@@ -24,7 +24,7 @@ pub struct PictureDifference {
 }
 
 /// Compares two images of the same size. Also returns the distance of each pixel, bottom row first.
-pub fn difference(a: &Bitmap, b: &Bitmap) -> (PictureDifference, Vec<f64>) {
+pub fn difference(a: &Bitmap, b: &Bitmap) -> (ImageDifference, Vec<f64>) {
     let [width, height] = a.size;
     let mut distances = Vec::with_capacity(width as usize * height as usize);
     let (mut most, mut worst) = (0.0, [0, 0]);
@@ -40,13 +40,13 @@ pub fn difference(a: &Bitmap, b: &Bitmap) -> (PictureDifference, Vec<f64>) {
     }
     let count = distances.len().max(1) as f64;
     let visible = distances.iter().filter(|d| **d > VISIBLE).count();
-    let told = PictureDifference {
+    let found = ImageDifference {
         visible: visible as f64 / count,
         mean: distances.iter().sum::<f64>() / count,
         most,
         worst,
     };
-    (told, distances)
+    (found, distances)
 }
 
 /// Distance of two sRGB colours in Oklab.
@@ -93,13 +93,13 @@ mod tests {
 
     #[test]
     fn the_least_steps_of_the_screen_are_not_seen() {
-        let mut picture = Bitmap::filled([4, 2], [100, 150, 200]);
+        let mut image = Bitmap::filled([4, 2], [100, 150, 200]);
         let other = Bitmap::filled([4, 2], [101, 149, 201]);
-        let (told, _) = difference(&picture, &other);
-        assert!(told.visible == 0.0 && told.mean > 0.0, "{told:?}");
-        picture.set(3, 1, [100, 170, 200]);
-        let (told, distances) = difference(&picture, &other);
-        assert_eq!((told.visible, told.worst), (0.125, [3, 0]));
-        assert_eq!(distances[3], told.most);
+        let (found, _) = difference(&image, &other);
+        assert!(found.visible == 0.0 && found.mean > 0.0, "{found:?}");
+        image.set(3, 1, [100, 170, 200]);
+        let (found, distances) = difference(&image, &other);
+        assert_eq!((found.visible, found.worst), (0.125, [3, 0]));
+        assert_eq!(distances[3], found.most);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::run::{percent, position, seconds};
 use super::outcome::{ConditionRow, TestRow, ValueRow};
-use crate::engine::play::{SeenCondition, TestFailure, TestVerdict, run_test, tests};
+use crate::engine::playback::{SeenCondition, TestFailure, TestVerdict, run_test, tests};
 use crate::engine::{Analysis, Report};
 use crate::text::{FileId, Sources};
 
@@ -31,14 +31,14 @@ pub fn run(
 }
 
 /// Notes about functions that are named like tests but are not.
-pub fn misfits(analysis: &Analysis, file: FileId) -> Vec<String> {
+pub fn unusable_tests(analysis: &Analysis, file: FileId) -> Vec<String> {
     let program = &analysis.program;
     let own = program.sources.file(file).map(|f| f.span());
     let others = program.functions.iter().filter(|f| {
         let is_called_so = program.names.text(f.name).starts_with("test_");
         is_called_so && !f.is_test(&program.names)
     });
-    let told = others.filter_map(|function| {
+    let notes = others.filter_map(|function| {
         let definition = program.tree.function(function.definition?)?;
         let span = program.token(definition.ident.token)?.span;
         let at =
@@ -48,7 +48,7 @@ pub fn misfits(analysis: &Analysis, file: FileId) -> Vec<String> {
             "{at}: `{name}` is not a test; expected `bool {name}()`"
         ))
     });
-    told.collect()
+    notes.collect()
 }
 
 fn row(sources: &Sources, file: &str, name: &str, verdict: &TestVerdict) -> TestRow {
@@ -58,7 +58,7 @@ fn row(sources: &Sources, file: &str, name: &str, verdict: &TestVerdict) -> Test
             let conditions = failure.conditions.iter();
             TestRow {
                 conditions: conditions.map(|c| condition(sources, c)).collect(),
-                ..TestRow::failed(file, name, told(failure))
+                ..TestRow::failed(file, name, describe(failure))
             }
         }
         TestVerdict::TooLong => TestRow::failed(file, name, "exceeded the operation limit"),
@@ -73,7 +73,7 @@ fn row(sources: &Sources, file: &str, name: &str, verdict: &TestVerdict) -> Test
     }
 }
 
-fn told(failure: &TestFailure) -> String {
+fn describe(failure: &TestFailure) -> String {
     let at = failure
         .time
         .map_or(String::new(), |time| format!(" at {}", seconds(time)));

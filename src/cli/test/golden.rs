@@ -10,7 +10,7 @@ use super::super::run::{
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};
-use crate::engine::play::{Moment, Picture};
+use crate::engine::playback::{Moment, RenderedImage};
 use crate::exec::Watch;
 use std::fs;
 use std::io;
@@ -52,7 +52,7 @@ struct Golden {
 }
 
 /// The results of the golden images of a file.
-pub enum Pictures {
+pub enum GoldenImages {
     /// The file has nothing to draw.
     None,
     /// There is something to draw, but no golden image, and --bless is not given.
@@ -65,14 +65,14 @@ pub enum Pictures {
 pub fn wish(text: &str) -> Result<Option<Wish>, String> {
     let mut lines = text.lines().zip(1..);
     let found = lines.find_map(|(line, number)| Some((line.trim().strip_prefix(MARK)?, number)));
-    let Some((said, number)) = found else {
+    let Some((rest, number)) = found else {
         return Ok(None);
     };
     let wrong =
         || format!("line {number}: expected a size, times or both: `{MARK} 320x180 at 0, 2.5`");
-    let (size, times) = match said.trim().split_once("at ") {
+    let (size, times) = match rest.trim().split_once("at ") {
         Some((size, times)) => (size.trim(), Some(times)),
-        None => (said.trim(), None),
+        None => (rest.trim(), None),
     };
     let times = times.map(|all| all.split(',').map(|t| time_of(t.trim())).collect());
     let wish = Wish {
@@ -89,7 +89,11 @@ pub fn wish(text: &str) -> Result<Option<Wish>, String> {
 }
 
 /// Compares the images of a shader with its golden images, or writes them.
-pub fn run(subject: &GoldenSubject, args: &TestArgs, is_wanted: &dyn Fn(&str) -> bool) -> Pictures {
+pub fn run(
+    subject: &GoldenSubject,
+    args: &TestArgs,
+    is_wanted: &dyn Fn(&str) -> bool,
+) -> GoldenImages {
     let wished = subject.wish.as_ref();
     let times = wished.and_then(|wish| wish.times.as_ref());
     let goldens = goldens(subject.path, times.unwrap_or(&args.times));
@@ -98,17 +102,19 @@ pub fn run(subject: &GoldenSubject, args: &TestArgs, is_wanted: &dyn Fn(&str) ->
     let Some(project) = &subject.project else {
         let why = "only complete fragment shaders without errors can be drawn";
         return match is_asked {
-            true => Pictures::Compared(vec![TestRow::failed(subject.name, "golden image", why)]),
-            false => Pictures::None,
+            true => {
+                GoldenImages::Compared(vec![TestRow::failed(subject.name, "golden image", why)])
+            }
+            false => GoldenImages::None,
         };
     };
     if !is_asked && !args.bless {
-        return Pictures::Unblessed;
+        return GoldenImages::Unblessed;
     }
     let wanted = goldens.into_iter().filter(|g| is_wanted(&g.title()));
     let wanted: Vec<Golden> = wanted.collect();
     if wanted.is_empty() {
-        return Pictures::None;
+        return GoldenImages::None;
     }
     let first = wanted.iter().find_map(|g| g.known.as_ref()?.as_ref().ok());
     let size = wished.and_then(|w| w.size).or(args.size);
@@ -119,13 +125,13 @@ pub fn run(subject: &GoldenSubject, args: &TestArgs, is_wanted: &dyn Fn(&str) ->
             let rows = wanted
                 .iter()
                 .map(|g| TestRow::failed(subject.name, &g.title(), &words));
-            return Pictures::Compared(rows.collect());
+            return GoldenImages::Compared(rows.collect());
         }
     };
     let rows = wanted
         .iter()
         .map(|golden| golden.judge(&mut ready, subject, args));
-    Pictures::Compared(rows.collect())
+    GoldenImages::Compared(rows.collect())
 }
 
 /// The golden images at some times.
@@ -191,7 +197,7 @@ impl Golden {
         };
         let drawn = Bitmap {
             size: drawn.size,
-            bytes: Picture::of(ready.code(), &drawn, 0).bytes(),
+            bytes: RenderedImage::of(ready.code(), &drawn, 0).bytes(),
         };
         let row = match &self.known {
             None => failed(format!(
@@ -221,20 +227,20 @@ impl Golden {
             let message = format!("expected {w}x{h} pixels as in {shown}, found {own_w}x{own_h}");
             return TestRow::failed(subject.name, &title, message);
         }
-        let (told, distances) = difference(known, drawn);
-        if told.visible * 100.0 <= args.tolerance {
+        let (found, distances) = difference(known, drawn);
+        if found.visible * 100.0 <= args.tolerance {
             return TestRow {
-                difference: Some(told),
+                difference: Some(found),
                 ..TestRow::passed(subject.name, &title)
             };
         }
-        let [x, y] = told.worst;
+        let [x, y] = found.worst;
         let mut message = format!(
             "{} of the pixels differ visibly from {} (tolerance: {}); the largest difference is {} at ({x}, {y})",
-            percent(told.visible),
+            percent(found.visible),
             self.shown(),
             percent(args.tolerance / 100.0),
-            short(told.most),
+            short(found.most),
         );
         let mut written = None;
         if args.diff && !args.bless {
@@ -247,7 +253,7 @@ impl Golden {
             message.push_str(&format!("; see {written}"));
         }
         TestRow {
-            difference: Some(told),
+            difference: Some(found),
             written,
             ..TestRow::failed(subject.name, &title, message)
         }
@@ -300,26 +306,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shaders_say_what_is_drawn() {
-        let said = |text: &str| wish(&format!("void f() {{}}\n  {text}\n"));
+    fn shaders_state_what_is_drawn() {
+        let rest = |text: &str| wish(&format!("void f() {{}}\n  {text}\n"));
         let some = |size, times: Option<&[f64]>| {
             let times = times.map(<[f64]>::to_vec);
             Ok(Some(Wish { size, times }))
         };
         assert_eq!(
-            said("// golden: 64x32 at 0, 2.5"),
+            rest("// golden: 64x32 at 0, 2.5"),
             some(Some([64, 32]), Some(&[0.0, 2.5]))
         );
-        assert_eq!(said("// golden: 64x32"), some(Some([64, 32]), None));
-        assert_eq!(said("// golden: at 1"), some(None, Some(&[1.0])));
-        assert_eq!(said("// gold"), Ok(None));
+        assert_eq!(rest("// golden: 64x32"), some(Some([64, 32]), None));
+        assert_eq!(rest("// golden: at 1"), some(None, Some(&[1.0])));
+        assert_eq!(rest("// gold"), Ok(None));
         for wrong in ["// golden:", "// golden: big", "// golden: at noon"] {
-            assert!(said(wrong).unwrap_err().starts_with("line 2: "), "{wrong}");
+            assert!(rest(wrong).unwrap_err().starts_with("line 2: "), "{wrong}");
         }
     }
 
     #[test]
-    fn pictures_lie_beside_their_shaders() {
+    fn images_stand_next_to_their_shaders() {
         let paths = |times: &[f64]| {
             let all = goldens(Path::new("a/sea.frag"), times);
             all.into_iter().map(|g| shown(&g.path)).collect::<Vec<_>>()

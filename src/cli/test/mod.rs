@@ -9,19 +9,19 @@ mod outcome;
 pub use args::TestArgs;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
-use super::config::{ConfigArgs, Configs, Exclusion, Source};
+use super::config::{ConfigArgs, ConfigSource, Configs, Exclusion};
 use super::disk::Disk;
 use super::input::{InputFile, collect, read};
 use super::parallel::{in_order, threads};
 use super::port::in_folder;
 use crate::diagnostic::Severity;
 use crate::engine::config::Selection;
-use crate::engine::{Analysis, Options, Report, Wholeness, analyze};
+use crate::engine::{Analysis, Completeness, Options, Report, analyze};
 use crate::port::PassRole;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::text::kind::{Claim, FileKind, decide};
 use args::TestFormat;
-use golden::{GoldenSubject, Pictures};
+use golden::{GoldenImages, GoldenSubject};
 use outcome::{Tally, TestRow};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -40,7 +40,7 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
     };
     let configs = Configs::new(ConfigArgs {
         given: Selection::default(),
-        source: Source::Nearest,
+        source: ConfigSource::Nearest,
         exclusion: Exclusion::Found,
         paths: paths.clone(),
     });
@@ -69,7 +69,7 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
             io::stdout().lock().write_all(lines.as_bytes())?;
             done.notes
                 .iter()
-                .for_each(|note| tell(&format!("note: {note}")));
+                .for_each(|note| print_message(&format!("note: {note}")));
         }
         done.problem.iter().for_each(|problem| complain(problem));
         problems.extend(done.problem);
@@ -92,10 +92,10 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
 }
 
 fn complain(message: &str) {
-    tell(&format!("shaderlint: {message}"));
+    print_message(&format!("shaderlint: {message}"));
 }
 
-fn tell(message: &str) {
+fn print_message(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
 }
 
@@ -105,7 +105,7 @@ fn with_neighbours(inputs: Vec<InputFile>) -> Vec<InputFile> {
     let mut all = Vec::new();
     for input in inputs {
         let neighbours = input.path.as_deref().filter(|_| input.is_explicit);
-        let neighbours = neighbours.map_or(Vec::new(), |path| tests_beside(path, &input.name));
+        let neighbours = neighbours.map_or(Vec::new(), |path| sibling_tests(path, &input.name));
         all.push(input);
         for neighbour in neighbours {
             if known.insert(neighbour.name.clone()) {
@@ -117,13 +117,13 @@ fn with_neighbours(inputs: Vec<InputFile>) -> Vec<InputFile> {
 }
 
 /// The test files of a file.
-fn tests_beside(path: &Path, name: &str) -> Vec<InputFile> {
-    let (Some(stem), Some(ending)) = (path.file_stem(), path.extension()) else {
+fn sibling_tests(path: &Path, name: &str) -> Vec<InputFile> {
+    let (Some(stem), Some(extension)) = (path.file_stem(), path.extension()) else {
         return Vec::new();
     };
-    let (stem, ending) = (stem.to_string_lossy(), ending.to_string_lossy());
+    let (stem, extension) = (stem.to_string_lossy(), extension.to_string_lossy());
     let mut names = vec![
-        format!("{stem}{TESTS}.{ending}"),
+        format!("{stem}{TESTS}.{extension}"),
         format!("{stem}{TESTS}.glsl"),
     ];
     names.dedup();
@@ -209,17 +209,19 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
             Some(_) => {}
             None => {
                 done.rows = functions::run(&report, file, name, &is_wanted);
-                let misfits = report.analyses.iter();
-                done.notes = misfits.flat_map(|a| functions::misfits(a, file)).collect();
+                let unusable_tests = report.analyses.iter();
+                done.notes = unusable_tests
+                    .flat_map(|a| functions::unusable_tests(a, file))
+                    .collect();
             }
         }
     }
-    pictures(input, &text, &report, run, &is_wanted, &mut done);
+    golden_images(input, &text, &report, run, &is_wanted, &mut done);
     Ok(done)
 }
 
 /// Compares the images of a file with its golden images.
-fn pictures(
+fn golden_images(
     input: &InputFile,
     text: &str,
     report: &Report,
@@ -242,18 +244,18 @@ fn pictures(
             return;
         }
     };
-    let is_whole = first_error(report).is_none() && report.analyses.iter().any(is_drawable);
+    let is_complete = first_error(report).is_none() && report.analyses.iter().any(is_drawable);
     let subject = GoldenSubject {
         name,
         path,
-        project: is_whole.then(|| project_of(path)).flatten(),
+        project: is_complete.then(|| project_of(path)).flatten(),
         wish,
         threads: run.threads,
     };
     match golden::run(&subject, run.args, is_wanted) {
-        Pictures::None => {}
-        Pictures::Unblessed => done.unblessed = Some(name.clone()),
-        Pictures::Compared(rows) => done.rows.extend(rows),
+        GoldenImages::None => {}
+        GoldenImages::Unblessed => done.unblessed = Some(name.clone()),
+        GoldenImages::Compared(rows) => done.rows.extend(rows),
     }
 }
 
@@ -271,8 +273,8 @@ fn first_error(report: &Report) -> Option<String> {
 /// Whether a shader draws an image without other passes.
 fn is_drawable(analysis: &Analysis) -> bool {
     let program = &analysis.program;
-    let is_whole = analysis.wholeness == Wholeness::Whole && !analysis.has_errors;
-    is_whole
+    let is_complete = analysis.completeness == Completeness::Complete && !analysis.has_errors;
+    is_complete
         && program.stage == Stage::Fragment
         && match program.dialect {
             Dialect::ShaderToy(pass) => pass == Pass::Image,

@@ -1,7 +1,7 @@
 //! Results of tests, for people and for programs.
 
 use super::args::TestFormat;
-use super::difference::PictureDifference;
+use super::difference::ImageDifference;
 use serde::Serialize;
 
 /// The result of one test. The JSON format may gain fields, but never loses any.
@@ -24,7 +24,7 @@ pub struct TestRow {
     pub conditions: Vec<ConditionRow>,
     /// Difference to the golden image.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub difference: Option<PictureDifference>,
+    pub difference: Option<ImageDifference>,
     /// Path of the image that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub written: Option<String>,

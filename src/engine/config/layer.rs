@@ -4,7 +4,7 @@ use crate::options::{Desktop, DialectChoice, HostNames};
 use globset::GlobSet;
 use shaderlint_diagnostic::Severity;
 use shaderlint_format::StyleChoice;
-use shaderlint_lint::trial::TrialLimit;
+use shaderlint_lint::sample::SampleLimit;
 use shaderlint_lint::{Failing, OptionValue, Renderer, Rule, Settings};
 use shaderlint_rules::RULES;
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ impl Layer {
             settings.set_target(RULES, target);
         }
         if let Some(pixels) = self.run_samples {
-            settings.set_trial_limit(TrialLimit::of(pixels));
+            settings.set_sample_limit(SampleLimit::of(pixels));
         }
         for (rule, adjustment) in &self.rules {
             match *adjustment {

@@ -12,7 +12,7 @@ use super::options::{DialectChoice, Options};
 use super::path::plain;
 use shaderlint_format::StyleChoice;
 use shaderlint_host::Preset;
-use shaderlint_lint::trial::TrialLimit;
+use shaderlint_lint::sample::SampleLimit;
 use shaderlint_lint::{Settings, UnknownRule};
 use shaderlint_rules::RULES;
 use std::sync::Arc;
@@ -22,8 +22,10 @@ use std::sync::Arc;
 pub fn style(config: &Config, layers: &[usize], others: StyleChoice) -> StyleChoice {
     let matching = layers.iter().rev().filter_map(|i| config.overrides.get(*i));
     let layers = matching.map(|(_, layer)| layer).chain([&config.base]);
-    let said = layers.fold(StyleChoice::default(), |said, layer| said.or(layer.format));
-    said.or(others)
+    let chosen = layers.fold(StyleChoice::default(), |chosen, layer| {
+        chosen.or(layer.format)
+    });
+    chosen.or(others)
 }
 
 /// Options of one run, which override every configuration.
@@ -83,7 +85,7 @@ pub fn options(
     }
     given.adjust(&mut settings)?;
     if let Some(pixels) = given.run_samples {
-        settings.set_trial_limit(TrialLimit::of(pixels));
+        settings.set_sample_limit(SampleLimit::of(pixels));
     }
     if given.dialect != DialectChoice::Auto {
         options.dialect = given.dialect;

@@ -1,7 +1,7 @@
 //! ShaderToy passes in separate files: the Common file of a folder is included before the others.
 
+use super::super::check_context::CheckContext;
 use super::super::options::{DialectChoice, Options};
-use super::super::world::World;
 use super::passes::{Passes, role};
 use shaderlint_port::PassRole;
 use shaderlint_semantic::{GuessedKind, Pass, guess};
@@ -11,12 +11,12 @@ use std::sync::Arc;
 /// Size limit in bytes of passes that are read to detect what they are.
 const MAX_PASS: usize = 1024 * 1024;
 /// The Common file that is included before a pass, if there is one.
-pub fn common_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
+pub fn common_of(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
     let (role, prefix) = role(file_name(name))?;
-    if role == PassRole::Common || !may_be_pass(world.options) || !is_pass(text) {
+    if role == PassRole::Common || !may_be_pass(context.options) || !is_pass(text) {
         return None;
     }
-    let passes = passes_beside(name, world)?;
+    let passes = sibling_passes(name, context)?;
     let project = passes.project(&prefix);
     let is_here = project.iter().any(|(r, _)| *r == role);
     let mut common = project.iter().filter(|(r, _)| *r == PassRole::Common);
@@ -25,28 +25,28 @@ pub fn common_of(name: &str, text: &str, world: World) -> Option<PathBuf> {
 }
 
 /// Whether a file is the Common file of the passes in its folder.
-pub fn is_common(name: &str, text: &str, world: World) -> bool {
+pub fn is_common(name: &str, text: &str, context: CheckContext) -> bool {
     let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
         return false;
     };
-    if !may_be_pass(world.options) || text.contains("#version") {
+    if !may_be_pass(context.options) || text.contains("#version") {
         return false;
     }
-    let Some(passes) = passes_beside(name, world) else {
+    let Some(passes) = sibling_passes(name, context) else {
         return false;
     };
     let project = passes.project(&prefix);
     let mut others = project.iter().filter(|(r, _)| *r != PassRole::Common);
     others.any(|(_, path)| {
-        let text = world.files.load(path);
+        let text = context.files.load(path);
         text.is_ok_and(|text| text.len() <= MAX_PASS && is_pass(&text))
     })
 }
 
 /// The ShaderToy passes in the folder of a file.
-fn passes_beside(name: &str, world: World) -> Option<Arc<Passes>> {
+fn sibling_passes(name: &str, context: CheckContext) -> Option<Arc<Passes>> {
     let folder = Path::new(name).parent()?;
-    Some(world.options.memo.passes(world.files, folder))
+    Some(context.options.file_cache.passes(context.files, folder))
 }
 
 fn may_be_pass(options: &Options) -> bool {

@@ -1,10 +1,10 @@
 //! Resolves the files that a shader includes.
 
+use super::super::check_context::CheckContext;
 use super::super::files::{FileType, Files};
 use super::super::options::Includes;
 use super::super::path::{plain, tidy};
-use super::super::world::World;
-use super::scan::{IncludedFile, Manner, Wanted};
+use super::scan::{IncludedFile, Manner, WantedFile};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,13 +12,13 @@ use std::sync::Arc;
 /// Size limit of `package.json` in bytes.
 const MAX_PACKAGE: usize = 1024 * 1024;
 /// Extensions that bundlers append to names without an extension.
-pub const ENDINGS: [&str; 5] = ["glsl", "vert", "frag", "vs", "fs"];
+pub const EXTENSIONS: [&str; 5] = ["glsl", "vert", "frag", "vs", "fs"];
 /// Name of the folder of packages.
 const PACKAGES: &str = "node_modules";
 
 /// A resolved file.
 #[derive(Clone)]
-pub struct Found {
+pub struct FoundFile {
     /// Path in messages.
     pub name: String,
     /// Path without symbolic links.
@@ -67,9 +67,9 @@ impl Absent {
     }
 }
 
-impl World<'_> {
+impl CheckContext<'_> {
     /// Resolves a path in an include directive of the file `from`.
-    pub fn find(&self, from: &str, wanted: &Wanted) -> Result<Found, Absent> {
+    pub fn find(&self, from: &str, wanted: &WantedFile) -> Result<FoundFile, Absent> {
         let mut absent = Absent {
             looked_in: Vec::new(),
             why: Absence::NotFound,
@@ -128,13 +128,13 @@ impl World<'_> {
     }
 
     /// Reads a file, unless it is outside the project.
-    pub fn load(&self, path: &Path) -> Result<Found, Absence> {
+    pub fn load(&self, path: &Path) -> Result<FoundFile, Absence> {
         let real = self.files.real(path).ok_or(Absence::NotFound)?;
         if !real.starts_with(&self.options.includes.root) {
             return Err(Absence::Outside);
         }
-        let file = self.options.memo.text(self.files, &real);
-        Ok(Found {
+        let file = self.options.file_cache.text(self.files, &real);
+        Ok(FoundFile {
             name: path.to_string_lossy().replace('\\', "/"),
             file: file.ok_or(Absence::NotFound)?,
             real,
@@ -161,7 +161,7 @@ fn file_at(files: &dyn Files, base: &Path, manner: Manner) -> Option<PathBuf> {
     if entry == Some(FileType::File) {
         return Some(base.to_path_buf());
     }
-    if let Some(file) = with_ending(files, base) {
+    if let Some(file) = with_known_extension(files, base) {
         return Some(file);
     }
     // `<name>` usually is a chunk of the host, not a folder.
@@ -176,9 +176,9 @@ fn is_file(files: &dyn Files, path: &Path) -> bool {
     files.entry(path) == Some(FileType::File)
 }
 
-fn with_ending(files: &dyn Files, base: &Path) -> Option<PathBuf> {
+fn with_known_extension(files: &dyn Files, base: &Path) -> Option<PathBuf> {
     let name = base.file_name()?.to_string_lossy().into_owned();
-    let mut all = ENDINGS
+    let mut all = EXTENSIONS
         .iter()
         .map(|e| base.with_file_name(format!("{name}.{e}")));
     all.find(|f| is_file(files, f))
@@ -195,13 +195,13 @@ fn main_of(files: &dyn Files, folder: &Path) -> Option<PathBuf> {
     let named = named.filter_map(|key| package.get(key)?.as_str());
     let paths = named.map(|named| tidy(&folder.join(named)));
     let is_shader = |f: &PathBuf| {
-        let ending = f.extension().and_then(|e| e.to_str());
-        is_file(files, f) && ending.is_some_and(|e| ENDINGS.contains(&e))
+        let extension = f.extension().and_then(|e| e.to_str());
+        is_file(files, f) && extension.is_some_and(|e| EXTENSIONS.contains(&e))
     };
     let mut all = paths.filter_map(|p| {
         Some(p.clone())
             .filter(is_shader)
-            .or_else(|| with_ending(files, &p))
+            .or_else(|| with_known_extension(files, &p))
     });
     all.next()
 }

@@ -11,11 +11,11 @@ mod subject;
 pub use common::is_common;
 pub use find::Absence;
 
+use super::check_context::CheckContext;
 use super::path::tidy;
-use super::world::World;
-use find::{Absent, Found, is_of_package};
+use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
-use scan::{Directive, Form, IncludedFile, Manner, Wanted};
+use scan::{Form, IncludeDirective, IncludedFile, Manner, WantedFile};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
@@ -96,13 +96,13 @@ pub(super) fn spread(
     name: &str,
     file: FileId,
     text: &str,
-    world: World,
+    context: CheckContext,
 ) -> Option<Spread> {
-    let found = |path: Option<PathBuf>| path.and_then(|path| world.load(&path).ok());
-    let subject = found(subject::subject_of(name, text, world));
+    let found = |path: Option<PathBuf>| path.and_then(|path| context.load(&path).ok());
+    let subject = found(subject::subject_of(name, text, context));
     let common = match &subject {
-        Some(subject) => common::common_of(&subject.name, &subject.file.text, world),
-        None => common::common_of(name, text, world),
+        Some(subject) => common::common_of(&subject.name, &subject.file.text, context),
+        None => common::common_of(name, text, context),
     };
     let before = found(common).into_iter().chain(subject);
     let words = ["include", "import", "glslify"];
@@ -111,7 +111,7 @@ pub(super) fn spread(
     let own = own.filter(|own| !own.scan.directives.is_empty());
     let mut spreader = Spreader {
         sources,
-        world,
+        context,
         found: Spread {
             files: Vec::new(),
             is_open: false,
@@ -135,9 +135,9 @@ pub(super) fn spread(
         None => spreader.found.files.push(file),
         Some(own) => {
             let directives = &own.scan.directives;
-            spreader.modules.expect(name, world, directives);
+            spreader.modules.expect(name, context, directives);
             let name = tidy(Path::new(name)).to_string_lossy().replace('\\', "/");
-            let real = world.files.real(Path::new(&name));
+            let real = context.files.real(Path::new(&name));
             let real = real.unwrap_or_else(|| PathBuf::from(&name));
             spreader.open(name, real, file, own);
             spreader.run()?;
@@ -149,7 +149,7 @@ pub(super) fn spread(
 /// Expands the includes of a shader.
 struct Spreader<'r, 'w> {
     sources: &'r mut Arc<Sources>,
-    world: World<'w>,
+    context: CheckContext<'w>,
     found: Spread,
     /// The stack of files being included.
     open: Vec<OpenFile>,
@@ -158,7 +158,7 @@ struct Spreader<'r, 'w> {
     /// The macros that some file undefines.
     undefined: BTreeSet<String>,
     /// Resolved files, by including file and path.
-    known: HashMap<(String, String), Found>,
+    known: HashMap<(String, String), FoundFile>,
     lookups: usize,
     modules: Modules,
     /// Whether the shader itself belongs to a package.
@@ -194,7 +194,7 @@ struct SeenFile {
 }
 
 /// How an include is expanded.
-enum IncludeWay {
+enum IncludeMode {
     Put,
     /// Inside an include guard with this number.
     Guard(usize),
@@ -206,7 +206,7 @@ enum IncludeWay {
 impl Spreader<'_, '_> {
     /// Includes a file before the shader. Its findings are not reported here if it is checked
     /// itself.
-    fn put_before(&mut self, found: Found) -> Option<()> {
+    fn put_before(&mut self, found: FoundFile) -> Option<()> {
         let text = found.file.text.clone();
         let seen = SeenFile {
             is_conditional: false,
@@ -215,7 +215,7 @@ impl Spreader<'_, '_> {
         };
         self.seen.insert(found.real.clone(), seen);
         let id = self.add(&found.name, text)?;
-        if self.world.options.checked.contains(&found.name) {
+        if self.context.options.checked.contains(&found.name) {
             self.found.hushed.0.insert(id, Hush::All);
         }
         self.open(found.name, found.real, id, found.file);
@@ -268,9 +268,9 @@ impl Spreader<'_, '_> {
         Some(())
     }
 
-    fn directive(&mut self, from: &str, directive: &Directive, span: Span) -> Option<()> {
+    fn directive(&mut self, from: &str, directive: &IncludeDirective, span: Span) -> Option<()> {
         let wanted = &directive.wanted;
-        let is_chunk = wanted.manner == Manner::Chunk && self.world.options.host.preset.is_some();
+        let is_chunk = wanted.manner == Manner::Chunk && self.context.options.host.preset.is_some();
         if is_chunk && !wanted.path.contains(['/', '.']) {
             self.found.is_open = true;
             return Some(());
@@ -292,7 +292,7 @@ impl Spreader<'_, '_> {
         }
     }
 
-    fn find(&mut self, from: &str, wanted: &Wanted) -> Result<Found, Absent> {
+    fn find(&mut self, from: &str, wanted: &WantedFile) -> Result<FoundFile, Absent> {
         let key = (from.to_string(), wanted.path.clone());
         if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
@@ -301,7 +301,7 @@ impl Spreader<'_, '_> {
             return Err(Absent::too_many());
         }
         self.lookups -= 1;
-        let found = self.world.find(from, wanted)?;
+        let found = self.context.find(from, wanted)?;
         self.known.insert(key, found.clone());
         Ok(found)
     }
@@ -316,7 +316,7 @@ impl Spreader<'_, '_> {
         });
     }
 
-    fn put(&mut self, found: Found, directive: &Directive, span: Span) -> Option<()> {
+    fn put(&mut self, found: FoundFile, directive: &IncludeDirective, span: Span) -> Option<()> {
         let (is_conditional, depth) = self.open.last().map_or((false, 0), |last| {
             let is_conditional = last.is_conditional || directive.is_conditional;
             (is_conditional, last.depth + directive.depth)
@@ -324,19 +324,19 @@ impl Spreader<'_, '_> {
         let mut close = None;
         let way = self.way(&found, is_conditional, depth);
         match way {
-            IncludeWay::Leave => return Some(()),
-            IncludeWay::Put | IncludeWay::Guard(_) if self.budget == 0 => {
+            IncludeMode::Leave => return Some(()),
+            IncludeMode::Put | IncludeMode::Guard(_) if self.budget == 0 => {
                 self.miss(span, &directive.wanted.path, Absent::too_many());
                 return Some(());
             }
-            IncludeWay::Circle => {
+            IncludeMode::Circle => {
                 let message = format!("`{}` includes itself", directive.wanted.path);
                 let problem = Diagnostic::error(error::BAD_DIRECTIVE, span, message);
                 self.found.problems.push(problem);
                 return Some(());
             }
-            IncludeWay::Put => {}
-            IncludeWay::Guard(number) => {
+            IncludeMode::Put => {}
+            IncludeMode::Guard(number) => {
                 let name = format!("shaderlint_once_{number}");
                 let open = format!("#ifndef {name}\n#define {name}\n");
                 let open = self.prelude(&open)?;
@@ -361,14 +361,14 @@ impl Spreader<'_, '_> {
 
     /// Bundlers differ in how they treat a file that is included twice. A second copy that would
     /// only repeat declarations is never intended.
-    fn way(&mut self, found: &Found, is_conditional: bool, depth: u32) -> IncludeWay {
+    fn way(&mut self, found: &FoundFile, is_conditional: bool, depth: u32) -> IncludeMode {
         let scan = &found.file.scan;
         let is_safe = scan.is_guarded || scan.is_once;
         if self.open.iter().any(|o| o.real == found.real) {
             return if is_safe {
-                IncludeWay::Leave
+                IncludeMode::Leave
             } else {
-                IncludeWay::Circle
+                IncludeMode::Circle
             };
         }
         let is_given = |name: &String| {
@@ -390,22 +390,22 @@ impl Spreader<'_, '_> {
         let is_first = seen.number == now.number;
         let declares = scan.declares || !(seen.is_inside || now.is_inside);
         if is_template || !(is_safe || declares) {
-            return IncludeWay::Put;
+            return IncludeMode::Put;
         }
         if !is_first && !seen.is_conditional {
-            return IncludeWay::Leave;
+            return IncludeMode::Leave;
         }
         // Conditions are not evaluated yet, so the first copy may be inactive.
         match scan.is_guarded || (is_first && !is_conditional) {
-            true => IncludeWay::Put,
-            false => IncludeWay::Guard(seen.number),
+            true => IncludeMode::Put,
+            false => IncludeMode::Guard(seen.number),
         }
     }
 
     /// Includes a glslify module under a name.
     fn require(
         &mut self,
-        found: Found,
+        found: FoundFile,
         name: &str,
         arguments: &[(String, String)],
         span: Span,
@@ -414,7 +414,9 @@ impl Spreader<'_, '_> {
             self.found.is_open = true;
             return Some(());
         }
-        let made = self.modules.put(&found, arguments, Some(name), self.world);
+        let made = self
+            .modules
+            .put(&found, arguments, Some(name), self.context);
         self.found.is_open |= self.modules.is_open || made.is_none();
         for (path, absent) in std::mem::take(&mut self.modules.missing) {
             self.miss(span, &path, absent);

@@ -1,9 +1,9 @@
 //! glslify modules. Each has its own namespace: names that it declares get a numbered suffix, as in
 //! glslify, and its export gets the name under which it is required.
 
-use super::super::world::World;
-use super::find::{Absent, Found};
-use super::scan::{Directive, Form};
+use super::super::check_context::CheckContext;
+use super::find::{Absent, FoundFile};
+use super::scan::{Form, IncludeDirective};
 use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -41,11 +41,11 @@ struct MadeModule {
 
 impl Modules {
     /// Records what the shader requires, so that modules that require the same can share it.
-    pub fn expect(&mut self, name: &str, world: World, directives: &[Directive]) {
+    pub fn expect(&mut self, name: &str, context: CheckContext, directives: &[IncludeDirective]) {
         for directive in directives.iter().take(MAX_MODULES) {
             if let Form::Require(wanted, arguments) = &directive.form
                 && arguments.is_empty()
-                && let Ok(found) = world.find(name, &directive.wanted)
+                && let Ok(found) = context.find(name, &directive.wanted)
             {
                 self.asked
                     .entry(found.real)
@@ -58,10 +58,10 @@ impl Modules {
     /// name of its export: `wanted`, if given. `None` if it cannot be included.
     pub fn put(
         &mut self,
-        found: &Found,
+        found: &FoundFile,
         arguments: &[(String, String)],
         wanted: Option<&str>,
-        world: World,
+        context: CheckContext,
     ) -> Option<(String, String)> {
         let is_same = |m: &&MadeModule| {
             m.real == found.real && m.arguments == arguments && wanted.is_none_or(|w| w == m.export)
@@ -92,7 +92,7 @@ impl Modules {
             None => names.get(&export).unwrap_or(&export).clone(),
         };
         self.open.push(found.real.clone());
-        let text = self.rewrite(found, names, world);
+        let text = self.rewrite(found, names, context);
         self.open.pop();
         self.made.push(MadeModule {
             real: found.real.clone(),
@@ -105,9 +105,9 @@ impl Modules {
     /// Renames the names of a module, and includes the modules that it requires.
     fn rewrite(
         &mut self,
-        found: &Found,
+        found: &FoundFile,
         mut names: HashMap<String, String>,
-        world: World,
+        context: CheckContext,
     ) -> String {
         let text = &*found.file.text;
         let mut out = String::with_capacity(text.len());
@@ -129,8 +129,8 @@ impl Modules {
                 .iter()
                 .map(|(name, value)| (name.clone(), renamed(value)))
                 .collect();
-            match world.find(&found.name, &directive.wanted) {
-                Ok(inner) => match self.put(&inner, &arguments, None, world) {
+            match context.find(&found.name, &directive.wanted) {
+                Ok(inner) => match self.put(&inner, &arguments, None, context) {
                     Some((text, export)) => {
                         out.push_str(&text);
                         names.insert(name.clone(), export);
@@ -155,19 +155,19 @@ fn rename(
 ) {
     let part = text.get(part).unwrap_or("");
     let mut lexer = Lexer::new(part, 0);
-    let mut behind_dot = false;
+    let mut after_dot = false;
     loop {
         let token = lexer.next_token();
         let range = token.span.start as usize..token.span.end as usize;
         let word = part.get(range).unwrap_or("");
         match token.kind {
             RawKind::End => return,
-            RawKind::Word if !(behind_dot && is_swizzle(word)) => {
+            RawKind::Word if !(after_dot && is_swizzle(word)) => {
                 out.push_str(names.get(word).map_or(word, String::as_str));
             }
             _ => out.push_str(word),
         }
-        behind_dot = token.kind == RawKind::Operator(TokenKind::Dot);
+        after_dot = token.kind == RawKind::Operator(TokenKind::Dot);
     }
 }
 

@@ -45,9 +45,9 @@ impl Passes {
             let inside = files().filter(|(_, p, _)| is_in(p));
             inside.map(|(r, _, path)| (*r, path.as_path())).collect()
         };
-        let whole: Vec<_> = of(&|_| true);
-        if prefixes.len() < 2 && is_one(&whole) {
-            return whole;
+        let all: Vec<_> = of(&|_| true);
+        if prefixes.len() < 2 && is_one(&all) {
+            return all;
         }
         let alike: Vec<_> = of(&|p| p == prefix);
         if is_one(&alike) { alike } else { Vec::new() }
@@ -56,13 +56,13 @@ impl Passes {
 
 /// The pass that a file name denotes, and the prefix before it.
 pub fn role(name: &str) -> Option<(PassRole, String)> {
-    let (stem, ending) = name.rsplit_once('.')?;
-    let ending = ending.to_ascii_lowercase();
-    shadertoy().filter(|host| host.has_ending(&ending))?;
+    let (stem, extension) = name.rsplit_once('.')?;
+    let extension = extension.to_ascii_lowercase();
+    shadertoy().filter(|host| host.has_extension(&extension))?;
     let role = PassRole::of_name(stem)?;
     let mut starts = stem.char_indices().map(|(at, _)| at).rev();
-    let behind = |at: &usize| PassRole::of_name(stem.get(*at..).unwrap_or("")) == Some(role);
-    let prefix = stem.get(..starts.find(behind)?)?;
+    let after = |at: &usize| PassRole::of_name(stem.get(*at..).unwrap_or("")) == Some(role);
+    let prefix = stem.get(..starts.find(after)?)?;
     let prefix = prefix.trim_end_matches(|c: char| !c.is_alphanumeric());
     Some((role, prefix.to_lowercase()))
 }
@@ -72,15 +72,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_tell_passes_and_projects() {
-        let told = |name: &str| role(name).map(|(r, p)| (r.name(), p));
+    fn names_show_passes_and_projects() {
+        let shown = |name: &str| role(name).map(|(r, p)| (r.name(), p));
         let some = |role, prefix: &str| Some((role, prefix.to_string()));
-        assert_eq!(told("Common.glsl"), some("common", ""));
-        assert_eq!(told("BufferA.frag"), some("buffer_a", ""));
-        assert_eq!(told("Ocean-Image.GLSL"), some("image", "ocean"));
-        assert_eq!(told("ocean.buf_b.glsl"), some("buffer_b", "ocean"));
-        assert_eq!(told("noise.glsl"), None);
-        assert_eq!(told("image.png"), None);
+        assert_eq!(shown("Common.glsl"), some("common", ""));
+        assert_eq!(shown("BufferA.frag"), some("buffer_a", ""));
+        assert_eq!(shown("Ocean-Image.GLSL"), some("image", "ocean"));
+        assert_eq!(shown("ocean.buf_b.glsl"), some("buffer_b", "ocean"));
+        assert_eq!(shown("noise.glsl"), None);
+        assert_eq!(shown("image.png"), None);
     }
 
     #[test]

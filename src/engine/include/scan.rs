@@ -29,7 +29,7 @@ pub enum Manner {
 
 /// A file that a directive names.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Wanted {
+pub struct WantedFile {
     /// The path as written.
     pub path: String,
     /// How the path is written.
@@ -48,13 +48,13 @@ pub enum Form {
 
 /// An include directive.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Directive {
+pub struct IncludeDirective {
     /// Start offset in the text.
     pub start: usize,
     /// End offset, without a trailing comment.
     pub end: usize,
     /// The file.
-    pub wanted: Wanted,
+    pub wanted: WantedFile,
     /// What the directive does.
     pub form: Form,
     /// Whether it is in an `#if` group other than an include guard.
@@ -67,7 +67,7 @@ pub struct Directive {
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Scan {
     /// The directives in order.
-    pub directives: Vec<Directive>,
+    pub directives: Vec<IncludeDirective>,
     /// Whether it contains `#pragma once`.
     pub is_once: bool,
     /// Whether all code is inside include guards.
@@ -96,7 +96,7 @@ pub fn scan(text: &str) -> Scan {
         brackets: 0,
         last: "",
         head: "",
-        is_behind_bracket: false,
+        is_after_bracket: false,
         line_end: 0,
         starts: 0,
     };
@@ -125,7 +125,7 @@ struct Scanner<'a> {
     last: &'a str,
     /// The word before the outermost parenthesis.
     head: &'a str,
-    is_behind_bracket: bool,
+    is_after_bracket: bool,
     /// End of the line of the current directive.
     line_end: usize,
     starts: usize,
@@ -173,7 +173,7 @@ impl<'a> Scanner<'a> {
 
     fn code(&mut self, kind: RawKind, word: &'a str) {
         self.found.is_guarded &= self.guards > 0;
-        let was_behind_bracket = std::mem::take(&mut self.is_behind_bracket);
+        let was_after_bracket = std::mem::take(&mut self.is_after_bracket);
         let at_top = self.depth == 0 && self.brackets == 0;
         match kind {
             RawKind::Word => {
@@ -188,10 +188,10 @@ impl<'a> Scanner<'a> {
             }
             RawKind::Operator(TokenKind::RightParen) => {
                 self.brackets = self.brackets.saturating_sub(1);
-                self.is_behind_bracket = true;
+                self.is_after_bracket = true;
             }
             RawKind::Operator(TokenKind::LeftBrace) => {
-                let is_body = at_top && was_behind_bracket && !CONTROL.contains(&self.head);
+                let is_body = at_top && was_after_bracket && !CONTROL.contains(&self.head);
                 self.found.declares |= is_body;
                 self.depth += 1;
             }
@@ -204,12 +204,12 @@ impl<'a> Scanner<'a> {
     }
 
     /// Parses the directive after a `#`. Returns its end if it names a file, otherwise 0.
-    fn directive(&mut self, start: usize, behind: usize) -> usize {
-        let line = self.text.get(behind..).unwrap_or("");
+    fn directive(&mut self, start: usize, after: usize) -> usize {
+        let line = self.text.get(after..).unwrap_or("");
         let line = line.split(['\n', '\r']).next().unwrap_or("");
-        self.line_end = behind + line.len();
+        self.line_end = after + line.len();
         let (word, rest) = first_word(line);
-        let is_at = self.text.get(start..behind) == Some("@");
+        let is_at = self.text.get(start..after) == Some("@");
         if is_at && word != "import" {
             return 0;
         }
@@ -282,28 +282,28 @@ impl<'a> Scanner<'a> {
 
     /// `export(name)`, `import(path)` or `name = require(path, a = b)`.
     fn glslify(&mut self, start: usize, rest: &'a str) -> usize {
-        let (word, behind) = first_word(rest);
+        let (word, after) = first_word(rest);
         let inside = |text: &'a str| text.trim_start().strip_prefix('(')?.split_once(')');
         match word {
             "export" => {
-                let name = inside(behind).map(|(name, _)| name.trim().to_string());
+                let name = inside(after).map(|(name, _)| name.trim().to_string());
                 self.found.export = name.filter(|n| !n.is_empty());
                 0
             }
-            "import" => match inside(behind) {
-                Some((path, behind)) => {
-                    let end = self.end(behind);
+            "import" => match inside(after) {
+                Some((path, after)) => {
+                    let end = self.end(after);
                     self.add(start, end, unquoted(path), Manner::Path, Form::Put)
                 }
                 None => 0,
             },
             name => {
-                let call = behind.trim_start().strip_prefix('=').map(str::trim_start);
+                let call = after.trim_start().strip_prefix('=').map(str::trim_start);
                 let call = call.and_then(|c| c.strip_prefix("require"));
-                let Some((arguments, behind)) = call.and_then(inside) else {
+                let Some((arguments, after)) = call.and_then(inside) else {
                     return 0;
                 };
-                let end = self.end(behind);
+                let end = self.end(after);
                 let mut arguments = arguments.split(',');
                 let path = unquoted(arguments.next().unwrap_or(""));
                 let pairs = arguments.filter_map(|a| {
@@ -319,11 +319,11 @@ impl<'a> Scanner<'a> {
     /// A path in quotes, in angle brackets or bare, and the rest of the line.
     fn names(&mut self, start: usize, rest: &'a str, form: Form) -> usize {
         let named = rest.trim_start();
-        let (path, behind, manner) = match named.chars().next() {
+        let (path, after, manner) = match named.chars().next() {
             Some(quote @ ('"' | '\'' | '<')) => {
                 let close = if quote == '<' { '>' } else { quote };
                 let inside = named.get(1..).and_then(|n| n.split_once(close));
-                let Some((path, behind)) = inside else {
+                let Some((path, after)) = inside else {
                     return 0;
                 };
                 let is_chunk = quote == '<';
@@ -332,24 +332,24 @@ impl<'a> Scanner<'a> {
                 } else {
                     Manner::Path
                 };
-                (path, behind, manner)
+                (path, after, manner)
             }
             _ => {
                 let end = named.find(|c: char| c.is_whitespace() || c == ';');
-                let (path, behind) = named.split_at(end.unwrap_or(named.len()));
-                (path, behind, Manner::Path)
+                let (path, after) = named.split_at(end.unwrap_or(named.len()));
+                (path, after, Manner::Path)
             }
         };
-        let end = self.end(behind);
+        let end = self.end(after);
         self.add(start, end, path.trim(), manner, form)
     }
 
     /// The end of a directive with the rest of its line. A comment may continue on the next line,
     /// and is kept.
-    fn end(&self, behind: &str) -> usize {
-        let comment = [behind.find("//"), behind.find("/*")];
+    fn end(&self, after: &str) -> usize {
+        let comment = [after.find("//"), after.find("/*")];
         let comment = comment.into_iter().flatten().min();
-        self.line_end - behind.len() + comment.unwrap_or(behind.len())
+        self.line_end - after.len() + comment.unwrap_or(after.len())
     }
 
     fn add(&mut self, start: usize, end: usize, path: &str, manner: Manner, form: Form) -> usize {
@@ -357,10 +357,10 @@ impl<'a> Scanner<'a> {
         if path.is_empty() || !path.chars().all(is_path) {
             return 0;
         }
-        self.found.directives.push(Directive {
+        self.found.directives.push(IncludeDirective {
             start,
             end,
-            wanted: Wanted {
+            wanted: WantedFile {
                 path: path.to_string(),
                 manner,
             },
@@ -469,7 +469,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_behind_stay() {
+    fn comments_after_stay() {
         let (paths, left) =
             read("#include \"a\" // first\n#include ./b; /* two\nlines */ float c;\n");
         assert_eq!(paths, ["a", "./b"]);
@@ -504,7 +504,7 @@ mod tests {
     }
 
     #[test]
-    fn bodies_are_told_from_declarations() {
+    fn bodies_are_distinguished_from_declarations() {
         assert!(scan("float f(vec2 p) {\n}").declares);
         assert!(scan("uniform float a;").declares);
         assert!(!scan("if (a < b) { c = d; } else if (e) { for (;;) { } }").declares);

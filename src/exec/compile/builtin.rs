@@ -6,7 +6,7 @@
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
 use super::options::Watch;
-use crate::code::{Checked, F1, F2, F3, Reg};
+use crate::bytecode::{F1, F2, F3, FaultCheck, Reg};
 use shaderlint_ir::OpId;
 use shaderlint_ir::expand::{self, Arithmetic, Operator};
 use shaderlint_semantic::builtins::{Axis, BuiltinId, BuiltinKind};
@@ -28,7 +28,7 @@ impl Compiler<'_> {
                 let a = self.operand(*operands.first()?);
                 let made = self.each(a.len, |c, n| {
                     let a = c.reg(a, n);
-                    c.check(id, Checked::Neighbours, a, &[a]);
+                    c.check(id, FaultCheck::Neighbours, a, &[a]);
                     c.derivative(axis, a)
                 });
                 return self.given(made);
@@ -86,7 +86,7 @@ impl Compiler<'_> {
                     .copied()
                     .collect(),
             };
-            self.check(id, Checked::Float, *result, &operands);
+            self.check(id, FaultCheck::Float, *result, &operands);
         }
     }
 
@@ -165,7 +165,7 @@ impl Compiler<'_> {
                 let (a, b) = (c.spread(a, n), c.spread(b, n));
                 c.s2(f, a, b)
             }),
-            Recipe::Turned(f) => self.each(count, |c, n| {
+            Recipe::Swapped(f) => self.each(count, |c, n| {
                 let (a, b) = (c.spread(b, n), c.spread(a, n));
                 c.s2(f, a, b)
             }),
@@ -202,8 +202,8 @@ impl Compiler<'_> {
             Recipe::Normalize => self.normalize(a),
             Recipe::Modf => self.modf(id, a),
             Recipe::Transpose => {
-                let turned = (0..rows).flat_map(|r| (0..columns).map(move |c| c * rows + r));
-                turned.map(|n| self.reg(a, n)).collect()
+                let transposed = (0..rows).flat_map(|r| (0..columns).map(move |c| c * rows + r));
+                transposed.map(|n| self.reg(a, n)).collect()
             }
             Recipe::OuterProduct => self.outer_product(a, b),
             Recipe::FaceForward | Recipe::Reflect | Recipe::Refract => {
@@ -265,17 +265,17 @@ impl Compiler<'_> {
     /// `modf`: returns the fractional part; the integer part is written back to the second
     /// parameter.
     fn modf(&mut self, id: OpId, a: Regs) -> Vec<Reg> {
-        let whole = self.each(a.len, |c, n| {
+        let integral = self.each(a.len, |c, n| {
             let a = c.reg(a, n);
             c.one(F1::Trunc, a)
         });
         let made = self.each(a.len, |c, n| {
-            let whole = whole.get(n as usize).copied().unwrap_or(0);
+            let integral = integral.get(n as usize).copied().unwrap_or(0);
             let a = c.reg(a, n);
-            c.s2(F2::Subtract, a, whole)
+            c.s2(F2::Subtract, a, integral)
         });
-        let whole = self.listed(whole);
-        self.taken_back.insert((id, 1), Value::Regs(whole));
+        let integral = self.listed(integral);
+        self.taken_back.insert((id, 1), Value::Regs(integral));
         made
     }
 
@@ -340,7 +340,7 @@ impl Arithmetic for Compiler<'_> {
         self.s1(F1::Negate, value)
     }
 
-    fn root(&mut self, value: Reg) -> Reg {
+    fn sqrt(&mut self, value: Reg) -> Reg {
         self.s1(F1::Sqrt, value)
     }
 
@@ -362,7 +362,7 @@ enum Recipe {
     /// A binary operation per component.
     Two(F2),
     /// A binary operation per component, with swapped operands.
-    Turned(F2),
+    Swapped(F2),
     /// A ternary operation per component, on the arguments with these indices.
     Three(F3, [usize; 3]),
     /// Multiplication by a constant.
@@ -440,8 +440,8 @@ fn recipe(function: BuiltinId, scalar: Scalar, arguments: usize, chooses: bool) 
         B::OuterProduct => OuterProduct, B::Transpose => Transpose,
         B::Determinant => Determinant, B::Inverse => Inverse,
         B::LessThan => Two(less(scalar, false)), B::LessThanEqual => Two(less(scalar, true)),
-        B::GreaterThan => Turned(less(scalar, false)),
-        B::GreaterThanEqual => Turned(less(scalar, true)),
+        B::GreaterThan => Swapped(less(scalar, false)),
+        B::GreaterThanEqual => Swapped(less(scalar, true)),
         B::Equal => Two(if is_float { F2::Equal } else { F2::SameBits }),
         B::NotEqual => Two(if is_float { F2::NotEqual } else { F2::OtherBits }),
         B::Any => AllOf(F2::Or), B::All => AllOf(F2::And), B::Not => One(F1::Not),

@@ -1,7 +1,7 @@
 //! Lowering of calls: every call is inlined.
 
 use super::emit::{Compiler, Made, Value};
-use crate::code::{EMPTY, Instr};
+use crate::bytecode::{EMPTY, Instr};
 use shaderlint_ir::{OpId, Root, Step, Visit};
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::List;

@@ -1,10 +1,10 @@
 //! Lowering of control flow to execution masks.
 
-use super::emit::Frame;
+use super::emit::CallFrame;
 use super::emit::{Compiler, Value};
 use super::options::Watch;
 use super::plan::GLOBALS;
-use crate::code::{CallPath, EMPTY, F1, F2, Instr, Reg, Slot, Target};
+use crate::bytecode::{CallPath, EMPTY, F1, F2, Instr, InstrIndex, MaskSlot, Reg};
 use shaderlint_ir::{
     CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Run, Step, Switch, Visit,
 };
@@ -23,7 +23,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
     fn region(&mut self, region: Region) {
         let module = self.module;
         let steps = module.steps(region);
-        let mut skips: Vec<Target> = Vec::new();
+        let mut skips: Vec<InstrIndex> = Vec::new();
         for (at, step) in steps.iter().enumerate() {
             if self.has_failed() {
                 return;
@@ -73,7 +73,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
             }
             self.push(Instr::Branch(site, condition));
         }
-        self.parted(condition, sides);
+        self.divergent_branch(condition, sides);
         self.tidy();
     }
 
@@ -98,7 +98,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
             self.test(l.test, l.condition, watched, &mut exits);
         }
         if let Some(number) = watched {
-            self.push(Instr::Turn(number));
+            self.push(Instr::Iterate(number));
         }
         if let Some(frame) = self.frames.last_mut() {
             frame.waiting.push(waiting);
@@ -210,7 +210,7 @@ impl Compiler<'_> {
         if let Value::Regs(regs) = returned {
             let ty = self.module.function(entry).map(|f| f.returns);
             let regs = self.list(regs).to_vec();
-            self.code.outputs.push(crate::code::OutputSlot {
+            self.code.outputs.push(crate::bytecode::OutputSlot {
                 name: String::new(),
                 ty: ty.unwrap_or(shaderlint_semantic::Type::VOID),
                 regs,
@@ -224,7 +224,7 @@ impl Compiler<'_> {
         self.reg(regs, 0)
     }
 
-    fn parted(&mut self, condition: Reg, [then, otherwise]: [Region; 2]) {
+    fn divergent_branch(&mut self, condition: Reg, [then, otherwise]: [Region; 2]) {
         let mark = self.slots();
         let others = self.slot();
         let mut jump = self.push(Instr::If {
@@ -249,7 +249,7 @@ impl Compiler<'_> {
         test: Region,
         condition: Option<OpId>,
         watched: Option<u32>,
-        exits: &mut Vec<Target>,
+        exits: &mut Vec<InstrIndex>,
     ) {
         self.region(test);
         self.tick();
@@ -264,7 +264,7 @@ impl Compiler<'_> {
     }
 
     /// Computes the lanes that enter each case, and stores them in one mask slot per case.
-    fn case_marks(&mut self, switch: &Switch, selector: Reg) -> Vec<Slot> {
+    fn case_marks(&mut self, switch: &Switch, selector: Reg) -> Vec<MaskSlot> {
         let module = self.module;
         let mut all: Option<Reg> = None;
         let mut marks = Vec::new();
@@ -329,8 +329,8 @@ impl Compiler<'_> {
     }
 
     /// A new call frame for a function.
-    pub fn frame(&mut self, function: FunctionRef) -> Frame {
-        Frame {
+    pub fn frame(&mut self, function: FunctionRef) -> CallFrame {
+        CallFrame {
             function,
             path: self.call_path(function),
             clock: self.plan.start(function),

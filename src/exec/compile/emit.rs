@@ -1,9 +1,11 @@
 //! The compiler state: values, registers and instructions.
 
-use super::options::{CompileOptions, Persona, Refusal, Watch};
-use super::plan::{Held, Plan};
+use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
+use super::plan::{CompilePlan, Releasable};
 use super::registers::Registers;
-use crate::code::{CallPath, CheckSite, Code, F1, F2, F3, Inexact, Instr, Reg, Slot, Target};
+use crate::bytecode::{
+    Bytecode, CallPath, CheckSite, F1, F2, F3, ImpreciseOp, Instr, InstrIndex, MaskSlot, Reg,
+};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, Module, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Program, Type, VariableId};
@@ -54,22 +56,22 @@ pub(super) enum Value {
 }
 
 /// A function that is being inlined.
-pub(super) struct Frame {
+pub(super) struct CallFrame {
     pub function: FunctionRef,
     /// The index of the call path, if costs are recorded.
     pub path: u32,
     pub clock: u32,
-    /// The number of entries of `Plan::ends` already processed.
+    /// The number of entries of `CompilePlan::ends` already processed.
     pub ended: usize,
     /// The result registers, if the function has early returns.
     pub result: Option<Regs>,
     /// The lanes that entered the function and those that returned early, if it has early returns.
-    pub came: Slot,
-    pub left: Slot,
+    pub came: MaskSlot,
+    pub left: MaskSlot,
     /// The result, if it is only returned at the end.
     pub returned: Value,
     /// By enclosing loop: the slot of the lanes that wait after `continue`.
-    pub waiting: Vec<Slot>,
+    pub waiting: Vec<MaskSlot>,
 }
 
 /// The compiler state.
@@ -77,16 +79,16 @@ pub(super) struct Compiler<'p> {
     pub program: &'p Program,
     pub layout: Layout,
     pub module: &'p Module,
-    pub plan: &'p Plan,
+    pub plan: &'p CompilePlan,
     pub options: CompileOptions,
-    pub code: Code,
+    pub code: Bytecode,
     pub registers: Registers,
     pub lists: Vec<Reg>,
     /// By operation.
     pub values: Vec<Value>,
     /// By variable.
     pub variables: Vec<Value>,
-    pub frames: Vec<Frame>,
+    pub frames: Vec<CallFrame>,
     /// Values that calls write back to `out` parameters, until they are stored.
     pub taken_back: FxHashMap<(OpId, u32), Value>,
     /// The instructions already in the prologue (value numbering).
@@ -106,7 +108,7 @@ pub(super) struct Compiler<'p> {
     pub branch_sites: FxHashMap<Provenance, u32>,
     /// The registers of the probe, if there is one.
     pub probed: Option<Probed>,
-    next_slot: Slot,
+    next_slot: MaskSlot,
     /// Intermediate results of the current built-in function.
     pub scratch: Vec<Reg>,
     /// The operation being compiled.
@@ -118,7 +120,7 @@ impl<'p> Compiler<'p> {
     pub fn new(
         program: &'p Program,
         module: &'p Module,
-        plan: &'p Plan,
+        plan: &'p CompilePlan,
         options: CompileOptions,
     ) -> Compiler<'p> {
         Compiler {
@@ -127,7 +129,7 @@ impl<'p> Compiler<'p> {
             module,
             plan,
             options,
-            code: Code::default(),
+            code: Bytecode::default(),
             registers: Registers::default(),
             lists: Vec::with_capacity(module.ops.len() * 2),
             values: vec![Value::Nothing; module.ops.len()],
@@ -152,13 +154,13 @@ impl<'p> Compiler<'p> {
     }
 
     /// The finished code, or the reason for the refusal.
-    pub fn finish(mut self) -> Result<Code, Refusal> {
+    pub fn finish(mut self) -> Result<Bytecode, Refusal> {
         if self.registers.is_full {
             let _: Made<()> = self.refuse("a shader that needs more than 65,536 registers");
         }
         match self.failure {
             Some(failure) => Err(failure),
-            None => Ok(Code {
+            None => Ok(Bytecode {
                 registers: self.registers.count(),
                 ..self.code
             }),
@@ -179,7 +181,7 @@ impl<'p> Compiler<'p> {
     /// Whether compilation has failed or exceeded the instruction limit.
     pub fn has_failed(&mut self) -> bool {
         let most = self.options.most.map_or(MAX_INSTRS, |n| n.min(MAX_INSTRS));
-        if self.code.body.len() + self.code.prologue.len() > most {
+        if self.code.body.len() + self.code.uniform_prologue.len() > most {
             let _: Made<()> = self.refuse(format!("a shader with more than {most} instructions"));
         }
         self.failure.is_some() || self.registers.is_full
@@ -191,23 +193,23 @@ impl<'p> Compiler<'p> {
     }
 
     /// Allocates a mask slot, valid until [`Compiler::give_back_slots`].
-    pub fn slot(&mut self) -> Slot {
+    pub fn slot(&mut self) -> MaskSlot {
         let slot = self.next_slot;
         self.next_slot = self.next_slot.saturating_add(1);
         self.code.slots = self.code.slots.max(self.next_slot as u32);
-        if self.next_slot == Slot::MAX {
+        if self.next_slot == MaskSlot::MAX {
             let _: Made<()> = self.refuse("more than 65,535 nested constructs");
         }
         slot
     }
 
     /// The number of mask slots in use.
-    pub const fn slots(&self) -> Slot {
+    pub const fn slots(&self) -> MaskSlot {
         self.next_slot
     }
 
     /// Frees all mask slots above a mark.
-    pub const fn give_back_slots(&mut self, mark: Slot) {
+    pub const fn give_back_slots(&mut self, mark: MaskSlot) {
         self.next_slot = mark;
     }
 
@@ -230,11 +232,11 @@ impl<'p> Compiler<'p> {
             };
             frame.ended += 1;
             match held {
-                Held::Value(op) => {
+                Releasable::Value(op) => {
                     let value = self.values.get_mut(op.0 as usize).map(std::mem::take);
                     self.release(value.unwrap_or_default());
                 }
-                Held::Variable(variable) => self.forget(variable),
+                Releasable::Variable(variable) => self.forget(variable),
             }
         }
     }
@@ -363,7 +365,7 @@ impl<'p> Compiler<'p> {
         }
         let reg = self.registers.uniform();
         self.known.insert(instr, reg);
-        self.code.prologue.push(instr.to(reg));
+        self.code.uniform_prologue.push(instr.to(reg));
         reg
     }
 
@@ -386,19 +388,19 @@ impl<'p> Compiler<'p> {
     pub fn one(&mut self, f: F1, a: Reg) -> Reg {
         let made = self.pure(Instr::One(f, 0, a), &[a]);
         let what = match f {
-            F1::Sqrt => Inexact::Quotient,
-            F1::InverseSqrt => Inexact::InverseRoot,
-            F1::Exp | F1::Exp2 => Inexact::Exponential,
-            F1::Log | F1::Log2 => Inexact::Logarithm,
-            F1::Sin | F1::Cos => Inexact::Sine,
-            F1::Atan | F1::Asin | F1::Acos => Inexact::ArcTangent,
+            F1::Sqrt => ImpreciseOp::Quotient,
+            F1::InverseSqrt => ImpreciseOp::InverseSqrt,
+            F1::Exp | F1::Exp2 => ImpreciseOp::Exponential,
+            F1::Log | F1::Log2 => ImpreciseOp::Logarithm,
+            F1::Sin | F1::Cos => ImpreciseOp::Sine,
+            F1::Atan | F1::Asin | F1::Acos => ImpreciseOp::ArcTangent,
             _ => return made,
         };
-        self.off(what, made, a)
+        self.imprecise(what, made, a)
     }
 
     pub fn two(&mut self, f: F2, a: Reg, b: Reg) -> Reg {
-        if let (F2::Pow, Persona::Inexact(_)) = (f, self.options.persona) {
+        if let (F2::Pow, GpuProfile::Inexact(_)) = (f, self.options.gpu_profile) {
             // As GPUs compute `pow`, with the errors of both steps.
             let log = self.one(F1::Log2, a);
             let product = self.then_two(F2::Multiply, log, b);
@@ -406,18 +408,18 @@ impl<'p> Compiler<'p> {
         }
         let made = self.pure(Instr::Two(f, 0, a, b), &[a, b]);
         match f {
-            F2::Divide => self.off(Inexact::Quotient, made, b),
-            F2::Atan2 => self.off(Inexact::ArcTangent, made, b),
+            F2::Divide => self.imprecise(ImpreciseOp::Quotient, made, b),
+            F2::Atan2 => self.imprecise(ImpreciseOp::ArcTangent, made, b),
             _ => made,
         }
     }
 
     /// Applies the maximum error of the GPU profile to a result.
-    fn off(&mut self, what: Inexact, made: Reg, operand: Reg) -> Reg {
-        let Persona::Inexact(lean) = self.options.persona else {
+    fn imprecise(&mut self, what: ImpreciseOp, made: Reg, operand: Reg) -> Reg {
+        let GpuProfile::Inexact(direction) = self.options.gpu_profile else {
             return made;
         };
-        let f = F2::Off(what, lean);
+        let f = F2::Imprecise(what, direction);
         let off = self.pure(Instr::Two(f, 0, made, operand), &[made, operand]);
         self.registers.release(made);
         off
@@ -442,18 +444,18 @@ impl<'p> Compiler<'p> {
     }
 
     /// Appends an instruction to the body. Returns its index.
-    pub fn push(&mut self, instr: Instr) -> Target {
+    pub fn push(&mut self, instr: Instr) -> InstrIndex {
         self.code.body.push(instr);
-        self.code.body.len() as Target - 1
+        self.code.body.len() as InstrIndex - 1
     }
 
     /// The index of the next instruction.
-    pub fn here(&self) -> Target {
-        self.code.body.len() as Target
+    pub fn here(&self) -> InstrIndex {
+        self.code.body.len() as InstrIndex
     }
 
     /// Patches a jump to lead to the next instruction.
-    pub fn land(&mut self, jump: Target) {
+    pub fn land(&mut self, jump: InstrIndex) {
         let here = self.here();
         if let Some(instr) = self.code.body.get_mut(jump as usize) {
             instr.lead(here);
@@ -512,7 +514,7 @@ impl Instr {
     }
 
     /// Sets the target of a jump.
-    const fn lead(&mut self, target: Target) {
+    const fn lead(&mut self, target: InstrIndex) {
         match self {
             Instr::If { to, .. }
             | Instr::Else { to, .. }

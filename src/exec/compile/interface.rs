@@ -1,7 +1,7 @@
 //! The interface of a shader: uniforms, samplers, inputs and outputs.
 
 use super::emit::{Compiler, Made, Regs, Value};
-use crate::code::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
+use crate::bytecode::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Base, FunctionRef, Type, Variable, VariableId};
 

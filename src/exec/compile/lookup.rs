@@ -1,7 +1,7 @@
 //! Lowering of texture lookups.
 
 use super::emit::{Compiler, Made, Value};
-use crate::code::{F2, Instr, LookupQuery, LookupSite, Reg};
+use crate::bytecode::{F2, Instr, LookupQuery, LookupSite, Reg};
 use shaderlint_ir::OpId;
 use shaderlint_semantic::builtins::{Level, Lookup};
 use shaderlint_semantic::{Sampler, Type};

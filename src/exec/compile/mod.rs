@@ -18,7 +18,7 @@ mod plan;
 mod probe;
 mod registers;
 
-use super::code::Code;
+use super::bytecode::Bytecode;
 use emit::Compiler;
 use options::{CompileOptions, Refusal};
 use shaderlint_ir::{Module, OpKind, Provenance};
@@ -32,7 +32,7 @@ pub fn compile(
     program: &Program,
     module: &Module,
     options: &CompileOptions,
-) -> Result<Code, Refusal> {
+) -> Result<Bytecode, Refusal> {
     let refused = |what: &str| Refusal {
         what: what.to_string(),
         at: Provenance::Language,
@@ -58,31 +58,31 @@ fn entry(program: &Program, module: &Module) -> Option<FunctionRef> {
 /// The functions that run, in post-order (callees first); `None` if there is recursion.
 fn callees_first(module: &Module, entry: FunctionRef) -> Option<Vec<FunctionRef>> {
     #[derive(Clone, Copy, PartialEq)]
-    enum State {
+    enum VisitState {
         New,
         Open,
         Done,
     }
-    let mut states = vec![State::New; module.functions.len()];
+    let mut states = vec![VisitState::New; module.functions.len()];
     let mut order = Vec::new();
     let mut stack = vec![(entry, false)];
     while let Some((function, is_done)) = stack.pop() {
         let state = states.get_mut(function.0 as usize)?;
         if is_done {
-            *state = State::Done;
+            *state = VisitState::Done;
             order.push(function);
             continue;
         }
         match *state {
-            State::Done => continue,
-            State::Open => return None,
-            State::New => *state = State::Open,
+            VisitState::Done => continue,
+            VisitState::Open => return None,
+            VisitState::New => *state = VisitState::Open,
         }
         stack.push((function, true));
         let known = module.function(function)?;
         for op in known.ops.ops() {
             if let OpKind::Call(callee, _) = module.op(op).kind
-                && states.get(callee.0 as usize) != Some(&State::Done)
+                && states.get(callee.0 as usize) != Some(&VisitState::Done)
             {
                 stack.push((callee, false));
             }

@@ -1,8 +1,8 @@
 //! Lowering of operations, scalar by scalar.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use super::options::{Persona, Watch};
-use crate::code::{CheckSite, Checked, Comparison, F1, F2, F3, Instr, Look, Reg};
+use super::options::{GpuProfile, Watch};
+use crate::bytecode::{CheckSite, Comparison, F1, F2, F3, FaultCheck, Instr, OperandCheck, Reg};
 use shaderlint_ir::{Binary, OpId, OpKind, Precision, Unary};
 use shaderlint_semantic::{Base, Scalar, Type, Undefined, Value as Constant};
 
@@ -115,7 +115,10 @@ impl Compiler<'_> {
         let is_float = op.ty.scalar_kind() == Some(Scalar::Float);
         match value {
             Value::Regs(regs)
-                if is_narrow && computes && is_float && self.options.persona == Persona::Mobile =>
+                if is_narrow
+                    && computes
+                    && is_float
+                    && self.options.gpu_profile == GpuProfile::Mobile =>
             {
                 let made: Vec<Reg> = (0..regs.len)
                     .map(|n| {
@@ -182,8 +185,8 @@ impl Compiler<'_> {
     fn binary(&mut self, id: OpId, binary: Binary, a: OpId, b: OpId) -> Made<Value> {
         let scalar = self.module.scalar(a).unwrap_or(Scalar::Float);
         let (mut left, mut right) = (self.operand(a), self.operand(b));
-        let (f, turned) = binary_of(binary, scalar);
-        if turned {
+        let (f, is_swapped) = binary_of(binary, scalar);
+        if is_swapped {
             std::mem::swap(&mut left, &mut right);
         }
         let made = self.each_two(f, left, right)?;
@@ -191,7 +194,11 @@ impl Compiler<'_> {
             && let Value::Regs(made) = made
         {
             if self.watches(Watch::Comparisons) && binary.compares() && made.len == 1 {
-                let sides = if turned { [right, left] } else { [left, right] };
+                let sides = if is_swapped {
+                    [right, left]
+                } else {
+                    [left, right]
+                };
                 let [left, right] = sides.map(|side| self.reg(side, 0));
                 self.watch_comparison(id, self.reg(made, 0), [left, right], scalar);
             }
@@ -208,10 +215,10 @@ impl Compiler<'_> {
     /// Adds a fault check to the result of an instruction.
     fn watch_number(&mut self, id: OpId, f: F2, result: Reg, operands: [Reg; 2]) {
         let what = match f {
-            F2::Divide => Checked::Quotient,
-            F2::IntDivide | F2::IntRemainder => Checked::Divisor(Scalar::Int),
-            F2::UintDivide | F2::UintRemainder => Checked::Divisor(Scalar::Uint),
-            F2::Add | F2::Subtract | F2::Multiply => Checked::Float,
+            F2::Divide => FaultCheck::Quotient,
+            F2::IntDivide | F2::IntRemainder => FaultCheck::Divisor(Scalar::Int),
+            F2::UintDivide | F2::UintRemainder => FaultCheck::Divisor(Scalar::Uint),
+            F2::Add | F2::Subtract | F2::Multiply => FaultCheck::Float,
             _ => return,
         };
         self.check(id, what, result, &operands);
@@ -226,7 +233,12 @@ impl Compiler<'_> {
         operands: &[Reg],
     ) {
         if let (Some(first), true) = (operands.first(), undefined != Undefined::NEVER) {
-            self.check(id, Checked::Operands(undefined, scalar), *first, operands);
+            self.check(
+                id,
+                FaultCheck::Operands(undefined, scalar),
+                *first,
+                operands,
+            );
         }
     }
 
@@ -250,15 +262,16 @@ impl Compiler<'_> {
     }
 
     /// Adds a fault check.
-    pub fn check(&mut self, op: OpId, checked: Checked, result: Reg, operands: &[Reg]) {
+    pub fn check(&mut self, op: OpId, checked: FaultCheck, result: Reg, operands: &[Reg]) {
         let checked = match checked {
             _ if self.watches(Watch::Numbers) => checked,
             _ if !self.watches(Watch::Faults) => return,
-            Checked::Float => return,
-            Checked::Quotient => Checked::Divisor(Scalar::Float),
-            Checked::Divisor(_) | Checked::Index | Checked::Neighbours | Checked::Operands(..) => {
-                checked
-            }
+            FaultCheck::Float => return,
+            FaultCheck::Quotient => FaultCheck::Divisor(Scalar::Float),
+            FaultCheck::Divisor(_)
+            | FaultCheck::Index
+            | FaultCheck::Neighbours
+            | FaultCheck::Operands(..) => checked,
         };
         let known = self.code.checks.len() as u32;
         let what = CheckSite { op, checked };
@@ -267,7 +280,7 @@ impl Compiler<'_> {
             self.code.checks.push(what);
         }
         let number = self.code.looks.len() as u32;
-        self.code.looks.push(Look {
+        self.code.looks.push(OperandCheck {
             site,
             result,
             operands: operands.to_vec(),
@@ -471,7 +484,7 @@ fn unary_of(unary: Unary, scalar: Option<Scalar>) -> F1 {
 /// The instruction of a binary operator, and whether its operands are swapped.
 fn binary_of(binary: Binary, scalar: Scalar) -> (F2, bool) {
     use Scalar::{Float, Uint};
-    let (f, turned) = match (binary, scalar) {
+    let (f, is_swapped) = match (binary, scalar) {
         (Binary::Add, Float) => (F2::Add, false),
         (Binary::Add, _) => (F2::IntAdd, false),
         (Binary::Subtract, Float) => (F2::Subtract, false),
@@ -494,7 +507,7 @@ fn binary_of(binary: Binary, scalar: Scalar) -> (F2, bool) {
         (Binary::Greater, _) => (less(scalar, false), true),
         (Binary::GreaterEqual, _) => (less(scalar, true), true),
     };
-    (f, turned)
+    (f, is_swapped)
 }
 
 /// The operands for which the result of a binary operator is undefined.

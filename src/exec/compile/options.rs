@@ -16,26 +16,26 @@ pub struct CompileOptions {
     /// The bits of uninitialised variables; browsers initialise them to zero.
     pub undefined: u32,
     /// The emulated GPU profile.
-    pub persona: Persona,
+    pub gpu_profile: GpuProfile,
     /// Maximum number of instructions, if less than 400,000.
     pub most: Option<usize>,
 }
 
 /// A GPU profile, as inexact as the conformance tests permit (VK-GL-CTS, glsBuiltinPrecisionTests).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub enum Persona {
+pub enum GpuProfile {
     /// Correctly computed results, without additional error.
     #[default]
     Exact,
     /// The maximum permitted error.
-    Inexact(Lean),
+    Inexact(ErrorDirection),
     /// Exact, but `mediump` and `lowp` are 16-bit floats.
     Mobile,
 }
 
 /// The direction of the error.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Lean {
+pub enum ErrorDirection {
     /// Away from zero; upwards for sines.
     Out,
     /// Towards zero; downwards for sines.
@@ -45,7 +45,7 @@ pub enum Lean {
 }
 
 /// A value to observe. The last time that a pixel executes it counts. Two outputs are appended to
-/// [`Code::outputs`](crate::Code::outputs): the first four scalars of the value, and whether it was
+/// [`Bytecode::outputs`](crate::Bytecode::outputs): the first four scalars of the value, and whether it was
 /// executed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Probe {

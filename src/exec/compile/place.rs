@@ -1,7 +1,7 @@
 //! Lowering of loads and stores, and of access to parts of values.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use crate::code::{ArraySite, Checked, F2, Instr, Reg};
+use crate::bytecode::{ArraySite, F2, FaultCheck, Instr, Reg};
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{Access, Lanes, OpId, PlaceId, Root};
 use shaderlint_semantic::{Base, Scalar, Type, VariableId};
@@ -10,7 +10,7 @@ use shaderlint_semantic::{Base, Scalar, Type, VariableId};
 const MAX_SCALARS: u32 = 1 << 15;
 
 /// The location of a place within its variable, in scalars.
-struct Spot {
+struct PlaceSpot {
     /// The offset of the first scalar, without dynamic indices.
     at: u32,
     /// The offset added by dynamic indices.
@@ -220,9 +220,9 @@ impl Compiler<'_> {
     }
 
     /// Resolves a place.
-    fn spot(&mut self, variable: VariableId, path: &[Access]) -> Made<Spot> {
+    fn spot(&mut self, variable: VariableId, path: &[Access]) -> Made<PlaceSpot> {
         let mut ty = self.module.variable(variable)?.ty;
-        let mut spot = Spot {
+        let mut spot = PlaceSpot {
             at: 0,
             index: None,
             len: 0,
@@ -302,7 +302,7 @@ impl Compiler<'_> {
         let index = self.operand(index);
         let index = self.reg(index, 0);
         let (id, limit) = (self.op, self.constant(count));
-        self.check(id, Checked::Index, index, &[index, limit]);
+        self.check(id, FaultCheck::Index, index, &[index, limit]);
         let last = self.constant(count.saturating_sub(1));
         let inside = match is_int {
             true => {
@@ -322,7 +322,7 @@ impl Compiler<'_> {
     }
 
     /// The registers of a place without dynamic indices.
-    fn picked(&mut self, regs: Regs, spot: &Spot) -> Regs {
+    fn picked(&mut self, regs: Regs, spot: &PlaceSpot) -> Regs {
         match spot.lanes {
             None => Self::part(regs, spot.at, spot.len),
             Some(lanes) => {
@@ -347,7 +347,7 @@ impl Compiler<'_> {
         self.listed(copies)
     }
 
-    fn memory_part(&mut self, at: u32, spot: &Spot) -> Value {
+    fn memory_part(&mut self, at: u32, spot: &PlaceSpot) -> Value {
         match spot.lanes {
             None if spot.len > super::emit::MAX_KEPT as u32 => Value::Memory { at, len: spot.len },
             None => {
@@ -368,7 +368,7 @@ impl Compiler<'_> {
     }
 
     /// Loads dynamically indexed scalars from memory.
-    fn table(&mut self, base: u32, end: u32, index: Reg, spot: &Spot) -> Regs {
+    fn table(&mut self, base: u32, end: u32, index: Reg, spot: &PlaceSpot) -> Regs {
         let count = spot.lanes.map_or(spot.len, |l| l.count() as u32);
         let mut made = Vec::with_capacity(count as usize);
         for n in 0..count {
@@ -381,7 +381,7 @@ impl Compiler<'_> {
     }
 
     /// Loads dynamically indexed scalars from consecutive registers.
-    fn gathered(&mut self, regs: Regs, index: Reg, spot: &Spot) -> Regs {
+    fn gathered(&mut self, regs: Regs, index: Reg, spot: &PlaceSpot) -> Regs {
         let count = spot.lanes.map_or(spot.len, |l| l.count() as u32);
         let mut made = Vec::with_capacity(count as usize);
         for n in 0..count {
@@ -420,7 +420,7 @@ impl Compiler<'_> {
         let (stride, inner, count) = self.part_of(ty, 1)?;
         let len = self.scalars_of(inner)?;
         let index = self.steps(index, count, stride);
-        let spot = Spot {
+        let spot = PlaceSpot {
             at: 0,
             index: Some(index),
             len,
@@ -441,7 +441,7 @@ impl Compiler<'_> {
 }
 
 /// The offset, from the start of a place, of a component of its value.
-fn lane_of(spot: &Spot, number: u32) -> u32 {
+fn lane_of(spot: &PlaceSpot, number: u32) -> u32 {
     let lane = spot
         .lanes
         .and_then(|l| l.numbers().get(number as usize).copied());

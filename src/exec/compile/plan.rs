@@ -19,7 +19,7 @@ pub(super) const GLOBALS: FunctionRef = FunctionRef(u32::MAX);
 
 /// What may be released at a tick.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) enum Held {
+pub(super) enum Releasable {
     /// The value of an operation.
     Value(OpId),
     /// The registers of a variable.
@@ -28,7 +28,7 @@ pub(super) enum Held {
 
 /// The analysis of all functions that run.
 #[derive(Default, Debug)]
-pub(super) struct Plan {
+pub(super) struct CompilePlan {
     /// By operation: the tick until which its registers must not change.
     stays: Vec<u32>,
     /// By operation: the tick of its last use.
@@ -40,7 +40,7 @@ pub(super) struct Plan {
     /// By variable.
     variables: Vec<About>,
     /// By function: what may be released, ordered by tick.
-    ends: FxHashMap<FunctionRef, Vec<(u32, Held)>>,
+    ends: FxHashMap<FunctionRef, Vec<(u32, Releasable)>>,
     /// By function: whether it has early returns.
     leaves_early: Vec<bool>,
     /// By function: the tick before its first operation.
@@ -63,16 +63,16 @@ struct About {
 }
 
 /// An enclosing loop.
-struct Around {
+struct OpenConstruct {
     start: u32,
-    pending: Vec<Held>,
+    pending: Vec<Releasable>,
 }
 
 struct Planner<'m> {
     module: &'m Module,
-    plan: Plan,
+    plan: CompilePlan,
     clock: u32,
-    around: Vec<Around>,
+    around: Vec<OpenConstruct>,
     /// The operations of the current function, and its variables.
     ops: Vec<OpId>,
     met: Vec<VariableId>,
@@ -89,18 +89,18 @@ struct Planner<'m> {
 }
 
 /// Analyses the functions that run, given in post-order.
-pub(super) fn plan(module: &Module, functions: &[FunctionRef]) -> Plan {
+pub(super) fn plan(module: &Module, functions: &[FunctionRef]) -> CompilePlan {
     let ops = module.ops.len();
     let mut planner = Planner {
         module,
-        plan: Plan {
+        plan: CompilePlan {
             stays: vec![0; ops],
             last: vec![0; ops],
             made: vec![0; ops],
             writes_all: vec![false; ops],
             variables: vec![About::default(); module.variables.len()],
             leaves_early: vec![false; module.functions.len()],
-            ..Plan::default()
+            ..CompilePlan::default()
         },
         clock: 0,
         around: Vec::new(),
@@ -120,7 +120,7 @@ pub(super) fn plan(module: &Module, functions: &[FunctionRef]) -> Plan {
     planner.plan
 }
 
-impl Plan {
+impl CompilePlan {
     /// The value that a variable is an alias of.
     pub fn value_of(&self, variable: VariableId) -> Option<OpId> {
         let about = self.variables.get(variable.0 as usize)?;
@@ -151,7 +151,7 @@ impl Plan {
     }
 
     /// What may be released in a function, ordered by tick.
-    pub fn ends(&self, function: FunctionRef) -> &[(u32, Held)] {
+    pub fn ends(&self, function: FunctionRef) -> &[(u32, Releasable)] {
         self.ends.get(&function).map_or(&[], |e| e)
     }
 
@@ -240,7 +240,7 @@ impl<'m> Visit<'m> for Planner<'m> {
 
     fn looped(&mut self, id: LoopId, l: &'m Loop) {
         self.clock += 1;
-        self.around.push(Around {
+        self.around.push(OpenConstruct {
             start: self.clock,
             pending: Vec::new(),
         });
@@ -258,8 +258,8 @@ impl<'m> Visit<'m> for Planner<'m> {
         self.loop_ends.insert(id, self.clock);
         for held in self.around.pop().map_or(Vec::new(), |a| a.pending) {
             match held {
-                Held::Value(op) => raise(&mut self.plan.last, op, self.clock),
-                Held::Variable(variable) => {
+                Releasable::Value(op) => raise(&mut self.plan.last, op, self.clock),
+                Releasable::Variable(variable) => {
                     if let Some(about) = self.plan.variables.get_mut(variable.0 as usize) {
                         about.last = about.last.max(self.clock);
                     }
@@ -316,13 +316,13 @@ impl Planner<'_> {
     fn count_store(&mut self, id: OpId, place: PlaceId, value: OpId) {
         let module = self.module;
         let place = module.place(place);
-        let is_whole = module.path(place).is_empty();
+        let is_complete = module.path(place).is_empty();
         let declares = matches!(module.provenance(id), Provenance::Declaration(_));
         let root = module.variable(place.variable).map(|v| v.root);
         let is_name = matches!(root, Some(Root::Local | Root::Global));
         if let Some(about) = self.plan.variables.get_mut(place.variable.0 as usize) {
             about.stores += 1;
-            about.is_changed |= !is_whole || !declares || !is_name;
+            about.is_changed |= !is_complete || !declares || !is_name;
             about.value = about.value.or(Some(value));
         }
     }
@@ -412,7 +412,7 @@ impl Planner<'_> {
         let mut ends = Vec::with_capacity(self.ops.len() + self.met.len());
         for op in self.ops.drain(..).rev() {
             let last = at(&plan.last, op).max(at(&plan.made, op));
-            ends.push((last, Held::Value(op)));
+            ends.push((last, Releasable::Value(op)));
             plan.lengthen(self.module, op, last);
         }
         for variable in self.met.drain(..) {
@@ -420,7 +420,7 @@ impl Planner<'_> {
                 .variables
                 .get(variable.0 as usize)
                 .map_or(0, |v| v.last);
-            ends.push((last, Held::Variable(variable)));
+            ends.push((last, Releasable::Variable(variable)));
         }
         ends.sort_unstable();
         ends.dedup();
@@ -449,7 +449,7 @@ impl Planner<'_> {
         raise(&mut self.plan.last, op, self.clock);
         let made = at(&self.plan.made, op);
         if let Some(around) = self.around.iter_mut().find(|a| made < a.start) {
-            around.pending.push(Held::Value(op));
+            around.pending.push(Releasable::Value(op));
         }
     }
 
@@ -463,7 +463,7 @@ impl Planner<'_> {
             return;
         };
         if let Some(around) = self.around.iter_mut().find(|a| made < a.start) {
-            around.pending.push(Held::Variable(variable));
+            around.pending.push(Releasable::Variable(variable));
         }
     }
 
@@ -504,7 +504,7 @@ impl Planner<'_> {
     }
 }
 
-impl Plan {
+impl CompilePlan {
     /// Extends the lifetime of values for as long as an alias of them is needed.
     fn lengthen(&mut self, module: &Module, op: OpId, last: u32) {
         let until = at(&self.stays, op).max(last);

@@ -2,7 +2,7 @@
 
 use super::emit::{Compiler, Made, Probed, Value};
 use super::options::Probe;
-use crate::code::{Instr, OutputSlot};
+use crate::bytecode::{Instr, OutputSlot};
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::Type;
 use shaderlint_text::Span;

@@ -1,6 +1,6 @@
 //! Register allocation with reference counts.
 
-use crate::code::{MAX_REGISTERS, Reg};
+use crate::bytecode::{MAX_REGISTERS, Reg};
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::VariableId;
 

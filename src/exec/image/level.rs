@@ -1,10 +1,10 @@
 //! Level of detail: which mipmap level a lookup reads.
 
-use super::{ImageShape, LevelOf, Lookup, Texture};
+use super::{ImageShape, LevelOf, Texture, TextureLookup};
 use crate::row::LANES;
 
 /// By lane: the fractional level, clamped to the existing levels.
-pub(super) fn levels(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
+pub(super) fn levels(texture: &Texture, lookup: &TextureLookup<'_>) -> [f32; LANES] {
     let mut levels = match lookup.level {
         LevelOf::Explicit(level) => *level,
         LevelOf::Gradient { x, y } => of_gradients(texture, lookup, x, y),
@@ -28,7 +28,7 @@ pub(super) fn levels(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
 
 /// The level of each quad, from the differences between its first pixel and those to the right and
 /// above.
-fn of_quads(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
+fn of_quads(texture: &Texture, lookup: &TextureLookup<'_>) -> [f32; LANES] {
     let mut levels = [0.0; LANES];
     for (quad, levels) in levels.as_chunks_mut::<4>().0.iter_mut().enumerate() {
         let corner = |number: usize| vector(lookup.coordinates, 4 * quad + number);
@@ -48,7 +48,7 @@ fn of_quads(texture: &Texture, lookup: &Lookup<'_>) -> [f32; LANES] {
 /// The level of each pixel, from explicit gradients.
 fn of_gradients(
     texture: &Texture,
-    lookup: &Lookup<'_>,
+    lookup: &TextureLookup<'_>,
     x: &[[f32; LANES]],
     y: &[[f32; LANES]],
 ) -> [f32; LANES] {

@@ -1,12 +1,16 @@
 //! Texture lookups for 32 pixels at a time.
 
 use super::level::{levels, vector};
-use super::{Filter, Image, ImageShape, Lookup, Sampling, Texels, Texture, Wrap, cube};
+use super::{Filter, Image, ImageShape, Sampling, Texels, Texture, TextureLookup, Wrap, cube};
 use crate::row::LANES;
 use wide::f32x4;
 
 /// The result of a lookup, as bits. Only the lanes in the mask are looked up.
-pub(crate) fn lookup(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u32; LANES]; 4] {
+pub(crate) fn lookup(
+    texture: &Texture,
+    lookup: &TextureLookup<'_>,
+    lanes: u32,
+) -> [[u32; LANES]; 4] {
     let Some(first) = texture.image.level(0).filter(|_| texture.is_complete()) else {
         return incomplete(&texture.image);
     };
@@ -25,8 +29,8 @@ pub(crate) fn lookup(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u3
 
 /// The result for an incomplete texture.
 fn incomplete(image: &Image) -> [[u32; LANES]; 4] {
-    let whole = image.level(0).is_some_and(Texels::whole);
-    let one = if whole { 1 } else { 1.0_f32.to_bits() };
+    let are_integers = image.level(0).is_some_and(Texels::are_integers);
+    let one = if are_integers { 1 } else { 1.0_f32.to_bits() };
     [[0; LANES], [0; LANES], [0; LANES], [one; LANES]]
 }
 
@@ -74,21 +78,25 @@ impl Filtered for [f32; 4] {
 
 /// The location of a lookup: coordinates within a layer or face, and the index of it.
 #[derive(Clone, Copy)]
-struct Spot {
+struct TexelSpot {
     at: [f32; 3],
     layer: u32,
 }
 
 /// The parameters for reading one level.
-struct Reading<'a> {
+struct LevelReading<'a> {
     shape: ImageShape,
     sampling: &'a Sampling,
     offset: [i32; 3],
 }
 
-fn floats<T: Filtered>(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[u32; LANES]; 4] {
+fn floats<T: Filtered>(
+    texture: &Texture,
+    lookup: &TextureLookup<'_>,
+    lanes: u32,
+) -> [[u32; LANES]; 4] {
     let image = &*texture.image;
-    let reading = Reading {
+    let reading = LevelReading {
         shape: image.shape(),
         sampling: &texture.sampling,
         offset: lookup.offset,
@@ -129,12 +137,12 @@ fn floats<T: Filtered>(texture: &Texture, lookup: &Lookup<'_>, lanes: u32) -> [[
 
 fn nearest<T: Copy + Default>(
     texture: &Texture,
-    lookup: &Lookup<'_>,
+    lookup: &TextureLookup<'_>,
     lanes: u32,
     texel: impl Fn(usize) -> Option<[T; 4]>,
 ) -> [[T; LANES]; 4] {
     let image = &*texture.image;
-    let reading = Reading {
+    let reading = LevelReading {
         shape: image.shape(),
         sampling: &texture.sampling,
         offset: lookup.offset,
@@ -150,21 +158,21 @@ fn nearest<T: Copy + Default>(
 
 /// Splits coordinates into a location.
 #[inline(always)]
-fn spot(image: &Image, at: [f32; 3]) -> Spot {
+fn spot(image: &Image, at: [f32; 3]) -> TexelSpot {
     let [x, y, z] = at;
     match image.shape() {
-        ImageShape::Flat | ImageShape::Volume => Spot { at, layer: 0 },
+        ImageShape::Flat | ImageShape::Volume => TexelSpot { at, layer: 0 },
         ImageShape::Layers => {
             let [.., layers] = image.size();
             let layer = floor(z + 0.5).clamp(0, layers as i32 - 1) as u32;
-            Spot {
+            TexelSpot {
                 at: [x, y, 0.0],
                 layer,
             }
         }
         ImageShape::Cube => {
             let (layer, [s, t]) = cube::face(at);
-            Spot {
+            TexelSpot {
                 at: [s, t, 0.0],
                 layer,
             }
@@ -172,10 +180,10 @@ fn spot(image: &Image, at: [f32; 3]) -> Spot {
     }
 }
 
-impl Reading<'_> {
+impl LevelReading<'_> {
     /// The index of the nearest texel.
     #[inline(always)]
-    fn nearest(&self, size: [u32; 3], spot: Spot) -> usize {
+    fn nearest(&self, size: [u32; 3], spot: TexelSpot) -> usize {
         let [width, height, depth] = size;
         let [x, y, z] = spot.at;
         let [wrap_x, wrap_y, wrap_z] = self.wraps();
@@ -201,7 +209,7 @@ impl Reading<'_> {
 
     /// The filtered value of one level.
     #[inline(always)]
-    fn filtered(&self, size: [u32; 3], spot: Spot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
+    fn filtered(&self, size: [u32; 3], spot: TexelSpot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
         let [width, height, depth] = size;
         match (self.sampling.filter, self.shape) {
             (Filter::Nearest, _) => texel(self.nearest(size, spot)),
@@ -235,7 +243,7 @@ impl Reading<'_> {
 
 /// Bilinear filtering across the edges of cube faces. At a corner, the missing fourth texel is the
 /// average of the other three.
-fn of_face(side: u32, spot: Spot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
+fn of_face(side: u32, spot: TexelSpot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
     let [s, t, _] = spot.at;
     let [s, t] = [s, t].map(|part| part * side as f32 - 0.5);
     let (column, row) = (floor(s), floor(t));

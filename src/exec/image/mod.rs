@@ -31,7 +31,7 @@ pub enum ImageShape {
 }
 
 /// The operands of a lookup, after projection.
-pub(crate) struct Lookup<'a> {
+pub(crate) struct TextureLookup<'a> {
     /// One row per coordinate of the sampler; the layer of an array comes last.
     pub coordinates: &'a [[f32; LANES]],
     /// The depth reference of a shadow sampler: the result is 1 where it is not greater than the
@@ -135,7 +135,7 @@ impl Image {
     #[must_use]
     pub fn with_levels(mut self) -> Image {
         self.levels.truncate(1);
-        if self.levels.first().is_some_and(Texels::whole) {
+        if self.levels.first().is_some_and(Texels::are_integers) {
             return self;
         }
         for level in 1..self.full_count() {
@@ -253,11 +253,11 @@ impl Texture {
     /// Whether the texture is complete, i.e. has all levels that its filter needs; incomplete
     /// textures read black.
     fn is_complete(&self) -> bool {
-        let whole = self.image.levels.first().is_some_and(Texels::whole);
+        let are_integers = self.image.levels.first().is_some_and(Texels::are_integers);
         match self.sampling.filter {
             Filter::Nearest => true,
-            Filter::Linear => !whole,
-            Filter::Mipmap => !whole && self.image.levels.len() == self.image.full_count(),
+            Filter::Linear => !are_integers,
+            Filter::Mipmap => !are_integers && self.image.levels.len() == self.image.full_count(),
         }
     }
 }

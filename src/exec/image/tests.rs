@@ -25,7 +25,7 @@ fn red(texture: &Texture, at: &[f32], level: LevelOf<'_>, offset: [i32; 3]) -> f
     let coordinates: Vec<_> = at.iter().map(|part| [*part; LANES]).collect();
     let found = lookup(
         texture,
-        &Lookup {
+        &TextureLookup {
             coordinates: &coordinates,
             reference: None,
             level,
@@ -84,18 +84,18 @@ fn texels_are_taken_or_weighted() {
 
 #[test]
 fn outside_lies_what_the_wrap_says() {
-    let look = |wrap, at, expected| {
+    let check_operands = |wrap, at, expected| {
         let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
         check(&texture(image, Filter::Linear, wrap), &[at, 0.5], expected);
     };
-    look(Wrap::Clamp, -3.0, 0.0);
-    look(Wrap::Clamp, 1e30, 40.0);
-    look(Wrap::Repeat, 0.0, 20.0);
-    look(Wrap::Repeat, 7.375, 100.0);
-    look(Wrap::Repeat, -0.625, 100.0);
-    look(Wrap::Mirror, 1.125, 40.0);
-    look(Wrap::Mirror, -0.375, 100.0);
-    look(Wrap::Mirror, 2.375, 100.0);
+    check_operands(Wrap::Clamp, -3.0, 0.0);
+    check_operands(Wrap::Clamp, 1e30, 40.0);
+    check_operands(Wrap::Repeat, 0.0, 20.0);
+    check_operands(Wrap::Repeat, 7.375, 100.0);
+    check_operands(Wrap::Repeat, -0.625, 100.0);
+    check_operands(Wrap::Mirror, 1.125, 40.0);
+    check_operands(Wrap::Mirror, -0.375, 100.0);
+    check_operands(Wrap::Mirror, 2.375, 100.0);
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn the_level_follows_the_quad() {
         across[lane] = 0.125 + 1.0;
     }
     let coordinates = [across, [0.5; LANES]];
-    let given = Lookup {
+    let given = TextureLookup {
         coordinates: &coordinates,
         reference: None,
         level: LevelOf::Implicit { bias: None },
@@ -168,7 +168,7 @@ fn the_level_follows_the_quad() {
             .all(|bits| f32::from_bits(*bits) * 255.0 == 85.0)
     );
     let sharper = [-2.0; LANES];
-    let biased = Lookup {
+    let biased = TextureLookup {
         level: LevelOf::Implicit {
             bias: Some(&sharper),
         },
@@ -251,7 +251,7 @@ fn a_shadow_is_compared_before_it_is_filtered() {
     let given = |reference| {
         let found = lookup(
             &texture,
-            &Lookup {
+            &TextureLookup {
                 coordinates: &[[0.5; LANES]; 2],
                 reference: Some(&[reference; LANES]),
                 level: LevelOf::Implicit { bias: None },
@@ -272,7 +272,7 @@ fn integers_are_never_weighted() {
         Texels::Int(vec![[-7, 0, 0, 1], [9, 0, 0, 1]]),
     )
     .unwrap();
-    let given = Lookup {
+    let given = TextureLookup {
         coordinates: &[[0.7; LANES], [0.5; LANES]],
         reference: None,
         level: LevelOf::Implicit { bias: None },
@@ -320,7 +320,7 @@ fn one_texel_is_fetched() {
 fn only_wanted_lanes_are_looked_up() {
     let image = gray(ImageShape::Flat, [1, 1, 1], &[255]);
     let texture = texture(image, Filter::Nearest, Wrap::Clamp);
-    let given = Lookup {
+    let given = TextureLookup {
         coordinates: &[[0.5; LANES]; 2],
         reference: None,
         level: LevelOf::Implicit { bias: None },
@@ -338,7 +338,7 @@ fn samplers_without_textures_read_black() {
     assert!(texture.fits(Sampler::SamplerCube));
     assert!(!texture.fits(Sampler::Sampler2D));
     assert!(Texture::unbound(Sampler::Usampler3D).fits(Sampler::Usampler3D));
-    let given = Lookup {
+    let given = TextureLookup {
         coordinates: &[[0.5; LANES]; 3],
         reference: None,
         level: LevelOf::Implicit { bias: None },

@@ -31,20 +31,20 @@ impl Texels {
     }
 
     /// A texel as floats; zero if there is no such texel.
-    pub fn color(&self, number: usize) -> [f32; 4] {
+    pub fn color(&self, index: usize) -> [f32; 4] {
         let color = match self {
             Texels::Unorm8(texels) => texels
-                .get(number)
+                .get(index)
                 .map(|texel| texel.map(|part| f32::from(part) / 255.0)),
-            Texels::Float(texels) => texels.get(number).copied(),
-            Texels::Int(texels) => texels.get(number).map(|t| t.map(|part| part as f32)),
-            Texels::Uint(texels) => texels.get(number).map(|t| t.map(|part| part as f32)),
+            Texels::Float(texels) => texels.get(index).copied(),
+            Texels::Int(texels) => texels.get(index).map(|t| t.map(|part| part as f32)),
+            Texels::Uint(texels) => texels.get(index).map(|t| t.map(|part| part as f32)),
         };
         color.unwrap_or_default()
     }
 
     /// Whether lookups return integers.
-    pub(super) fn whole(&self) -> bool {
+    pub(super) fn are_integers(&self) -> bool {
         matches!(self, Texels::Int(_) | Texels::Uint(_))
     }
 }

@@ -1,11 +1,11 @@
 //! Loop bounds: the exit condition that terminates a loop, and its trip count.
 
 use super::halving::halves;
-use super::pace::{Pace, Tracer, is_still};
-use super::{Bound, Found, Goes, LoopFacts};
-use crate::defs::condition::each_comparison;
-use crate::defs::{Def, DefId};
+use super::pace::{Pace, Tracer, is_invariant};
+use super::{Bound, FoundLoop, Goes, LoopFacts};
 use crate::ranges::Query;
+use crate::reaching_definitions::condition::each_comparison;
+use crate::reaching_definitions::{Def, DefId};
 use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Root};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_syntax::ast::ExprId;
@@ -24,7 +24,7 @@ enum Relation {
 }
 
 impl Relation {
-    const fn turned(self) -> Relation {
+    const fn flipped(self) -> Relation {
         match self {
             Relation::Below { or_equal } => Relation::Above { or_equal },
             Relation::Above { or_equal } => Relation::Below { or_equal },
@@ -33,7 +33,7 @@ impl Relation {
     }
 }
 
-impl Found {
+impl FoundLoop {
     /// Finds the bound of the loop.
     pub(super) fn looped(self, query: Query) -> Option<LoopFacts> {
         let module = query.module;
@@ -56,7 +56,7 @@ impl Found {
             self.take(query, &mut made, *goes);
         }
         match made.bound {
-            Bound::Exact(turns) if made.ends_early => made.bound = Bound::AtMost(turns),
+            Bound::Exact(iterations) if made.ends_early => made.bound = Bound::AtMost(iterations),
             Bound::Exact(_) => {}
             // Without a step expression, the body may end the loop early.
             _ => made.ends_early |= module.steps(looped.step).is_empty(),
@@ -84,15 +84,15 @@ impl Found {
                 && one.bound != Bound::Open
                 && other.bound != Bound::Open
             {
-                let turns = one.bound.turns().zip(other.bound.turns());
-                made.bound = turns.map_or(Bound::Ends, |(a, b)| Bound::AtMost(a.max(b)));
+                let iterations = one.bound.iterations().zip(other.bound.iterations());
+                made.bound = iterations.map_or(Bound::Ends, |(a, b)| Bound::AtMost(a.max(b)));
             }
             return;
         }
         let mut comparisons = Vec::new();
-        each_comparison(module, defs, goes.condition, goes.truth, |told| {
-            if told.call.is_none() {
-                comparisons.push((told.comparison, told.truth));
+        each_comparison(module, defs, goes.condition, goes.truth, |premise| {
+            if premise.call.is_none() {
+                comparisons.push((premise.comparison, premise.truth));
             }
         });
         for (comparison, truth) in comparisons {
@@ -100,7 +100,7 @@ impl Found {
                 continue;
             };
             self.compare(query, made, relation, left, right);
-            self.compare(query, made, relation.turned(), right, left);
+            self.compare(query, made, relation.flipped(), right, left);
         }
     }
 
@@ -126,36 +126,36 @@ impl Found {
             return None;
         };
         let mut tracer = Tracer::new(query, self.id);
-        let turn = tracer.def(back)?;
+        let iteration = tracer.def(back)?;
         let all = query.lane(limit, 0);
         let ends = |number: &f64| match relation {
             Relation::Below { .. } => *number >= all.hi.value,
             Relation::Above { .. } => *number <= all.lo.value,
             Relation::Not => all.single() == Some(*number),
         };
-        let is_there = turn.head == moved.head
-            && heads_there(relation, turn.pace)
+        let is_there = iteration.head == moved.head
+            && heads_there(relation, iteration.pace)
             && tracer.jumps.iter().all(ends);
-        if !is_there || !is_still(query, self.id, limit) {
+        if !is_there || !is_invariant(query, self.id, limit) {
             return None;
         }
         let tests_first = query.module.looped(self.id)?.tests_first;
         let least = u64::from(!tests_first);
-        let turns = start(query, init, turn.pace)
-            .zip(end(query, limit, relation, turn.pace))
-            .and_then(|(start, end)| turns(start, relation, end, turn.pace))
-            .map(|turns| turns.max(least));
+        let iterations = start(query, init, iteration.pace)
+            .zip(end(query, limit, relation, iteration.pace))
+            .and_then(|(start, end)| iterations(start, relation, end, iteration.pace))
+            .map(|iterations| iterations.max(least));
         let is_exact = || {
             let is_known = query.lane(limit, 0).single().is_some();
             is_known && query.def(init).single().is_some() && tracer.jumps.is_empty()
         };
-        let bound = match turns {
-            Some(turns) if is_exact() => Bound::Exact(turns),
-            Some(turns) => Bound::AtMost(turns),
+        let bound = match iterations {
+            Some(iterations) if is_exact() => Bound::Exact(iterations),
+            Some(iterations) => Bound::AtMost(iterations),
             None => Bound::Ends,
         };
-        let is_more = match (made.bound.turns(), turns) {
-            (Some(known), Some(turns)) => turns < known,
+        let is_more = match (made.bound.iterations(), iterations) {
+            (Some(known), Some(iterations)) => iterations < known,
             (None, Some(_)) => true,
             _ => made.bound == Bound::Open,
         };
@@ -208,7 +208,12 @@ fn heads_there(relation: Relation, pace: Pace) -> bool {
                 lo: 0.0, hi: 0.0, ..
             },
         ) => false,
-        (_, Pace::By { is_still: true, .. }) if !is_known(pace) => true,
+        (
+            _,
+            Pace::By {
+                is_invariant: true, ..
+            },
+        ) if !is_known(pace) => true,
         (Relation::Below { .. }, Pace::By { lo, .. }) => lo > LEAST_STEP,
         (Relation::Above { .. }, Pace::By { hi, .. }) => hi < -LEAST_STEP,
         (Relation::Not, Pace::By { lo, hi, .. }) => lo == hi,
@@ -270,7 +275,7 @@ fn is_rising(pace: Pace) -> bool {
 }
 
 /// The trip count of a counter from `start` to `end`.
-fn turns(start: f64, relation: Relation, end: f64, pace: Pace) -> Option<u64> {
+fn iterations(start: f64, relation: Relation, end: f64, pace: Pace) -> Option<u64> {
     let way = match pace {
         Pace::By { lo, hi, .. } if lo == hi => (end - start) / lo,
         Pace::Times(by) if start > 0.0 && end > 0.0 => (end / start).ln() / by.ln(),

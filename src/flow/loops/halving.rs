@@ -1,7 +1,7 @@
 //! Termination of bisection: each iteration moves one of two bounds to the midpoint.
 
-use crate::defs::{Def, DefId};
 use crate::ranges::Query;
+use crate::reaching_definitions::{Def, DefId};
 use shaderlint_ir::{Binary, LoopId, OpId, OpKind};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_semantic::builtins::Transfer;
@@ -49,10 +49,10 @@ fn comes_together(
     let defs = query.defs;
     let now = (defs.unrefined(now.0), defs.unrefined(now.1));
     if now.0 == heads.0 {
-        return is_middle(query, looped, heads, now.1);
+        return is_midpoint(query, looped, heads, now.1);
     }
     if now.1 == heads.1 {
-        return is_middle(query, looped, heads, now.0);
+        return is_midpoint(query, looped, heads, now.0);
     }
     let (
         Def::Merge {
@@ -80,7 +80,7 @@ fn comes_together(
 
 /// Whether a definition is a midpoint: `(a + b) / 2`, `(a + b) * 0.5` or `mix(a, b, t)` with 0 < t
 /// < 1.
-fn is_middle(query: Query, looped: LoopId, heads: (DefId, DefId), def: DefId) -> bool {
+fn is_midpoint(query: Query, looped: LoopId, heads: (DefId, DefId), def: DefId) -> bool {
     let module = query.module;
     let Some(value) = value_of(query, def) else {
         return false;

@@ -48,9 +48,9 @@ pub enum Bound {
 
 impl Bound {
     /// The maximum trip count, if it is known.
-    pub const fn turns(self) -> Option<u64> {
+    pub const fn iterations(self) -> Option<u64> {
         match self {
-            Bound::Exact(turns) | Bound::AtMost(turns) => Some(turns),
+            Bound::Exact(iterations) | Bound::AtMost(iterations) => Some(iterations),
             Bound::Ends | Bound::Open => None,
         }
     }
@@ -86,9 +86,9 @@ impl Loops {
     }
 
     /// The maximum trip count of each loop, by statement; `None` where it is unknown.
-    pub fn turns(&self) -> FxHashMap<StmtId, Option<u64>> {
+    pub fn iterations(&self) -> FxHashMap<StmtId, Option<u64>> {
         let all = self.all.iter();
-        all.map(|l| (l.stmt, l.bound.turns())).collect()
+        all.map(|l| (l.stmt, l.bound.iterations())).collect()
     }
 
     /// The facts about the loop at a statement.
@@ -107,7 +107,7 @@ struct Goes {
 
 /// A loop and its exit conditions.
 #[derive(Debug)]
-struct Found {
+struct FoundLoop {
     id: LoopId,
     function: FunctionRef,
     /// Conditions that are evaluated in every iteration.
@@ -121,7 +121,7 @@ struct Finder<'m> {
     function: FunctionRef,
     /// The enclosing loops and `switch` statements; for a loop, its index in `found`.
     open: Vec<Option<usize>>,
-    found: Vec<Found>,
+    found: Vec<FoundLoop>,
 }
 
 impl<'m> Visit<'m> for Finder<'m> {
@@ -157,7 +157,7 @@ impl<'m> Visit<'m> for Finder<'m> {
             }
         }
         self.open.push(Some(self.found.len()));
-        self.found.push(Found {
+        self.found.push(FoundLoop {
             id,
             function: self.function,
             goes,

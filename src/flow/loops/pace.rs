@@ -1,7 +1,7 @@
 //! Induction variables: how a loop counter changes per iteration.
 
-use crate::defs::{Def, DefId};
 use crate::ranges::{Interval, Query};
+use crate::reaching_definitions::{Def, DefId};
 use crate::same::is_same;
 use shaderlint_ir::{Binary, LoopId, OpId, OpKind, Root};
 
@@ -14,8 +14,12 @@ const BUDGET: u32 = 64;
 /// How a value changes relative to its value at the start of an iteration.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Pace {
-    /// A value in this range is added; `is_still` if it is loop-invariant.
-    By { lo: f64, hi: f64, is_still: bool },
+    /// A value in this range is added; `is_invariant` if it is loop-invariant.
+    By {
+        lo: f64,
+        hi: f64,
+        is_invariant: bool,
+    },
     /// It is multiplied by a factor.
     Times(f64),
 }
@@ -33,23 +37,27 @@ impl Pace {
     const NONE: Pace = Pace::By {
         lo: 0.0,
         hi: 0.0,
-        is_still: true,
+        is_invariant: true,
     };
 
     fn then(self, next: Pace) -> Option<Pace> {
         match (self, next) {
             (same, Pace::NONE) | (Pace::NONE, same) => Some(same),
             (
-                Pace::By { lo, hi, is_still },
+                Pace::By {
+                    lo,
+                    hi,
+                    is_invariant,
+                },
                 Pace::By {
                     lo: a,
                     hi: b,
-                    is_still: other,
+                    is_invariant: other,
                 },
             ) => Some(Pace::By {
                 lo: lo + a,
                 hi: hi + b,
-                is_still: is_still && other,
+                is_invariant: is_invariant && other,
             }),
             _ => None,
         }
@@ -61,7 +69,7 @@ impl Pace {
             (Pace::By { lo, hi, .. }, Pace::By { lo: a, hi: b, .. }) => Some(Pace::By {
                 lo: lo.min(a),
                 hi: hi.max(b),
-                is_still: false,
+                is_invariant: false,
             }),
             _ => None,
         }
@@ -160,7 +168,7 @@ impl<'x> Tracer<'x> {
         Pace::By {
             lo: lo.min(hi),
             hi: lo.max(hi),
-            is_still: is_still(self.query, self.looped, op),
+            is_invariant: is_invariant(self.query, self.looped, op),
         }
     }
 
@@ -182,15 +190,15 @@ impl<'x> Tracer<'x> {
                     ..Tracer::new(self.query, of)
                 };
                 inner.left = self.left / 2;
-                let turn = inner.def(back).filter(|turn| turn.head == def)?;
-                let Pace::By { lo, hi, .. } = turn.pace else {
+                let iteration = inner.def(back).filter(|iteration| iteration.head == def)?;
+                let Pace::By { lo, hi, .. } = iteration.pace else {
                     return None;
                 };
                 let any = |by: f64| if by == 0.0 { 0.0 } else { by * f64::INFINITY };
                 moved.then(Pace::By {
                     lo: any(lo.min(0.0)),
                     hi: any(hi.max(0.0)),
-                    is_still: false,
+                    is_invariant: false,
                 })
             }
             Def::Stored { value, lane } => self.value(value, lane),
@@ -256,7 +264,7 @@ fn slowest(range: Interval) -> Option<f64> {
 }
 
 /// Whether a value is loop-invariant.
-pub(super) fn is_still(query: Query, looped: LoopId, op: OpId) -> bool {
+pub(super) fn is_invariant(query: Query, looped: LoopId, op: OpId) -> bool {
     let (module, defs) = (query.module, query.defs);
     let made = defs.made_in(looped);
     let mut todo = vec![op];

@@ -2,9 +2,9 @@
 
 use super::Loops;
 use crate::calls::Calls;
-use crate::defs::Defs;
 use crate::ranges::{Query, Ranges};
-use crate::sample::checked;
+use crate::reaching_definitions::ReachingDefinitions;
+use crate::test_shader::checked;
 use shaderlint_ir::lower;
 
 /// Checks the bounds of the loops in `void f(int n, float x)`, which is called with 5 and with 9.
@@ -16,7 +16,7 @@ fn check(body: &str, expected: &str) {
     );
     let analysis = checked(&code);
     let module = lower(&analysis.program);
-    let defs = Defs::of(&analysis.program, &module, &Calls::of(&module));
+    let defs = ReachingDefinitions::of(&analysis.program, &module, &Calls::of(&module));
     let loops = Loops::of(Query {
         program: &analysis.program,
         module: &module,
@@ -53,7 +53,7 @@ fn counters_end_loops() {
 }
 
 #[test]
-fn what_is_left_early_turns_at_most_as_often() {
+fn what_is_left_early_iterates_at_most_as_often() {
     check(
         "for (int i = 0; i < 8; i++) { if (sin(x) > 0.5) break; }",
         "AtMost(8)",

@@ -3,8 +3,8 @@
 
 use super::interval::{Interval, above, below};
 use super::node::Node;
-use super::{Query, negated, turned};
-use crate::defs::Refinement;
+use super::{Query, flipped, negated};
+use crate::reaching_definitions::Refinement;
 use crate::same::is_same;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary, length_lane};
 use shaderlint_semantic::builtins::Transfer;
@@ -12,23 +12,23 @@ use shaderlint_semantic::{BuiltinId, Scalar};
 
 /// The values that a condition permits.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted {
+pub(super) struct WantedRange {
     lo: f64,
     hi: f64,
     /// An excluded closed interval of values.
     not: Option<(f64, f64)>,
 }
 
-impl Wanted {
-    const ANY: Wanted = Wanted {
+impl WantedRange {
+    const ANY: WantedRange = WantedRange {
         lo: f64::NEG_INFINITY,
         hi: f64::INFINITY,
         not: None,
     };
 
-    fn between(lo: f64, hi: f64) -> Wanted {
+    fn between(lo: f64, hi: f64) -> WantedRange {
         let or = |value: f64, other| if value.is_nan() { other } else { value };
-        Wanted {
+        WantedRange {
             lo: or(lo, f64::NEG_INFINITY),
             hi: or(hi, f64::INFINITY),
             not: None,
@@ -42,7 +42,7 @@ impl Wanted {
         truth: bool,
         (is_right, lane): (bool, u32),
         mut get: impl FnMut(Node) -> Option<Interval>,
-    ) -> Wanted {
+    ) -> WantedRange {
         let (op, left, right) = match query.module.op(comparison).kind {
             OpKind::Binary(op, left, right) => (Some(op), left, right),
             OpKind::Same {
@@ -50,34 +50,36 @@ impl Wanted {
                 left,
                 right,
             } => (negated.then_some(Binary::Xor), left, right),
-            _ => return Wanted::ANY,
+            _ => return WantedRange::ANY,
         };
         let other = if is_right { left } else { right };
         let Some(with) = Node::lane(query.defs, other, lane).and_then(&mut get) else {
-            return Wanted::ANY;
+            return WantedRange::ANY;
         };
         if let OpKind::Same { negated, .. } = query.module.op(comparison).kind {
             return match negated != truth {
-                true => Wanted::between(with.lo.value, with.hi.value),
-                false => Wanted {
+                true => WantedRange::between(with.lo.value, with.hi.value),
+                false => WantedRange {
                     not: with.single().map(|v| (v, v)),
-                    ..Wanted::ANY
+                    ..WantedRange::ANY
                 },
             };
         }
-        let Some(op) = op else { return Wanted::ANY };
+        let Some(op) = op else {
+            return WantedRange::ANY;
+        };
         let op = if truth { op } else { negated(op) };
-        let op = if is_right { turned(op) } else { op };
+        let op = if is_right { flipped(op) } else { op };
         let is_float = query.is_float(left);
         let less = |v: f64| if is_float { below(v) } else { v - 1.0 };
         let more = |v: f64| if is_float { above(v) } else { v + 1.0 };
         let (lo, hi) = (with.lo.value, with.hi.value);
         match op {
-            Binary::Less => Wanted::between(f64::NEG_INFINITY, less(hi)),
-            Binary::LessEqual => Wanted::between(f64::NEG_INFINITY, hi),
-            Binary::Greater => Wanted::between(more(lo), f64::INFINITY),
-            Binary::GreaterEqual => Wanted::between(lo, f64::INFINITY),
-            _ => Wanted::ANY,
+            Binary::Less => WantedRange::between(f64::NEG_INFINITY, less(hi)),
+            Binary::LessEqual => WantedRange::between(f64::NEG_INFINITY, hi),
+            Binary::Greater => WantedRange::between(more(lo), f64::INFINITY),
+            Binary::GreaterEqual => WantedRange::between(lo, f64::INFINITY),
+            _ => WantedRange::ANY,
         }
     }
 
@@ -86,9 +88,9 @@ impl Wanted {
         query: &Query,
         by: Refinement,
         get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Wanted {
+    ) -> WantedRange {
         let side = (by.is_right, by.lane as u32);
-        let mut wanted = Wanted::of(query, by.comparison, by.truth, side, &mut *get);
+        let mut wanted = WantedRange::of(query, by.comparison, by.truth, side, &mut *get);
         for hop in by.way(query.module, query.defs) {
             if let Some(choice) = hop.choice {
                 wanted = wanted.through(query, hop.op, hop.lane, choice, get);
@@ -105,24 +107,26 @@ impl Wanted {
         lane: u32,
         choice: u8,
         get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Wanted {
+    ) -> WantedRange {
         let module = query.module;
         match module.op(op).kind {
-            OpKind::Unary(Unary::Negate, _) if length_lane(module.ty(op)) != Some(lane) => Wanted {
-                not: self.not.map(|(lo, hi)| (0.0 - hi, 0.0 - lo)),
-                ..Wanted::between(-self.hi, -self.lo)
-            },
+            OpKind::Unary(Unary::Negate, _) if length_lane(module.ty(op)) != Some(lane) => {
+                WantedRange {
+                    not: self.not.map(|(lo, hi)| (0.0 - hi, 0.0 - lo)),
+                    ..WantedRange::between(-self.hi, -self.lo)
+                }
+            }
             OpKind::Convert(a) => self.converted(query, op, a),
             OpKind::Binary(kind, a, b) => {
                 let other = if choice == 0 { b } else { a };
                 let other = Node::lane(query.defs, other, lane).and_then(&mut *get);
                 let other = other.unwrap_or(Interval::ANY);
                 if kind == Binary::Multiply && is_same(module, query.defs, a, b) {
-                    return self.root().magnitude();
+                    return self.sqrt().magnitude();
                 }
                 let wanted = self.operand(kind, choice, other);
-                match query.is_whole(op) && matches!(kind, Binary::Divide | Binary::Multiply) {
-                    true => Wanted::ANY,
+                match query.is_integer(op) && matches!(kind, Binary::Divide | Binary::Multiply) {
+                    true => WantedRange::ANY,
                     false => wanted,
                 }
             }
@@ -140,11 +144,11 @@ impl Wanted {
         }
     }
 
-    fn converted(self, query: &Query, op: OpId, a: OpId) -> Wanted {
+    fn converted(self, query: &Query, op: OpId, a: OpId) -> WantedRange {
         let to = query.module.ty(op).scalar_kind();
         let from = query.module.ty(a).scalar_kind();
         match (from, to) {
-            (_, Some(Scalar::Bool)) | (Some(Scalar::Bool), _) => Wanted::ANY,
+            (_, Some(Scalar::Bool)) | (Some(Scalar::Bool), _) => WantedRange::ANY,
             // Conversion truncates towards zero.
             (Some(Scalar::Float), Some(_)) => {
                 let lo = if self.lo > 0.0 {
@@ -157,32 +161,32 @@ impl Wanted {
                 } else {
                     self.hi + 1.0
                 };
-                Wanted::between(lo, hi)
+                WantedRange::between(lo, hi)
             }
             (Some(Scalar::Uint), Some(Scalar::Int)) | (Some(Scalar::Int), Some(Scalar::Uint)) => {
-                Wanted::ANY
+                WantedRange::ANY
             }
             _ => self,
         }
     }
 
     /// The values permitted for one operand, given the range of the other.
-    fn operand(self, kind: Binary, choice: u8, other: Interval) -> Wanted {
+    fn operand(self, kind: Binary, choice: u8, other: Interval) -> WantedRange {
         let (lo, hi) = (other.lo.value, other.hi.value);
         match (kind, choice) {
-            (Binary::Add, _) => Wanted::between(self.lo - hi, self.hi - lo),
-            (Binary::Subtract, 0) => Wanted::between(self.lo + lo, self.hi + hi),
-            (Binary::Subtract, _) => Wanted::between(lo - self.hi, hi - self.lo),
-            (Binary::Multiply, _) if other.lo.value < 0.0 && other.hi.value > 0.0 => Wanted {
+            (Binary::Add, _) => WantedRange::between(self.lo - hi, self.hi - lo),
+            (Binary::Subtract, 0) => WantedRange::between(self.lo + lo, self.hi + hi),
+            (Binary::Subtract, _) => WantedRange::between(lo - self.hi, hi - self.lo),
+            (Binary::Multiply, _) if other.lo.value < 0.0 && other.hi.value > 0.0 => WantedRange {
                 not: self.is_nonzero().then_some((0.0, 0.0)),
-                ..Wanted::ANY
+                ..WantedRange::ANY
             },
             (Binary::Multiply, _) => self.factor(other),
             (Binary::Divide, 0) if lo >= 0.0 && self.lo > 0.0 => {
-                Wanted::between(above(0.0), f64::INFINITY)
+                WantedRange::between(above(0.0), f64::INFINITY)
             }
             // The quotient times the divisor.
-            (Binary::Divide, 0) if lo > 0.0 => Wanted::between(
+            (Binary::Divide, 0) if lo > 0.0 => WantedRange::between(
                 if self.lo < 0.0 {
                     self.lo * hi
                 } else {
@@ -195,29 +199,29 @@ impl Wanted {
                 },
             ),
             (Binary::Divide, 0) if hi < 0.0 => {
-                let turned = Wanted::between(-self.hi, -self.lo);
-                turned.operand(Binary::Divide, 0, -other)
+                let flipped = WantedRange::between(-self.hi, -self.lo);
+                flipped.operand(Binary::Divide, 0, -other)
             }
-            _ => Wanted::ANY,
+            _ => WantedRange::ANY,
         }
     }
 
     /// The values permitted for a factor, given the range of the other.
-    fn factor(self, other: Interval) -> Wanted {
+    fn factor(self, other: Interval) -> WantedRange {
         let (lo, hi) = (other.lo.value, other.hi.value);
         if hi < 0.0 {
-            return Wanted::between(-self.hi, -self.lo).factor(-other);
+            return WantedRange::between(-self.hi, -self.lo).factor(-other);
         }
         if lo <= 0.0 {
             return match self.lo > 0.0 {
-                true => Wanted::between(above(0.0), f64::INFINITY),
-                false => Wanted {
+                true => WantedRange::between(above(0.0), f64::INFINITY),
+                false => WantedRange {
                     not: self.is_nonzero().then_some((0.0, 0.0)),
-                    ..Wanted::ANY
+                    ..WantedRange::ANY
                 },
             };
         }
-        Wanted::between(
+        WantedRange::between(
             if self.lo < 0.0 {
                 self.lo / lo
             } else {
@@ -233,52 +237,52 @@ impl Wanted {
 
     /// The values permitted for an argument of a built-in function, given the range of another
     /// argument.
-    fn argument(self, function: BuiltinId, is_scalar: bool, other: Interval) -> Wanted {
+    fn argument(self, function: BuiltinId, is_scalar: bool, other: Interval) -> WantedRange {
         match function.transfer() {
             Transfer::Magnitude => self.magnitude(),
             // The length of a scalar is its absolute value.
             Transfer::Norm if is_scalar => self.magnitude(),
-            Transfer::Product if is_scalar => self.root().magnitude(),
-            Transfer::Norm => Wanted {
+            Transfer::Product if is_scalar => self.sqrt().magnitude(),
+            Transfer::Norm => WantedRange {
                 not: self.not,
-                ..Wanted::between(self.lo.max(0.0), self.hi)
+                ..WantedRange::between(self.lo.max(0.0), self.hi)
             },
             // The dot product of a vector with itself is its squared length.
-            Transfer::Product => self.root(),
-            Transfer::Minimum if other.lo.value > self.hi => Wanted::between(self.lo, self.hi),
-            Transfer::Minimum => Wanted::between(self.lo, f64::INFINITY),
-            Transfer::Maximum if other.hi.value < self.lo => Wanted::between(self.lo, self.hi),
-            Transfer::Maximum => Wanted::between(f64::NEG_INFINITY, self.hi),
-            Transfer::Rounded(_) => Wanted::between(self.lo - 1.0, self.hi + 1.0),
+            Transfer::Product => self.sqrt(),
+            Transfer::Minimum if other.lo.value > self.hi => WantedRange::between(self.lo, self.hi),
+            Transfer::Minimum => WantedRange::between(self.lo, f64::INFINITY),
+            Transfer::Maximum if other.hi.value < self.lo => WantedRange::between(self.lo, self.hi),
+            Transfer::Maximum => WantedRange::between(f64::NEG_INFINITY, self.hi),
+            Transfer::Rounded(_) => WantedRange::between(self.lo - 1.0, self.hi + 1.0),
             _ if function == BuiltinId::Sqrt => {
                 let lo = if self.lo > 0.0 {
                     self.lo * self.lo
                 } else {
                     f64::NEG_INFINITY
                 };
-                Wanted::between(lo, self.hi.max(0.0) * self.hi.max(0.0))
+                WantedRange::between(lo, self.hi.max(0.0) * self.hi.max(0.0))
             }
-            _ => Wanted::ANY,
+            _ => WantedRange::ANY,
         }
     }
 
     /// The values permitted for `abs(x)`, given those permitted for `x * x`.
-    fn root(self) -> Wanted {
-        Wanted {
+    fn sqrt(self) -> WantedRange {
+        WantedRange {
             not: self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
-            ..Wanted::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
+            ..WantedRange::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
         }
     }
 
     /// The values permitted for `x`, given those permitted for `abs(x)`.
-    pub(super) fn magnitude(self) -> Wanted {
+    pub(super) fn magnitude(self) -> WantedRange {
         let hole = match self.lo > 0.0 {
             true => Some((-below(self.lo), below(self.lo))),
             false => self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
         };
-        Wanted {
+        WantedRange {
             not: hole,
-            ..Wanted::between(-self.hi, self.hi)
+            ..WantedRange::between(-self.hi, self.hi)
         }
     }
 

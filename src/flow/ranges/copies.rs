@@ -1,7 +1,7 @@
 //! Bitwise copies: whether two values may originate from the same value.
 
 use super::Query;
-use crate::defs::{Def, DefId, Slot};
+use crate::reaching_definitions::{Def, DefId, Slot};
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::builtins::Transfer;
@@ -11,7 +11,7 @@ const MAX_COPIES: usize = 600;
 
 /// The origin of a value, copies followed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-enum Origin {
+enum CopyOrigin {
     /// A constant, as bits.
     Constant(u32),
     /// A definition.
@@ -28,7 +28,7 @@ enum Copy {
 }
 
 /// All values that a value may be a copy of.
-type Origins = FxHashSet<Origin>;
+type Origins = FxHashSet<CopyOrigin>;
 
 impl Query<'_> {
     /// Whether two numbers may be copies of the same value, so that comparing them for equality is
@@ -63,7 +63,7 @@ impl Query<'_> {
             OpKind::Const(_) => {
                 let value = module.constant(op).get(lane as usize);
                 // 0.0 and -0.0 compare equal.
-                found.extend(value.map(|v| Origin::Constant((v.as_float() + 0.0).to_bits())));
+                found.extend(value.map(|v| CopyOrigin::Constant((v.as_float() + 0.0).to_bits())));
             }
             OpKind::Load(_) => todo.push(Copy::Def(defs.seen(op, lane))),
             OpKind::Select {
@@ -112,7 +112,7 @@ impl Query<'_> {
     fn held(&self, def: DefId, todo: &mut Vec<Copy>, found: &mut Origins) {
         let defs = self.defs;
         let def = defs.unrefined(def);
-        found.insert(Origin::Def(def));
+        found.insert(CopyOrigin::Def(def));
         match defs.get(def) {
             Def::Stored { value, lane } => todo.push(Copy::Lane(value, lane)),
             Def::Merge { sides, .. } => {
@@ -120,7 +120,7 @@ impl Query<'_> {
             }
             Def::Head { init, back, .. } => todo.extend([Copy::Def(init), Copy::Def(back)]),
             Def::Entry(slot) => {
-                found.insert(Origin::Entry(slot));
+                found.insert(CopyOrigin::Entry(slot));
                 let writes = defs.global_writes(slot);
                 let last = writes.len().saturating_sub(MAX_COPIES);
                 todo.extend(writes.iter().skip(last).map(|d| Copy::Def(*d)));

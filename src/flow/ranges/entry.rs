@@ -1,12 +1,12 @@
 //! Ranges of definitions.
 
-use super::back::Wanted;
+use super::back::WantedRange;
 use super::builtin::of_host;
 use super::interval::Interval;
-use super::node::{Node, Subject};
+use super::node::{Node, NodeSubject};
 use super::{Query, fitting, number};
-use crate::defs::condition::{each_comparison, each_load};
-use crate::defs::{Def, DefId, Refinement, Slot};
+use crate::reaching_definitions::condition::{each_comparison, each_load};
+use crate::reaching_definitions::{Def, DefId, Refinement, Slot};
 use shaderlint_ir::{Binary, LoopId, OpKind, Root};
 use shaderlint_semantic::{Scalar, Type};
 
@@ -27,11 +27,11 @@ impl Query<'_> {
         let (module, defs) = (self.module, self.defs);
         for _ in 0..MAX_COPIES {
             let next = match node.subject(defs) {
-                Subject::Def(def) => match defs.get(def) {
+                NodeSubject::Def(def) => match defs.get(def) {
                     Def::Stored { value, lane } => Node::lane(defs, value, lane),
                     _ => None,
                 },
-                Subject::Lane(op, lane) => match module.op(op).kind {
+                NodeSubject::Lane(op, lane) => match module.op(op).kind {
                     OpKind::Load(_) => Some(Node::def(defs, defs.seen(op, lane))),
                     OpKind::Splat(_)
                     | OpKind::Swizzle(..)
@@ -59,14 +59,14 @@ impl Query<'_> {
         get: &mut impl FnMut(Node) -> Option<Interval>,
     ) -> Option<Interval> {
         match node.subject(self.defs) {
-            Subject::Lane(op, lane) => {
+            NodeSubject::Lane(op, lane) => {
                 let mut range = self.operation(op, lane, get);
                 if let Some(range) = &mut range {
                     self.fit(op, lane, range);
                 }
                 range
             }
-            Subject::Def(def) => self.definition(def, get),
+            NodeSubject::Def(def) => self.definition(def, get),
         }
     }
 
@@ -124,7 +124,7 @@ impl Query<'_> {
     ) -> Option<Interval> {
         let defs = self.defs;
         let known = get(Node::def(defs, before));
-        let wanted = Wanted::at_end(self, by, get);
+        let wanted = WantedRange::at_end(self, by, get);
         let end = by.way(self.module, defs).last();
         let is_float = end.is_none_or(|hop| self.is_float_lane(hop.op));
         let head = defs.unrefined(before);
@@ -152,8 +152,8 @@ impl Query<'_> {
         let condition = self.module.looped(looped).and_then(|l| l.condition);
         let mut is_test = false;
         if let Some(condition) = condition {
-            each_comparison(self.module, self.defs, condition, true, |told| {
-                is_test |= told.comparison == by.comparison;
+            each_comparison(self.module, self.defs, condition, true, |premise| {
+                is_test |= premise.comparison == by.comparison;
             });
         }
         is_test
@@ -169,8 +169,8 @@ impl Query<'_> {
         let mut is_tested = false;
         if let Some(condition) = condition {
             let (module, defs) = (self.module, self.defs);
-            each_comparison(module, defs, condition, true, |told| {
-                each_load(module, defs, told, |load, lane, _| {
+            each_comparison(module, defs, condition, true, |premise| {
+                each_load(module, defs, premise, |load, lane, _| {
                     is_tested |= defs.unrefined(defs.seen(load, lane)) == head;
                 });
             });
@@ -348,11 +348,11 @@ fn snap(range: &mut Interval, first: Interval, step: f64) -> bool {
 /// The last value of a counter before a bound. `None` if rounding decides whether there is one more
 /// iteration.
 fn counted(first: f64, step: f64, end: f64, rounded: fn(f64) -> f64) -> Option<f64> {
-    let turns = (end - first) / step;
+    let iterations = (end - first) / step;
     let is_exact = |v: f64| (v * 256.0).fract() == 0.0;
-    let is_near = (turns - turns.round()).abs() < 1e-4 * turns.abs().max(1.0);
-    if is_near && turns.round() != 0.0 && !(is_exact(first) && is_exact(step)) {
+    let is_near = (iterations - iterations.round()).abs() < 1e-4 * iterations.abs().max(1.0);
+    if is_near && iterations.round() != 0.0 && !(is_exact(first) && is_exact(step)) {
         return None;
     }
-    Some(first + rounded(turns) * step)
+    Some(first + rounded(iterations) * step)
 }

@@ -122,7 +122,7 @@ impl End {
     }
 
     /// The tightness of a bound derived from a condition.
-    fn told(self) -> Tightness {
+    fn compared_tightness(self) -> Tightness {
         self.tightness.clamp(Tightness::Loose, Tightness::Touched)
     }
 
@@ -289,18 +289,18 @@ impl Interval {
     /// Whether some values are known to be less than `value`.
     pub fn reaches_below(&self, value: f64) -> bool {
         let is_reached = self.lo.value < value && self.lo.is_reached();
-        self.is_below(value) || is_reached || self.is_parted_by(value)
+        self.is_below(value) || is_reached || self.is_split_by(value)
     }
 
     /// Whether some values are known to be greater than `value`.
     pub fn reaches_above(&self, value: f64) -> bool {
         let is_reached = self.hi.value > value && self.hi.is_reached();
-        self.is_above(value) || is_reached || self.is_parted_by(value)
+        self.is_above(value) || is_reached || self.is_split_by(value)
     }
 
     /// Whether `value` lies strictly within the inner interval. If all known values lie on one
     /// side, the bound on the other side is probably not attained.
-    fn is_parted_by(&self, value: f64) -> bool {
+    fn is_split_by(&self, value: f64) -> bool {
         let [least, most] = self.inner;
         (least as f64) < value && value < most as f64
     }
@@ -308,7 +308,7 @@ impl Interval {
     /// Whether some values are known to be less than `value` by more than rounding.
     pub fn strays_below(&self, value: f64) -> bool {
         let is_open = self.hi.tightness == Tightness::Open && self.hi.value <= value;
-        self.is_parted_by(value)
+        self.is_split_by(value)
             || is_open && self.lo.value < value
             || self.reaches_below(value - STRAY)
     }
@@ -344,7 +344,7 @@ impl Interval {
     /// Raises the lower bound to `lo`, as implied by a condition.
     pub fn raise(&mut self, lo: f64) {
         if lo > self.lo.value {
-            self.lo = bound(lo, self.lo.told());
+            self.lo = bound(lo, self.lo.compared_tightness());
             self.inner = NOTHING;
         }
     }
@@ -352,7 +352,7 @@ impl Interval {
     /// Lowers the upper bound to `hi`, as implied by a condition.
     pub fn lower(&mut self, hi: f64) {
         if hi < self.hi.value {
-            self.hi = bound(hi, self.hi.told());
+            self.hi = bound(hi, self.hi.compared_tightness());
             self.inner = NOTHING;
         }
     }

@@ -36,7 +36,7 @@ impl Query<'_> {
             node.map_or(Some(Interval::ANY), &mut *get)
         };
         let mut sum: Option<Interval> = None;
-        let (mut is_made, mut is_turned) = (true, true);
+        let (mut is_made, mut is_rotation) = (true, true);
         let mut sources = 0;
         for number in 0..terms.count {
             let pair = of(a, terms.left, number).zip(of(b, terms.right, number));
@@ -49,8 +49,8 @@ impl Query<'_> {
             // For every matrix, there are vectors that give the component either sign.
             let vector = if self.module.ty(a).is_matrix() { y } else { x };
             let matrix = if self.module.ty(a).is_matrix() { x } else { y };
-            is_turned &= vector.takes_both_signs() && vector.sources & sources == 0;
-            is_turned &= matrix.is_free_of(&vector) && matrix.single() != Some(0.0);
+            is_rotation &= vector.takes_both_signs() && vector.sources & sources == 0;
+            is_rotation &= matrix.is_free_of(&vector) && matrix.single() != Some(0.0);
             sources |= vector.sources;
         }
         let sum = sum.filter(|_| is_made)?;
@@ -59,7 +59,7 @@ impl Query<'_> {
             sources: unknown.sources,
             ..sum.loose()
         };
-        Some(match is_turned && is_vector {
+        Some(match is_rotation && is_vector {
             true => known.taking_both_signs(),
             false => known,
         })

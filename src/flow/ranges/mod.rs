@@ -25,16 +25,16 @@ mod tests;
 pub use interval::{End, Interval, Rounding, Tightness};
 pub use reason::{Giver, Reason, Side};
 
-use super::defs::condition::each_comparison;
-use super::defs::{DefId, Defs, Guard};
+use super::reaching_definitions::condition::each_comparison;
+use super::reaching_definitions::{DefId, Guard, ReachingDefinitions};
 use super::same::is_same;
-use back::Wanted;
+use back::WantedRange;
 use node::Node;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, length_lane};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{FunctionRef, Program, Scalar, Value, VariableId};
 use shaderlint_syntax::ast::ExprId;
-use solve::Known;
+use solve::SolverState;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Maximum number of guards of an operation that are considered.
@@ -43,7 +43,7 @@ const MAX_GUARDS: usize = 24;
 /// The cached value ranges of a shader.
 #[derive(Default, Debug)]
 pub struct Ranges {
-    known: Mutex<Known>,
+    known: Mutex<SolverState>,
     /// By variable: whether code that was not analysed may write to it.
     hidden_variables: Vec<bool>,
     /// By function: whether its arguments and return value are unknown.
@@ -58,7 +58,7 @@ pub struct Query<'x> {
     /// Its IR.
     pub module: &'x Module,
     /// Its reaching definitions.
-    pub defs: &'x Defs,
+    pub defs: &'x ReachingDefinitions,
     /// The cache of computed ranges.
     pub ranges: &'x Ranges,
 }
@@ -77,7 +77,7 @@ impl Ranges {
         self.hidden_variables = hidden.collect();
     }
 
-    fn known(&self) -> MutexGuard<'_, Known> {
+    fn known(&self) -> MutexGuard<'_, SolverState> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -162,8 +162,8 @@ impl<'x> Query<'x> {
         let mut is_met = true;
         let (module, defs) = (self.module, self.defs);
         let (condition, truth) = (guard.condition, guard.truth);
-        each_comparison(module, defs, condition, truth, |told| {
-            let (comparison, truth) = (told.comparison, told.truth);
+        each_comparison(module, defs, condition, truth, |premise| {
+            let (comparison, truth) = (premise.comparison, premise.truth);
             if let OpKind::Binary(_, left, _) | OpKind::Same { left, .. } =
                 module.op(comparison).kind
             {
@@ -176,8 +176,8 @@ impl<'x> Query<'x> {
         is_met
     }
 
-    fn wanted(&self, comparison: OpId, truth: bool, is_right: bool) -> Wanted {
-        Wanted::of(self, comparison, truth, (is_right, 0), |node| {
+    fn wanted(&self, comparison: OpId, truth: bool, is_right: bool) -> WantedRange {
+        WantedRange::of(self, comparison, truth, (is_right, 0), |node| {
             let known = self.ranges.known().solve(self, node);
             Some(known.unwrap_or(Interval::ANY))
         })
@@ -192,20 +192,20 @@ impl<'x> Query<'x> {
         for (_, guard) in self.defs.guards(op).take(MAX_GUARDS) {
             let (condition, truth) = (guard.condition, guard.truth);
             let (module, defs) = (self.module, self.defs);
-            each_comparison(module, defs, condition, truth, |told| {
-                if told.call.is_some() {
+            each_comparison(module, defs, condition, truth, |premise| {
+                if premise.call.is_some() {
                     return;
                 }
                 if is_written {
-                    self.narrow_by(told.comparison, told.truth, op, range);
+                    self.narrow_by(premise.comparison, premise.truth, op, range);
                 }
-                if let OpKind::Binary(relation, left, right) = module.op(told.comparison).kind
+                if let OpKind::Binary(relation, left, right) = module.op(premise.comparison).kind
                     && self.is_float(op)
                     && self.is_float(left)
                     && (is_written || range.lo.is_reached() || range.hi.is_reached())
                     && let Some(own) = own.get_or_insert_with(|| self.terms(op, lane))
                 {
-                    let relation = if told.truth {
+                    let relation = if premise.truth {
                         relation
                     } else {
                         negated(relation)
@@ -303,7 +303,7 @@ const fn negated(op: Binary) -> Binary {
 }
 
 /// The comparison operator with its operands swapped.
-const fn turned(op: Binary) -> Binary {
+const fn flipped(op: Binary) -> Binary {
     match op {
         Binary::Less => Binary::Greater,
         Binary::LessEqual => Binary::GreaterEqual,

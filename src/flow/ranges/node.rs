@@ -1,6 +1,6 @@
 //! Nodes of the range graph: components of operations and definitions, numbered together.
 
-use crate::defs::{DefId, Defs};
+use crate::reaching_definitions::{DefId, ReachingDefinitions};
 use shaderlint_ir::OpId;
 
 /// A component of an operation, or a definition.
@@ -9,7 +9,7 @@ pub(super) struct Node(pub u32);
 
 /// What a node represents.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Subject {
+pub(super) enum NodeSubject {
     /// A component of an operation's value.
     Lane(OpId, u32),
     /// A definition.
@@ -18,27 +18,27 @@ pub(super) enum Subject {
 
 impl Node {
     /// The number of nodes.
-    pub(super) fn count(defs: &Defs) -> usize {
+    pub(super) fn count(defs: &ReachingDefinitions) -> usize {
         (defs.lane_count() + defs.len()) as usize
     }
 
     /// The node of a component of an operation; `None` if the index is out of range.
-    pub(super) fn lane(defs: &Defs, op: OpId, lane: u32) -> Option<Node> {
+    pub(super) fn lane(defs: &ReachingDefinitions, op: OpId, lane: u32) -> Option<Node> {
         (lane < defs.lanes_of(op)).then(|| Node(defs.first_lane(op) + lane))
     }
 
     /// The node of a definition.
-    pub(super) fn def(defs: &Defs, id: DefId) -> Node {
+    pub(super) fn def(defs: &ReachingDefinitions, id: DefId) -> Node {
         Node(defs.lane_count() + id.0)
     }
 
     /// What the node represents.
-    pub(super) fn subject(self, defs: &Defs) -> Subject {
+    pub(super) fn subject(self, defs: &ReachingDefinitions) -> NodeSubject {
         match self.0.checked_sub(defs.lane_count()) {
-            Some(def) => Subject::Def(DefId(def)),
+            Some(def) => NodeSubject::Def(DefId(def)),
             None => {
                 let (op, lane) = defs.op_at(self.0);
-                Subject::Lane(op, lane)
+                NodeSubject::Lane(op, lane)
             }
         }
     }

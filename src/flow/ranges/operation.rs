@@ -3,9 +3,9 @@
 use super::builtin::of_function;
 use super::entry::{join, measure};
 use super::interval::{Interval, Tightness};
-use super::node::{Node, Subject};
+use super::node::{Node, NodeSubject};
 use super::{Query, number};
-use crate::defs::Def;
+use crate::reaching_definitions::Def;
 use crate::same::is_same;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary, column_lanes, length_lane};
 use shaderlint_semantic::builtins::{MAX_PARAMS, Transfer};
@@ -98,7 +98,7 @@ impl Query<'_> {
 
     /// The range of a component of a constant; `None` for other nodes.
     pub(super) fn constant(&self, node: Node) -> Option<Interval> {
-        let Subject::Lane(op, lane) = node.subject(self.defs) else {
+        let NodeSubject::Lane(op, lane) = node.subject(self.defs) else {
             return None;
         };
         let found = self.module.op(op);
@@ -138,7 +138,7 @@ impl Query<'_> {
             OpKind::Splat(scalar) => Some(scalar),
             _ => None,
         };
-        let whole = match module.op(op).kind {
+        let direct = match module.op(op).kind {
             OpKind::Load(_) => return get(Node::def(defs, defs.seen(op, at))),
             OpKind::Unary(Unary::Negate, a) => return of(a, at),
             OpKind::Extract(a, number) => {
@@ -190,15 +190,15 @@ impl Query<'_> {
             _ => None,
         };
         let parts = (first..at).map(|lane| of(op, lane));
-        let mut length = match (whole, measure(parts)) {
-            (Some(whole), Some(_)) if whole.hi.value.is_finite() => whole,
+        let mut length = match (direct, measure(parts)) {
+            (Some(direct), Some(_)) if direct.hi.value.is_finite() => direct,
             (_, measured) => measured?,
         };
         length.raise(0.0);
         Some(length)
     }
 
-    pub(super) fn is_whole(&self, op: OpId) -> bool {
+    pub(super) fn is_integer(&self, op: OpId) -> bool {
         self.module
             .ty(op)
             .scalar_kind()
@@ -228,7 +228,7 @@ impl Query<'_> {
             },
             Binary::Multiply if same() => x.square(),
             Binary::Multiply => x * y,
-            Binary::Divide if self.is_whole(a) => (x / y).stepped(f64::trunc),
+            Binary::Divide if self.is_integer(a) => (x / y).stepped(f64::trunc),
             Binary::Divide => match self.share(a, b, lane) {
                 Some(share) => share.rounded().like(&x),
                 None => x / y,

@@ -4,7 +4,7 @@
 use super::Query;
 use super::interval::{Interval, above, below};
 use super::node::Node;
-use crate::defs::Def;
+use crate::reaching_definitions::Def;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::builtins::Transfer;
 
@@ -74,7 +74,7 @@ impl Polynomial {
     }
 
     /// The constant term, and the other terms.
-    fn parted(&self) -> (f64, impl Iterator<Item = &(Factors, f64)>) {
+    fn without_constant(&self) -> (f64, impl Iterator<Item = &(Factors, f64)>) {
         let is_rest = |term: &&(Factors, f64)| term.0 != [0; FACTORS] && term.1 != 0.0;
         let alone = self.terms.iter().find(|(f, _)| *f == [0; FACTORS]);
         let rest = self.terms.iter().filter(is_rest);
@@ -83,8 +83,8 @@ impl Polynomial {
 
     /// Returns `factor` and `rest` such that `self` is `factor * other + rest`.
     pub(super) fn in_terms_of(&self, other: &Polynomial) -> Option<(f64, f64)> {
-        let (own, terms) = self.parted();
-        let (with, others) = other.parted();
+        let (own, terms) = self.without_constant();
+        let (with, others) = other.without_constant();
         let mut factor = None;
         let mut count = 0;
         for (factors, weight) in terms {

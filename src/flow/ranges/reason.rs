@@ -2,8 +2,8 @@
 
 use super::Query;
 use super::interval::Interval;
-use super::node::{Node, Subject};
-use crate::defs::{Def, DefId, Slot};
+use super::node::{Node, NodeSubject};
+use crate::reaching_definitions::{Def, DefId, Slot};
 use shaderlint_ir::{Binary, OpId, OpKind, Root, Unary};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{BuiltinId, VariableId};
@@ -80,11 +80,11 @@ impl Query<'_> {
         let mut named = op;
         for _ in 0..MAX_STEPS {
             let back = match node.subject(self.defs) {
-                Subject::Lane(op, lane) => {
+                NodeSubject::Lane(op, lane) => {
                     named = op;
-                    self.behind(op, lane, side)
+                    self.source(op, lane, side)
                 }
-                Subject::Def(def) => self.behind_def(def, side, named),
+                NodeSubject::Def(def) => self.source_of_def(def, side, named),
             };
             match back {
                 Back::To(next, end) => (node, side) = (next, end),
@@ -99,8 +99,8 @@ impl Query<'_> {
 
     fn at(&self, node: Node) -> Interval {
         match node.subject(self.defs) {
-            Subject::Lane(op, lane) => self.lane(op, lane),
-            Subject::Def(def) => self.def(def),
+            NodeSubject::Lane(op, lane) => self.lane(op, lane),
+            NodeSubject::Def(def) => self.def(def),
         }
     }
 
@@ -111,7 +111,7 @@ impl Query<'_> {
         Some(Back::To(found, side))
     }
 
-    fn behind(&self, op: OpId, lane: u32, side: Side) -> Back {
+    fn source(&self, op: OpId, lane: u32, side: Side) -> Back {
         let (module, defs) = (self.module, self.defs);
         let end = side.of(&self.lane(op, lane));
         let stop = Back::Stop(op, Giver::Operation);
@@ -129,7 +129,7 @@ impl Query<'_> {
                 self.with_end(sides.into_iter().flatten(), side, end)
             }
             OpKind::Builtin(function, list) => {
-                return self.behind_call(op, function, list, (lane, side));
+                return self.source_of_call(op, function, list, (lane, side));
             }
             OpKind::Call(function, _) => {
                 let values = defs.returns_of(function).iter();
@@ -161,7 +161,7 @@ impl Query<'_> {
             (None, Some(single)) => (single, a, true),
             _ => return None,
         };
-        let is_turned = match kind {
+        let is_flipped = match kind {
             Binary::Add => false,
             Binary::Subtract => !is_left,
             Binary::Multiply => single < 0.0,
@@ -170,12 +170,12 @@ impl Query<'_> {
         };
         let node = Node::lane(self.defs, varying, lane)?;
         let range = self.at(node);
-        let side = if is_turned { side.other() } else { side };
+        let side = if is_flipped { side.other() } else { side };
         let is_known = side.of(&range).is_finite() || range.takes_both_signs();
         is_known.then_some(Back::To(node, side))
     }
 
-    fn behind_call(
+    fn source_of_call(
         &self,
         op: OpId,
         function: BuiltinId,
@@ -205,7 +205,7 @@ impl Query<'_> {
         next.unwrap_or(stop)
     }
 
-    fn behind_def(&self, def: DefId, side: Side, named: OpId) -> Back {
+    fn source_of_def(&self, def: DefId, side: Side, named: OpId) -> Back {
         let defs = self.defs;
         let of = |def: &DefId| Node::def(defs, *def);
         let end = side.of(&self.def(def));
@@ -224,13 +224,13 @@ impl Query<'_> {
             }
             Def::Merge { sides, .. } => self.with_end(defs.list(sides).iter().map(of), side, end),
             Def::Head { init, back, .. } => self.with_end([init, back].iter().map(of), side, end),
-            Def::Entry(slot) => return self.behind_entry(slot, side, (end, named)),
+            Def::Entry(slot) => return self.source_of_entry(slot, side, (end, named)),
             Def::Measured(_) | Def::Unknown => None,
         };
         next.unwrap_or(Back::Stop(named, Giver::Operation))
     }
 
-    fn behind_entry(&self, slot: Slot, side: Side, (end, named): (f64, OpId)) -> Back {
+    fn source_of_entry(&self, slot: Slot, side: Side, (end, named): (f64, OpId)) -> Back {
         let defs = self.defs;
         let (id, _) = defs.variable_at(slot);
         let root = self.module.variable(id).map(|v| v.root);

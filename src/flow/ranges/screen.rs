@@ -2,7 +2,7 @@
 
 use super::interval::{Interval, Tightness, below};
 use super::{Query, number};
-use crate::defs::Def;
+use crate::reaching_definitions::Def;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::VariableId;
 
@@ -11,15 +11,15 @@ const BUDGET: u32 = 32;
 
 /// `place * gl_FragCoord[axis] + size * iResolution[axis]`
 #[derive(Clone, Copy, Debug)]
-struct Along {
+struct ScreenTerm {
     axis: u32,
     place: f64,
     size: f64,
 }
 
-impl Along {
-    fn scaled(self, by: f64) -> Along {
-        Along {
+impl ScreenTerm {
+    fn scaled(self, by: f64) -> ScreenTerm {
+        ScreenTerm {
             place: self.place * by,
             size: self.size * by,
             ..self
@@ -70,7 +70,7 @@ impl Query<'_> {
         first.axis == second.axis && near * far < 0.0
     }
 
-    fn along(&self, op: OpId, lane: u32, left: &mut u32) -> Option<Along> {
+    fn along(&self, op: OpId, lane: u32, left: &mut u32) -> Option<ScreenTerm> {
         *left = left.checked_sub(1)?;
         let (module, defs) = (self.module, self.defs);
         let constant = |op: OpId| match module.constant(op) {
@@ -99,7 +99,7 @@ impl Query<'_> {
             OpKind::Binary(kind @ (Binary::Add | Binary::Subtract), a, b) => {
                 let sign = if kind == Binary::Add { 1.0 } else { -1.0 };
                 let (a, b) = (self.along(a, lane, left)?, self.along(b, lane, left)?);
-                (a.axis == b.axis).then_some(Along {
+                (a.axis == b.axis).then_some(ScreenTerm {
                     axis: a.axis,
                     place: a.place + sign * b.place,
                     size: a.size + sign * b.size,
@@ -112,11 +112,11 @@ impl Query<'_> {
         }
     }
 
-    fn filled_in(&self, op: OpId, lane: u32) -> Option<Along> {
+    fn filled_in(&self, op: OpId, lane: u32) -> Option<ScreenTerm> {
         let (id, axis) = self.copied_from(op, lane)?;
         let is_place = self.is_named(id, "gl_FragCoord");
         let is_size = self.is_named(id, "iResolution");
-        (axis < 2 && (is_place || is_size)).then_some(Along {
+        (axis < 2 && (is_place || is_size)).then_some(ScreenTerm {
             axis,
             place: if is_place { 1.0 } else { 0.0 },
             size: if is_size { 1.0 } else { 0.0 },

@@ -3,8 +3,8 @@
 
 use super::Query;
 use super::interval::Interval;
-use super::node::{Node, Subject};
-use crate::defs::{Def, Defs};
+use super::node::{Node, NodeSubject};
+use crate::reaching_definitions::{Def, ReachingDefinitions};
 use std::cell::Cell;
 
 /// Maximum number of ascending rounds; ranges that still change become unbounded.
@@ -18,7 +18,7 @@ const MAX_TOGETHER: usize = 20_000;
 
 /// The known ranges and the state of the search.
 #[derive(Default, Debug)]
-pub(super) struct Known {
+pub(super) struct SolverState {
     /// By node: the index of its range plus one; 0 if it is not known.
     slots: Vec<u32>,
     /// `None` for nodes that never have a value.
@@ -37,7 +37,7 @@ pub(super) struct Known {
 /// The lists of a search, reused by the next one.
 #[derive(Default, Debug)]
 struct TarjanState {
-    frames: Vec<Frame>,
+    frames: Vec<SearchFrame>,
     /// The unknown operands of the nodes in `frames` and `left`.
     operands: Vec<Node>,
     /// The stack of finished nodes whose strongly connected component is not complete.
@@ -53,12 +53,12 @@ struct Left {
     end: usize,
     /// The time at which it was computed last.
     computed: u32,
-    is_turn: bool,
+    is_join: bool,
 }
 
 /// A node on the search path (Tarjan, *Depth-First Search and Linear Graph Algorithms*, 1972).
 #[derive(Debug)]
-struct Frame {
+struct SearchFrame {
     node: Node,
     /// The range of its unknown operands in `TarjanState::operands`.
     next: usize,
@@ -71,7 +71,7 @@ struct Frame {
     is_own: bool,
 }
 
-impl Known {
+impl SolverState {
     /// The range of a node; `None` if it never has a value.
     pub(super) fn solve(&mut self, query: &Query, root: Node) -> Option<Interval> {
         if self.slots.is_empty() {
@@ -136,7 +136,7 @@ impl Known {
                 start: frame.start,
                 end: frame.end,
                 computed: 0,
-                is_turn: false,
+                is_join: false,
             });
             let number = self.numbers.get(frame.node.0 as usize).copied();
             if number == Some(frame.low) {
@@ -161,7 +161,7 @@ impl Known {
     }
 
     /// Caches whether a guard may hold.
-    pub(super) fn keep_met(&mut self, guard: u32, is_met: bool, defs: &Defs) {
+    pub(super) fn keep_met(&mut self, guard: u32, is_met: bool, defs: &ReachingDefinitions) {
         self.met.resize(defs.guard_count(), None);
         if let Some(slot) = self.met.get_mut(guard as usize) {
             *slot = Some(is_met);
@@ -198,7 +198,7 @@ impl Known {
         node: Node,
         operands: &mut Vec<Node>,
         left: usize,
-    ) -> Option<Frame> {
+    ) -> Option<SearchFrame> {
         let start = operands.len();
         let range = query.compute(node, &mut |operand| {
             let operand = self.resolved(query, operand);
@@ -215,7 +215,7 @@ impl Known {
         if let Some(number) = self.numbers.get_mut(node.0 as usize) {
             *number = self.count;
         }
-        Some(Frame {
+        Some(SearchFrame {
             node,
             next: start,
             end: operands.len(),
@@ -255,7 +255,7 @@ impl Known {
             return;
         }
         for left in &mut *nodes {
-            left.is_turn = is_turn(query, left.node);
+            left.is_join = is_join(query, left.node);
             self.put(left.node, None);
         }
         for round in 0..MAX_ROUNDS {
@@ -266,7 +266,7 @@ impl Known {
                 }
                 let range = self.compute(query, left.node);
                 left.computed = self.count;
-                match left.is_turn {
+                match left.is_join {
                     true => is_changed |= self.climb(left.node, range, round),
                     false => _ = self.change(left.node, range),
                 }
@@ -278,14 +278,14 @@ impl Known {
         // Descending iteration: narrows from above.
         for _ in 0..2 {
             let mut is_changed = false;
-            for left in nodes.iter().filter(|left| left.is_turn) {
+            for left in nodes.iter().filter(|left| left.is_join) {
                 let range = self.compute(query, left.node);
                 is_changed |= self.change(left.node, range);
             }
             if !is_changed {
                 break;
             }
-            for left in nodes.iter_mut().filter(|left| !left.is_turn) {
+            for left in nodes.iter_mut().filter(|left| !left.is_join) {
                 if self.has_moved(left, operands) {
                     let range = self.compute(query, left.node);
                     left.computed = self.count;
@@ -303,7 +303,7 @@ impl Known {
             changed.is_some_and(|changed| *changed > left.computed)
         };
         let operands = operands.get(left.start..left.end).unwrap_or(&[]);
-        left.is_turn && has_changed(&left.node) || operands.iter().any(has_changed)
+        left.is_join && has_changed(&left.node) || operands.iter().any(has_changed)
     }
 
     /// Replaces the range of a node. Returns whether it changed.
@@ -358,8 +358,8 @@ fn widen(before: &Interval, after: &mut Interval) {
 }
 
 /// Whether a node is a widening point: a loop head or a function entry.
-fn is_turn(query: &Query, node: Node) -> bool {
-    let Subject::Def(def) = node.subject(query.defs) else {
+fn is_join(query: &Query, node: Node) -> bool {
+    let NodeSubject::Def(def) = node.subject(query.defs) else {
         return false;
     };
     matches!(query.defs.get(def), Def::Head { .. } | Def::Entry(_))

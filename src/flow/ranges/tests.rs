@@ -2,8 +2,8 @@
 
 use super::{Interval, Query, Ranges, Rounding};
 use crate::calls::Calls;
-use crate::defs::Defs;
-use crate::sample::checked;
+use crate::reaching_definitions::ReachingDefinitions;
+use crate::test_shader::checked;
 use shaderlint_ir::lower;
 use shaderlint_syntax::ast::{ExprKind, StmtKind};
 
@@ -17,7 +17,7 @@ fn returned(code: &str, skipped: usize) -> Interval {
     let analysis = checked(code);
     let program = &analysis.program;
     let module = lower(program);
-    let defs = Defs::of(program, &module, &Calls::of(&module));
+    let defs = ReachingDefinitions::of(program, &module, &Calls::of(&module));
     let query = Query {
         program,
         module: &module,
@@ -216,7 +216,7 @@ fn what_comes_round_in_a_loop_is_bounded() {
 }
 
 #[test]
-fn members_are_told_apart() {
+fn members_are_distinguished() {
     let code = "struct S { float a; vec2 b; };
         void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         float test() { S s = S(1.0, vec2(2.0, 3.0)); S t = s; t.a = 9.0; return s.a + t.b.y; }";
@@ -257,7 +257,7 @@ fn a_call_writes_what_is_written_however_deep() {
 }
 
 #[test]
-fn rounding_is_told_from_exact_arithmetic() {
+fn rounding_is_distinguished_from_exact_arithmetic() {
     let check = |body: &str, expected: Rounding| {
         let code = format!(
             "float unknown(float a) {{ return texture(iChannel0, vec2(a)).x; }}
@@ -304,7 +304,7 @@ fn check_negative(body: &str, expected: bool) {
 }
 
 #[test]
-fn the_middle_of_the_picture_parts_signs() {
+fn the_middle_of_the_image_splits_signs() {
     let place = "vec2 p = gl_FragCoord.xy, R = iResolution.xy;";
     let check = |expr: &str, expected| check_negative(&format!("{place} return {expr};"), expected);
     check("(p.x - 0.5 * R.x) / R.y", true);
@@ -367,7 +367,7 @@ fn rounding_alone_makes_nothing_negative() {
 }
 
 #[test]
-fn whole_numbers_are_taken_again_and_again() {
+fn integers_are_taken_again_and_again() {
     let holds_zero = |expr: &str, expected: bool| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
@@ -386,7 +386,7 @@ fn whole_numbers_are_taken_again_and_again() {
 }
 
 #[test]
-fn conditions_tell_of_magnitudes_and_products() {
+fn conditions_bound_magnitudes_and_products() {
     check_body(
         "x = max(x, 0.0); if (abs(x) > 0.5) return x; return 1.0;",
         "1.0",
@@ -428,7 +428,7 @@ fn functions_may_be_conditions() {
 }
 
 #[test]
-fn float_counters_stop_at_their_last_turn() {
+fn float_counters_stop_at_their_last_iteration() {
     let last = |head: &str, expected: bool, end: &str| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
@@ -472,7 +472,7 @@ fn a_function_may_be_announced_before_its_body() {
 }
 
 #[test]
-fn conditions_tell_of_what_was_made_of_a_value_before() {
+fn conditions_bound_what_was_computed_from_a_value_before() {
     let holds_zero = |condition: &str, expected: bool| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}

@@ -3,7 +3,7 @@
 
 use super::super::form::*;
 use super::Lowerer;
-use super::place::Target;
+use super::place::AssignTarget;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Type};
 use shaderlint_syntax::ast::List;
@@ -14,7 +14,7 @@ impl Lowerer<'_> {
         let program = self.program;
         let params = program.function(function).map_or(&[][..], |f| &f.params);
         let mut operands = Vec::with_capacity(params.len());
-        let mut back: Vec<(u32, Target, Type)> = Vec::new();
+        let mut back: Vec<(u32, AssignTarget, Type)> = Vec::new();
         for ((number, param), &arg) in (0..).zip(params).zip(program.tree.args(args)) {
             let operand = match param.direction {
                 Direction::In | Direction::ConstIn => self.value(arg),
@@ -59,7 +59,7 @@ impl Lowerer<'_> {
     }
 
     /// Copies the `out` and `inout` parameters of a call back to the arguments.
-    fn take_back(&mut self, call: OpId, back: &[(u32, Target, Type)]) {
+    fn take_back(&mut self, call: OpId, back: &[(u32, AssignTarget, Type)]) {
         for &(number, target, ty) in back {
             let value = self.op(OpKind::Returned(call, number), ty);
             self.write(target, value);

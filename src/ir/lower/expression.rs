@@ -80,8 +80,8 @@ impl Lowerer<'_> {
 
     /// Lowers a variable or a part of a value.
     fn part(&mut self, id: ExprId) -> OpId {
-        if let Some(way) = self.way(id) {
-            let place = self.keep(&way);
+        if let Some(place_path) = self.place_path(id) {
+            let place = self.keep(&place_path);
             return self.load(place);
         }
         let program = self.program;
@@ -144,9 +144,9 @@ impl Lowerer<'_> {
             true => Binary::Add,
             false => Binary::Subtract,
         };
-        let behind = self.op(OpKind::Binary(kind, before, one), ty);
-        self.write(target, behind);
-        (before, behind)
+        let after = self.op(OpKind::Binary(kind, before, one), ty);
+        self.write(target, after);
+        (before, after)
     }
 
     /// Lowers `target = value` and `target op= value`: first the destination, then the value, then

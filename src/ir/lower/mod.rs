@@ -12,7 +12,7 @@ mod precision;
 mod statement;
 
 use super::form::*;
-use precision::{Precisions, Returned};
+use precision::{DefaultPrecisions, Returned};
 use shaderlint_semantic::{
     Constant, Direction, FunctionRef, Program, Scalar, Storage, Type, Value, VariableId,
 };
@@ -37,7 +37,7 @@ pub fn lower(program: &Program) -> Module {
             operand_lists: Vec::with_capacity(exprs / 4),
             ..Module::default()
         },
-        precisions: Precisions::new(program.stage),
+        precisions: DefaultPrecisions::new(program.stage),
         returned: Returned::default(),
         open: Vec::new(),
         covered: 0,
@@ -55,7 +55,7 @@ pub fn lower(program: &Program) -> Module {
 struct Lowerer<'p> {
     program: &'p Program,
     module: Module,
-    precisions: Precisions,
+    precisions: DefaultPrecisions,
     returned: Returned,
     /// The steps of the regions under construction, the innermost last.
     open: Vec<Step>,

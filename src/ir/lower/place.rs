@@ -7,7 +7,7 @@ use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::*;
 
 /// A place under construction, before it is added to the module.
-pub(super) struct Way {
+pub(super) struct PlacePath {
     variable: VariableId,
     path: Vec<Access>,
     /// The components of a swizzle at its end.
@@ -17,7 +17,7 @@ pub(super) struct Way {
 
 /// The destination of an assignment.
 #[derive(Clone, Copy)]
-pub(super) enum Target {
+pub(super) enum AssignTarget {
     /// A place.
     Place(PlaceId),
     /// A dynamically indexed component of a swizzle: `v.zx[i]`.
@@ -63,13 +63,13 @@ impl Lowerer<'_> {
 
     /// The place that an expression denotes; `None` if it is not a variable or part of one. Indices
     /// are evaluated here, in order.
-    pub(super) fn way(&mut self, id: ExprId) -> Option<Way> {
+    pub(super) fn place_path(&mut self, id: ExprId) -> Option<PlacePath> {
         let program = self.program;
         match program.tree.expr(id).kind {
-            ExprKind::Paren(inner) => self.way(inner),
+            ExprKind::Paren(inner) => self.place_path(inner),
             ExprKind::Name(_) => {
                 let variable = program.variable_of(id)?;
-                Some(Way {
+                Some(PlacePath {
                     variable,
                     path: Vec::new(),
                     lanes: None,
@@ -77,25 +77,25 @@ impl Lowerer<'_> {
                 })
             }
             ExprKind::Member(object, name) => {
-                let mut way = self.deeper(|l| l.way(object))??;
-                match self.picked(way.ty, name) {
+                let mut place_path = self.deeper(|l| l.place_path(object))??;
+                match self.picked(place_path.ty, name) {
                     Picked::Member(number, ty) => {
-                        way.path.push(Access::Member(number));
-                        way.ty = ty;
+                        place_path.path.push(Access::Member(number));
+                        place_path.ty = ty;
                     }
-                    Picked::Lanes(lanes) => way.take_lanes(lanes),
+                    Picked::Lanes(lanes) => place_path.take_lanes(lanes),
                     Picked::Nothing => return None,
                 }
-                Some(way)
+                Some(place_path)
             }
             ExprKind::Index(object, index) => {
                 // Checked before anything is evaluated, since this case needs a different place.
                 if self.is_swizzle(object) && program.scalar(index).is_none() {
                     return None;
                 }
-                let mut way = self.deeper(|l| l.way(object))??;
-                self.take_element(&mut way, index)?;
-                Some(way)
+                let mut place_path = self.deeper(|l| l.place_path(object))??;
+                self.take_element(&mut place_path, index)?;
+                Some(place_path)
             }
             _ => None,
         }
@@ -111,66 +111,68 @@ impl Lowerer<'_> {
     }
 
     /// Appends an index to a place.
-    fn take_element(&mut self, way: &mut Way, index: ExprId) -> Option<()> {
-        let element = element_of(way.ty)?;
+    fn take_element(&mut self, place_path: &mut PlacePath, index: ExprId) -> Option<()> {
+        let element = element_of(place_path.ty)?;
         let known = self.program.scalar(index).map(|v| v.as_int().max(0) as u32);
         match known {
-            Some(number) if way.ty.is_vector() => way.take_lanes(Lanes::new([number.min(3) as u8])),
+            Some(number) if place_path.ty.is_vector() => {
+                place_path.take_lanes(Lanes::new([number.min(3) as u8]))
+            }
             Some(number) => {
-                way.path.push(Access::Element(number));
-                way.ty = element;
+                place_path.path.push(Access::Element(number));
+                place_path.ty = element;
             }
             None => {
                 let index = self.value(index);
-                way.path.push(Access::Computed(index));
-                way.ty = element;
+                place_path.path.push(Access::Computed(index));
+                place_path.ty = element;
             }
         }
         Some(())
     }
 
     /// Adds a place to the module.
-    pub(super) fn keep(&mut self, way: &Way) -> PlaceId {
+    pub(super) fn keep(&mut self, place_path: &PlacePath) -> PlaceId {
         let start = self.module.access_lists.len() as u32;
-        self.module.access_lists.extend_from_slice(&way.path);
-        let lanes = way.lanes.map(Access::Lanes);
+        self.module.access_lists.extend_from_slice(&place_path.path);
+        let lanes = place_path.lanes.map(Access::Lanes);
         self.module.access_lists.extend(lanes);
-        self.add_place_along(way.variable, start, way.ty)
+        self.add_place_along(place_path.variable, start, place_path.ty)
     }
 
     /// The destination of an assignment to an expression.
-    pub(super) fn target(&mut self, id: ExprId) -> Target {
-        if let Some(way) = self.way(id) {
-            return Target::Place(self.keep(&way));
+    pub(super) fn target(&mut self, id: ExprId) -> AssignTarget {
+        if let Some(place_path) = self.place_path(id) {
+            return AssignTarget::Place(self.keep(&place_path));
         }
         let tree = &self.program.tree;
         if let ExprKind::Index(object, index) = tree.expr(tree.unparen(id)).kind
-            && let Some(way) = self.way(object)
+            && let Some(place_path) = self.place_path(object)
         {
             let index = self.value(index);
-            let of = self.keep(&way);
-            return Target::Component { of, index };
+            let of = self.keep(&place_path);
+            return AssignTarget::Component { of, index };
         }
-        Target::Nothing
+        AssignTarget::Nothing
     }
 
     /// Loads the current value of an assignment's destination.
-    pub(super) fn read(&mut self, target: Target, ty: Type) -> OpId {
+    pub(super) fn read(&mut self, target: AssignTarget, ty: Type) -> OpId {
         match target {
-            Target::Place(place) => self.load(place),
-            Target::Component { of, index } => {
+            AssignTarget::Place(place) => self.load(place),
+            AssignTarget::Component { of, index } => {
                 let base = self.load(of);
                 self.op(OpKind::ExtractComputed { base, index }, ty)
             }
-            Target::Nothing => self.op(OpKind::Unknown, ty),
+            AssignTarget::Nothing => self.op(OpKind::Unknown, ty),
         }
     }
 
     /// Stores a value to an assignment's destination.
-    pub(super) fn write(&mut self, target: Target, value: OpId) {
+    pub(super) fn write(&mut self, target: AssignTarget, value: OpId) {
         match target {
-            Target::Place(place) => self.store(place, value),
-            Target::Component { of, index } => {
+            AssignTarget::Place(place) => self.store(place, value),
+            AssignTarget::Component { of, index } => {
                 let all = self.load(of);
                 let ty = self.module.ty(all);
                 let variable = self.new_variable(ty, Root::Temporary);
@@ -182,12 +184,12 @@ impl Lowerer<'_> {
                 let all = self.load(whole);
                 self.store(of, all);
             }
-            Target::Nothing => {}
+            AssignTarget::Nothing => {}
         }
     }
 }
 
-impl Way {
+impl PlacePath {
     /// Appends a swizzle to a place.
     fn take_lanes(&mut self, inner: Lanes) {
         let lanes = self.lanes.map_or(inner, |lanes| lanes.pick(inner));

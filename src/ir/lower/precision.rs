@@ -8,21 +8,21 @@ use std::rc::Rc;
 
 /// The default precisions in the current scope.
 #[derive(Clone)]
-pub(super) struct Precisions {
+pub(super) struct DefaultPrecisions {
     float: Precision,
     int: Precision,
     /// Default precisions set for samplers, the latest last; otherwise `lowp`.
     samplers: Rc<Vec<(Sampler, Precision)>>,
 }
 
-impl Precisions {
+impl DefaultPrecisions {
     /// The predefined default precisions of a stage (section 4.5.4).
-    pub fn new(stage: Stage) -> Precisions {
+    pub fn new(stage: Stage) -> DefaultPrecisions {
         let (float, int) = match stage {
             Stage::Vertex => (Precision::High, Precision::High),
             Stage::Fragment => (Precision::None, Precision::Medium),
         };
-        Precisions {
+        DefaultPrecisions {
             float,
             int,
             samplers: Rc::default(),

@@ -290,9 +290,9 @@ impl Lowerer<'_> {
         let mut cases = Vec::new();
         while !rest.is_empty() {
             let labels = rest.iter().take_while(|s| is_label(s)).count();
-            let (heads, behind) = rest.split_at(labels);
-            let statements = behind.iter().take_while(|s| !is_label(s)).count();
-            let (own, next) = behind.split_at(statements);
+            let (heads, after) = rest.split_at(labels);
+            let statements = after.iter().take_while(|s| !is_label(s)).count();
+            let (own, next) = after.split_at(statements);
             rest = next;
             let start = self.module.label_lists.len() as u32;
             for head in heads {

@@ -5,7 +5,7 @@ mod op;
 mod place;
 mod verifier;
 
-pub use verifier::Problem;
+pub use verifier::Violation;
 use verifier::{StepContext, Verifier};
 
 use crate::form::{
@@ -17,7 +17,7 @@ use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
 
 /// All violations in the module that a program was lowered to; none if lowering is correct.
-pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
+pub fn verify(program: &Program, module: &Module) -> Vec<Violation> {
     let mut verifier = Verifier {
         program,
         layout: Layout::of(program),
@@ -42,7 +42,7 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Problem> {
     }
     let ops = module.ops.len() as u32;
     if verifier.next != ops {
-        verifier.tell(format!(
+        verifier.report(format!(
             "runs contain {} of {ops} operations",
             verifier.next
         ));
@@ -56,45 +56,45 @@ impl Verifier<'_> {
     fn tables(&mut self) {
         let (program, module) = (self.program, self.module);
         if module.provenances.len() != module.ops.len() {
-            self.tell("expected one provenance per operation");
+            self.report("expected one provenance per operation");
         }
         if module.functions.len() != program.functions.len() {
-            self.tell("the functions differ from those of the program");
+            self.report("the functions differ from those of the program");
         }
         if module.stage != Some(program.stage) {
-            self.tell("the stage differs from that of the program");
+            self.report("the stage differs from that of the program");
         }
         if module.variables.len() < program.variables.len() {
-            self.tell("the module has fewer variables than the program");
+            self.report("the module has fewer variables than the program");
         }
         for (i, variable) in module.variables.iter().enumerate() {
             let Some(declared) = program.variables.get(i) else {
                 if variable.root != Root::Temporary && !variable.root.is_parameter() {
                     let root = variable.root;
-                    self.tell(format!("variable {i}, made by lowering, is {root:?}"));
+                    self.report(format!("variable {i}, made by lowering, is {root:?}"));
                 }
                 continue;
             };
             if variable.ty != declared.ty {
                 let (a, b) = (self.name(variable.ty), self.name(declared.ty));
-                self.tell(format!("variable {i} has type {a}, declared as {b}"));
+                self.report(format!("variable {i} has type {a}, declared as {b}"));
             }
             let (is, was) = (variable.root, declared.storage);
             if is != root_of(was) {
-                self.tell(format!("variable {i} is {is:?}, declared as {was:?}"));
+                self.report(format!("variable {i} is {is:?}, declared as {was:?}"));
             }
         }
         if let Some(entry) = module.entry
             && module.function(entry).is_none_or(|f| f.body.is_none())
         {
-            self.tell("the entry has no body");
+            self.report("the entry has no body");
         }
     }
 
     fn places(&mut self) {
         for id in (0..self.module.places.len() as u32).map(PlaceId) {
             if let Err(text) = place::check(self.program, self.module, id) {
-                self.tell(format!("place {}: {text}", id.0));
+                self.report(format!("place {}: {text}", id.0));
             }
         }
     }
@@ -106,14 +106,14 @@ impl Verifier<'_> {
         match function.body {
             Some(body) => {
                 if function.ops.first.0 != first {
-                    self.tell(format!("the operations must start with %{first}"));
+                    self.report(format!("the operations must start with %{first}"));
                 }
                 self.walk(Some(id), body);
                 if function.ops.first.0 + function.ops.len != self.next {
-                    self.tell(format!("the operations must end before %{}", self.next));
+                    self.report(format!("the operations must end before %{}", self.next));
                 }
             }
-            None if function.ops.len > 0 => self.tell("operations without a body"),
+            None if function.ops.len > 0 => self.report("operations without a body"),
             None => {}
         }
         self.at = StepContext::default();
@@ -124,14 +124,14 @@ impl Verifier<'_> {
             return;
         };
         if function.returns != declared.returns {
-            self.tell("the return type differs from the declaration");
+            self.report("the return type differs from the declaration");
         }
         let parameters = self.module.parameters(function);
         if function.body.is_none() && parameters.is_empty() {
             return;
         }
         if parameters.len() != declared.params.len() {
-            self.tell("the parameters differ from those of the program");
+            self.report("the parameters differ from those of the program");
         }
         for (parameter, declared) in parameters.iter().zip(&declared.params) {
             let root = root_of(Storage::Param(declared.direction));
@@ -139,7 +139,7 @@ impl Verifier<'_> {
             let is_right = variable
                 .is_some_and(|v| v.ty == declared.ty && v.root == root && v.function == Some(id));
             if !is_right {
-                self.tell(format!(
+                self.report(format!(
                     "parameter {} differs from its declaration",
                     parameter.0
                 ));
@@ -180,12 +180,12 @@ impl Verifier<'_> {
         let module = self.module;
         let steps = module.steps(region);
         if steps.len() != region.0.len as usize {
-            return self.tell("a region exceeds the list of steps");
+            return self.report("a region exceeds the list of steps");
         }
         for (i, step) in (region.0.start as usize..).zip(steps) {
             match self.seen.get_mut(i) {
                 Some(slot) if !*slot => *slot = true,
-                _ => return self.tell(format!("step {i} is in two regions")),
+                _ => return self.report(format!("step {i} is in two regions")),
             }
             self.step(step);
         }
@@ -206,20 +206,20 @@ impl Verifier<'_> {
             }
             Step::Loop(id) => match self.module.looped(id) {
                 Some(found) => self.looped(found),
-                None => self.tell(format!("unknown loop {}", id.0)),
+                None => self.report(format!("unknown loop {}", id.0)),
             },
             Step::Switch(id) => match self.module.switch(id) {
                 Some(found) => self.switch(found),
-                None => self.tell(format!("unknown switch {}", id.0)),
+                None => self.report(format!("unknown switch {}", id.0)),
             },
             Step::Break(_) if self.at.breakable == 0 => {
-                self.tell("a `break` outside any loop or switch")
+                self.report("a `break` outside any loop or switch")
             }
-            Step::Continue(_) if self.at.loops == 0 => self.tell("a `continue` outside any loop"),
+            Step::Continue(_) if self.at.loops == 0 => self.report("a `continue` outside any loop"),
             Step::Break(_) | Step::Continue(_) => {}
             Step::Return(value, _) => self.returned(value),
             Step::Discard(_) if self.module.stage != Some(Stage::Fragment) => {
-                self.tell("a `discard` outside a fragment shader");
+                self.report("a `discard` outside a fragment shader");
             }
             Step::Discard(_) => {}
         }
@@ -228,23 +228,23 @@ impl Verifier<'_> {
     fn run(&mut self, run: Run) {
         if run.first.0 != self.next || run.len == 0 {
             let (first, len, next) = (run.first.0, run.len, self.next);
-            self.tell(format!(
+            self.report(format!(
                 "a run of {len} starts with %{first}, expected %{next}"
             ));
         }
         self.next = run.first.0.saturating_add(run.len);
         if self.next as usize > self.module.ops.len() {
-            return self.tell("a run exceeds the list of operations");
+            return self.report("a run exceeds the list of operations");
         }
         for id in run.ops() {
             let module = self.module;
             module.each_operand(id, |operand| {
                 if !self.is_defined(operand) {
-                    self.tell_op(id, format!("%{} is not defined here", operand.0));
+                    self.report_op(id, format!("%{} is not defined here", operand.0));
                 }
             });
             if let Err(text) = op::check(self, id) {
-                self.tell_op(id, text);
+                self.report_op(id, text);
             }
             if let Some(slot) = self.defined.get_mut(id.0 as usize) {
                 *slot = true;
@@ -256,12 +256,12 @@ impl Verifier<'_> {
     /// Checks the operand of a control-flow construct.
     fn needs(&mut self, op: OpId, ty: Type, what: &str) {
         if !self.is_defined(op) {
-            self.tell(format!("{what}, %{}, is not defined here", op.0));
+            self.report(format!("{what}, %{}, is not defined here", op.0));
         }
         let found = self.module.ty(op);
         if !op::fits(found, ty) {
             let (found, ty) = (self.name(found), self.name(ty));
-            self.tell(format!(
+            self.report(format!(
                 "{what}, %{}, has type {found}, expected {ty}",
                 op.0
             ));
@@ -270,12 +270,12 @@ impl Verifier<'_> {
 
     fn returned(&mut self, value: Option<OpId>) {
         let Some(function) = self.at.function.and_then(|f| self.module.function(f)) else {
-            return self.tell("a `return` outside any function");
+            return self.report("a `return` outside any function");
         };
         match value {
             Some(value) => self.needs(value, function.returns, "the returned value"),
             None if op::fits(function.returns, Type::VOID) => {}
-            None => self.tell("a `return` without a value"),
+            None => self.report("a `return` without a value"),
         }
     }
 
@@ -323,7 +323,7 @@ impl Verifier<'_> {
         let selector = self.module.ty(found.selector);
         self.needs(found.selector, selector, "the selector of a `switch`");
         if !is_integer || !(selector.is_scalar() || selector.is_error()) {
-            self.tell("the selector of a `switch` is not an integer");
+            self.report("the selector of a `switch` is not an integer");
         }
         let module = self.module;
         let cases = module.cases(found);
@@ -341,11 +341,11 @@ impl Verifier<'_> {
         for case in cases {
             let labels = self.module.labels(case);
             if labels.is_empty() {
-                self.tell("a case without a label");
+                self.report("a case without a label");
             }
             for &label in labels {
                 if seen.contains(&label) {
-                    self.tell(format!("two cases for {label:?}"));
+                    self.report(format!("two cases for {label:?}"));
                 }
                 seen.push(label);
             }
@@ -359,10 +359,10 @@ impl Verifier<'_> {
             let Some(op) = *op else { continue };
             let id = shaderlint_syntax::ast::ExprId(i as u32);
             if op.0 as usize >= module.ops.len() {
-                self.tell(format!("expression {i} has no valid operation"));
+                self.report(format!("expression {i} has no valid operation"));
             } else if !op::fits(module.ty(op), program.ty(id)) {
                 let (is, was) = (self.name(module.ty(op)), self.name(program.ty(id)));
-                self.tell_op(
+                self.report_op(
                     op,
                     format!("the operation has type {is}, its expression {was}"),
                 );
@@ -376,7 +376,7 @@ impl Verifier<'_> {
                 Provenance::Language => true,
             };
             if !exists {
-                self.tell_op(OpId(i as u32), "the provenance is not in the program");
+                self.report_op(OpId(i as u32), "the provenance is not in the program");
             }
         }
     }

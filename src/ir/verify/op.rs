@@ -103,12 +103,12 @@ fn holds(what: bool, otherwise: impl FnOnce() -> String) -> OpResult {
     if what { Ok(()) } else { Err(otherwise()) }
 }
 
-fn gives(v: &Verifier<'_>, said: Type, found: Type) -> OpResult {
-    holds(fits(said, found), || {
+fn gives(v: &Verifier<'_>, stated: Type, found: Type) -> OpResult {
+    holds(fits(stated, found), || {
         format!(
             "the result has type {}, expected {}",
             v.name(found),
-            v.name(said)
+            v.name(stated)
         )
     })
 }
@@ -231,8 +231,8 @@ fn composes(v: &Verifier<'_>, ty: Type, list: List) -> OpResult {
         return Ok(());
     }
     let is_right = if ty.is_array() {
-        let is_whole = ty.array as usize == parts.len();
-        is_whole && parts.iter().all(|p| *p == ty.element())
+        let is_complete = ty.array as usize == parts.len();
+        is_complete && parts.iter().all(|p| *p == ty.element())
     } else if ty.is_vector() {
         let count: u32 = parts.iter().map(|p| p.components()).sum();
         let are_numbers = parts

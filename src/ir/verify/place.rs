@@ -21,8 +21,8 @@ pub(super) fn check(program: &Program, module: &Module, id: PlaceId) -> Result<(
         ty = step(program, module, ty, access)?;
     }
     if ty != place.ty && !ty.is_error() {
-        let (end, said) = (program.type_name(ty), program.type_name(place.ty));
-        return Err(format!("the path ends at type {end}, expected {said}"));
+        let (end, stated) = (program.type_name(ty), program.type_name(place.ty));
+        return Err(format!("the path ends at type {end}, expected {stated}"));
     }
     Ok(())
 }

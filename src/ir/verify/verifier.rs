@@ -8,14 +8,14 @@ use std::fmt;
 
 /// A violation of the rules of the IR.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Problem {
+pub struct Violation {
     /// The operation; `None` if it concerns several or none.
     pub op: Option<OpId>,
     /// The description of the violation.
     pub text: String,
 }
 
-impl fmt::Display for Problem {
+impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.op {
             Some(op) => write!(f, "%{}: {}", op.0, self.text),
@@ -49,22 +49,22 @@ pub(super) struct Verifier<'a> {
     pub trail: Vec<OpId>,
     /// By step: whether a region contains it.
     pub seen: Vec<bool>,
-    pub problems: Vec<Problem>,
+    pub problems: Vec<Violation>,
 }
 
 impl Verifier<'_> {
     /// Records a violation that concerns no single operation.
-    pub fn tell(&mut self, text: impl Into<String>) {
+    pub fn report(&mut self, text: impl Into<String>) {
         let text = match self.at.function.and_then(|f| self.program.function(f)) {
             Some(f) => format!("`{}`: {}", self.program.names.text(f.name), text.into()),
             None => text.into(),
         };
-        self.problems.push(Problem { op: None, text });
+        self.problems.push(Violation { op: None, text });
     }
 
-    pub fn tell_op(&mut self, op: OpId, text: impl Into<String>) {
+    pub fn report_op(&mut self, op: OpId, text: impl Into<String>) {
         let text = text.into();
-        self.problems.push(Problem { op: Some(op), text });
+        self.problems.push(Violation { op: Some(op), text });
     }
 
     pub fn name(&self, ty: Type) -> String {

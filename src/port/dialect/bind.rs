@@ -5,7 +5,7 @@ use super::with_usual;
 use crate::{ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl};
 use serde::Serialize;
 use shaderlint_host::{Feed, FeedRow, Preset, TextureFeed, TextureRow, is_named};
-use shaderlint_semantic::tunable::range_behind;
+use shaderlint_semantic::tunable::range_after;
 use shaderlint_semantic::{
     Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
 };
@@ -161,7 +161,7 @@ impl Bindings {
 /// The sampler to whose texture size a uniform refers, by its name: `u_tex0Resolution`,
 /// `photoSize`, `photo_size`.
 fn sized_sampler(program: &Program, name: &str, ty: &str) -> Option<String> {
-    const ENDINGS: [&str; 4] = ["Resolution", "_resolution", "Size", "_size"];
+    const EXTENSIONS: [&str; 4] = ["Resolution", "_resolution", "Size", "_size"];
     if !matches!(ty, "vec2" | "vec3") {
         return None;
     }
@@ -172,7 +172,7 @@ fn sized_sampler(program: &Program, name: &str, ty: &str) -> Option<String> {
             is_it && v.ty.as_sampler().is_some()
         })
     };
-    let mut bases = ENDINGS.iter().filter_map(|end| name.strip_suffix(end));
+    let mut bases = EXTENSIONS.iter().filter_map(|end| name.strip_suffix(end));
     bases.find(is_sampler).map(str::to_string)
 }
 
@@ -261,7 +261,7 @@ fn control(
         _ => UniformControl::even(name, kind, lanes, (-1.0, 0.5, 1.0)),
     };
     let declared = program.declared_at(variable)?;
-    if let Some((range, _)) = line_end(program, declared).and_then(|s| range_behind(program, s)) {
+    if let Some((range, _)) = line_end(program, declared).and_then(|s| range_after(program, s)) {
         control.min = vec![range.min; lanes];
         control.max = vec![range.max; lanes];
         control.value = vec![(range.min + range.max) / 2.0; lanes];
@@ -370,13 +370,13 @@ mod tests {
             + texture2D(photo, photo_size * otherSize); }\n";
         let project = Project::from_shader("", code).unwrap();
         let uniforms = project.passes[0].bound.uniforms.iter();
-        let told: Vec<_> = uniforms.map(|u| (u.source, u.of.as_deref())).collect();
+        let found: Vec<_> = uniforms.map(|u| (u.source, u.of.as_deref())).collect();
         let wanted = [
             (Feed::TextureSize, Some("u_tex0")),
             (Feed::TextureSize, Some("photo")),
             (Feed::Control, None),
         ];
-        assert_eq!(told, wanted);
+        assert_eq!(found, wanted);
     }
 
     #[test]

@@ -25,10 +25,10 @@ fn buffers(clues: &Clues) -> Vec<(String, String)> {
 }
 
 fn plan(clues: &Clues) -> Plan {
-    let picture = Plan::picture(completions_of(clues));
+    let image = Plan::image(completions_of(clues));
     let buffers = buffers(clues);
     if buffers.is_empty() {
-        return picture;
+        return image;
     }
     // The branches of a buffer may have other requirements than the image, so each pass has all
     // candidates.
@@ -44,7 +44,7 @@ fn plan(clues: &Clues) -> Plan {
         is_of_text: true,
     });
     let mut all: Vec<PlannedPass> = passes.collect();
-    all.extend(picture.passes);
+    all.extend(image.passes);
     Plan {
         passes: all,
         ..Plan::default()

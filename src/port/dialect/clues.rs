@@ -1,6 +1,6 @@
 //! Properties of a text that indicate its host.
 
-use super::TextsBeside;
+use super::SiblingTexts;
 use super::complete::{Completion, completions_of};
 use rustc_hash::FxHashSet;
 use shaderlint_semantic::{Guess, Program, Storage, guess};
@@ -49,7 +49,7 @@ pub struct Clues<'t> {
     /// The file name without extension; empty if there is none.
     pub name: &'t str,
     /// The companion files that have been read.
-    pub beside: &'t TextsBeside,
+    pub siblings: &'t SiblingTexts,
     /// The version in the `#version` of the text.
     pub asked: VersionAsked,
     /// Version and kind, guessed from the words of the text.
@@ -70,21 +70,21 @@ pub struct Clues<'t> {
 impl<'t> Clues<'t> {
     /// The properties of a text without companion files.
     pub fn of(text: &'t str) -> Clues<'t> {
-        static NOTHING: TextsBeside = TextsBeside::new();
-        Clues::beside(text, "", &NOTHING)
+        static NOTHING: SiblingTexts = SiblingTexts::new();
+        Clues::with_siblings(text, "", &NOTHING)
     }
 
     /// The properties of a text that has already been checked.
     pub fn checked(text: &'t str, program: &Program) -> Clues<'t> {
-        static NOTHING: TextsBeside = TextsBeside::new();
+        static NOTHING: SiblingTexts = SiblingTexts::new();
         let mut clues = Clues::unread(text, "", &NOTHING);
         clues.read(program);
         clues
     }
 
     /// The properties of a text with companion files.
-    pub fn beside(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
-        let mut clues = Clues::unread(text, name, beside);
+    pub fn with_siblings(text: &'t str, name: &'t str, siblings: &'t SiblingTexts) -> Clues<'t> {
+        let mut clues = Clues::unread(text, name, siblings);
         let completion = completions_of(&clues).into_iter().next_back();
         let completion = completion.map(|c| match clues.is_body {
             true => c.in_main(),
@@ -97,9 +97,9 @@ impl<'t> Clues<'t> {
     }
 
     /// The properties that follow from the words of a text alone.
-    pub(super) fn unread(text: &'t str, name: &'t str, beside: &'t TextsBeside) -> Clues<'t> {
+    pub(super) fn unread(text: &'t str, name: &'t str, siblings: &'t SiblingTexts) -> Clues<'t> {
         let guess = guess(text);
-        let Words {
+        let TextWords {
             words,
             conditions,
             code,
@@ -108,7 +108,7 @@ impl<'t> Clues<'t> {
         Clues {
             text,
             name,
-            beside,
+            siblings,
             asked,
             is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains("mainImage"),
             guess,
@@ -223,7 +223,7 @@ impl<'t> Clues<'t> {
 
 /// The words of a text.
 #[derive(Default)]
-struct Words<'t> {
+struct TextWords<'t> {
     words: FxHashSet<&'t str>,
     /// Words whose values `#if` uses.
     conditions: FxHashSet<&'t str>,
@@ -233,10 +233,10 @@ struct Words<'t> {
     asked: VersionAsked,
 }
 
-fn words(text: &str) -> Words<'_> {
+fn words(text: &str) -> TextWords<'_> {
     let mut lexer = Lexer::new(text, 0);
-    let mut found = Words::default();
-    let mut behind_hash = false;
+    let mut found = TextWords::default();
+    let mut after_hash = false;
     // The conditional directive of the current line, and the previous word.
     let (mut condition, mut before) = ("", "");
     loop {
@@ -248,7 +248,7 @@ fn words(text: &str) -> Words<'_> {
             RawKind::Whitespace => continue,
             RawKind::Newline => condition = "",
             RawKind::Word => {
-                if behind_hash && word == "version" && found.asked == VersionAsked::Nothing {
+                if after_hash && word == "version" && found.asked == VersionAsked::Nothing {
                     let line = text.get(end..).and_then(|rest| rest.lines().next());
                     found.asked = VersionAsked::of(line.unwrap_or(""));
                 }
@@ -258,7 +258,7 @@ fn words(text: &str) -> Words<'_> {
                     "if" | "elif" if before != "defined" => drop(found.conditions.insert(word)),
                     _ => {}
                 }
-                if behind_hash && matches!(word, "if" | "elif" | "ifdef" | "ifndef" | "undef") {
+                if after_hash && matches!(word, "if" | "elif" | "ifdef" | "ifndef" | "undef") {
                     condition = word;
                 }
                 before = word;
@@ -266,6 +266,6 @@ fn words(text: &str) -> Words<'_> {
             _ if word == "(" => {}
             _ => before = "",
         }
-        behind_hash = token.kind == RawKind::Hash;
+        after_hash = token.kind == RawKind::Hash;
     }
 }

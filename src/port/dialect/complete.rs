@@ -5,7 +5,7 @@ use super::clues::{Clues, VersionAsked};
 use shaderlint_diagnostic::Severity;
 use shaderlint_host::{Preset, declared_in, matches_any};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
-use shaderlint_semantic::{Checked, Dialect, Stage, Unit, Wholeness, analyze};
+use shaderlint_semantic::{Checked, Completeness, Dialect, Stage, Unit, analyze};
 use shaderlint_syntax::{Lexer, RawKind, Version};
 use shaderlint_text::{Role, Sources};
 use std::ops::Range;
@@ -20,7 +20,7 @@ pub struct Completion {
     /// it.
     pub code: Arc<str>,
     /// Text after it.
-    pub behind: Arc<str>,
+    pub after: Arc<str>,
     /// The changes to the text of the user.
     pub changes: Vec<TextChange>,
     /// A note for the user.
@@ -46,7 +46,7 @@ impl Completion {
         Completion {
             before: Arc::from(""),
             code: Arc::from(text),
-            behind: Arc::from(""),
+            after: Arc::from(""),
             changes: Vec::new(),
             note: None,
             stage: Stage::Fragment,
@@ -54,12 +54,12 @@ impl Completion {
     }
 
     /// The text after a prelude, which contains the `#version`.
-    pub fn behind(before: String, text: &str) -> Completion {
+    pub fn after(before: String, text: &str) -> Completion {
         let changes = usual_changes(text);
         Completion {
             before: Arc::from(before),
             code: Arc::from(changed(text, &changes)),
-            behind: Arc::from(""),
+            after: Arc::from(""),
             changes,
             note: None,
             stage: Stage::Fragment,
@@ -75,7 +75,7 @@ impl Completion {
     }
 
     /// The same with a note.
-    pub fn told(self, note: impl Into<String>) -> Completion {
+    pub fn with_note(self, note: impl Into<String>) -> Completion {
         Completion {
             note: Some(note.into()),
             ..self
@@ -86,7 +86,7 @@ impl Completion {
     pub fn in_main(self) -> Completion {
         Completion {
             before: Arc::from(format!("{}void main() {{\n", self.before)),
-            behind: Arc::from("}\n"),
+            after: Arc::from("}\n"),
             ..self
         }
     }
@@ -102,9 +102,9 @@ impl Completion {
     }
 
     /// The same with another text after it.
-    pub fn with_end(self, behind: &str) -> Completion {
+    pub fn with_end(self, after: &str) -> Completion {
         Completion {
-            behind: Arc::from(behind),
+            after: Arc::from(after),
             ..self
         }
     }
@@ -116,7 +116,7 @@ impl Completion {
         for (text, role) in [
             (&self.before, Role::Prelude),
             (&self.code, Role::User),
-            (&self.behind, Role::Prelude),
+            (&self.after, Role::Prelude),
         ] {
             if role == Role::User || !text.is_empty() {
                 files.push(sources.add("", None, role, text.clone())?);
@@ -128,7 +128,7 @@ impl Completion {
             stage: self.stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
-            wholeness: Wholeness::Whole,
+            completeness: Completeness::Complete,
         }))
     }
 }
@@ -152,15 +152,15 @@ pub(crate) fn best(candidates: Vec<Completion>) -> Option<Completion> {
 
 /// Candidates for a text without a host: unchanged, with the missing defaults, and as GLSL ES 3.00.
 pub(super) fn completions_of(clues: &Clues) -> Vec<Completion> {
-    completions_behind(clues, "", true)
+    completions_after(clues, "", true)
 }
 
 /// Candidates for a text after the declarations of a host. `as_it_stands` is false if the host
 /// always adds text.
-pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) -> Vec<Completion> {
+pub(super) fn completions_after(clues: &Clues, host: &str, as_it_stands: bool) -> Vec<Completion> {
     let text = clues.text;
-    let old = || Completion::behind(defaults(Version::Es100) + host, text);
-    let new = || Completion::behind(modern(clues) + host, text);
+    let old = || Completion::after(defaults(Version::Es100) + host, text);
+    let new = || Completion::after(modern(clues) + host, text);
     let needs = match clues.asked {
         VersionAsked::Nothing | VersionAsked::Es100 => {
             "compiled as GLSL ES 3.00: the shader uses features that GLSL ES 1.00 lacks"
@@ -169,10 +169,10 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
     };
     let upgraded = || match needs {
         "" => new(),
-        note => new().told(note),
+        note => new().with_note(note),
     };
     let desktop = |number| {
-        new().told(format!(
+        new().with_note(format!(
             "`#version {number}` is desktop GLSL; compiled as GLSL ES 3.00"
         ))
     };
@@ -180,7 +180,7 @@ pub(super) fn completions_behind(clues: &Clues, host: &str, as_it_stands: bool) 
         VersionAsked::Nothing | VersionAsked::Es100 => vec![old(), upgraded()],
         VersionAsked::Es300 => vec![new()],
         VersionAsked::Desktop(number) if number < 130 => vec![
-            old().told(format!(
+            old().with_note(format!(
                 "`#version {number}` is desktop GLSL; compiled as GLSL ES 1.00"
             )),
             desktop(number),

@@ -95,14 +95,14 @@ struct Head {
     /// The inputs of its samplers.
     inputs: Vec<Input>,
     controls: Vec<UniformControl>,
-    passes: Vec<Target>,
+    passes: Vec<IsfTarget>,
     notes: Vec<String>,
     credit: Credit,
 }
 
 /// A pass of a header.
 #[derive(Default)]
-struct Target {
+struct IsfTarget {
     name: Option<String>,
     draw: PassDraw,
 }
@@ -128,8 +128,8 @@ fn plan(clues: &Clues) -> Plan {
         let note = "this is the vertex shader of a pair; pass the `.fs` file next to it instead";
         plan.notes.push(note.to_string());
     }
-    let vertex = vertex_beside(clues, &mut plan);
-    let usual = [Target::default()];
+    let vertex = sibling_vertex(clues, &mut plan);
+    let usual = [IsfTarget::default()];
     let targets = match head.passes.as_slice() {
         [] => &usual,
         passes => passes,
@@ -166,14 +166,14 @@ fn plan(clues: &Clues) -> Plan {
 }
 
 /// The companion vertex shader, if the text has varyings that only that can set.
-fn vertex_beside<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
+fn sibling_vertex<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
     let given = preset("isf").map_or(&[][..], |p| &p.meanings.varyings);
     let is_own = |name: &str| !given.iter().any(|row| row.name == name);
     if clues.name.is_empty() || !clues.inputs.iter().any(|d| is_own(&d.name)) {
         return None;
     }
     let path = format!("{}.vs", clues.name);
-    match clues.beside.get(&path) {
+    match clues.siblings.get(&path) {
         Some(text) => text.as_deref(),
         None => {
             plan.wanted.push(path);
@@ -205,9 +205,9 @@ fn completion(clues: &Clues, head: &Head, index: usize) -> Completion {
             }
         }
     }
-    let completion = Completion::behind(before, clues.text);
+    let completion = Completion::after(before, clues.text);
     match clues.asked {
-        VersionAsked::Desktop(number) => completion.told(format!(
+        VersionAsked::Desktop(number) => completion.with_note(format!(
             "`#version {number}` is desktop GLSL; compiled as GLSL ES 3.00"
         )),
         _ => completion,
@@ -242,7 +242,7 @@ vec4 VVSAMPLER_2DBYPIXEL(sampler2D image, vec4 rect, vec2 size, bool flip, vec2 
 
 /// The completed companion vertex shader.
 fn vertex_shader(text: &str, head: &Head, index: usize) -> Arc<str> {
-    let text = Completion::behind(String::new(), text).code;
+    let text = Completion::after(String::new(), text).code;
     Arc::from(format!(
         "{}#define attribute in\n#define varying out\n#define position port_pos\n{}\
          #define PASSINDEX {index}\n{}varying vec2 isf_FragCoord;\n{text}\n\
@@ -368,7 +368,7 @@ impl Head {
             };
             [take(0), take(1)]
         });
-        self.passes.push(Target {
+        self.passes.push(IsfTarget {
             draw: PassDraw {
                 size,
                 is_float: get("FLOAT").is_some_and(is_true),

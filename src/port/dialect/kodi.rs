@@ -3,7 +3,7 @@
 //! Source: the preset `kodi` (`src/host/presets/kodi.glsl`). Its texts look like ShaderToy's, so
 //! only `--host` selects it.
 
-use super::complete::completions_behind;
+use super::complete::completions_after;
 use super::{Clues, Completion, HostCode, Plan};
 use shaderlint_host::preset;
 
@@ -25,7 +25,7 @@ fn plan(clues: &Clues) -> Plan {
         true => "#define iTime iGlobalTime\n",
         false => "",
     };
-    let all = completions_behind(clues, &format!("{host}{names}"), false);
+    let all = completions_after(clues, &format!("{host}{names}"), false);
     let ended = all.into_iter().map(Completion::calling_image);
-    Plan::picture(ended.collect())
+    Plan::image(ended.collect())
 }

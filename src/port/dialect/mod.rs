@@ -31,7 +31,7 @@ pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use complete::{completions_behind, completions_of, declarations, has_images, without_own};
+use complete::{completions_after, completions_of, declarations, has_images, without_own};
 use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
@@ -98,7 +98,7 @@ pub struct Plan {
 }
 
 /// Companion files by their paths relative to the text's folder; `None` for a missing file.
-pub type TextsBeside = BTreeMap<String, Option<Arc<str>>>;
+pub type SiblingTexts = BTreeMap<String, Option<Arc<str>>>;
 
 /// Credits in a header.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -127,7 +127,7 @@ pub struct PlannedPass {
 
 impl Plan {
     /// A plan with a single Image pass.
-    pub fn picture(candidates: Vec<Completion>) -> Plan {
+    pub fn image(candidates: Vec<Completion>) -> Plan {
         Plan {
             passes: vec![PlannedPass {
                 kind: Pass::Image,
@@ -246,11 +246,11 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     let mut candidates = Vec::new();
     if !host.prelude.trim().is_empty() {
         let before = declarations(host, clues, false);
-        candidates = completions_behind(clues, &before, false);
+        candidates = completions_after(clues, &before, false);
     }
     let calls = host.entries.iter().any(|entry| entry == "mainImage");
     if calls && clues.has_word("mainImage") && !clues.guess.has_main {
-        return Plan::picture(
+        return Plan::image(
             candidates
                 .into_iter()
                 .map(Completion::calling_image)
@@ -258,7 +258,7 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
         );
     }
     candidates.extend(completions_of(clues));
-    let mut plan = Plan::picture(candidates);
+    let mut plan = Plan::image(candidates);
     if has_images(clues) {
         let note = "WebGL has no writable images: reading them returns 0";
         plan.notes.push(note.to_string());
@@ -360,7 +360,7 @@ pub fn may_be_composed(text: &str) -> bool {
     if text.contains("mainImage") && !vscode::may_have_directives(text) {
         return false;
     }
-    let nothing = TextsBeside::new();
+    let nothing = SiblingTexts::new();
     let clues = Clues::unread(text, "", &nothing);
     let mut hosts = presets().filter(|h| h.composes);
     hosts.any(|h| weight(&signs(h, &clues)) >= ENOUGH)
@@ -486,7 +486,7 @@ const SAMPLERS: &[&str] = &["sampler2D", "samplerCube", "sampler3D", "sampler1D"
 
 impl Recognised {
     /// The note about the detected host and the evidence.
-    pub fn told(&self) -> String {
+    pub fn summary(&self) -> String {
         let tied = self.tied.map_or(String::new(), |other| {
             format!(
                 "; {} matches equally well: use `--host {}` to choose it",
@@ -521,14 +521,14 @@ mod tests {
     }
 
     #[test]
-    fn what_speaks_for_two_dialects_is_told() {
+    fn what_speaks_for_two_dialects_is_reported() {
         let text = "precision highp float;\nuniform vec3 spectrum;\nvarying vec2 surfacePosition;\n\
             void main() { gl_FragColor = vec4(surfacePosition, spectrum.xy); }";
         let found = recognise(&Clues::of(text)).unwrap();
-        let told = found.told();
+        let summary = found.summary();
         assert!(
-            told.ends_with("use `--host kodelife` to choose it"),
-            "{told}"
+            summary.ends_with("use `--host kodelife` to choose it"),
+            "{summary}"
         );
     }
 

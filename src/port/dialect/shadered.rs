@@ -45,7 +45,7 @@ fn plan(clues: &Clues) -> Plan {
         }
     };
     let project = document.root_element();
-    let mut maker = Maker {
+    let mut maker = ShaderedReader {
         clues,
         project,
         plan,
@@ -94,7 +94,7 @@ fn children<'d>(node: Node<'d, 'd>, name: &'static str) -> impl Iterator<Item = 
     node.children().filter(move |n| n.has_tag_name(name))
 }
 
-struct Maker<'c, 't, 'd> {
+struct ShaderedReader<'c, 't, 'd> {
     clues: &'c Clues<'t>,
     project: Node<'d, 'd>,
     plan: Plan,
@@ -103,8 +103,8 @@ struct Maker<'c, 't, 'd> {
 /// Maximum depth of includes.
 const MAX_DEPTH: usize = 16;
 
-impl<'d> Maker<'_, '_, 'd> {
-    fn tell(&mut self, note: String) {
+impl<'d> ShaderedReader<'_, '_, 'd> {
+    fn note(&mut self, note: String) {
         if !self.plan.notes.contains(&note) {
             self.plan.notes.push(note);
         }
@@ -117,10 +117,10 @@ impl<'d> Maker<'_, '_, 'd> {
             return;
         }
         if kind != "shader" {
-            return self.tell(format!("pass `{name}` is not drawn: its type is `{kind}`"));
+            return self.note(format!("pass `{name}` is not drawn: its type is `{kind}`"));
         }
-        if !self.covers_picture(pass, name) {
-            return self.tell(format!(
+        if !self.covers_image(pass, name) {
+            return self.note(format!(
                 "pass `{name}` is not drawn: it has no full-screen quad"
             ));
         }
@@ -133,7 +133,7 @@ impl<'d> Maker<'_, '_, 'd> {
             .iter()
             .any(|e| path.ends_with(e));
         if is_foreign {
-            return self.tell(format!("pass `{name}` is not drawn: `{path}` is not GLSL"));
+            return self.note(format!("pass `{name}` is not drawn: `{path}` is not GLSL"));
         }
         let Some(code) = self.load(&joined("", path), 0) else {
             return;
@@ -142,7 +142,7 @@ impl<'d> Maker<'_, '_, 'd> {
         let variables = self.variables(pass);
         let candidates = completions_of(&inner)
             .into_iter()
-            .map(|c| behind(c, &variables));
+            .map(|c| after(c, &variables));
         let target = child(pass, "rendertexture").and_then(|t| t.attribute("name"));
         let candidates = candidates.collect();
         let mut planned = match target.filter(|t| !matches!(*t, "" | "Window")) {
@@ -167,7 +167,7 @@ impl<'d> Maker<'_, '_, 'd> {
     }
 
     /// Whether a pass has a full-screen quad; other items are reported.
-    fn covers_picture(&mut self, pass: Node<'d, 'd>, name: &str) -> bool {
+    fn covers_image(&mut self, pass: Node<'d, 'd>, name: &str) -> bool {
         let items = child(pass, "items")
             .into_iter()
             .flat_map(|i| children(i, "item"));
@@ -179,7 +179,7 @@ impl<'d> Maker<'_, '_, 'd> {
                 "ScreenQuadNDC" | "ScreenQuad" | "Rectangle" if is_geometry => covers = true,
                 other => {
                     let what = item.attribute("type").unwrap_or("item");
-                    self.tell(format!("`{other}` ({what}) of pass `{name}` is not drawn"));
+                    self.note(format!("`{other}` ({what}) of pass `{name}` is not drawn"));
                 }
             }
         }
@@ -188,10 +188,10 @@ impl<'d> Maker<'_, '_, 'd> {
 
     /// The text of a file with its includes. Files that have not been read yet are requested.
     fn load(&mut self, path: &str, depth: usize) -> Option<String> {
-        let text = match self.clues.beside.get(path) {
+        let text = match self.clues.siblings.get(path) {
             Some(Some(text)) => text.clone(),
             Some(None) => {
-                self.tell(format!("`{path}` was not found"));
+                self.note(format!("`{path}` was not found"));
                 return None;
             }
             None => {
@@ -214,7 +214,11 @@ impl<'d> Maker<'_, '_, 'd> {
                     code.push_str(&format!("//{line}"));
                     let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
                     let direct = joined(folder, file);
-                    let is_missing = self.clues.beside.get(&direct).is_some_and(Option::is_none);
+                    let is_missing = self
+                        .clues
+                        .siblings
+                        .get(&direct)
+                        .is_some_and(Option::is_none);
                     let file = if is_missing { joined("", file) } else { direct };
                     code.push_str(&self.load(&file, depth + 1).unwrap_or_default());
                     code.push('\n');
@@ -275,7 +279,7 @@ impl<'d> Maker<'_, '_, 'd> {
                     "cubemap" => inputs.push(file(InputKind::Cubemap)),
                     "texture3d" => inputs.push(file(InputKind::Volume)),
                     "audio" => inputs.push(file(InputKind::Music)),
-                    other => self.tell(format!(
+                    other => self.note(format!(
                         "`{sampler}` is empty: `{other}` inputs are not supported"
                     )),
                 }
@@ -286,7 +290,7 @@ impl<'d> Maker<'_, '_, 'd> {
 }
 
 /// A candidate with macros before it, but after its `#version`.
-fn behind(completion: Completion, macros: &str) -> Completion {
+fn after(completion: Completion, macros: &str) -> Completion {
     if macros.is_empty() {
         return completion;
     }
@@ -297,7 +301,7 @@ fn behind(completion: Completion, macros: &str) -> Completion {
             .lines()
             .find(|l| l.trim_start().starts_with("#version"));
         before = version.map_or(String::new(), |v| format!("{}\n", v.trim()));
-        let bare = Completion::behind(before + macros, &completion.code);
+        let bare = Completion::after(before + macros, &completion.code);
         return Completion {
             note: completion.note,
             ..bare

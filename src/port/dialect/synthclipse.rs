@@ -25,7 +25,7 @@ fn signs(clues: &Clues) -> Vec<Sign> {
 }
 
 /// A command in the comment after a uniform.
-struct Command<'t> {
+struct UniformCommand<'t> {
     ty: &'t str,
     name: &'t str,
     word: &'t str,
@@ -38,7 +38,7 @@ const WORDS: [&str; 7] = [
 ];
 
 /// The uniforms with a command, each on its own line.
-fn commands(text: &str) -> impl Iterator<Item = Command<'_>> {
+fn commands(text: &str) -> impl Iterator<Item = UniformCommand<'_>> {
     text.lines().filter_map(|line| {
         let (code, comment) = line.split_once("//!").or_else(|| line.split_once("/*!"))?;
         let mut words = code.trim().strip_suffix(';')?.split_whitespace();
@@ -49,7 +49,7 @@ fn commands(text: &str) -> impl Iterator<Item = Command<'_>> {
         let (ty, name) = (words.next()?, words.next()?);
         let (word, rest) = comment.trim_start().split_once('[')?;
         let (inside, _) = rest.rsplit_once(']')?;
-        WORDS.contains(&word.trim()).then_some(Command {
+        WORDS.contains(&word.trim()).then_some(UniformCommand {
             ty,
             name,
             word: word.trim(),
@@ -59,7 +59,7 @@ fn commands(text: &str) -> impl Iterator<Item = Command<'_>> {
 }
 
 fn plan(clues: &Clues) -> Plan {
-    let mut plan = Plan::picture(completions_of(clues));
+    let mut plan = Plan::image(completions_of(clues));
     for command in commands(clues.text) {
         let input = texture(&command);
         match (control(&command), input, plan.passes.first_mut()) {
@@ -79,7 +79,7 @@ fn plan(clues: &Clues) -> Plan {
 }
 
 /// The input of a sampler.
-fn texture(command: &Command) -> Option<Input> {
+fn texture(command: &UniformCommand) -> Option<Input> {
     let kind = match command.ty {
         "sampler2D" => InputKind::Texture,
         "samplerCube" => InputKind::Cubemap,
@@ -91,7 +91,7 @@ fn texture(command: &Command) -> Option<Input> {
     Some(input)
 }
 
-fn control(command: &Command) -> Option<UniformControl> {
+fn control(command: &UniformCommand) -> Option<UniformControl> {
     let lanes = match command.ty {
         "float" | "int" | "bool" => 1,
         ty => ty

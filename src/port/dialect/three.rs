@@ -56,7 +56,7 @@ fn defines(clues: &Clues, known: &str, value: &str) -> (String, Vec<String>) {
     };
     let names = clues.free_words(is_constant);
     let mut text = String::new();
-    let mut told = Vec::new();
+    let mut values = Vec::new();
     for name in names {
         // Macros that are only tested for existence stay undefined.
         let value = match (clues.is_condition(name), clues.is_read(name)) {
@@ -65,9 +65,9 @@ fn defines(clues: &Clues, known: &str, value: &str) -> (String, Vec<String>) {
             (false, false) => continue,
         };
         text.push_str(&format!("#define {name} {value}\n"));
-        told.push(format!("`{name}` = {value}"));
+        values.push(format!("`{name}` = {value}"));
     }
-    (text, told)
+    (text, values)
 }
 
 fn plan(clues: &Clues) -> Plan {
@@ -82,26 +82,26 @@ fn plan(clues: &Clues) -> Plan {
         brought(clues)
     );
     let around = |value: &str| {
-        let (macros, told) = defines(clues, &head, value);
-        let own = Completion::behind(format!("{head}{macros}"), clues.text);
+        let (macros, values) = defines(clues, &head, value);
+        let own = Completion::after(format!("{head}{macros}"), clues.text);
         let mut notes = Vec::new();
         if clues.has_include() {
             notes.push("`#include` chunks of three.js are not expanded".to_string());
         }
-        if !told.is_empty() {
+        if !values.is_empty() {
             notes.push(format!(
                 "undefined macros get default values: {}",
-                told.join(", ")
+                values.join(", ")
             ));
         }
         match notes.is_empty() {
             true => own,
-            false => own.told(notes.join("; ")),
+            false => own.with_note(notes.join("; ")),
         }
     };
     // The shader of a RawShaderMaterial declares everything itself.
     let raw = completions_of(clues).into_iter();
-    Plan::picture(
+    Plan::image(
         [around("4"), around("4.0")]
             .into_iter()
             .chain(raw)
@@ -150,13 +150,13 @@ mod tests {
         draws(
             "float rand(vec2 p) { return p.x; }\nvoid main() { gl_FragColor = vec4(rand(vec2(PI))); }\n",
         );
-        let told = draws(
+        let values = draws(
             "varying vec2 vUv;\nvoid main() {\nfloat s = 0.0;\nfor (int i = 0; i < SAMPLES; i++) s += 0.1;\n\
              #if PERSPECTIVE == 1\ns = 0.0;\n#endif\n#ifdef USE_MAP\ns = MAP_SCALE;\n#endif\n\
              gl_FragColor = vec4(s);\n}\n",
         );
         let note = "undefined macros get default values: `MAP_SCALE` = 4, `PERSPECTIVE` = 0, \
             `SAMPLES` = 4";
-        assert_eq!(told.notes, [note]);
+        assert_eq!(values.notes, [note]);
     }
 }

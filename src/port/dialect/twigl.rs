@@ -51,7 +51,7 @@ fn plan(clues: &Clues) -> Plan {
     let is_old = clues.has_word("gl_FragColor");
     let is_declared = uniforms().any(|(n, ty)| clues.has_uniform(n, &[ty]));
     if is_declared || clues.has_uniform("resolution", &["vec2"]) {
-        return Plan::picture(completions_of(clues));
+        return Plan::image(completions_of(clues));
     }
     let mut host = String::from("#define FC gl_FragCoord\n");
     for (name, ty) in uniforms() {
@@ -78,17 +78,17 @@ fn plan(clues: &Clues) -> Plan {
     let new = format!("{}{outs}{lookups}{host}{helpers}", defaults(Version::Es300));
     let old = format!("{}{host}{helpers}", defaults(Version::Es100));
     let around = |before: String| {
-        let behind = Completion::behind(before, clues.text);
+        let after = Completion::after(before, clues.text);
         match clues.is_body {
-            true => behind.in_main().with_end("\n}\n"),
-            false => behind,
+            true => after.in_main().with_end("\n}\n"),
+            false => after,
         }
     };
     let candidates = match is_old {
         true => vec![around(old), around(new)],
         false => vec![around(new), around(old)],
     };
-    Plan::picture(candidates)
+    Plan::image(candidates)
 }
 
 /// The helper functions that only `geekest` has.

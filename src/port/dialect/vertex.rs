@@ -62,7 +62,7 @@ pub(super) fn vertex(program: &Program, host: &Preset) -> Vertex {
             size => format!("[{size}]"),
         };
         declared.push_str(&format!("{flat}{output} {ty} {name}{size};\n"));
-        let mut writer = Writer {
+        let mut writer = VertexWriter {
             program,
             host,
             guessed: &mut guessed,
@@ -110,14 +110,14 @@ fn structs(program: &Program, inputs: &[&Variable]) -> String {
     text
 }
 
-struct Writer<'a> {
+struct VertexWriter<'a> {
     program: &'a Program,
     host: &'a Preset,
     guessed: &'a mut Vec<String>,
     varyings: &'a mut Vec<VaryingValue>,
 }
 
-impl Writer<'_> {
+impl VertexWriter<'_> {
     /// Assigns a varying or a member of one. `name` is its name in the rows.
     fn write(&mut self, place: &str, name: &str, ty: Type) {
         if ty.array > 0 {

@@ -64,7 +64,7 @@ fn plan(clues: &Clues) -> Plan {
             has_vertices: true,
             ..PassDraw::default()
         }],
-        ..Plan::picture(taken)
+        ..Plan::image(taken)
     };
     if clues.has_word("floatSound") {
         let note =
@@ -86,7 +86,7 @@ fn completion(clues: &Clues, mut before: String) -> Completion {
         before.push_str(&declarations(host, clues, true));
     }
     before.push_str("#define main port_main\n");
-    Completion::behind(before, clues.text)
+    Completion::after(before, clues.text)
         .with_end("\n#undef main\nvoid main() {\n    gl_PointSize = 1.0;\n    port_main();\n}\n")
         .for_vertices()
 }

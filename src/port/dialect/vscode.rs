@@ -41,8 +41,8 @@ fn signs(clues: &Clues) -> Vec<Sign> {
 
 /// Whether a text may contain directives of the host; a match may also be in a comment.
 pub(super) fn may_have_directives(text: &str) -> bool {
-    let behind = text.split('#').skip(1).map(str::trim_start);
-    let mut words = behind.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next());
+    let after = text.split('#').skip(1).map(str::trim_start);
+    let mut words = after.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next());
     words.any(is_ours)
 }
 
@@ -67,8 +67,8 @@ fn channel_of(word: &str) -> Option<u8> {
 
 /// The settings in the directives of a shader and its includes.
 #[derive(Default)]
-struct Told {
-    channels: Vec<Channel>,
+struct DirectiveFacts {
+    channels: Vec<ChannelComment>,
     /// The declarations of the uniforms that it defines.
     declared: String,
     controls: Vec<UniformControl>,
@@ -78,7 +78,7 @@ struct Told {
 
 /// The settings of a channel.
 #[derive(Clone, Default)]
-struct Channel {
+struct ChannelComment {
     number: u8,
     source: String,
     filter: Option<&'static str>,
@@ -87,7 +87,7 @@ struct Channel {
 }
 
 /// Builds the plan of a shader and of those that it reads.
-struct Maker<'c, 't> {
+struct VscodeReader<'c, 't> {
     clues: &'c Clues<'t>,
     plan: Plan,
     /// The files of the shaders that are already passes or are becoming passes.
@@ -102,7 +102,7 @@ struct Maker<'c, 't> {
 const MAX_INCLUDED: usize = 256 * 1024;
 
 fn plan(clues: &Clues) -> Plan {
-    let mut maker = Maker {
+    let mut maker = VscodeReader {
         clues,
         plan: Plan::default(),
         seen: Vec::new(),
@@ -132,18 +132,18 @@ fn plan(clues: &Clues) -> Plan {
     maker.plan
 }
 
-impl Maker<'_, '_> {
+impl VscodeReader<'_, '_> {
     /// Adds the shader of a file, after those that it reads.
     fn shader(&mut self, path: &str, text: &str) {
         self.seen.push(path.to_string());
-        let mut told = Told::default();
-        let code = self.expand(path, text, &mut told);
-        let inputs = told.channels.iter().filter_map(|c| self.input(path, c));
+        let mut facts = DirectiveFacts::default();
+        let code = self.expand(path, text, &mut facts);
+        let inputs = facts.channels.iter().filter_map(|c| self.input(path, c));
         let inputs: Vec<Input> = inputs.collect();
-        let mut pass = PlannedPass::buffer(path, vec![completion(&code, &told)]);
+        let mut pass = PlannedPass::buffer(path, vec![completion(&code, &facts)]);
         pass.is_of_text = path.is_empty();
         pass.inputs = inputs;
-        if told.has_keyboard {
+        if facts.has_keyboard {
             let keys = sampled("iKeyboard", InputKind::Keyboard, ("nearest", "clamp"));
             pass.inputs.push(keys);
         }
@@ -152,7 +152,7 @@ impl Maker<'_, '_> {
             is_float: true,
             ..PassDraw::default()
         });
-        for control in told.controls {
+        for control in facts.controls {
             if !self.plan.controls.iter().any(|c| c.name == control.name) {
                 self.plan.controls.push(control);
             }
@@ -160,7 +160,7 @@ impl Maker<'_, '_> {
     }
 
     /// A text with its directives as comments, and with its includes.
-    fn expand(&mut self, path: &str, text: &str, told: &mut Told) -> String {
+    fn expand(&mut self, path: &str, text: &str, facts: &mut DirectiveFacts) -> String {
         let mut code = String::with_capacity(text.len());
         let mut from = 0;
         for directive in directives(text) {
@@ -173,32 +173,32 @@ impl Maker<'_, '_> {
             from = directive.end;
             if directive.word == "include" {
                 code.push('\n');
-                code.push_str(&self.include(path, directive.rest, told));
+                code.push_str(&self.include(path, directive.rest, facts));
             } else {
-                self.obey(&directive, told);
+                self.obey(&directive, facts);
             }
         }
         code + text.get(from..).unwrap_or("")
     }
 
-    fn include(&mut self, path: &str, rest: &str, told: &mut Told) -> String {
+    fn include(&mut self, path: &str, rest: &str, facts: &mut DirectiveFacts) -> String {
         let name = quoted(rest).unwrap_or("");
         let Some((file, text)) = self.load(path, name) else {
             return String::new();
         };
         self.included += text.len().max(1);
         if self.open.contains(&file) {
-            self.tell(format!("`{name}` includes itself"));
+            self.note(format!("`{name}` includes itself"));
             return String::new();
         }
         if self.included > MAX_INCLUDED {
-            self.tell(format!(
+            self.note(format!(
                 "`{name}` is not included: the included files are too large in total"
             ));
             return String::new();
         }
         self.open.push(file.clone());
-        let code = self.expand(&file, &text, told);
+        let code = self.expand(&file, &text, facts);
         self.open.pop();
         code
     }
@@ -211,7 +211,7 @@ impl Maker<'_, '_> {
             candidates.push(joined("", name));
         }
         for file in candidates {
-            match self.clues.beside.get(&file) {
+            match self.clues.siblings.get(&file) {
                 Some(Some(text)) => return Some((file, text.clone())),
                 Some(None) => {}
                 None => {
@@ -220,47 +220,47 @@ impl Maker<'_, '_> {
                 }
             }
         }
-        self.tell(format!("`{name}` was not found"));
+        self.note(format!("`{name}` was not found"));
         None
     }
 
-    fn tell(&mut self, note: String) {
+    fn note(&mut self, note: String) {
         if !self.plan.notes.contains(&note) {
             self.plan.notes.push(note);
         }
     }
 
     /// Applies a directive.
-    fn obey(&mut self, directive: &Directive, told: &mut Told) {
+    fn obey(&mut self, directive: &Directive, facts: &mut DirectiveFacts) {
         match directive.word {
             "iUniform" => match uniform(directive.rest) {
                 Some((line, control)) => {
-                    told.declared.push_str(&line);
-                    told.controls.push(control);
+                    facts.declared.push_str(&line);
+                    facts.controls.push(control);
                 }
-                None => self.tell(format!("cannot parse `#iUniform{}`", directive.rest)),
+                None => self.note(format!("cannot parse `#iUniform{}`", directive.rest)),
             },
-            "iKeyboard" => told.has_keyboard = true,
-            "StrictCompatibility" => told.is_strict = true,
+            "iKeyboard" => facts.has_keyboard = true,
+            "StrictCompatibility" => facts.is_strict = true,
             "iFirstPersonControls" => {
-                self.tell(
+                self.note(
                     "`#iFirstPersonControls` has no effect: `iViewMatrix` does not change"
                         .to_string(),
                 );
             }
             "iVertex" => {
-                self.tell("`#iVertex` has no effect: the shader covers the full image".to_string())
+                self.note("`#iVertex` has no effect: the shader covers the full image".to_string())
             }
             word => {
                 if let Some(number) = channel_of(word) {
-                    told.set(number, directive.rest);
+                    facts.set(number, directive.rest);
                 }
             }
         }
     }
 
     /// The input of a channel.
-    fn input(&mut self, path: &str, channel: &Channel) -> Option<Input> {
+    fn input(&mut self, path: &str, channel: &ChannelComment) -> Option<Input> {
         let uniform = format!("iChannel{}", channel.number);
         let source = channel.source.as_str();
         let is_remote = source.starts_with("http://") || source.starts_with("https://");
@@ -317,13 +317,13 @@ impl Maker<'_, '_> {
     }
 }
 
-impl Told {
+impl DirectiveFacts {
     /// Applies a setting of a channel.
     fn set(&mut self, number: u8, rest: &str) {
         if !self.channels.iter().any(|c| c.number == number) {
-            self.channels.push(Channel {
+            self.channels.push(ChannelComment {
                 number,
-                ..Channel::default()
+                ..ChannelComment::default()
             });
         }
         let mut all = self.channels.iter_mut();
@@ -333,7 +333,7 @@ impl Told {
     }
 }
 
-impl Channel {
+impl ChannelComment {
     /// Applies the text after the number: a source, or `::` and a setting.
     fn set(&mut self, rest: &str) {
         let value = quoted(rest).unwrap_or("");
@@ -464,13 +464,13 @@ pub(super) fn numbers(text: &str) -> Vec<f64> {
 }
 
 /// A shader after the declarations of the host.
-fn completion(code: &str, told: &Told) -> Completion {
+fn completion(code: &str, facts: &DirectiveFacts) -> Completion {
     let clues = Clues::of(code);
     let mut before = modern(&clues);
     before.push_str(&host());
     for number in 0..10 {
         let name = format!("iChannel{number}");
-        let is_cube = told
+        let is_cube = facts
             .channels
             .iter()
             .any(|c| c.number == number && c.is_cube);
@@ -479,12 +479,12 @@ fn completion(code: &str, told: &Told) -> Completion {
             before.push_str(&format!("uniform {ty} {name};\n"));
         }
     }
-    before.push_str(&told.declared);
-    if told.has_keyboard {
+    before.push_str(&facts.declared);
+    if facts.has_keyboard {
         before.push_str(&keyboard(&clues));
     }
-    if clues.guess.has_main && !told.is_strict || !clues.has_word("mainImage") {
-        return Completion::behind(before, code);
+    if clues.guess.has_main && !facts.is_strict || !clues.has_word("mainImage") {
+        return Completion::after(before, code);
     }
     let color = match clues.has_word("gl_FragColor") {
         true => "gl_FragColor",
@@ -494,7 +494,7 @@ fn completion(code: &str, told: &Told) -> Completion {
         }
     };
     let end = format!("\nvoid main() {{\n    mainImage({color}, gl_FragCoord.xy);\n}}\n");
-    Completion::behind(before, code).with_end(&end)
+    Completion::after(before, code).with_end(&end)
 }
 
 /// The declarations of the host, without the channels: their types depend on the text.
@@ -674,14 +674,14 @@ mod tests {
     fn shaders_beside_become_passes() {
         let text = "#iChannel0 \"file://./a/b.glsl\"\n#iChannel1 \"self\"\nvoid mainImage(out vec4 c, in vec2 p) \
             { c = texture(iChannel0, p) + texture(iChannel1, p); }";
-        let mut beside = super::super::TextsBeside::new();
-        let asked = plan(&Clues::beside(text, "x", &beside)).wanted;
+        let mut siblings = super::super::SiblingTexts::new();
+        let asked = plan(&Clues::with_siblings(text, "x", &siblings)).wanted;
         assert_eq!(asked, ["a/b.glsl"]);
         let buffer =
             "#include \"c.glsl\"\nvoid main() { gl_FragColor = vec4(C, iTime, 0.0, 1.0); }";
-        beside.insert("a/b.glsl".to_string(), Some(buffer.into()));
-        beside.insert("a/c.glsl".to_string(), Some("const float C = 0.5;".into()));
-        let plan = plan(&Clues::beside(text, "x", &beside));
+        siblings.insert("a/b.glsl".to_string(), Some(buffer.into()));
+        siblings.insert("a/c.glsl".to_string(), Some("const float C = 0.5;".into()));
+        let plan = plan(&Clues::with_siblings(text, "x", &siblings));
         assert!(
             plan.wanted.is_empty() && plan.notes.is_empty(),
             "{:?}",

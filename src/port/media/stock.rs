@@ -22,9 +22,9 @@ impl Stock {
     /// Whether an input refers to this file, by id or path.
     fn is_of(&self, input: &Input) -> bool {
         let name = input.src.rsplit('/').next().unwrap_or("");
-        let behind = name.strip_prefix(self.preset);
+        let after = name.strip_prefix(self.preset);
         let is_preset = input.src.starts_with("/presets/")
-            && behind.is_some_and(|rest| rest.starts_with(['.', '_']));
+            && after.is_some_and(|rest| rest.starts_with(['.', '_']));
         self.kind == input.kind && (input.id == self.id || name.starts_with(self.hash) || is_preset)
     }
 }

@@ -1,8 +1,8 @@
 //! Builds a naga function: its expressions, variables and blocks.
 
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::sampler::Looked;
-use super::stored::Held;
+use super::stored::StoredPlace;
 use super::target::{Res, TargetLanguage, Value};
 use super::types::Sink;
 use ::naga::front::Typifier;
@@ -20,12 +20,12 @@ pub(super) enum Bound {
     /// A pointer to the variable.
     Pointer(Value),
     /// A place in a uniform buffer.
-    Stored(Held),
+    Stored(StoredPlace),
 }
 
 /// The result of an operation.
 #[derive(Clone, Copy, Default, Debug)]
-pub(super) struct Given {
+pub(super) struct Emitted {
     /// The value; `None` if there is none, or if it is created on use.
     pub(super) value: Option<Value>,
     /// Nesting depth of the expression.
@@ -35,7 +35,7 @@ pub(super) struct Given {
 /// A function under construction.
 pub(super) struct Body<'l, 'p> {
     /// The module that it belongs to.
-    pub(super) lowerer: &'l mut Lowerer<'p>,
+    pub(super) lowerer: &'l mut NagaLowerer<'p>,
     /// The naga function so far.
     pub(super) function: ::naga::Function,
     /// Its variables, including the module's variables that it uses.
@@ -60,7 +60,7 @@ pub(super) struct Body<'l, 'p> {
 }
 
 impl<'p> Sink<'p> for Body<'_, 'p> {
-    fn lowerer(&mut self) -> &mut Lowerer<'p> {
+    fn lowerer(&mut self) -> &mut NagaLowerer<'p> {
         self.lowerer
     }
 
@@ -85,7 +85,7 @@ impl<'p> Sink<'p> for Body<'_, 'p> {
 
 impl<'l, 'p> Body<'l, 'p> {
     /// Starts a function.
-    pub(super) fn new(lowerer: &'l mut Lowerer<'p>, name: &str) -> Body<'l, 'p> {
+    pub(super) fn new(lowerer: &'l mut NagaLowerer<'p>, name: &str) -> Body<'l, 'p> {
         Body {
             lowerer,
             function: ::naga::Function {

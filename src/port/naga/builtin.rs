@@ -63,8 +63,8 @@ impl Body<'_, '_> {
             }
             (Lowering::Modulo, &[x, y]) => Ok(self.modulo(x, y)),
             (Lowering::Fraction, &[x]) => {
-                let whole = self.math(F::Trunc, &[x]);
-                Ok(self.op(Op::Subtract, x, whole))
+                let integral = self.math(F::Trunc, &[x]);
+                Ok(self.op(Op::Subtract, x, integral))
             }
             (Lowering::Mix, &[x, y, share]) => {
                 let share_is = operands.last().and_then(|o| form.scalar(*o));
@@ -108,8 +108,8 @@ impl Body<'_, '_> {
     fn modulo(&mut self, x: Value, y: Value) -> Value {
         let ratio = self.op(Op::Divide, x, y);
         let floor = self.math(F::Floor, &[ratio]);
-        let whole = self.op(Op::Multiply, y, floor);
-        self.op(Op::Subtract, x, whole)
+        let integral = self.op(Op::Multiply, y, floor);
+        self.op(Op::Subtract, x, integral)
     }
 
     /// `isnan` and `isinf` by bits: WGSL has neither, and other compilers assume that they are
@@ -167,7 +167,7 @@ impl Arithmetic for Body<'_, '_> {
         self.add(Expression::Unary { op, expr })
     }
 
-    fn root(&mut self, value: Value) -> Value {
+    fn sqrt(&mut self, value: Value) -> Value {
         let zero = self.float(0.0);
         let inside = self.math(F::Max, &[value, zero]);
         self.math(F::Sqrt, &[inside])

@@ -53,8 +53,8 @@ impl Body<'_, '_> {
             return Ok(self.call(handle, arguments, returns));
         };
         self.with_sampler(operand, returns, |it, looked| {
-            let (before, behind) = arguments.split_at(at);
-            let all = [before, &[looked.image, looked.sampler], behind].concat();
+            let (before, after) = arguments.split_at(at);
+            let all = [before, &[looked.image, looked.sampler], after].concat();
             Ok(it.call(handle, all, returns))
         })
     }
@@ -120,8 +120,8 @@ impl Body<'_, '_> {
         let is_same = match form.op(operand).kind {
             OpKind::Undef => true,
             OpKind::Load(from) => {
-                let is_whole = is_of(from) && form.place(from).path.len == 0;
-                is_whole && !(operand.0..call.0).any(writes)
+                let is_complete = is_of(from) && form.place(from).path.len == 0;
+                is_complete && !(operand.0..call.0).any(writes)
             }
             _ => false,
         };

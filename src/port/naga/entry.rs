@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::global::Global;
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::port::{Leaf, entry_name, leaves, location};
 use super::special::Leaving;
 use super::target::{Res, Value};
@@ -14,7 +14,7 @@ use ::naga::{
 use shaderlint_ir::Visit;
 use shaderlint_semantic::{FunctionRef, Stage, Storage, Type};
 
-impl<'p> Lowerer<'p> {
+impl<'p> NagaLowerer<'p> {
     /// Builds the entry point.
     pub(super) fn entry(&mut self, main: FunctionRef) -> Res<()> {
         let Some(main) = self.functions.get(&main).copied() else {

@@ -1,7 +1,7 @@
 //! Functions, callees before callers.
 
 use super::body::{Body, Bound};
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::target::{Res, Value};
 use super::types::Sink;
 use ::naga::{
@@ -42,7 +42,7 @@ pub(super) fn order(form: &ir::Module, main: FunctionRef) -> Vec<FunctionRef> {
     done
 }
 
-impl<'p> Lowerer<'p> {
+impl<'p> NagaLowerer<'p> {
     /// Builds a function of the shader.
     pub(super) fn function(&mut self, id: FunctionRef) -> Res<()> {
         let (program, form) = (self.program, self.form);

@@ -1,7 +1,7 @@
 //! Global variables: constants, shared variables, inputs and outputs.
 
 use super::body::{Body, Bound};
-use super::lower::{Initialisers, Lowerer};
+use super::lower::{Initialisers, NagaLowerer};
 use super::stored::Major;
 use super::target::{Res, Value};
 use super::types::{Sink, compose};
@@ -20,7 +20,7 @@ pub(super) enum Global {
     Stored(Handle<GlobalVariable>, u32, Major),
 }
 
-impl<'p> Lowerer<'p> {
+impl<'p> NagaLowerer<'p> {
     /// Declares shared variables, inputs and outputs.
     pub(super) fn declare_globals(&mut self) -> Res<()> {
         let program = self.program;

@@ -37,8 +37,8 @@ fn constants(line: &str) -> Option<String> {
     // By open parenthesis: whether it was replaced by a brace.
     let mut open = Vec::new();
     while let Some(at) = rest.find(['(', ')']) {
-        let (before, behind) = rest.split_at(at);
-        let is_open = behind.starts_with('(');
+        let (before, after) = rest.split_at(at);
+        let is_open = after.starts_with('(');
         let word = before.rfind(|c: char| !is_of_name(c)).map_or(0, |i| i + 1);
         let (text, name) = before.split_at_checked(word).unwrap_or((before, ""));
         let is_list = if is_open {
@@ -55,7 +55,7 @@ fn constants(line: &str) -> Option<String> {
             (false, true) => " }",
             (false, false) => ")",
         });
-        rest = behind.get(1..).unwrap_or("");
+        rest = after.get(1..).unwrap_or("");
     }
     Some(format!("{declared} = {value}{rest}"))
 }

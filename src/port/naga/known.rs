@@ -6,7 +6,7 @@
 //! from a variable, which target compilers do not evaluate.
 
 use super::body::Body;
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::target::Value;
 use super::types::Sink;
 use ::naga::proc::{ResolveContext, TypeResolution};
@@ -151,7 +151,7 @@ fn computes(op: Op) -> bool {
 }
 
 /// The components of a value, as far as they are known.
-fn lanes(lowerer: &Lowerer, arena: &Arena<Expression>, value: Value) -> Vec<Literal> {
+fn lanes(lowerer: &NagaLowerer, arena: &Arena<Expression>, value: Value) -> Vec<Literal> {
     match &arena[value] {
         Expression::Literal(literal) => vec![*literal],
         Expression::Constant(constant) => {

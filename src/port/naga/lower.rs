@@ -1,6 +1,6 @@
 //! Builds the naga module: declarations first, then functions in dependency order.
 
-use super::body::{Body, Given};
+use super::body::{Body, Emitted};
 use super::function::order;
 use super::interface::HostInterface;
 use super::port::{entry_name, stage_name, varyings};
@@ -29,7 +29,7 @@ pub struct Lowered {
 }
 
 /// A module under construction.
-pub(super) struct Lowerer<'p> {
+pub(super) struct NagaLowerer<'p> {
     pub(super) program: &'p Program,
     /// The memory layout of its types.
     pub(super) layout: Layout,
@@ -57,7 +57,7 @@ pub(super) struct Lowerer<'p> {
     pub(super) uniforms: Uniforms,
     pub(super) interface: HostInterface,
     /// By operation: its result in its function.
-    given: Vec<Given>,
+    given: Vec<Emitted>,
     /// By variable: the number of stores to it.
     stores: Vec<u32>,
     /// The span that is being lowered, for error messages.
@@ -77,7 +77,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
     let form = ir::lower(program);
     let interface = Interface::of(program);
     let varyings = options.vertex.map_or(Vec::new(), varyings);
-    let mut lowerer = Lowerer {
+    let mut lowerer = NagaLowerer {
         program,
         layout: Layout::of(program),
         form: &form,
@@ -106,7 +106,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
             outputs: Vec::new(),
             notes: Vec::new(),
         },
-        given: vec![Given::default(); form.ops.len()],
+        given: vec![Emitted::default(); form.ops.len()],
         stores: stores(&form),
         place: Span::default(),
         made: 0,
@@ -129,7 +129,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
     })
 }
 
-impl<'p> Lowerer<'p> {
+impl<'p> NagaLowerer<'p> {
     /// Returns an error at the current span.
     pub(super) fn refuse<T>(&self, message: impl Into<String>) -> Res<T> {
         Err(Refused::new(self.place, message))
@@ -168,12 +168,12 @@ impl<'p> Lowerer<'p> {
     }
 
     /// The result of an operation.
-    pub(super) fn given(&self, id: OpId) -> Given {
+    pub(super) fn given(&self, id: OpId) -> Emitted {
         self.given.get(id.0 as usize).copied().unwrap_or_default()
     }
 
     /// Records the result of an operation.
-    pub(super) fn give(&mut self, id: OpId, given: Given) {
+    pub(super) fn give(&mut self, id: OpId, given: Emitted) {
         if let Some(slot) = self.given.get_mut(id.0 as usize) {
             *slot = given;
         }
@@ -216,13 +216,13 @@ fn stores(form: &ir::Module) -> Vec<u32> {
 
 /// The global expressions of the module.
 pub(super) struct Initialisers<'l, 'p> {
-    pub(super) lowerer: &'l mut Lowerer<'p>,
+    pub(super) lowerer: &'l mut NagaLowerer<'p>,
     pub(super) arena: Arena<Expression>,
 }
 
 impl<'l, 'p> Initialisers<'l, 'p> {
     /// Takes them out of the module; [`Initialisers::finish`] puts them back.
-    pub(super) fn new(lowerer: &'l mut Lowerer<'p>) -> Initialisers<'l, 'p> {
+    pub(super) fn new(lowerer: &'l mut NagaLowerer<'p>) -> Initialisers<'l, 'p> {
         let arena = std::mem::take(&mut lowerer.module.global_expressions);
         Initialisers { lowerer, arena }
     }
@@ -233,7 +233,7 @@ impl<'l, 'p> Initialisers<'l, 'p> {
 }
 
 impl<'p> Sink<'p> for Initialisers<'_, 'p> {
-    fn lowerer(&mut self) -> &mut Lowerer<'p> {
+    fn lowerer(&mut self) -> &mut NagaLowerer<'p> {
         self.lowerer
     }
 

@@ -58,14 +58,14 @@ pub struct TranslatedShader {
     pub interface: HostInterface,
 }
 
-/// Translates a pass; `picture` is the first row of the image. Returns `None` if it does not
+/// Translates a pass; `image` is the first row of the image. Returns `None` if it does not
 /// compile.
 pub fn translate(
     project: &Project,
     composed: &Composed,
     unit: &PassUnit,
     language: TargetLanguage,
-    picture: FirstRow,
+    image: FirstRow,
 ) -> Result<Option<TranslatedShader>, Refused> {
     let analysis = composed.analysis(unit);
     let is_error = |d: &shaderlint_diagnostic::Diagnostic| d.severity == Severity::Error;
@@ -85,14 +85,10 @@ pub fn translate(
     let drawn = running.zip(&passes).find(|(u, _)| u.pass == unit.pass);
     let drawn = drawn.map(|(_, data)| data);
     // Passes read buffers by row number; only an image that is displayed is flipped.
-    let is_picture = unit.kind == Pass::Image && !drawn.is_some_and(|p| is_read(&p.name));
+    let is_image = unit.kind == Pass::Image && !drawn.is_some_and(|p| is_read(&p.name));
     let options = LowerOptions {
         language,
-        first_row: if is_picture {
-            picture
-        } else {
-            FirstRow::Bottom
-        },
+        first_row: if is_image { image } else { FirstRow::Bottom },
         vertex: None,
     };
     let mut lowered = lower(&analysis.program, options)?;

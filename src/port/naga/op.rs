@@ -1,6 +1,6 @@
 //! Lowers operations to naga's expressions.
 
-use super::body::{Body, Given};
+use super::body::{Body, Emitted};
 use super::target::{Res, Value};
 use super::types::{Sink, literal, scalar, size};
 use ::naga::{
@@ -136,7 +136,7 @@ impl Body<'_, '_> {
             self.name(value, "part");
             depth = 0;
         }
-        self.lowerer.give(id, Given { value, depth });
+        self.lowerer.give(id, Emitted { value, depth });
     }
 
     /// Names a value, unless it already has a name or is always inlined.

@@ -1,7 +1,7 @@
 //! Lowers places to naga's pointers and accesses.
 
 use super::body::{Body, Bound};
-use super::stored::Held;
+use super::stored::StoredPlace;
 use super::target::{Res, Value};
 use super::types::{Sink, size};
 use ::naga::{Expression, SwizzleComponent};
@@ -24,7 +24,7 @@ enum At {
     /// A pointer.
     Pointer(Value),
     /// A place in a uniform buffer.
-    Stored(Held),
+    Stored(StoredPlace),
 }
 
 impl Body<'_, '_> {
@@ -140,7 +140,7 @@ impl Body<'_, '_> {
         if !self.lowerer.has_place(place.variable)? || self.is_lent(value) {
             return Ok(());
         }
-        if self.settles(place, value)
+        if self.decides(place, value)
             && let value = self.value(value)?
             && !self.known.contains(&value)
         {
@@ -174,7 +174,7 @@ impl Body<'_, '_> {
     /// Whether a variable has a single value during its lifetime and needs no storage. Excludes
     /// cases of a `switch`, which share variables and may be duplicated. Values that target
     /// compilers can evaluate are excluded by the caller.
-    fn settles(&self, place: &Place, value: OpId) -> bool {
+    fn decides(&self, place: &Place, value: OpId) -> bool {
         let form = self.lowerer.form;
         let root = form.variable(place.variable).map(|v| v.root);
         root == Some(Root::Local)

@@ -1,7 +1,7 @@
 //! Values passed between stages: attributes, varyings and outputs, with their locations.
 
 use super::interface::Port;
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use ::naga::{Binding, Interpolation, Sampling};
 use shaderlint_ir::Layout;
 use shaderlint_semantic::{Program, Scalar, Stage, Storage, Type, VariableId};
@@ -42,7 +42,7 @@ impl Leaf {
     }
 
     /// The binding between two stages.
-    pub(super) fn varying(&self, lowerer: &Lowerer) -> Binding {
+    pub(super) fn varying(&self, lowerer: &NagaLowerer) -> Binding {
         let is_flat = lowerer
             .form
             .variable(self.variable)
@@ -64,7 +64,7 @@ impl Leaf {
     }
 
     /// Whether it is not interpolated.
-    pub(super) fn is_flat(&self, lowerer: &Lowerer) -> bool {
+    pub(super) fn is_flat(&self, lowerer: &NagaLowerer) -> bool {
         let binding = self.varying(lowerer);
         matches!(
             binding,

@@ -21,7 +21,7 @@ pub(super) struct Looked {
 }
 
 /// The possible samplers of an operand.
-enum Choice {
+enum SamplerChoice {
     One(Looked),
     /// The elements of an array, and the computed index.
     Element(OpId, Vec<Looked>),
@@ -36,8 +36,8 @@ impl Body<'_, '_> {
         mut make: impl FnMut(&mut Self, Looked) -> Res<Option<Value>>,
     ) -> Res<Option<Value>> {
         let (index, all) = match self.choice(operand)? {
-            Choice::One(looked) => return make(self, looked),
-            Choice::Element(index, all) => (index, all),
+            SamplerChoice::One(looked) => return make(self, looked),
+            SamplerChoice::Element(index, all) => (index, all),
         };
         let result = match ty.is_void() {
             true => None,
@@ -79,8 +79,8 @@ impl Body<'_, '_> {
             return self.elements(operand, ty.array);
         }
         match self.choice(operand)? {
-            Choice::One(looked) => Ok(vec![looked]),
-            Choice::Element(..) => self.lowerer.refuse(MANY),
+            SamplerChoice::One(looked) => Ok(vec![looked]),
+            SamplerChoice::Element(..) => self.lowerer.refuse(MANY),
         }
     }
 
@@ -110,10 +110,10 @@ impl Body<'_, '_> {
         Ok(found)
     }
 
-    fn choice(&mut self, operand: OpId) -> Res<Choice> {
+    fn choice(&mut self, operand: OpId) -> Res<SamplerChoice> {
         let (variable, path) = self.path_of(operand)?;
         let computed = path.iter().position(|a| matches!(a, Access::Computed(_)));
-        let (before, chosen, behind) = match computed {
+        let (before, chosen, after) = match computed {
             None => (&path[..], None, &[][..]),
             Some(at) => {
                 let (before, rest) = path.split_at(at);
@@ -121,13 +121,13 @@ impl Body<'_, '_> {
             }
         };
         let before: Option<Vec<u32>> = before.iter().map(number).collect();
-        let behind: Option<Vec<u32>> = behind.iter().map(number).collect();
-        let (Some(mut steps), Some(behind)) = (before, behind) else {
+        let after: Option<Vec<u32>> = after.iter().map(number).collect();
+        let (Some(mut steps), Some(after)) = (before, after) else {
             return self.lowerer.refuse(MANY);
         };
         let Some(Access::Computed(index)) = chosen else {
             return match self.looked(variable, &steps) {
-                Some(looked) => Ok(Choice::One(looked)),
+                Some(looked) => Ok(SamplerChoice::One(looked)),
                 None => self.lowerer.refuse("unknown sampler"),
             };
         };
@@ -136,7 +136,7 @@ impl Body<'_, '_> {
         for i in 0.. {
             steps.truncate(known);
             steps.push(i);
-            steps.extend(&behind);
+            steps.extend(&after);
             match self.looked(variable, &steps) {
                 Some(looked) => all.push(looked),
                 None => break,
@@ -144,7 +144,7 @@ impl Body<'_, '_> {
         }
         match all.is_empty() {
             true => self.lowerer.refuse("unknown sampler"),
-            false => Ok(Choice::Element(*index, all)),
+            false => Ok(SamplerChoice::Element(*index, all)),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Built-in variables.
 
 use super::body::{Body, Bound};
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::port::location;
 use super::target::{FirstRow, Res, TargetLanguage, Value};
 use super::types::Sink;
@@ -32,7 +32,7 @@ pub(super) struct Leaving {
 
 const VEC4: Type = Type::vector(Scalar::Float, 4);
 
-impl Lowerer<'_> {
+impl NagaLowerer<'_> {
     /// Whether the target language supports point sizes.
     fn has_points(&self) -> bool {
         matches!(self.language, TargetLanguage::Spirv | TargetLanguage::Msl)
@@ -146,9 +146,9 @@ impl Body<'_, '_> {
     /// The position of a pixel as in OpenGL: rows are counted from the bottom, and `w` is the
     /// reciprocal of Direct3D's.
     fn position(&mut self, at: Value) -> Res<Value> {
-        let is_turned = self.lowerer.origin == FirstRow::Top;
+        let is_flipped = self.lowerer.origin == FirstRow::Top;
         let is_inverse = self.lowerer.language == TargetLanguage::Hlsl;
-        if !is_turned && !is_inverse {
+        if !is_flipped && !is_inverse {
             return Ok(at);
         }
         let mut parts: Vec<Value> = (0..4).map(|i| self.part(at, i)).collect();
@@ -157,7 +157,7 @@ impl Body<'_, '_> {
                 .lowerer
                 .refuse("expected a position with four components");
         };
-        if is_turned {
+        if is_flipped {
             let height = self.height()?;
             *y = self.op(Op::Subtract, height, *y);
         }

@@ -3,7 +3,7 @@
 
 use super::body::Body;
 use super::interface::{BufferMember, Repeated};
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::target::{Res, Value};
 use ::naga::{ArraySize, Handle, MathFunction, StructMember, TypeInner};
 use shaderlint_ir::Lanes;
@@ -38,11 +38,11 @@ impl Major {
     fn laid(self, ty: Type) -> Type {
         match (self, ty.element().numeric()) {
             (Major::Rows, Some((_, columns @ 2.., rows))) => {
-                let turned = Type::matrix(rows, columns);
+                let transposed = Type::matrix(rows, columns);
                 if ty.is_array() {
-                    turned.array_of(ty.array)
+                    transposed.array_of(ty.array)
                 } else {
-                    turned
+                    transposed
                 }
             }
             _ => ty,
@@ -52,7 +52,7 @@ impl Major {
 
 /// The place of a field in a struct.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Field {
+pub(super) struct StoredField {
     /// The layout of its matrices.
     pub(super) major: Major,
     /// The index of the member.
@@ -62,7 +62,7 @@ pub(super) struct Field {
 }
 
 /// The layout of a struct with the places of its fields; `None` for samplers.
-pub(super) type Record = (Stored, Vec<Option<Field>>);
+pub(super) type StoredRecord = (Stored, Vec<Option<StoredField>>);
 
 /// Alignment of arrays, structs and matrices, in bytes.
 const ROW: u32 = 16;
@@ -76,7 +76,12 @@ pub(super) struct Packing {
 
 impl Packing {
     /// Appends a member.
-    pub(super) fn add(&mut self, lowerer: &mut Lowerer, name: &str, stored: Stored) -> Res<Field> {
+    pub(super) fn add(
+        &mut self,
+        lowerer: &mut NagaLowerer,
+        name: &str,
+        stored: Stored,
+    ) -> Res<StoredField> {
         if stored.is_record {
             self.pad(lowerer)?;
         }
@@ -89,7 +94,7 @@ impl Packing {
             offset,
         });
         self.offset = offset.saturating_add(stored.size);
-        Ok(Field {
+        Ok(StoredField {
             major: Major::Columns,
             member,
             offset,
@@ -97,7 +102,7 @@ impl Packing {
     }
 
     /// Adds padding up to the alignment of a struct.
-    fn pad(&mut self, lowerer: &mut Lowerer) -> Res<()> {
+    fn pad(&mut self, lowerer: &mut NagaLowerer) -> Res<()> {
         let ty = lowerer.ty(Type::UINT)?;
         self.offset = self.offset.next_multiple_of(4);
         while !self.offset.is_multiple_of(ROW) {
@@ -113,7 +118,7 @@ impl Packing {
     }
 
     /// Finishes the struct.
-    pub(super) fn finish(mut self, lowerer: &mut Lowerer, name: Option<String>) -> Res<Stored> {
+    pub(super) fn finish(mut self, lowerer: &mut NagaLowerer, name: Option<String>) -> Res<Stored> {
         self.pad(lowerer)?;
         let size = self.offset.max(ROW);
         let (members, span) = (self.members, size);
@@ -132,7 +137,7 @@ impl Packing {
     }
 }
 
-impl Lowerer<'_> {
+impl NagaLowerer<'_> {
     /// The buffer layout of a type.
     pub(super) fn stored(&mut self, ty: Type, major: Major) -> Res<Stored> {
         let ty = major.laid(ty);
@@ -218,7 +223,7 @@ impl Lowerer<'_> {
                     let stored = self.stored(field.ty, major)?;
                     let name = program.names.text(field.name);
                     let place = packing.add(self, name, stored)?;
-                    Some(Field { major, ..place })
+                    Some(StoredField { major, ..place })
                 }
             });
         }
@@ -227,18 +232,18 @@ impl Lowerer<'_> {
             packing.add(self, "padding", room)?;
         }
         let name = found.name.map(|n| program.names.text(n));
-        let ending = match major {
+        let suffix = match major {
             Major::Columns => "Layout",
             Major::Rows => "LayoutByRows",
         };
-        let name = format!("{}{ending}", name.unwrap_or("Struct"));
+        let name = format!("{}{suffix}", name.unwrap_or("Struct"));
         let stored = packing.finish(self, Some(name))?;
         self.uniforms.records.insert((ty, major), (stored, fields));
         Ok(stored)
     }
 
     /// The places of the fields of a struct or block.
-    pub(super) fn stored_fields(&self, ty: Type, major: Major) -> &[Option<Field>] {
+    pub(super) fn stored_fields(&self, ty: Type, major: Major) -> &[Option<StoredField>] {
         let record = self.uniforms.records.get(&(ty, major));
         record.map_or(&[], |(_, fields)| fields)
     }
@@ -313,7 +318,7 @@ impl Lowerer<'_> {
 
 /// A place in a buffer.
 #[derive(Clone, Copy)]
-pub(super) struct Held {
+pub(super) struct StoredPlace {
     /// The pointer to it.
     pub(super) at: Value,
     /// The type of its value in the shader.
@@ -324,10 +329,10 @@ pub(super) struct Held {
     pub(super) major: Major,
 }
 
-impl Held {
+impl StoredPlace {
     /// The place at a pointer.
-    pub(super) fn new(at: Value, ty: Type, major: Major) -> Held {
-        Held {
+    pub(super) fn new(at: Value, ty: Type, major: Major) -> StoredPlace {
+        StoredPlace {
             at,
             ty,
             is_wide: false,
@@ -344,7 +349,7 @@ impl Held {
 
 impl Body<'_, '_> {
     /// A field of a struct or block.
-    pub(super) fn held_field(&mut self, held: Held, index: u32) -> Res<Held> {
+    pub(super) fn held_field(&mut self, held: StoredPlace, index: u32) -> Res<StoredPlace> {
         let program = self.lowerer.program;
         let fields = self.lowerer.stored_fields(held.ty, held.major);
         let place = fields.get(index as usize).copied().flatten();
@@ -352,14 +357,14 @@ impl Body<'_, '_> {
         match (place, found.and_then(|s| s.fields.get(index as usize))) {
             (Some(place), Some(field)) => {
                 let at = self.part(held.at, place.member);
-                Ok(Held::new(at, field.ty, place.major))
+                Ok(StoredPlace::new(at, field.ty, place.major))
             }
             _ => self.lowerer.refuse("a sampler cannot be used as a value"),
         }
     }
 
     /// An element, a column or a component.
-    pub(super) fn held_part(&self, held: Held, at: Value) -> Held {
+    pub(super) fn held_part(&self, held: StoredPlace, at: Value) -> StoredPlace {
         let (ty, is_row) = match held.ty.numeric() {
             _ if held.ty.is_array() => (held.ty.element(), true),
             Some((scalar, 2.., rows)) => (Type::vector(scalar, rows), true),
@@ -367,7 +372,7 @@ impl Body<'_, '_> {
             None => (Type::ERROR, false),
         };
         let is_wide = is_row && matches!(ty.numeric(), Some((_, 1, 1 | 2)));
-        Held {
+        StoredPlace {
             at,
             ty,
             is_wide,
@@ -376,12 +381,12 @@ impl Body<'_, '_> {
     }
 
     /// Loads the value at a place.
-    pub(super) fn unpack(&mut self, held: Held) -> Res<Value> {
+    pub(super) fn unpack(&mut self, held: StoredPlace) -> Res<Value> {
         self.check_limits()?;
         let ty = held.ty;
         if held.is_by_rows() {
-            let turned = Held::new(held.at, held.major.laid(ty), Major::Columns);
-            let rows = self.unpack(turned)?;
+            let transposed = StoredPlace::new(held.at, held.major.laid(ty), Major::Columns);
+            let rows = self.unpack(transposed)?;
             return Ok(self.math(MathFunction::Transpose, &[rows]));
         }
         let count = match (ty.is_array(), ty.numeric()) {

@@ -74,7 +74,7 @@ impl TargetLanguage {
     ];
 
     /// The file extension.
-    pub const fn ending(self) -> &'static str {
+    pub const fn extension(self) -> &'static str {
         match self {
             TargetLanguage::Wgsl => "wgsl",
             TargetLanguage::Spirv => "spv",

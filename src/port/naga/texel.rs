@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::target::{Res, Value};
-use super::texture::Shape;
+use super::texture::CoordinateShape;
 use super::types::Sink;
 use ::naga::{BinaryOperator as Op, Expression, ImageQuery, Literal, MathFunction};
 use shaderlint_ir::{Lanes, OpId};
@@ -20,7 +20,7 @@ impl Body<'_, '_> {
         more: &[OpId],
         kind: Sampler,
     ) -> Res<Value> {
-        let shape = Shape::of(kind);
+        let shape = CoordinateShape::of(kind);
         if shape.extent != shape.size {
             let message = "integer cube maps have no equivalent in the target language";
             return self.lowerer.refuse(message);
@@ -57,8 +57,8 @@ impl Body<'_, '_> {
         };
         let extent = self.convert(size, Scalar::Float);
         let scaled = self.op(Op::Multiply, place, extent);
-        let whole = self.math(MathFunction::Floor, &[scaled]);
-        let mut texel = self.convert(whole, Scalar::Int);
+        let floor_part = self.math(MathFunction::Floor, &[scaled]);
+        let mut texel = self.convert(floor_part, Scalar::Int);
         if let Some(offset) = offset {
             texel = self.op(Op::Add, texel, offset);
         }

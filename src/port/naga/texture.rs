@@ -13,7 +13,7 @@ use shaderlint_semantic::builtins::{BuiltinKind, Level, Lookup};
 use shaderlint_semantic::{Sampler, Scalar, Type};
 
 /// The coordinates of a sampler type.
-pub(super) struct Shape {
+pub(super) struct CoordinateShape {
     /// Number of coordinates.
     pub(super) size: u8,
     /// Number of components of the size, without layers.
@@ -24,8 +24,8 @@ pub(super) struct Shape {
     is_shadow: bool,
 }
 
-impl Shape {
-    pub(super) fn of(kind: Sampler) -> Shape {
+impl CoordinateShape {
+    pub(super) fn of(kind: Sampler) -> CoordinateShape {
         use Sampler as S;
         let size = match kind {
             S::Sampler2D | S::Isampler2D | S::Usampler2D | S::Sampler2DShadow => 2,
@@ -38,7 +38,7 @@ impl Shape {
             S::Sampler2DArray | S::Isampler2DArray | S::Usampler2DArray | S::Sampler2DArrayShadow
         );
         let is_deep = matches!(kind, S::Sampler3D | S::Isampler3D | S::Usampler3D);
-        Shape {
+        CoordinateShape {
             size,
             extent: if is_deep { 3 } else { 2 },
             is_layered,
@@ -69,7 +69,7 @@ impl Body<'_, '_> {
             sampler,
             kind: sampled,
         } = looked;
-        let shape = Shape::of(sampled);
+        let shape = CoordinateShape::of(sampled);
         match (kind, rest) {
             (BuiltinKind::Size, &[lod]) => self.texture_size(image, lod, &shape),
             (BuiltinKind::Lookup(lookup), &[at, lod, ..]) if lookup.level == Level::Fetch => {
@@ -88,7 +88,7 @@ impl Body<'_, '_> {
     }
 
     /// The size of a level, as in WebGL for any number: each level has half the size, at least 1.
-    fn texture_size(&mut self, image: Value, lod: OpId, shape: &Shape) -> Res<Value> {
+    fn texture_size(&mut self, image: Value, lod: OpId, shape: &CoordinateShape) -> Res<Value> {
         let query = ImageQuery::Size { level: None };
         let mut size = self.add(Expression::ImageQuery { image, query });
         if !self.is_zero(lod) {
@@ -171,7 +171,7 @@ impl Body<'_, '_> {
         image: Value,
         at: Value,
         level: Value,
-        shape: &Shape,
+        shape: &CoordinateShape,
     ) -> Res<()> {
         let (coordinate, array_index) = match shape.is_layered {
             true => (self.swizzle(at, Lanes::new(0..2)), Some(self.part(at, 2))),
@@ -217,7 +217,7 @@ impl Body<'_, '_> {
         (image, sampler): (Value, Value),
         at: OpId,
         more: &[OpId],
-        shape: &Shape,
+        shape: &CoordinateShape,
     ) -> Res<Value> {
         let at_ty = self.lowerer.form.ty(at);
         let at = self.value(at)?;
@@ -276,7 +276,7 @@ impl Body<'_, '_> {
     }
 
     /// Divides the coordinates by the last component.
-    pub(super) fn projected(&mut self, at: Value, ty: Type, shape: &Shape) -> Res<Value> {
+    pub(super) fn projected(&mut self, at: Value, ty: Type, shape: &CoordinateShape) -> Res<Value> {
         let last = self.part(at, ty.components().saturating_sub(1));
         let count = shape.size + shape.is_shadow as u8;
         let first = self.swizzle(at, Lanes::new(0..count));
@@ -285,7 +285,11 @@ impl Body<'_, '_> {
     }
 
     /// Splits the coordinates into coordinates, layer and depth reference.
-    fn coordinates(&mut self, at: Value, shape: &Shape) -> (Value, Option<Value>, Option<Value>) {
+    fn coordinates(
+        &mut self,
+        at: Value,
+        shape: &CoordinateShape,
+    ) -> (Value, Option<Value>, Option<Value>) {
         if !shape.is_layered && !shape.is_shadow {
             return (at, None, None);
         }
@@ -314,7 +318,7 @@ fn texel_ty(kind: Sampler) -> Type {
 
 /// Generates the function that reads a texel.
 fn fetch(body: &mut Body, kind: Sampler) -> Res<Handle<::naga::Function>> {
-    let shape = Shape::of(kind);
+    let shape = CoordinateShape::of(kind);
     let size = shape.size + u8::from(shape.is_layered);
     let image_ty = body.lowerer.inner(None, image(kind));
     let at_ty = body.lowerer.ty(Type::vector(Scalar::Int, size))?;

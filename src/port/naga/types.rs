@@ -1,6 +1,6 @@
 //! Types: scalars, vectors, matrices, arrays, structs, textures.
 
-use super::lower::Lowerer;
+use super::lower::NagaLowerer;
 use super::target::{Res, Value};
 use ::naga::proc::TypeLayout;
 use ::naga::{
@@ -13,7 +13,7 @@ use std::num::NonZeroU32;
 /// Something that expressions can be added to: a function, or the global expressions of the module.
 pub(super) trait Sink<'p> {
     /// The module under construction.
-    fn lowerer(&mut self) -> &mut Lowerer<'p>;
+    fn lowerer(&mut self) -> &mut NagaLowerer<'p>;
     /// Adds an expression.
     fn add(&mut self, expression: Expression) -> Value;
 }
@@ -89,7 +89,7 @@ pub(super) fn texel(sampler: Sampler) -> Option<ScalarKind> {
     }
 }
 
-impl Lowerer<'_> {
+impl NagaLowerer<'_> {
     /// Adds a type.
     pub(super) fn inner(&mut self, name: Option<String>, inner: TypeInner) -> Handle<::naga::Type> {
         let ty = ::naga::Type { name, inner };

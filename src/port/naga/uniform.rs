@@ -4,8 +4,8 @@
 use super::body::{Body, Bound};
 use super::global::Global;
 use super::interface::{BindSlot, Buffer, BufferMember, HostInterface, TexturePair};
-use super::lower::Lowerer;
-use super::stored::{Field, Held, Major, Packing, Record, Stored};
+use super::lower::NagaLowerer;
+use super::stored::{Major, Packing, Stored, StoredField, StoredPlace, StoredRecord};
 use super::target::{FirstRow, Res, TargetLanguage, Value};
 use super::types::{Sink, image};
 use ::naga::{
@@ -22,7 +22,7 @@ pub(super) struct Uniforms {
     /// Where the height of the image is stored, if rows are flipped.
     pub(super) height: Option<Height>,
     /// The layouts of structs and blocks, with the places of their fields.
-    pub(super) records: FxHashMap<(Type, Major), Record>,
+    pub(super) records: FxHashMap<(Type, Major), StoredRecord>,
     /// The buffer for uniforms outside of blocks.
     own: Option<Handle<GlobalVariable>>,
     /// By struct of a block without an instance name: its buffer.
@@ -63,7 +63,7 @@ struct Alone {
     members: Vec<(VariableId, u32)>,
 }
 
-impl<'p> Lowerer<'p> {
+impl<'p> NagaLowerer<'p> {
     /// Declares all uniforms in source order: those outside of blocks, then samplers, then blocks.
     pub(super) fn declare_uniforms(&mut self) -> Res<()> {
         let program = self.program;
@@ -101,10 +101,10 @@ impl<'p> Lowerer<'p> {
         let name = self.program.names.text(variable.name);
         let ty = (variable.ty, Major::Columns);
         let stored = self.stored(ty.0, ty.1)?;
-        let Field { member, offset, .. } = alone.packing.add(self, name, stored)?;
+        let StoredField { member, offset, .. } = alone.packing.add(self, name, stored)?;
         self.list(name, ty, offset, &mut alone.listed);
         alone.members.push((id, member));
-        if self.tells_size(variable) {
+        if self.gives_size(variable) {
             self.uniforms.height = Some(Height::Resolution(member));
         }
         Ok(())
@@ -112,11 +112,11 @@ impl<'p> Lowerer<'p> {
 
     /// Declares the buffer for uniforms outside of blocks, with the height of the image if needed.
     fn finish_alone(&mut self, mut alone: Alone) -> Res<()> {
-        if self.uniforms.height.is_none() && self.turns_rows() {
+        if self.uniforms.height.is_none() && self.flips_rows() {
             let name = self.program.names.unused("pictureHeight");
             let ty = (Type::FLOAT, Major::Columns);
             let stored = self.stored(ty.0, ty.1)?;
-            let Field { member, offset, .. } = alone.packing.add(self, &name, stored)?;
+            let StoredField { member, offset, .. } = alone.packing.add(self, &name, stored)?;
             self.list(&name, ty, offset, &mut alone.listed);
             self.uniforms.height = Some(Height::Own(member));
             self.interface.notes.push(format!(
@@ -227,7 +227,7 @@ impl<'p> Lowerer<'p> {
 
     /// Whether a uniform is `iResolution` of ShaderToy's player. A user's uniform of that name may
     /// have any meaning.
-    fn tells_size(&self, variable: &Variable) -> bool {
+    fn gives_size(&self, variable: &Variable) -> bool {
         let program = self.program;
         let is_players = program
             .declared_at(variable)
@@ -236,7 +236,7 @@ impl<'p> Lowerer<'p> {
     }
 
     /// Whether rows are flipped and the shader uses the row of the pixel.
-    fn turns_rows(&self) -> bool {
+    fn flips_rows(&self) -> bool {
         let name = self.program.names.get("gl_FragCoord");
         let is_it = |p: &Place| self.program.variable(p.variable).map(|v| v.name) == name;
         self.origin == FirstRow::Top && name.is_some() && self.form.places.iter().any(is_it)
@@ -362,18 +362,18 @@ impl Body<'_, '_> {
     ) -> Bound {
         let ty = self.lowerer.form.variable(id).map_or(Type::ERROR, |v| v.ty);
         let at = self.member_of(buffer, member);
-        Bound::Stored(Held::new(at, ty, major))
+        Bound::Stored(StoredPlace::new(at, ty, major))
     }
 
     /// The place of a block with an instance name, or of an element of an array of blocks.
-    pub(super) fn block(&mut self, id: VariableId, number: u32) -> Res<Held> {
+    pub(super) fn block(&mut self, id: VariableId, number: u32) -> Res<StoredPlace> {
         let found = self.lowerer.uniforms.instances.get(&id);
         let buffer = found.and_then(|all| all.get(number as usize)).copied();
         let ty = self.lowerer.form.variable(id).map(|v| v.ty.element());
         match (buffer, ty) {
             (Some(buffer), Some(ty)) => {
                 let at = self.add(Expression::GlobalVariable(buffer));
-                Ok(Held::new(at, ty, Major::Columns))
+                Ok(StoredPlace::new(at, ty, Major::Columns))
             }
             _ => self.lowerer.refuse("unknown block"),
         }

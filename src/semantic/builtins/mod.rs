@@ -190,8 +190,8 @@ impl Builtins {
     }
 
     /// The overload with this index.
-    pub fn overload(&self, number: u32) -> Option<&'static Overload> {
-        self.overloads.get(number as usize)
+    pub fn overload(&self, index: u32) -> Option<&'static Overload> {
+        self.overloads.get(index as usize)
     }
 
     /// Index range of a function's overloads.
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_lookup_takes_tells_its_parameters() {
+    fn what_a_lookup_accepts_types_its_parameters() {
         for stage in [Stage::Vertex, Stage::Fragment] {
             for version in [Version::Es100, Version::Es300] {
                 for overload in Builtins::of(version, stage).overloads {

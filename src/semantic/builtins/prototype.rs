@@ -44,14 +44,14 @@ impl Declared {
 
     /// Adds the declarations of a text in the notation described in `functions_300.glsl`.
     pub const fn and(mut self, text: &'static str) -> Declared {
-        let mut words = Words { rest: text };
+        let mut words = PrototypeWords { rest: text };
         while words.skip() {
             self.declaration(&mut words);
         }
         self
     }
 
-    const fn declaration(&mut self, words: &mut Words) {
+    const fn declaration(&mut self, words: &mut PrototypeWords) {
         let first = words.word();
         let storage = match first.as_bytes() {
             b"in" => BuiltinStorage::In,
@@ -173,11 +173,11 @@ impl Declared {
 }
 
 /// A text read word by word.
-struct Words {
+struct PrototypeWords {
     rest: &'static str,
 }
 
-impl Words {
+impl PrototypeWords {
     /// Consumes this many bytes.
     const fn take(&mut self, len: usize) -> &'static str {
         let (taken, rest) = self.rest.split_at(len);
@@ -323,7 +323,7 @@ struct Prototype {
 
 impl Prototype {
     /// Reads `name(type name, ...);` after the return type.
-    const fn read(returns: &str, words: &mut Words) -> Prototype {
+    const fn read(returns: &str, words: &mut PrototypeWords) -> Prototype {
         let Some(function) = BuiltinId::named(words.word()) else {
             panic!("no row of the table has this name");
         };
@@ -363,7 +363,7 @@ impl Prototype {
 /// Reads `precision type name[size] = value;` after the storage qualifier.
 const fn read_variable(
     storage: BuiltinStorage,
-    words: &mut Words,
+    words: &mut PrototypeWords,
 ) -> (&'static str, BuiltinVariable) {
     let mut word = words.word();
     let precision = match word.as_bytes() {

@@ -5,7 +5,7 @@ use crate::undefined::Undefined;
 
 /// Row of the table of built-in functions.
 #[derive(Debug)]
-pub(super) struct Row {
+pub(super) struct BuiltinRow {
     /// Name in GLSL.
     pub name: &'static str,
     /// What the function does.

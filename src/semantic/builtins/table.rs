@@ -5,7 +5,7 @@
 use super::row::BuiltinKind::{Derivative, Math, Size};
 use super::row::Level::{Explicit, Fetch, Gradient, Implicit};
 use super::row::Transfer::*;
-use super::row::{Axis, Row, lookup, projected, projected_shifted, shifted};
+use super::row::{Axis, BuiltinRow, lookup, projected, projected_shifted, shifted};
 use crate::constant::Value;
 use crate::fold::Folding::{ByColumns, Never, Values};
 use crate::fold::*;
@@ -48,10 +48,10 @@ macro_rules! table {
             }
 
             /// The table row of the function.
-            pub(super) const fn row(self) -> &'static Row {
+            pub(super) const fn row(self) -> &'static BuiltinRow {
                 match self {
                     $(BuiltinId::$id => const {
-                        &Row {
+                        &BuiltinRow {
                             name: $name,
                             kind: $kind,
                             cost: $cost,

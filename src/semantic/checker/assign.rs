@@ -1,6 +1,6 @@
 //! Assignments and initializers (GLSL ES 3.00 sections 5.8 and 4.3).
 
-use super::qualifier::{Qualified, Wanted};
+use super::qualifier::{Qualified, WantedStorage};
 use super::*;
 
 /// An error in the initializer of a declaration.
@@ -8,12 +8,12 @@ use super::*;
 pub(crate) enum ValueError {
     /// A value of another type than the declared one, and the extent of that type if it can be
     /// edited.
-    Initializer(Declarator, Option<Extent>, Type, ExprId, Misfit),
+    Initializer(Declarator, Option<Extent>, Type, ExprId, TypeMismatch),
     /// A declared type, at this extent, that matches neither the value nor the uses of the
     /// variable.
-    Retyped(Declarator, Extent, Type, ExprId, Misfit),
+    Retyped(Declarator, Extent, Type, ExprId, TypeMismatch),
     /// A value that must be a constant expression.
-    NotConstant(Declarator, ExprId, Wanted),
+    NotConstant(Declarator, ExprId, WantedStorage),
 }
 
 impl Checker<'_> {
@@ -46,8 +46,8 @@ impl Checker<'_> {
             None => typing::assign(self.types(), l.ty, r.ty),
             Some(op) => typing::compound(self.types(), op, l.ty, r.ty).map(|_| ()),
         };
-        if let Err(misfit) = fits {
-            self.refuse(id, &[left, right], misfit);
+        if let Err(mismatch) = fits {
+            self.refuse(id, &[left, right], mismatch);
         }
         ExprInfo {
             is_const: false,
@@ -75,13 +75,16 @@ impl Checker<'_> {
             self.reject(declarator.extent, ArrayError::Value);
             return true;
         }
-        if !matches!(qualified.storage, Wanted::None | Wanted::Const) {
+        if !matches!(
+            qualified.storage,
+            WantedStorage::None | WantedStorage::Const
+        ) {
             let problem = DeclarationError::Value(qualified.storage);
             self.reject(declarator.extent, problem);
             return true;
         }
-        if let Err(misfit) = typing::assign(self.types(), ty, info.ty) {
-            let problem = ValueError::Initializer(*declarator, spec, ty, init, misfit);
+        if let Err(mismatch) = typing::assign(self.types(), ty, info.ty) {
+            let problem = ValueError::Initializer(*declarator, spec, ty, init, mismatch);
             self.reject(declarator.extent, problem);
             return false;
         }
@@ -97,7 +100,7 @@ impl Checker<'_> {
         init: ExprId,
     ) {
         let info = self.info(init);
-        let is_const = qualified.storage == Wanted::Const;
+        let is_const = qualified.storage == WantedStorage::Const;
         let is_global = self.at_global_scope() && !self.is_global_initializer(init);
         if is_const && !info.is_const || !is_const && is_global {
             let problem = ValueError::NotConstant(*declarator, init, qualified.storage);

@@ -28,8 +28,8 @@ impl Checker<'_> {
                 };
                 self.result(ty, [l, r], constant)
             }
-            Err(misfit) => {
-                self.refuse(id, &[left, right], misfit);
+            Err(mismatch) => {
+                self.refuse(id, &[left, right], mismatch);
                 self.poisoned(op)
             }
         }

@@ -58,28 +58,28 @@ impl Checker<'_> {
     /// Walks the call graph, callees first, without recursion.
     fn walk_calls(&mut self, callees: &[Vec<(FunctionRef, ExprId)>]) {
         #[derive(Clone, Copy, PartialEq)]
-        enum Mark {
+        enum VisitMark {
             New,
             Open,
             Done(u32),
         }
-        let mut marks = vec![Mark::New; callees.len()];
+        let mut marks = vec![VisitMark::New; callees.len()];
         let mut reported_depth = false;
         for root in 0..callees.len() {
             let mut stack: Vec<(usize, usize)> = vec![(root, 0)];
-            if marks.get(root) != Some(&Mark::New) {
+            if marks.get(root) != Some(&VisitMark::New) {
                 continue;
             }
             while let Some((function, next)) = stack.pop() {
                 if let Some(mark) = marks.get_mut(function) {
-                    *mark = Mark::Open;
+                    *mark = VisitMark::Open;
                 }
                 let list = callees.get(function).map_or(&[][..], Vec::as_slice);
                 if let Some(&(callee, _)) = list.get(next) {
                     stack.push((function, next + 1));
                     match marks.get(callee.0 as usize) {
-                        Some(Mark::New) => stack.push((callee.0 as usize, 0)),
-                        Some(Mark::Open) => {
+                        Some(VisitMark::New) => stack.push((callee.0 as usize, 0)),
+                        Some(VisitMark::Open) => {
                             let start = stack.iter().position(|(f, _)| *f == callee.0 as usize);
                             let cycle = stack.get(start.unwrap_or(0)..).unwrap_or(&[]);
                             let calls = cycle.iter().filter_map(|&(caller, next)| {
@@ -95,14 +95,14 @@ impl Checker<'_> {
                 let depth = list
                     .iter()
                     .map(|(f, _)| match marks.get(f.0 as usize) {
-                        Some(Mark::Done(depth)) => *depth,
+                        Some(VisitMark::Done(depth)) => *depth,
                         _ => 0,
                     })
                     .max()
                     .unwrap_or(0)
                     + 1;
                 if let Some(mark) = marks.get_mut(function) {
-                    *mark = Mark::Done(depth);
+                    *mark = VisitMark::Done(depth);
                 }
                 if depth > MAX_CALL_DEPTH && !reported_depth {
                     reported_depth = true;

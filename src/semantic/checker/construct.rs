@@ -23,10 +23,10 @@ impl Checker<'_> {
         }
         ty = typing::sized(ty, args.len());
         let types = args.iter().map(|&a| self.ty(a));
-        if let Err(misfit) = typing::construct(self.types(), ty, types.clone()) {
-            self.refuse(id, args, misfit);
-            let ty = match misfit {
-                Misfit::NotConstructible(_) => Type::ERROR,
+        if let Err(mismatch) = typing::construct(self.types(), ty, types.clone()) {
+            self.refuse(id, args, mismatch);
+            let ty = match mismatch {
+                TypeMismatch::NotConstructible(_) => Type::ERROR,
                 _ => ty,
             };
             return ExprInfo {

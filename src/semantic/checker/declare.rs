@@ -1,7 +1,7 @@
 //! Declarations of variables, structs and interface blocks (GLSL ES 3.00 section 4).
 
 use super::super::host::channel;
-use super::qualifier::{Qualified, Wanted};
+use super::qualifier::{Qualified, WantedStorage};
 use super::*;
 
 /// An error in the declaration of a variable.
@@ -14,7 +14,7 @@ pub(crate) enum DeclarationError {
     /// A constant without an initializer.
     NoValue(Name),
     /// An initializer of a variable with a storage that has none, such as `uniform`.
-    Value(Wanted),
+    Value(WantedStorage),
 }
 
 impl<'a> Checker<'a> {
@@ -98,7 +98,7 @@ impl<'a> Checker<'a> {
     fn check_interpolation(&mut self, qualified: &Qualified, extent: Extent) {
         let alone = matches!(
             qualified.storage,
-            Wanted::Flat | Wanted::Smooth | Wanted::Centroid
+            WantedStorage::Flat | WantedStorage::Smooth | WantedStorage::Centroid
         );
         if alone && self.at_global_scope() {
             let at = qualified.extent.unwrap_or(extent);
@@ -107,7 +107,8 @@ impl<'a> Checker<'a> {
     }
 
     fn check_invariant(&mut self, qualified: &Qualified, extent: Extent) {
-        let is_output = qualified.storage == Wanted::Varying || qualified.storage.is_output();
+        let is_output =
+            qualified.storage == WantedStorage::Varying || qualified.storage.is_output();
         if qualified.invariant && !is_output {
             let at = qualified.extent.unwrap_or(extent);
             self.reject(at, QualifierError::Invariant);
@@ -148,7 +149,7 @@ impl<'a> Checker<'a> {
         if !ok {
             ty = Type::ERROR;
         }
-        let mut is_const = qualified.storage == Wanted::Const;
+        let mut is_const = qualified.storage == WantedStorage::Const;
         let mut constant = Constant::NONE;
         if is_const && declarator.init.is_none() {
             let name = declarator.ident.name;
@@ -164,7 +165,7 @@ impl<'a> Checker<'a> {
                         Constant::NONE
                     }
                 }
-                false => ty = self.settled_type(index, spec, declarator, ty),
+                false => ty = self.chosen_type(index, spec, declarator, ty),
             }
             is_const &= info.is_const;
         }
@@ -174,7 +175,7 @@ impl<'a> Checker<'a> {
         let id = self.declare_variable(declarator.ident, ty, storage, is_const, constant);
         if let (None, Some(Binding::Variable(first))) = (id, before) {
             let is_meant = self.means_second(index, first, ty);
-            self.mend_redefinition(declarator.ident, first, ty, spec, is_meant);
+            self.recover_redefinition(declarator.ident, first, ty, spec, is_meant);
             if is_meant {
                 self.bind_variable(declarator.ident, ty, storage, is_const, constant);
             }
@@ -198,7 +199,7 @@ impl<'a> Checker<'a> {
             self.reject(name, DeclarationError::Void);
         } else if let Err(problem) = self.passed_as(qualified.storage, base) {
             self.reject(name, problem);
-        } else if self.inside(base).sampler && qualified.storage != Wanted::Uniform {
+        } else if self.inside(base).sampler && qualified.storage != WantedStorage::Uniform {
             self.reject(name, DeclarationError::Sampler);
         } else {
             return true;
@@ -206,12 +207,12 @@ impl<'a> Checker<'a> {
         false
     }
 
-    fn storage_of(&self, wanted: Wanted) -> Storage {
+    fn storage_of(&self, wanted: WantedStorage) -> Storage {
         match wanted {
-            Wanted::Uniform => Storage::Uniform,
-            Wanted::Attribute => Storage::Input,
-            Wanted::Varying if self.stage == Stage::Vertex => Storage::Output,
-            Wanted::Varying => Storage::Input,
+            WantedStorage::Uniform => Storage::Uniform,
+            WantedStorage::Attribute => Storage::Input,
+            WantedStorage::Varying if self.stage == Stage::Vertex => Storage::Output,
+            WantedStorage::Varying => Storage::Input,
             wanted if wanted.is_input() => Storage::Input,
             wanted if wanted.is_output() => Storage::Output,
             _ if self.at_global_scope() => Storage::Global,
@@ -289,7 +290,7 @@ impl<'a> Checker<'a> {
         if spec.arrays.len == 0 {
             return base;
         }
-        self.with_arrays(base, spec.arrays, Wanted::None)
+        self.with_arrays(base, spec.arrays, WantedStorage::None)
     }
 
     fn named_type(&mut self, name: Name, token: TokenId) -> Type {
@@ -310,7 +311,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Adds the details that a fix needs to the error about a redeclared name.
-    fn mend_redefinition(
+    fn recover_redefinition(
         &mut self,
         ident: Ident,
         first: VariableId,

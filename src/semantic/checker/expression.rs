@@ -8,7 +8,7 @@ use crate::typing::LENGTH;
 #[derive(Clone, Debug)]
 pub(crate) enum ExpressionError {
     /// Operands or arguments of wrong types, in the order in which the misfit numbers them.
-    Misfit(ExprId, Vec<ExprId>, Misfit),
+    Misfit(ExprId, Vec<ExprId>, TypeMismatch),
     /// An unsigned literal in a version without them.
     Unsigned(ExprId),
     /// The `f` suffix of a literal that ends at this position, in a version without suffixes.
@@ -37,7 +37,7 @@ pub(crate) enum Indexed {
 impl Checker<'_> {
     /// Checks the expression `root` and everything in it.
     pub(super) fn eval(&mut self, root: ExprId) {
-        self.whole = root;
+        self.root_expr = root;
         while self.exprs.len() <= root.0 as usize && self.exprs.len() < self.tree.exprs.len() {
             let id = ExprId(self.exprs.len() as u32);
             let info = if self.gave_up() {
@@ -145,8 +145,8 @@ impl Checker<'_> {
         if info.ty.is_error() {
             return ExprInfo::ERROR;
         }
-        if let Err(misfit) = typing::unary(op, info.ty) {
-            return self.refuse(id, &[operand], misfit);
+        if let Err(mismatch) = typing::unary(op, info.ty) {
+            return self.refuse(id, &[operand], mismatch);
         }
         if op == UnaryOp::BitNot {
             self.require(Feature::IntegerOperators, id);
@@ -169,8 +169,8 @@ impl Checker<'_> {
         if info.ty.is_error() {
             return ExprInfo::ERROR;
         }
-        if let Err(misfit) = typing::step(info.ty) {
-            return self.refuse(id, &[operand], misfit);
+        if let Err(mismatch) = typing::step(info.ty) {
+            return self.refuse(id, &[operand], mismatch);
         }
         if !self.check_assignable(operand, self.tree.expr(id).extent, Writer::Word(symbol)) {
             return ExprInfo::ERROR;
@@ -182,8 +182,13 @@ impl Checker<'_> {
     }
 
     /// Reports a type error in an expression.
-    pub(super) fn refuse(&mut self, id: ExprId, parts: &[ExprId], misfit: Misfit) -> ExprInfo {
-        self.reject_expr(id, ExpressionError::Misfit(id, parts.to_vec(), misfit));
+    pub(super) fn refuse(
+        &mut self,
+        id: ExprId,
+        parts: &[ExprId],
+        mismatch: TypeMismatch,
+    ) -> ExprInfo {
+        self.reject_expr(id, ExpressionError::Misfit(id, parts.to_vec(), mismatch));
         ExprInfo::ERROR
     }
 
@@ -197,9 +202,9 @@ impl Checker<'_> {
     fn ternary(&mut self, id: ExprId, condition: ExprId, yes: ExprId, no: ExprId) -> ExprInfo {
         let (c, y, n) = (self.info(condition), self.info(yes), self.info(no));
         if !c.ty.is_error()
-            && let Err(misfit) = typing::condition(c.ty)
+            && let Err(mismatch) = typing::condition(c.ty)
         {
-            self.refuse(id, &[condition], misfit);
+            self.refuse(id, &[condition], mismatch);
         }
         if y.ty.is_error() || n.ty.is_error() {
             return ExprInfo::ERROR;
@@ -213,7 +218,7 @@ impl Checker<'_> {
                 };
                 self.result(ty, [c, y, n], constant)
             }
-            Err(misfit) => self.refuse(id, &[yes, no], misfit),
+            Err(mismatch) => self.refuse(id, &[yes, no], mismatch),
         }
     }
 
@@ -221,7 +226,7 @@ impl Checker<'_> {
         let (l, r) = (self.info(left), self.info(right));
         let ty = match typing::sequence(self.types(), l.ty, r.ty) {
             Ok(ty) => ty,
-            Err(misfit) => return self.refuse(id, &[left, right], misfit),
+            Err(mismatch) => return self.refuse(id, &[left, right], mismatch),
         };
         let is_kept = self.has(Feature::ConstantComma);
         let constant = if is_kept { r.constant } else { Constant::NONE };
@@ -266,7 +271,7 @@ impl Checker<'_> {
             return ExprInfo::ERROR;
         }
         let text = self.text(name);
-        if self.is_behind_comma(object, info.ty) {
+        if self.is_after_comma(object, info.ty) {
             self.reject_expr(id, ExpressionError::MemberBehindComma(id));
             return ExprInfo::ERROR;
         }
@@ -280,10 +285,10 @@ impl Checker<'_> {
                 };
                 self.result(ty, [info], constant)
             }
-            Err(misfit) => {
-                self.refuse(id, &[object], misfit);
-                match (misfit, info.ty.scalar_kind()) {
-                    (Misfit::Component(..), Some(scalar)) => ExprInfo {
+            Err(mismatch) => {
+                self.refuse(id, &[object], mismatch);
+                match (mismatch, info.ty.scalar_kind()) {
+                    (TypeMismatch::Component(..), Some(scalar)) => ExprInfo {
                         ty: Type::vector(scalar, text.len() as u8),
                         ..ExprInfo::ERROR
                     },
@@ -294,7 +299,7 @@ impl Checker<'_> {
     }
 
     /// Whether `object` is a comma expression that is a struct containing samplers.
-    fn is_behind_comma(&self, object: ExprId, ty: Type) -> bool {
+    fn is_after_comma(&self, object: ExprId, ty: Type) -> bool {
         let inner = self.tree.expr(self.tree.unparen(object)).kind;
         let is_record = !ty.is_array() && matches!(ty.base, Base::Struct(_) | Base::Block(_));
         is_record && matches!(inner, ExprKind::Comma(..)) && self.inside(ty).sampler
@@ -321,10 +326,10 @@ impl Checker<'_> {
         }
         let (element, size) = match typing::element(base.ty) {
             Ok(found) => found,
-            Err(misfit) => return self.refuse(id, &[object, index], misfit),
+            Err(mismatch) => return self.refuse(id, &[object, index], mismatch),
         };
-        if let Err(misfit) = typing::index(at.ty) {
-            self.refuse(id, &[object, index], misfit);
+        if let Err(mismatch) = typing::index(at.ty) {
+            self.refuse(id, &[object, index], mismatch);
             return ExprInfo {
                 is_const: false,
                 ..self.result(element, [base], Constant::NONE)
@@ -357,8 +362,8 @@ impl Checker<'_> {
             Value::Uint(v) if v > i32::MAX as u32 => v as i64,
             v => v.as_int() as i64,
         };
-        let is_judged = value < 0 || self.info(index).is_const;
-        if (0..size as i64).contains(&value) || size == Type::UNSIZED || !is_judged {
+        let is_checked = value < 0 || self.info(index).is_const;
+        if (0..size as i64).contains(&value) || size == Type::UNSIZED || !is_checked {
             return;
         }
         let problem = ExpressionError::IndexRange(object, index, value, size);
@@ -368,14 +373,14 @@ impl Checker<'_> {
     /// Checks the index of arrays that accept only constant indices.
     fn check_index_kind(&mut self, id: ExprId, object: ExprId, base: ExprInfo, at: ExprInfo) {
         // Of a comma expression without side effects the browser keeps only the right operand.
-        let mut behind = self.tree.unparen(object);
-        while let ExprKind::Comma(left, right) = self.tree.expr(behind).kind
+        let mut after = self.tree.unparen(object);
+        while let ExprKind::Comma(left, right) = self.tree.expr(after).kind
             && !self.has_side_effects(left)
         {
-            behind = self.tree.unparen(right);
+            after = self.tree.unparen(right);
         }
         let storage = self
-            .variable_of(behind)
+            .variable_of(after)
             .and_then(|v| self.variables.get(v.0 as usize));
         let is_output = storage.is_some_and(|v| v.storage == Storage::Output);
         let is_builtin = storage.is_some_and(|v| v.token.is_none());

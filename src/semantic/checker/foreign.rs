@@ -1,6 +1,6 @@
 //! Undeclared names of other languages, and the types of their GLSL equivalents.
 
-use super::qualifier::Wanted;
+use super::qualifier::WantedStorage;
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 
@@ -69,7 +69,7 @@ impl Checker<'_> {
         qualifiers: List,
         ty: TypeId,
         declarators: List,
-    ) -> Option<(Type, Wanted)> {
+    ) -> Option<(Type, WantedStorage)> {
         let tree = self.tree;
         let spec = tree.ty(ty);
         let token = spec.extent.first;
@@ -96,9 +96,11 @@ impl Checker<'_> {
             .iter()
             .all(|d| d.init.is_some_and(|i| self.info(i).is_const));
         let (from, wanted) = match all {
-            [only] if only.kind == QualifierKind::Const && is_known => (token, Wanted::Const),
-            [only] if only.kind == QualifierKind::Const => (only.extent.first, Wanted::None),
-            _ => (token, Wanted::None),
+            [only] if only.kind == QualifierKind::Const && is_known => {
+                (token, WantedStorage::Const)
+            }
+            [only] if only.kind == QualifierKind::Const => (only.extent.first, WantedStorage::None),
+            _ => (token, WantedStorage::None),
         };
         self.reject(Extent::token(token), ForeignError::Inferred(from, found));
         Some((found, wanted))
@@ -117,9 +119,9 @@ impl Checker<'_> {
             return self.construct_type(id, ty, args);
         }
         // The arguments of `print` and similar functions have already been reported.
-        let is_told =
+        let is_reported =
             matches!(found.meaning, Meaning::Silent) && types.iter().any(|t| t.is_error());
-        if !self.was_reported(name) && !is_told {
+        if !self.was_reported(name) && !is_reported {
             self.report_undeclared(
                 name,
                 Extent::token(token),

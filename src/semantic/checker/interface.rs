@@ -1,24 +1,24 @@
 //! Types that can be passed between stages, and to and from the shader (GLSL ES 3.00 sections 4.3.4
 //! and 4.3.6).
 
-use super::qualifier::Wanted;
+use super::qualifier::WantedStorage;
 use super::*;
 
 /// An error in the type of an input or output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum InterfaceError {
     /// A type that is not allowed with this storage.
-    Type(Wanted, Type),
+    Type(WantedStorage, Type),
     /// A `bool` or vector of them.
-    Bool(Wanted),
+    Bool(WantedStorage),
     /// A struct, which is not allowed with this storage.
-    Struct(Wanted),
+    Struct(WantedStorage),
     /// A vertex shader input that is an array.
     InputArray,
     /// A fragment shader output that is a matrix.
     OutputMatrix,
     /// An integer without `flat`.
-    NotFlat(Wanted),
+    NotFlat(WantedStorage),
     /// An array of structs.
     ArrayOfStructs,
     /// A struct containing an array.
@@ -31,13 +31,13 @@ pub(crate) enum InterfaceError {
 
 impl Checker<'_> {
     /// Checks that values of a type can be passed with these qualifiers.
-    pub(super) fn passed(&self, storage: Wanted, ty: Type) -> Result<(), InterfaceError> {
+    pub(super) fn passed(&self, storage: WantedStorage, ty: Type) -> Result<(), InterfaceError> {
         use InterfaceError as E;
         let scalar = match ty.base {
             Base::Numeric { scalar, .. } => Some(scalar),
             _ => None,
         };
-        let is_legacy = matches!(storage, Wanted::Attribute | Wanted::Varying);
+        let is_legacy = matches!(storage, WantedStorage::Attribute | WantedStorage::Varying);
         if !self.has(Feature::InOut) {
             return match scalar {
                 Some(Scalar::Bool | Scalar::Int) if is_legacy => Err(E::Type(storage, ty)),
@@ -55,7 +55,7 @@ impl Checker<'_> {
             Some(Stage::Fragment) if ty.element().is_matrix() => Err(E::OutputMatrix),
             Some(_) => Ok(()),
             None if self.inside(ty).integer
-                && !matches!(storage, Wanted::FlatIn | Wanted::FlatOut) =>
+                && !matches!(storage, WantedStorage::FlatIn | WantedStorage::FlatOut) =>
             {
                 Err(E::NotFlat(storage))
             }
@@ -65,9 +65,11 @@ impl Checker<'_> {
 
     /// The stage, if variables of this storage are at an end of the pipeline: vertex shader inputs
     /// and fragment shader outputs.
-    fn end_of(&self, storage: Wanted) -> Option<Stage> {
+    fn end_of(&self, storage: WantedStorage) -> Option<Stage> {
         match (self.stage, storage) {
-            (Stage::Vertex, Wanted::In) | (Stage::Fragment, Wanted::Out) => Some(self.stage),
+            (Stage::Vertex, WantedStorage::In) | (Stage::Fragment, WantedStorage::Out) => {
+                Some(self.stage)
+            }
             _ => None,
         }
     }
@@ -97,8 +99,8 @@ impl Checker<'_> {
 
     /// Checks that variables of a type can have this storage: no structs at the ends of the
     /// pipeline.
-    pub(super) fn passed_as(&self, storage: Wanted, ty: Type) -> Result<(), InterfaceError> {
-        let is_legacy = matches!(storage, Wanted::Attribute | Wanted::Varying);
+    pub(super) fn passed_as(&self, storage: WantedStorage, ty: Type) -> Result<(), InterfaceError> {
+        let is_legacy = matches!(storage, WantedStorage::Attribute | WantedStorage::Varying);
         let takes_none = is_legacy || self.end_of(storage).is_some();
         match ty.base {
             Base::Struct(_) if takes_none => Err(InterfaceError::Struct(storage)),

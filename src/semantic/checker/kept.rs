@@ -51,7 +51,7 @@ impl Checker<'_> {
     }
 
     /// The variable that the browser reduces an expression to.
-    pub(super) fn variable_behind(&self, id: ExprId) -> Option<VariableId> {
+    pub(super) fn base_variable(&self, id: ExprId) -> Option<VariableId> {
         let mut at = self.tree.unparen(id);
         while let Some(kept) = self.kept_operand(at) {
             at = self.tree.unparen(kept);

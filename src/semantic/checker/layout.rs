@@ -1,6 +1,6 @@
 //! `layout(...)` (GLSL ES 3.00 section 4.3.8).
 
-use super::qualifier::{Qualified, Wanted};
+use super::qualifier::{Qualified, WantedStorage};
 use super::*;
 
 /// The minimum that WebGL2 guarantees, and the limit that Chromium compiles with.
@@ -37,7 +37,7 @@ pub(crate) enum LayoutError {
 
 /// The entries of a `layout(...)`.
 #[derive(Clone, Copy, Default, Debug)]
-pub(super) struct Layout {
+pub(super) struct LayoutQualifier {
     pub location: Option<i32>,
     /// Number of `location` entries.
     pub locations: u32,
@@ -49,7 +49,7 @@ pub(super) struct Layout {
     pub extent: Option<Extent>,
 }
 
-impl Layout {
+impl LayoutQualifier {
     pub fn is_empty(&self) -> bool {
         self.location.is_none() && !self.matrix && !self.block
     }
@@ -57,7 +57,7 @@ impl Layout {
 
 impl Checker<'_> {
     /// Adds the entries of one `layout(...)` to `layout`.
-    pub(super) fn read_layout(&mut self, entries: List, layout: &mut Layout) {
+    pub(super) fn read_layout(&mut self, entries: List, layout: &mut LayoutQualifier) {
         let tree = self.tree;
         for entry in tree.layout(entries) {
             let extent = Extent::token(entry.ident.token);
@@ -69,7 +69,7 @@ impl Checker<'_> {
         }
     }
 
-    fn layout_word(&mut self, ident: Ident, layout: &mut Layout) {
+    fn layout_word(&mut self, ident: Ident, layout: &mut LayoutQualifier) {
         let problem = match self.text(ident.name) {
             "row_major" | "column_major" => {
                 layout.matrix = true;
@@ -89,7 +89,12 @@ impl Checker<'_> {
         self.reject(Extent::token(ident.token), problem);
     }
 
-    fn layout_with_value(&mut self, ident: Ident, value: LayoutValue, layout: &mut Layout) {
+    fn layout_with_value(
+        &mut self,
+        ident: Ident,
+        value: LayoutValue,
+        layout: &mut LayoutQualifier,
+    ) {
         match self.text(ident.name) {
             "location" if value.value >= 0 => {
                 layout.location = Some(value.value);
@@ -113,8 +118,8 @@ impl Checker<'_> {
         let Some(location) = layout.location else {
             return;
         };
-        let vertex_in = self.stage == Stage::Vertex && qualified.storage == Wanted::In;
-        let fragment_out = self.stage == Stage::Fragment && qualified.storage == Wanted::Out;
+        let vertex_in = self.stage == Stage::Vertex && qualified.storage == WantedStorage::In;
+        let fragment_out = self.stage == Stage::Fragment && qualified.storage == WantedStorage::Out;
         if !vertex_in && !fragment_out {
             self.reject(at, LayoutError::NoLocationHere);
         } else if layout.locations > 1 && fragment_out {
@@ -129,7 +134,7 @@ impl Checker<'_> {
         let qualified = self.qualifiers(qualifiers);
         let problem = if qualified.layout.is_empty() {
             LayoutError::OfNothing
-        } else if qualified.storage != Wanted::Uniform {
+        } else if qualified.storage != WantedStorage::Uniform {
             LayoutError::NotUniform
         } else if qualified.layout.location.is_some() {
             LayoutError::Shared

@@ -12,9 +12,9 @@ mod assign;
 mod binary;
 mod call;
 mod calls;
+mod candidate_type;
 mod construct;
 mod declare;
-mod doubt;
 mod entry;
 mod expression;
 mod finish;
@@ -43,14 +43,14 @@ use super::parsed::{ParsedView, Typed};
 use super::program::*;
 use super::scope::{Binding, ScopeLog, ScopeMark, Scopes};
 use super::types::*;
-use super::typing::{self, Clash, Member, Misfit};
+use super::typing::{self, Clash, Member, TypeMismatch};
 use crate::BuiltinId;
 pub(super) use array::ArrayError;
 pub(super) use assign::ValueError;
 pub(super) use call::ArgumentError;
 pub(super) use calls::CallError;
+use candidate_type::{CandidateTypes, choose_types};
 pub(super) use declare::DeclarationError;
-use doubt::{Doubts, settle};
 pub(super) use entry::EntryError;
 pub(super) use expression::{ExpressionError, Indexed};
 use finish::LoopCheck;
@@ -64,8 +64,8 @@ pub(super) use output::OutputError;
 pub(super) use place::{PlaceError, Writer};
 pub(super) use problem::{Aside, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration};
 use qualifier::Precisions;
-pub(super) use qualifier::{QualifierError, Wanted};
-pub(super) use record::{Record, RecordError};
+pub(super) use qualifier::{QualifierError, WantedStorage};
+pub(super) use record::{RecordError, RecordKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Names, Search, TokenKind, Tokens, Version};
@@ -82,7 +82,7 @@ pub(super) const MAX_ERRORS: usize = 200;
 const MAX_COMPARED: usize = 50_000_000;
 
 /// A parsed shader: the input of the checker.
-pub struct Parsed {
+pub struct ParsedShader {
     /// The files of the shader, those of the host included.
     pub sources: Arc<Sources>,
     /// The tokens after preprocessing.
@@ -103,26 +103,26 @@ pub struct Parsed {
 ///
 /// Returns the checked program and its problems.
 pub fn check(
-    parsed: Parsed,
+    parsed: ParsedShader,
     stage: Stage,
     dialect: Dialect,
     channels: Channels,
     search: &mut Search,
 ) -> (Program, Problems) {
-    let run = |doubts, enough| look(&parsed, stage, dialect, channels, doubts, enough);
-    let mut checker = run(Doubts::default(), parsed.enough);
-    if !checker.doubts.met.is_empty() {
+    let run = |candidates, enough| look(&parsed, stage, dialect, channels, candidates, enough);
+    let mut checker = run(CandidateTypes::default(), parsed.enough);
+    if !checker.candidates.met.is_empty() {
         if checker.gave_up() {
             // Errors after a doubtful declaration may disappear once its type is chosen.
-            checker = run(Doubts::default(), MAX_ERRORS);
+            checker = run(CandidateTypes::default(), MAX_ERRORS);
         }
-        let met = std::mem::take(&mut checker.doubts.met);
+        let met = std::mem::take(&mut checker.candidates.met);
         let standing = checker.problems.len();
-        let doubts = settle(standing, &met, parsed.tree.exprs.len(), search, |d| {
+        let candidates = choose_types(standing, &met, parsed.tree.exprs.len(), search, |d| {
             run(d.clone(), MAX_ERRORS).problems.len()
         });
-        if !doubts.retyped.is_empty() {
-            checker = run(doubts, parsed.enough);
+        if !candidates.retyped.is_empty() {
+            checker = run(candidates, parsed.enough);
         }
     }
     let Checker {
@@ -139,7 +139,7 @@ pub fn check(
         ..
     } = checker;
     problems.truncate(MAX_ERRORS);
-    let Parsed {
+    let ParsedShader {
         sources,
         tokens,
         names,
@@ -175,11 +175,11 @@ pub fn check(
 
 /// One pass over a shader, with the given choices for doubtful declarations.
 fn look(
-    parsed: &Parsed,
+    parsed: &ParsedShader,
     stage: Stage,
     dialect: Dialect,
     channels: Channels,
-    doubts: Doubts,
+    candidates: CandidateTypes,
     enough: usize,
 ) -> Checker<'_> {
     let (tree, version) = (&parsed.tree, parsed.version);
@@ -211,7 +211,7 @@ fn look(
         builtin_names: Vec::new(),
         builtin_variables: FxHashMap::default(),
         current: None,
-        whole: ExprId(0),
+        root_expr: ExprId(0),
         wanted: None,
         level: 0,
         flow: Vec::new(),
@@ -231,7 +231,7 @@ fn look(
         returned: Type::VOID,
         returns_value: false,
         problems: Vec::new(),
-        doubts,
+        candidates,
     };
     for &name in &tree.lost {
         checker.scopes.declare(name, Binding::Error);
@@ -283,7 +283,7 @@ struct Checker<'a> {
     builtin_variables: FxHashMap<Name, VariableId>,
     current: Option<FunctionRef>,
     /// The root of the expression being checked, and the type that its context expects.
-    whole: ExprId,
+    root_expr: ExprId,
     wanted: Option<Type>,
     /// Depth of the current statement in the browser's tree.
     level: u32,
@@ -299,7 +299,7 @@ struct Checker<'a> {
     missing_precision: Vec<Base>,
     /// The last function in which a tree that is too deep was reported.
     deep_reported: Option<Option<FunctionRef>>,
-    outputs: Vec<output::Output>,
+    outputs: Vec<output::OutputVariable>,
     loops: Vec<LoopCheck>,
     private_size: u64,
     frag_color: Option<TokenId>,
@@ -312,7 +312,7 @@ struct Checker<'a> {
     returned: Type,
     returns_value: bool,
     problems: Vec<Problem>,
-    doubts: Doubts,
+    candidates: CandidateTypes,
 }
 
 impl<'a> Deref for Checker<'a> {
@@ -368,7 +368,7 @@ impl<'a> Checker<'a> {
             structs: self.structs.len(),
             scopes: self.scopes.mark(),
             current: self.current,
-            whole: self.whole,
+            root_expr: self.root_expr,
             wanted: self.wanted,
         };
         self.problems.push(Problem {

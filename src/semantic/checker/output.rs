@@ -1,6 +1,6 @@
 //! The outputs of a fragment shader, and their locations (GLSL ES 3.00 section 4.3.8.2).
 
-use super::qualifier::{Qualified, Wanted};
+use super::qualifier::{Qualified, WantedStorage};
 use super::*;
 
 /// Most outputs of a fragment shader.
@@ -23,7 +23,7 @@ pub(crate) enum OutputError {
 
 /// An output of a fragment shader.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Output {
+pub(crate) struct OutputVariable {
     pub ident: Ident,
     location: Option<i32>,
     size: u32,
@@ -33,11 +33,11 @@ impl Checker<'_> {
     /// Records an output for the check of locations.
     pub(super) fn note_output(&mut self, declarator: &Declarator, qualified: &Qualified, ty: Type) {
         if self.stage == Stage::Fragment
-            && qualified.storage == Wanted::Out
+            && qualified.storage == WantedStorage::Out
             && self.has(Feature::InOut)
             && !ty.is_error()
         {
-            self.outputs.push(Output {
+            self.outputs.push(OutputVariable {
                 ident: declarator.ident,
                 location: qualified.layout.location,
                 size: ty.array.max(1),
@@ -76,7 +76,7 @@ impl Checker<'_> {
         }
     }
 
-    fn check_locations_given(&mut self, outputs: &[Output]) {
+    fn check_locations_given(&mut self, outputs: &[OutputVariable]) {
         let Some(without) = outputs.iter().find(|o| o.location.is_none()) else {
             return;
         };

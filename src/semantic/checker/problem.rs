@@ -22,7 +22,7 @@ pub(crate) struct ProblemMoment {
     pub scopes: ScopeMark,
     pub current: Option<FunctionRef>,
     /// The root of the expression being checked, and the type that its context expects.
-    pub whole: ExprId,
+    pub root_expr: ExprId,
     pub wanted: Option<Type>,
 }
 

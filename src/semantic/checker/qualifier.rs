@@ -28,7 +28,7 @@ pub(crate) enum QualifierError {
     /// A qualifier that is not allowed on a return type.
     Returned,
     /// An interpolation qualifier without `in` or `out`.
-    Alone(Wanted),
+    Alone(WantedStorage),
     /// `invariant` on anything but an output.
     Invariant,
     /// The same, on a variable that was declared before.
@@ -99,17 +99,20 @@ impl Precisions {
 /// The storage that qualifiers request, before it is known what they qualify.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[rustfmt::skip]
-pub(crate) enum Wanted {
+pub(crate) enum WantedStorage {
     None, Const, In, Out, Inout, Uniform, Attribute, Varying, Centroid, Flat, Smooth,
     FlatIn, FlatOut, SmoothIn, SmoothOut, CentroidIn, CentroidOut,
 }
 
-impl Wanted {
+impl WantedStorage {
     /// Whether this is an input of the stage.
     pub fn is_input(self) -> bool {
         matches!(
             self,
-            Wanted::In | Wanted::FlatIn | Wanted::SmoothIn | Wanted::CentroidIn
+            WantedStorage::In
+                | WantedStorage::FlatIn
+                | WantedStorage::SmoothIn
+                | WantedStorage::CentroidIn
         )
     }
 
@@ -117,30 +120,33 @@ impl Wanted {
     pub fn is_output(self) -> bool {
         matches!(
             self,
-            Wanted::Out | Wanted::FlatOut | Wanted::SmoothOut | Wanted::CentroidOut
+            WantedStorage::Out
+                | WantedStorage::FlatOut
+                | WantedStorage::SmoothOut
+                | WantedStorage::CentroidOut
         )
     }
 
     /// The qualifiers as they are written in GLSL.
     pub fn name(self) -> &'static str {
         match self {
-            Wanted::None => "",
-            Wanted::Const => "const",
-            Wanted::In => "in",
-            Wanted::Out => "out",
-            Wanted::Inout => "inout",
-            Wanted::Uniform => "uniform",
-            Wanted::Attribute => "attribute",
-            Wanted::Varying => "varying",
-            Wanted::Centroid => "centroid",
-            Wanted::Flat => "flat",
-            Wanted::Smooth => "smooth",
-            Wanted::FlatIn => "flat in",
-            Wanted::FlatOut => "flat out",
-            Wanted::SmoothIn => "smooth in",
-            Wanted::SmoothOut => "smooth out",
-            Wanted::CentroidIn => "centroid in",
-            Wanted::CentroidOut => "centroid out",
+            WantedStorage::None => "",
+            WantedStorage::Const => "const",
+            WantedStorage::In => "in",
+            WantedStorage::Out => "out",
+            WantedStorage::Inout => "inout",
+            WantedStorage::Uniform => "uniform",
+            WantedStorage::Attribute => "attribute",
+            WantedStorage::Varying => "varying",
+            WantedStorage::Centroid => "centroid",
+            WantedStorage::Flat => "flat",
+            WantedStorage::Smooth => "smooth",
+            WantedStorage::FlatIn => "flat in",
+            WantedStorage::FlatOut => "flat out",
+            WantedStorage::SmoothIn => "smooth in",
+            WantedStorage::SmoothOut => "smooth out",
+            WantedStorage::CentroidIn => "centroid in",
+            WantedStorage::CentroidOut => "centroid out",
         }
     }
 }
@@ -148,11 +154,11 @@ impl Wanted {
 /// The qualifiers of a declaration, combined.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Qualified {
-    pub storage: Wanted,
+    pub storage: WantedStorage,
     pub invariant: bool,
     /// Whether a precision was given.
     pub precision: bool,
-    pub layout: layout::Layout,
+    pub layout: layout::LayoutQualifier,
     /// The qualifiers' tokens, if there are any.
     pub extent: Option<Extent>,
 }
@@ -184,10 +190,10 @@ impl Checker<'_> {
         let tree = self.tree;
         let all = tree.qualifiers(list);
         let mut result = Qualified {
-            storage: Wanted::None,
+            storage: WantedStorage::None,
             invariant: false,
             precision: false,
-            layout: layout::Layout::default(),
+            layout: layout::LayoutQualifier::default(),
             extent: all
                 .first()
                 .zip(all.last())
@@ -252,9 +258,9 @@ impl Checker<'_> {
     }
 
     /// Adds a qualifier to the storage so far; `None` if they exclude each other.
-    fn join(&self, storage: Wanted, kind: QualifierKind) -> Option<Wanted> {
+    fn join(&self, storage: WantedStorage, kind: QualifierKind) -> Option<WantedStorage> {
         use QualifierKind as Q;
-        use Wanted as W;
+        use WantedStorage as W;
         let vertex = self.stage == Stage::Vertex;
         let has_in_out = self.has(Feature::InOut);
         // `attribute` and `varying` have already been reported in a version without them.
@@ -398,7 +404,7 @@ impl Checker<'_> {
             // `uniform Foo;`: a declaration without a type or without a name.
             return self.reject(at, QualifierError::Incomplete(ident.name));
         }
-        if qualified.storage != Wanted::None || qualified.precision {
+        if qualified.storage != WantedStorage::None || qualified.precision {
             self.reject(at, QualifierError::Afterwards);
         }
         let Some(id) = self.find_variable(ident.name) else {

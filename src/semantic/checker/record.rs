@@ -1,13 +1,13 @@
 //! Structs and interface blocks (GLSL ES 3.00 sections 4.1.8 and 4.3.7).
 
-use super::qualifier::Wanted;
+use super::qualifier::WantedStorage;
 use super::*;
 
 /// An error in a struct or an interface block.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum RecordError {
     /// A struct or block without members.
-    Empty(Record),
+    Empty(RecordKind),
     /// A struct that is declared inside another.
     Inside,
     /// A member of type `void`.
@@ -15,7 +15,7 @@ pub(crate) enum RecordError {
     /// A name of two members, and the token of the first.
     MemberTwice(Name, TokenId),
     /// A qualifier that is not allowed on a member.
-    MemberQualifier(Record),
+    MemberQualifier(RecordKind),
     /// A sampler in a block.
     SamplerInBlock,
     /// A block in a version without them.
@@ -34,7 +34,7 @@ pub(crate) enum RecordError {
 
 /// Declarations with members.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Record {
+pub(crate) enum RecordKind {
     Struct,
     Block,
 }
@@ -65,7 +65,7 @@ impl Checker<'_> {
         let Some(decl) = tree.structure(id) else {
             return Type::ERROR;
         };
-        let members = self.members(decl, Record::Struct);
+        let members = self.members(decl, RecordKind::Struct);
         if let Some(ident) = decl.name {
             self.check_not_reserved(ident);
         }
@@ -87,7 +87,7 @@ impl Checker<'_> {
         Type::structure(index)
     }
 
-    fn members(&mut self, decl: &StructDecl, record: Record) -> Members {
+    fn members(&mut self, decl: &StructDecl, record: RecordKind) -> Members {
         let tree = self.tree;
         let mut members = Members {
             fields: Vec::new(),
@@ -160,26 +160,26 @@ impl Checker<'_> {
         declarator: &Declarator,
         base: Type,
         line: &FieldDecl,
-        record: Record,
+        record: RecordKind,
     ) -> Type {
         if base.is_void() {
             let at = Extent::token(declarator.ident.token);
             self.reject(at, RecordError::VoidMember);
             return Type::ERROR;
         }
-        let mut ty = self.with_arrays(base, declarator.arrays, Wanted::None);
+        let mut ty = self.with_arrays(base, declarator.arrays, WantedStorage::None);
         if ty.array == Type::UNSIZED {
             self.reject(declarator.extent, ArrayError::NoSize);
             ty.array = 1;
         }
-        if record == Record::Block && self.inside(ty).sampler {
+        if record == RecordKind::Block && self.inside(ty).sampler {
             self.reject(line.extent, RecordError::SamplerInBlock);
         }
         ty
     }
 
     /// Members of structs can only have a precision; those of blocks also `uniform` and a layout.
-    fn member_qualifiers(&mut self, line: &FieldDecl, record: Record) {
+    fn member_qualifiers(&mut self, line: &FieldDecl, record: RecordKind) {
         let tree = self.tree;
         let mut precisions = 0;
         for qualifier in tree.qualifiers(line.qualifiers) {
@@ -189,9 +189,9 @@ impl Checker<'_> {
                     precisions += 1;
                     precisions == 1
                 }
-                Q::Uniform => record == Record::Block,
-                Q::Layout(entries) if record == Record::Block => {
-                    let mut found = layout::Layout::default();
+                Q::Uniform => record == RecordKind::Block,
+                Q::Layout(entries) if record == RecordKind::Block => {
+                    let mut found = layout::LayoutQualifier::default();
                     self.read_layout(entries, &mut found);
                     // The browser accepts a location here, and ignores it.
                     !found.block
@@ -225,7 +225,7 @@ impl Checker<'_> {
         }
         let qualified = self.qualifiers(qualifiers);
         self.check_block(&qualified, decl, header);
-        let Members { fields, inside } = self.members(decl, Record::Block);
+        let Members { fields, inside } = self.members(decl, RecordKind::Block);
         let index = self.structs.len() as u32;
         let token = decl.name.map_or(decl.extent.first, |n| n.token);
         let name = decl.name.map(|n| n.name);
@@ -263,7 +263,7 @@ impl Checker<'_> {
         header: Extent,
     ) {
         let base = Type::block(index);
-        let mut ty = self.with_arrays(base, declarator.arrays, Wanted::Uniform);
+        let mut ty = self.with_arrays(base, declarator.arrays, WantedStorage::Uniform);
         if ty.array == Type::UNSIZED {
             self.reject(declarator.extent, RecordError::BlocksUnsized);
             ty.array = 1;
@@ -282,7 +282,7 @@ impl Checker<'_> {
         if let Some(ident) = decl.name {
             self.check_not_reserved(ident);
         }
-        let problem = if qualified.storage != Wanted::Uniform {
+        let problem = if qualified.storage != WantedStorage::Uniform {
             RecordError::BlockStorage
         } else if qualified.invariant {
             RecordError::BlockInvariant

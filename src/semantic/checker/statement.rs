@@ -21,7 +21,7 @@ pub(crate) enum StatementError {
     /// A condition that is not a `bool`.
     NoCondition(ExprId, Condition, Type),
     /// A `return` with a value of the wrong type, or without the value it needs.
-    Return(Option<ExprId>, Misfit),
+    Return(Option<ExprId>, TypeMismatch),
     /// A loop that never terminates, and the variable that it tests.
     Endless(Option<VariableId>),
 }
@@ -216,11 +216,11 @@ impl Checker<'_> {
         }
         match typing::condition(ty) {
             Ok(()) => {}
-            Err(Misfit::Condition(ty)) => {
+            Err(TypeMismatch::Condition(ty)) => {
                 self.reject_expr(expr, StatementError::NoCondition(expr, of, ty));
             }
-            Err(misfit) => {
-                self.refuse(expr, &[expr], misfit);
+            Err(mismatch) => {
+                self.refuse(expr, &[expr], mismatch);
             }
         }
     }
@@ -372,7 +372,7 @@ impl Checker<'_> {
             }
             Some(_) if info.is_const => {}
             _ => {
-                if let Some(variable) = self.variable_behind(expr)
+                if let Some(variable) = self.base_variable(expr)
                     && self.always_true.contains(&variable)
                     && self
                         .variables
@@ -411,8 +411,8 @@ impl Checker<'_> {
         }
         let wanted = self.returned;
         let Some(value) = value else {
-            if let Err(misfit) = typing::returned(wanted, None) {
-                self.reject(extent, StatementError::Return(None, misfit));
+            if let Err(mismatch) = typing::returned(wanted, None) {
+                self.reject(extent, StatementError::Return(None, mismatch));
                 self.returns_value = true;
             }
             return;
@@ -421,8 +421,8 @@ impl Checker<'_> {
         self.wanted = Some(wanted);
         self.root(value, self.level + 1);
         self.wanted = None;
-        if let Err(misfit) = typing::returned(wanted, Some(self.ty(value))) {
-            self.reject(extent, StatementError::Return(Some(value), misfit));
+        if let Err(mismatch) = typing::returned(wanted, Some(self.ty(value))) {
+            self.reject(extent, StatementError::Return(Some(value), mismatch));
         }
     }
 }

@@ -64,7 +64,7 @@ fn check(stage: &str, code: &str) -> (Vec<String>, Vec<Diagnostic>) {
     };
     let search = &mut Search::for_text();
     let parse = parse(&sources, &mut read.tokens, &read.names, language, search);
-    let parsed = Parsed {
+    let parsed = ParsedShader {
         has_errors: !parse.diagnostics.is_empty(),
         sources: Arc::new(sources),
         tokens: read.tokens,

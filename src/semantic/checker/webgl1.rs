@@ -97,7 +97,7 @@ impl Checker<'_> {
         let ExprKind::Binary(op, left, right) = tree.expr(tree.unparen(expr)).kind else {
             return self.reject(at, Restriction::Condition);
         };
-        if !op.compares() || self.variable_behind(left) != Some(index) {
+        if !op.compares() || self.base_variable(left) != Some(index) {
             return self.reject(at, Restriction::Condition);
         }
         if !self.info(right).is_const && !self.ty(right).is_error() {
@@ -129,7 +129,7 @@ impl Checker<'_> {
             _ => return self.reject(at, Restriction::Step),
         };
         let is_const = by.is_none_or(|e| self.info(e).is_const || self.ty(e).is_error());
-        if self.variable_behind(operand) != Some(index) || !is_const {
+        if self.base_variable(operand) != Some(index) || !is_const {
             self.reject(at, Restriction::Step);
         }
     }

@@ -1,6 +1,6 @@
 //! Fixes for calls with too few, too many or swapped arguments.
 
-use super::call::Candidate;
+use super::call::OverloadCandidate;
 use super::*;
 use crate::BuiltinId;
 
@@ -20,7 +20,11 @@ const MAX_SWAPPED: usize = 4;
 
 impl ExplainContext<'_> {
     /// Removes surplus arguments so that the rest match a candidate.
-    pub(super) fn drop_arguments(&self, args: &[ExprId], candidates: &[Candidate]) -> Option<Fix> {
+    pub(super) fn drop_arguments(
+        &self,
+        args: &[ExprId],
+        candidates: &[OverloadCandidate],
+    ) -> Option<Fix> {
         let mut found = None;
         for candidate in candidates {
             let Some(extra) = args.len().checked_sub(candidate.params.len()) else {
@@ -62,7 +66,7 @@ impl ExplainContext<'_> {
     pub(super) fn fewer_arguments(
         &self,
         args: &[ExprId],
-        candidates: &[Candidate],
+        candidates: &[OverloadCandidate],
         is_last_resort: bool,
     ) -> Option<Fix> {
         let has_bool = args.iter().any(|&a| self.ty(a) == Type::BOOL);
@@ -78,9 +82,9 @@ impl ExplainContext<'_> {
         d: Diagnostic,
         name: Name,
         args: &[ExprId],
-        candidates: &[Candidate],
+        candidates: &[OverloadCandidate],
     ) -> Diagnostic {
-        let mut best: Option<(usize, usize, &Candidate, usize)> = None;
+        let mut best: Option<(usize, usize, &OverloadCandidate, usize)> = None;
         for candidate in candidates {
             let Some(missing) = candidate.params.len().checked_sub(args.len()) else {
                 continue;
@@ -139,7 +143,7 @@ impl ExplainContext<'_> {
     fn value_for(
         &self,
         name: Name,
-        candidate: &Candidate,
+        candidate: &OverloadCandidate,
         index: usize,
         args: &[ExprId],
     ) -> Option<String> {
@@ -200,7 +204,11 @@ impl ExplainContext<'_> {
     }
 
     /// Swaps two arguments where the swapped order matches a candidate.
-    pub(super) fn swap_arguments(&self, args: &[ExprId], candidates: &[&Candidate]) -> Option<Fix> {
+    pub(super) fn swap_arguments(
+        &self,
+        args: &[ExprId],
+        candidates: &[&OverloadCandidate],
+    ) -> Option<Fix> {
         if args.len() > MAX_SWAPPED {
             return None;
         }
@@ -223,7 +231,11 @@ impl ExplainContext<'_> {
     }
 
     /// Converts every argument that does not match the candidate.
-    pub(super) fn mend_arguments(&self, args: &[ExprId], candidate: &Candidate) -> Option<Fix> {
+    pub(super) fn fix_arguments(
+        &self,
+        args: &[ExprId],
+        candidate: &OverloadCandidate,
+    ) -> Option<Fix> {
         let mut edits = Vec::new();
         let mut titles = Vec::new();
         for (&arg, &wanted) in args.iter().zip(&candidate.params) {

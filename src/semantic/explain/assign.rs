@@ -6,11 +6,11 @@ impl Explain for ValueError {
     fn explain(self, c: &ExplainContext, _: Extent) -> Diagnostic {
         use ValueError as E;
         match self {
-            E::Initializer(declarator, spec, ty, init, misfit) => {
-                c.explain_initializer(&declarator, spec, ty, init, misfit)
+            E::Initializer(declarator, spec, ty, init, mismatch) => {
+                c.explain_initializer(&declarator, spec, ty, init, mismatch)
             }
-            E::Retyped(declarator, spec, ty, init, misfit) => {
-                c.explain_declared_type(misfit, spec, &declarator, ty, init)
+            E::Retyped(declarator, spec, ty, init, mismatch) => {
+                c.explain_declared_type(mismatch, spec, &declarator, ty, init)
             }
             E::NotConstant(declarator, init, storage) => {
                 c.explain_initial_value(&declarator, init, storage)
@@ -31,7 +31,7 @@ impl ExplainContext<'_> {
         let (l, r) = (self.ty(left), self.ty(right));
         let (ln, rn) = (self.name_of(l), self.name_of(r));
         let rule = self.rule_for(l, r, clash);
-        let d = self.misfit_at(self.tree.expr(id).extent, l, right, rule);
+        let d = self.mismatch_at(self.tree.expr(id).extent, l, right, rule);
         let d = d.label(self.expr_span(left), format!("has type `{ln}`"));
         if d.span == self.expr_span(right) {
             d
@@ -47,15 +47,15 @@ impl ExplainContext<'_> {
         spec: Option<Extent>,
         ty: Type,
         init: ExprId,
-        misfit: Misfit,
+        mismatch: TypeMismatch,
     ) -> Diagnostic {
         let found = self.ty(init);
-        let clash = match misfit {
-            Misfit::Value(clash) => clash,
+        let clash = match mismatch {
+            TypeMismatch::Value(clash) => clash,
             _ => return self.explain_void(init),
         };
         let rule = self.rule_for(ty, found, clash);
-        let d = self.misfit_at(declarator.extent, ty, init, rule);
+        let d = self.mismatch_at(declarator.extent, ty, init, rule);
         let retyped = spec.and_then(|spec| self.retype(spec, declarator, init));
         let d = match retyped.filter(|_| rule == error::VECTOR_SIZE) {
             Some(fix) => d.fix(fix),
@@ -70,14 +70,14 @@ impl ExplainContext<'_> {
     /// A declared type that matches neither the value nor the uses of the variable.
     fn explain_declared_type(
         &self,
-        misfit: Misfit,
+        mismatch: TypeMismatch,
         spec: Extent,
         declarator: &Declarator,
         ty: Type,
         init: ExprId,
     ) -> Diagnostic {
-        let rule = match misfit {
-            Misfit::Value(clash) => self.rule_for(ty, self.ty(init), clash),
+        let rule = match mismatch {
+            TypeMismatch::Value(clash) => self.rule_for(ty, self.ty(init), clash),
             _ => error::VOID_VALUE,
         };
         let (wanted, found) = (self.name_of(ty), self.name_of(self.ty(init)));
@@ -107,7 +107,7 @@ impl ExplainContext<'_> {
 
     /// A value that cannot be assigned to `wanted`: reported at the value if it is a literal that
     /// is easily converted, else at all of `extent`.
-    pub(crate) fn misfit_at(
+    pub(crate) fn mismatch_at(
         &self,
         extent: Extent,
         wanted: Type,
@@ -179,7 +179,7 @@ impl ExplainContext<'_> {
     }
 
     /// The digits of a floating point literal without fraction: `2.0` gives `2`.
-    pub(super) fn whole_literal(&self, id: ExprId) -> Option<String> {
+    pub(super) fn integer_literal(&self, id: ExprId) -> Option<String> {
         let token = self.literal_token(id)?;
         let value = f32::from_bits(token.value);
         let small = token.kind == TokenKind::Float && value.fract() == 0.0 && value.abs() < 1e7;
@@ -259,18 +259,18 @@ impl ExplainContext<'_> {
             }
             (TokenKind::Int, Scalar::Uint) => Some(format!("{digits}u")),
             (TokenKind::Uint, Scalar::Int) => Some(digits.to_string()),
-            (TokenKind::Float, Scalar::Int) => self.whole_literal(id),
-            (TokenKind::Float, Scalar::Uint) => self.whole_literal(id).map(|d| format!("{d}u")),
+            (TokenKind::Float, Scalar::Int) => self.integer_literal(id),
+            (TokenKind::Float, Scalar::Uint) => self.integer_literal(id).map(|d| format!("{d}u")),
             _ => None,
         }
     }
 
     /// Edits that wrap an expression.
-    pub(super) fn wrap(&self, id: ExprId, before: &str, behind: &str) -> Vec<Edit> {
+    pub(super) fn wrap(&self, id: ExprId, before: &str, after: &str) -> Vec<Edit> {
         let span = self.expr_span(id);
         vec![
             Edit::insert(span.start, before),
-            Edit::insert(span.end, behind),
+            Edit::insert(span.end, after),
         ]
     }
 

@@ -7,7 +7,7 @@ use crate::BuiltinId;
 const MAX_LISTED: usize = 5;
 
 /// An overload that a call might mean.
-pub(super) struct Candidate {
+pub(super) struct OverloadCandidate {
     pub params: Vec<Type>,
     /// Names of the parameters; empty for built-in functions, `""` for an unnamed one.
     pub names: Vec<String>,
@@ -91,14 +91,14 @@ impl ExplainContext<'_> {
 
     /// A call that matches none of the shader's functions of this name.
     pub(crate) fn explain_user_call(&self, id: ExprId, name: Name, args: &[ExprId]) -> Diagnostic {
-        let candidates: Vec<Candidate> = self
+        let candidates: Vec<OverloadCandidate> = self
             .functions_named(name)
             .map(|f| self.user_candidate(f))
             .collect();
         self.no_overload(id, name, args, &candidates)
     }
 
-    fn user_candidate(&self, function: &Function) -> Candidate {
+    fn user_candidate(&self, function: &Function) -> OverloadCandidate {
         let params: Vec<Type> = function.params.iter().map(|p| p.ty).collect();
         let list: Vec<String> = function
             .params
@@ -120,7 +120,7 @@ impl ExplainContext<'_> {
             .iter()
             .map(|p| p.ident.map_or("", |i| self.text(i.name)).to_string());
         let token = declaration.map(|f| f.ident.token);
-        Candidate {
+        OverloadCandidate {
             params,
             names: names.collect(),
             writes: function
@@ -142,7 +142,7 @@ impl ExplainContext<'_> {
         args: &[ExprId],
     ) -> Diagnostic {
         let (_, overloads) = self.builtins.overloads_of(function);
-        let candidates: Vec<Candidate> = overloads
+        let candidates: Vec<OverloadCandidate> = overloads
             .iter()
             .map(|o| {
                 let list: Vec<String> = o.params().iter().map(|&p| self.name_of(p)).collect();
@@ -152,7 +152,7 @@ impl ExplainContext<'_> {
                     function.name(),
                     list.join(", ")
                 );
-                Candidate {
+                OverloadCandidate {
                     params: o.params().to_vec(),
                     names: Vec::new(),
                     writes: (0..o.params().len()).map(|i| o.writes(i)).collect(),
@@ -169,12 +169,12 @@ impl ExplainContext<'_> {
         id: ExprId,
         name: Name,
         args: &[ExprId],
-        candidates: &[Candidate],
+        candidates: &[OverloadCandidate],
     ) -> Diagnostic {
         if let Some(&arg) = args.iter().find(|&&a| self.ty(a).is_void()) {
             return self.explain_void(arg);
         }
-        let same_count: Vec<&Candidate> = candidates
+        let same_count: Vec<&OverloadCandidate> = candidates
             .iter()
             .filter(|c| c.params.len() == args.len())
             .collect();
@@ -190,7 +190,7 @@ impl ExplainContext<'_> {
         id: ExprId,
         name: Name,
         args: &[ExprId],
-        candidates: &[Candidate],
+        candidates: &[OverloadCandidate],
     ) -> Diagnostic {
         let text = self.text(name);
         let mut counts: Vec<usize> = candidates.iter().map(|c| c.params.len()).collect();
@@ -217,7 +217,7 @@ impl ExplainContext<'_> {
     fn list_candidates<'c>(
         &self,
         mut d: Diagnostic,
-        candidates: impl ExactSizeIterator<Item = &'c Candidate>,
+        candidates: impl ExactSizeIterator<Item = &'c OverloadCandidate>,
     ) -> Diagnostic {
         let count = candidates.len();
         for candidate in candidates.take(MAX_LISTED) {
@@ -237,18 +237,19 @@ impl ExplainContext<'_> {
         id: ExprId,
         name: Name,
         args: &[ExprId],
-        candidates: &[&Candidate],
-        all: &[Candidate],
+        candidates: &[&OverloadCandidate],
+        all: &[OverloadCandidate],
     ) -> Diagnostic {
-        let cost = |c: &Candidate| -> u32 {
+        let cost = |c: &OverloadCandidate| -> u32 {
             c.params
                 .iter()
                 .zip(args)
                 .map(|(&p, &a)| distance(p, self.ty(a), self.literal_token(a).is_some()))
                 .sum()
         };
-        let mut ranked: Vec<(u32, &Candidate)> = candidates.iter().map(|c| (cost(c), *c)).collect();
-        let size = |c: &Candidate| c.params.iter().map(|p| p.components()).sum::<u32>();
+        let mut ranked: Vec<(u32, &OverloadCandidate)> =
+            candidates.iter().map(|c| (cost(c), *c)).collect();
+        let size = |c: &OverloadCandidate| c.params.iter().map(|p| p.components()).sum::<u32>();
         ranked.sort_by_key(|(cost, c)| (*cost, std::cmp::Reverse(size(c))));
         let Some(&(best_cost, best)) = ranked.first() else {
             return self.error_expr(error::ARGUMENT_MISMATCH, id, "no matching overload");
@@ -274,9 +275,7 @@ impl ExplainContext<'_> {
         let d = match (fix, &d.fix) {
             (Some(fix), _) => d.fix(fix),
             (None, None) => {
-                let mended = ranked
-                    .iter()
-                    .find_map(|(_, c)| self.mend_arguments(args, c));
+                let mended = ranked.iter().find_map(|(_, c)| self.fix_arguments(args, c));
                 d.fix(mended)
             }
             _ => d,

@@ -1,7 +1,7 @@
 //! Messages for values that must be constant expressions.
 
 use super::*;
-use crate::checker::Wanted;
+use crate::checker::WantedStorage;
 
 impl ExplainContext<'_> {
     /// An initializer of a constant or a global variable that is not a constant expression.
@@ -9,15 +9,15 @@ impl ExplainContext<'_> {
         &self,
         declarator: &Declarator,
         init: ExprId,
-        storage: Wanted,
+        storage: WantedStorage,
     ) -> Diagnostic {
         let name = self.text(declarator.ident.name);
-        if storage == Wanted::Const {
+        if storage == WantedStorage::Const {
             let message = format!("initializer of constant `{name}` is not a constant expression");
             let d = self.error_expr(error::NOT_CONSTANT, init, message);
             let fix = match self.at_global_scope() {
                 true => None,
-                false => self.take_const_away(Some(declarator.ident.token)),
+                false => self.remove_const(Some(declarator.ident.token)),
             };
             return self.explain_not_constant(d, init).fix(fix);
         }

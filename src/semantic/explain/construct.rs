@@ -8,37 +8,37 @@ impl ExplainContext<'_> {
         &self,
         id: ExprId,
         args: &[ExprId],
-        misfit: Misfit,
+        mismatch: TypeMismatch,
     ) -> Diagnostic {
         let error = |at: ExprId, message: String| {
             self.error_expr(error::CONSTRUCTOR_ARGUMENTS, at, message)
         };
         let arg = |number: usize| args.get(number).copied().unwrap_or(id);
-        match misfit {
-            Misfit::NotConstructible(ty) => {
+        match mismatch {
+            TypeMismatch::NotConstructible(ty) => {
                 error(id, format!("`{}` cannot be constructed", self.name_of(ty)))
             }
-            Misfit::NoArguments(ty) => self.no_arguments(id, ty),
-            Misfit::SamplerArgument(number) => self.sampler_argument(arg(number)),
-            Misfit::Count(ty) => self.wrong_number_of_parts(id, ty, args.len()),
-            Misfit::Part(number, wanted) => {
-                let what = self.part_in_words(id, number);
-                self.bad_part(arg(number), wanted, &what)
+            TypeMismatch::NoArguments(ty) => self.no_arguments(id, ty),
+            TypeMismatch::SamplerArgument(number) => self.sampler_argument(arg(number)),
+            TypeMismatch::Count(ty) => self.wrong_component_count(id, ty, args.len()),
+            TypeMismatch::Part(number, wanted) => {
+                let what = self.component_in_words(id, number);
+                self.bad_component(arg(number), wanted, &what)
             }
-            Misfit::NoNumber(number, ty) => {
+            TypeMismatch::NoNumber(number, ty) => {
                 let (name, what) = (self.name_of(ty), self.name_of(self.ty(arg(number))));
                 error(
                     arg(number),
                     format!("cannot construct `{name}` from `{what}`"),
                 )
             }
-            Misfit::TooFew(ty, given) => {
+            TypeMismatch::TooFew(ty, given) => {
                 let (name, wanted) = (self.name_of(ty), ty.components());
                 let message = format!("`{name}` expects {wanted} components, found {given}");
                 let fix = self.add_components(ty, args, given);
                 self.label_arguments(error(id, message), args).fix(fix)
             }
-            Misfit::TooMany(ty, given, surplus) => {
+            TypeMismatch::TooMany(ty, given, surplus) => {
                 let (name, wanted) = (self.name_of(ty), ty.components());
                 let plural = if wanted == 1 {
                     "component"
@@ -83,7 +83,7 @@ impl ExplainContext<'_> {
     }
 
     /// A wrong number of arguments for the elements of an array or the members of a struct.
-    fn wrong_number_of_parts(&self, id: ExprId, ty: Type, given: usize) -> Diagnostic {
+    fn wrong_component_count(&self, id: ExprId, ty: Type, given: usize) -> Diagnostic {
         let record = match ty.base {
             Base::Struct(index) if !ty.is_array() => self.structs.get(index as usize),
             _ => None,
@@ -102,7 +102,7 @@ impl ExplainContext<'_> {
     }
 
     /// The struct member or array element that an argument initializes.
-    fn part_in_words(&self, id: ExprId, number: usize) -> String {
+    fn component_in_words(&self, id: ExprId, number: usize) -> String {
         let field = match (self.tree.expr(id).kind, self.constructed(id)) {
             (ExprKind::Call(..), Some(index)) => {
                 let record = self.structs.get(index as usize);
@@ -128,7 +128,7 @@ impl ExplainContext<'_> {
     }
 
     /// An argument of another type than its member or element.
-    fn bad_part(&self, arg: ExprId, wanted: Type, what: &str) -> Diagnostic {
+    fn bad_component(&self, arg: ExprId, wanted: Type, what: &str) -> Diagnostic {
         let found = self.ty(arg);
         let scalars = (wanted.scalar_kind(), found.scalar_kind());
         let same_size = wanted.components() == found.components();
@@ -139,7 +139,7 @@ impl ExplainContext<'_> {
             (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
             _ => error::CONSTRUCTOR_ARGUMENTS,
         };
-        let mut d = self.misfit_at(self.tree.expr(arg).extent, wanted, arg, rule);
+        let mut d = self.mismatch_at(self.tree.expr(arg).extent, wanted, arg, rule);
         d.message = format!(
             "{what} must be `{}`, found `{}`",
             self.name_of(wanted),

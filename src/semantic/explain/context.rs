@@ -24,7 +24,7 @@ pub(super) struct ExplainContext<'a> {
     /// Return types by the first declaration, of functions that a later one declares differently.
     disputed: Vec<(FunctionId, Type)>,
     pub current: Option<FunctionRef>,
-    pub whole: ExprId,
+    pub root_expr: ExprId,
     pub wanted: Option<Type>,
     /// Names and tokens that may still be searched for suggestions; starts at [`MAX_ADVICE`].
     advice: Cell<usize>,
@@ -75,7 +75,7 @@ impl<'a> ExplainContext<'a> {
             variables: &[],
             functions: &[],
             current: None,
-            whole: ExprId(0),
+            root_expr: ExprId(0),
             wanted: None,
             advice: Cell::new(MAX_ADVICE),
         }
@@ -92,7 +92,7 @@ impl<'a> ExplainContext<'a> {
         self.variables = first(&program.variables, moment.variables);
         self.functions = first(&program.functions, moment.functions);
         self.current = moment.current;
-        self.whole = moment.whole;
+        self.root_expr = moment.root_expr;
         self.wanted = moment.wanted;
         self.scopes.go_to(moment.scopes);
     }

@@ -310,11 +310,11 @@ impl ExplainContext<'_> {
         let mut at = self.expr_span(id).start;
         let mut gap = String::new();
         let mut rest = code;
-        while let Some((before, behind)) = rest.split_once('$') {
-            let (number, behind) = behind.split_at_checked(1)?;
+        while let Some((before, after)) = rest.split_once('$') {
+            let (number, after) = after.split_at_checked(1)?;
             let &arg = args.get(number.parse::<usize>().ok()?.checked_sub(1)?)?;
             let opens = before.ends_with(", ") || (before.len() > 1 && before.ends_with('('));
-            let delimited = opens && behind.starts_with([',', ')']);
+            let delimited = opens && after.starts_with([',', ')']);
             let (open, close) = match delimited || self.binds_tightly(arg) {
                 true => ("", ""),
                 false => ("(", ")"),
@@ -334,7 +334,7 @@ impl ExplainContext<'_> {
                 gap += close;
                 at = span.end;
             }
-            rest = behind;
+            rest = after;
         }
         text += rest;
         gap += rest;

@@ -9,20 +9,25 @@ const MAX_LISTED: usize = 12;
 
 impl ExplainContext<'_> {
     /// A member that its object does not have.
-    pub(super) fn explain_member(&self, id: ExprId, object: ExprId, misfit: Misfit) -> Diagnostic {
+    pub(super) fn explain_member(
+        &self,
+        id: ExprId,
+        object: ExprId,
+        mismatch: TypeMismatch,
+    ) -> Diagnostic {
         let token = self.tree.expr(id).extent.last;
         let ExprKind::Member(_, name) = self.tree.expr(id).kind else {
             return self.explain_no_elements(id, self.ty(object));
         };
         let text = self.text(name);
-        match misfit {
-            Misfit::Letters(ty) => self.bad_swizzle(text, token, &self.name_of(ty)),
-            Misfit::Component(ty, letter) => self.no_such_component(id, object, ty, letter),
-            Misfit::Field(record) => match self.structs.get(record as usize) {
+        match mismatch {
+            TypeMismatch::Letters(ty) => self.bad_swizzle(text, token, &self.name_of(ty)),
+            TypeMismatch::Component(ty, letter) => self.no_such_component(id, object, ty, letter),
+            TypeMismatch::Field(record) => match self.structs.get(record as usize) {
                 Some(record) => self.no_such_field(id, object, record, name),
                 None => self.no_members(object, text, token),
             },
-            Misfit::ArrayMember => {
+            TypeMismatch::ArrayMember => {
                 let message = format!("arrays have no member `{text}`");
                 let d = self.error_at(error::NO_SUCH_FIELD, token, message);
                 match text {
@@ -77,18 +82,18 @@ impl ExplainContext<'_> {
             _ => d,
         };
         let fix = self.lack_of_components(id, object, text, rows);
-        d.fix(fix.or_else(|| self.mend_swizzle(text, rows, token)))
+        d.fix(fix.or_else(|| self.fix_swizzle(text, rows, token)))
     }
 
     /// `v.xyz` of a vector with two components, `v.xyzw` of one with three: adds the missing ones.
     fn lack_of_components(&self, id: ExprId, object: ExprId, text: &str, rows: u8) -> Option<Fix> {
         let size = text.len() as u8;
-        let is_whole = SWIZZLES.iter().any(|set| set.starts_with(text));
+        let is_complete = SWIZZLES.iter().any(|set| set.starts_with(text));
         let is_written = self.token(self.tree.expr(id).extent.last + 1).kind == TokenKind::Equal;
         let scalar = self.ty(object).scalar_kind()?;
         let is_wanted = self.wanted_size(id).is_none_or(|wanted| wanted == size);
         let is_direct = self.is_direct(self.tree.expr(id).extent);
-        if !is_whole || size < rows + 1 || size < 2 || is_written || !is_wanted || !is_direct {
+        if !is_complete || size < rows + 1 || size < 2 || is_written || !is_wanted || !is_direct {
             return None;
         }
         let name = self.name_of(Type::vector(scalar, size));
@@ -164,9 +169,9 @@ impl ExplainContext<'_> {
         let fix = self.method_as_call(id, object, name, args);
         let fix = fix.or_else(|| {
             let is_swizzle = ty.is_vector() && typing::components(text).is_some();
-            let behind = self.expr_span(object).end + 1 + text.len() as u32;
+            let after = self.expr_span(object).end + 1 + text.len() as u32;
             let is_direct = self.is_direct(self.tree.expr(id).extent) && args.len == 1;
-            let edits = vec![Edit::insert(behind, " * ")];
+            let edits = vec![Edit::insert(after, " * ")];
             (is_swizzle && is_direct).then(|| Fix::suggestion("add `*` to multiply", edits))
         });
         d.fix(fix)
@@ -231,7 +236,7 @@ impl ExplainContext<'_> {
 
     /// Replaces components that the vector does not have, or that repeat where they must not: by
     /// the one at the same position of `xyzw`, else by an unused one.
-    pub(crate) fn mend_swizzle(&self, text: &str, rows: u8, token: TokenId) -> Option<Fix> {
+    pub(crate) fn fix_swizzle(&self, text: &str, rows: u8, token: TokenId) -> Option<Fix> {
         let letters = SWIZZLES
             .iter()
             .find(|set| text.chars().all(|c| set.contains(c)))?;
@@ -263,7 +268,7 @@ impl ExplainContext<'_> {
     }
 
     /// A member of a comma expression that is a struct containing samplers.
-    pub(crate) fn explain_member_behind_comma(&self, id: ExprId) -> Diagnostic {
+    pub(crate) fn explain_member_after_comma(&self, id: ExprId) -> Diagnostic {
         let message = "cannot access a member after `,` if the struct contains samplers";
         self.error_expr(error::UNSUPPORTED_OPERATION, id, message)
             .note("the browser does not compile it")

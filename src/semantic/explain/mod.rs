@@ -43,7 +43,7 @@ use super::parsed::Typed;
 use super::program::*;
 use super::scope::Binding;
 use super::types::*;
-use super::typing::{self, Clash, Misfit, NonNumber};
+use super::typing::{self, Clash, NonNumber, TypeMismatch};
 use context::ExplainContext;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_syntax::ast::*;

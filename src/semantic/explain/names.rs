@@ -324,14 +324,13 @@ impl ExplainContext<'_> {
     /// Edits that replace every use of a name with `to`; empty if one is in a macro.
     pub(crate) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
         let mut edits = Vec::new();
-        let mut behind_dot = false;
+        let mut after_dot = false;
         if !self.affords(self.tokens.tokens.len()) {
             return edits;
         }
         for token in &self.tokens.tokens {
-            let is_use =
-                token.kind == TokenKind::Identifier && token.value == name.0 && !behind_dot;
-            behind_dot = token.kind == TokenKind::Dot;
+            let is_use = token.kind == TokenKind::Identifier && token.value == name.0 && !after_dot;
+            after_dot = token.kind == TokenKind::Dot;
             if !is_use {
                 continue;
             }

@@ -35,13 +35,13 @@ impl ExplainContext<'_> {
         let (l, r) = (self.ty(left), self.ty(right));
         let d = match clash {
             Clash::Scalars if l.is_array() => {
-                self.other_misfit(id, op.symbol(), left, right, clash)
+                self.other_mismatch(id, op.symbol(), left, right, clash)
             }
             Clash::Scalars
                 if l.scalar_kind() == Some(Scalar::Bool)
                     || r.scalar_kind() == Some(Scalar::Bool) =>
             {
-                self.bool_misfit(id, op, left, right)
+                self.bool_mismatch(id, op, left, right)
             }
             Clash::Scalars => {
                 if op == BinaryOp::Rem
@@ -52,8 +52,8 @@ impl ExplainContext<'_> {
                 let prefer_int = op.compares() || op == BinaryOp::Rem;
                 return self.mixed(id, op.symbol(), left, right, prefer_int);
             }
-            Clash::Shape => self.shape_misfit(id, op.symbol(), left, right),
-            _ => self.other_misfit(id, op.symbol(), left, right, clash),
+            Clash::Shape => self.shape_mismatch(id, op.symbol(), left, right),
+            _ => self.other_mismatch(id, op.symbol(), left, right, clash),
         };
         self.advise_operator(d, id, op, left, right, clash)
     }
@@ -61,7 +61,7 @@ impl ExplainContext<'_> {
     /// `%` with a float operand that is not an integral literal: only `mod` can be meant.
     fn float_remainder(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Diagnostic> {
         let lasts = |id| {
-            self.ty(id).scalar_kind() == Some(Scalar::Float) && self.whole_literal(id).is_none()
+            self.ty(id).scalar_kind() == Some(Scalar::Float) && self.integer_literal(id).is_none()
         };
         if !lasts(left) && !lasts(right) {
             return None;
@@ -78,7 +78,7 @@ impl ExplainContext<'_> {
             .label(self.expr_span(right), format!("`{r}`"))
     }
 
-    fn bool_misfit(&self, id: ExprId, op: BinaryOp, left: ExprId, right: ExprId) -> Diagnostic {
+    fn bool_mismatch(&self, id: ExprId, op: BinaryOp, left: ExprId, right: ExprId) -> Diagnostic {
         let (l, r) = (self.name_of(self.ty(left)), self.name_of(self.ty(right)));
         let is_bool = |id| self.ty(id).scalar_kind() == Some(Scalar::Bool);
         if let Some(d) = self.chained_comparison(id, op, left, right) {
@@ -197,7 +197,7 @@ impl ExplainContext<'_> {
                 (right, left)
             };
             let int_kind = if ls == Scalar::Float { rs } else { ls };
-            if prefer_int && !is_literal(int) && self.whole_literal(float).is_some() {
+            if prefer_int && !is_literal(int) && self.integer_literal(float).is_some() {
                 return (float, int_kind);
             }
             return (int, Scalar::Float);
@@ -210,7 +210,7 @@ impl ExplainContext<'_> {
         }
     }
 
-    fn shape_misfit(&self, id: ExprId, symbol: &str, left: ExprId, right: ExprId) -> Diagnostic {
+    fn shape_mismatch(&self, id: ExprId, symbol: &str, left: ExprId, right: ExprId) -> Diagnostic {
         let (l, r) = (self.ty(left), self.ty(right));
         let (ln, rn) = (self.name_of(l), self.name_of(r));
         let message = cannot_combine(symbol, &ln, &rn);
@@ -233,7 +233,7 @@ impl ExplainContext<'_> {
         d.fix(fix)
     }
 
-    fn other_misfit(
+    fn other_mismatch(
         &self,
         id: ExprId,
         symbol: &str,
@@ -476,9 +476,9 @@ impl ExplainContext<'_> {
         );
         let sign = self.token(self.tree.expr(id).extent.first);
         let is_direct = self.is_direct(self.tree.expr(id).extent);
-        let negated = |before: &str, behind: &str| {
+        let negated = |before: &str, after: &str| {
             let end = self.expr_span(operand).end;
-            let edits = vec![Edit::replace(sign.span, before), Edit::insert(end, behind)];
+            let edits = vec![Edit::replace(sign.span, before), Edit::insert(end, after)];
             Some(edits).filter(|_| is_direct)
         };
         match (symbol, ty.scalar_kind()) {

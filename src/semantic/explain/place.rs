@@ -18,7 +18,7 @@ impl Explain for PlaceError {
                     format!("cannot assign to swizzle `{letters}`: it repeats a component");
                 return c
                     .error(error::NOT_ASSIGNABLE, at, message)
-                    .fix(c.mend_swizzle(letters, rows, at.first));
+                    .fix(c.fix_swizzle(letters, rows, at.first));
             }
             E::Constant(id) => (id, "is a constant"),
             E::Uniform(id) => (id, "is a uniform"),
@@ -34,9 +34,9 @@ impl Explain for PlaceError {
         let d = c.error(error::NOT_ASSIGNABLE, at, message);
         let d = c.with_declaration(d, token, "declared here");
         d.fix(match variable.map(|v| v.storage) {
-            _ if matches!(self, E::Constant(_)) => c.take_const_away(token),
+            _ if matches!(self, E::Constant(_)) => c.remove_const(token),
             Some(Storage::Input | Storage::Uniform) => c.copy_first(id),
-            Some(Storage::Param(_)) => c.take_const_away(token),
+            Some(Storage::Param(_)) => c.remove_const(token),
             _ => None,
         })
     }
@@ -50,7 +50,7 @@ impl ExplainContext<'_> {
         };
         let fix = self
             .swap_sides(id)
-            .or_else(|| self.compare_instead(self.whole));
+            .or_else(|| self.compare_instead(self.root_expr));
         let message = "cannot assign to this expression";
         self.error(error::NOT_ASSIGNABLE, at, message)
             .note(format!(
@@ -95,7 +95,7 @@ impl ExplainContext<'_> {
         ))
     }
 
-    /// Edits that rename every use of a name within `part`; `None` if one is in a macro, or if
+    /// Edits that rename every use of a name within `chunk`; `None` if one is in a macro, or if
     /// there are more than [`MAX_RENAMED`].
     fn rename_within(&self, name: Name, part: Extent, to: &str) -> Option<Vec<Edit>> {
         let tokens = &self.tokens.tokens;
@@ -115,7 +115,7 @@ impl ExplainContext<'_> {
     }
 
     /// Removes `const` from the declaration of the name at `token`.
-    pub(crate) fn take_const_away(&self, token: Option<TokenId>) -> Option<Fix> {
+    pub(crate) fn remove_const(&self, token: Option<TokenId>) -> Option<Fix> {
         use TokenKind as T;
         let mut at = token?;
         while !matches!(
@@ -233,7 +233,7 @@ impl ExplainContext<'_> {
         if ty.is_error() || ty.is_void() || ty.is_sampler() || !self.is_statement_start(token) {
             return None;
         }
-        let (uses, inside) = self.uses_behind(name, token);
+        let (uses, inside) = self.uses_after(name, token);
         let (word, text) = (self.name_of(ty), self.text(name));
         let edits = vec![Edit::insert(
             self.token_span(token).start,
@@ -258,7 +258,7 @@ impl ExplainContext<'_> {
 
     /// How often a name is used from a token to the end of the function, and whether all these uses
     /// are in the block around the token.
-    fn uses_behind(&self, name: Name, token: TokenId) -> (u32, bool) {
+    fn uses_after(&self, name: Name, token: TokenId) -> (u32, bool) {
         let function = self
             .tree
             .functions
@@ -281,7 +281,7 @@ impl ExplainContext<'_> {
 
     /// `1.0 = x` becomes `x = 1.0`.
     pub(crate) fn swap_sides(&self, left: ExprId) -> Option<Fix> {
-        let ExprKind::Assign(None, l, right) = self.tree.expr(self.whole).kind else {
+        let ExprKind::Assign(None, l, right) = self.tree.expr(self.root_expr).kind else {
             return None;
         };
         let is_place = self.variable_of(right).is_some_and(|id| {
@@ -295,7 +295,7 @@ impl ExplainContext<'_> {
             Edit::replace(a, self.sources.text(b)),
             Edit::replace(b, self.sources.text(a)),
         ];
-        (fits && self.is_direct(self.tree.expr(self.whole).extent))
+        (fits && self.is_direct(self.tree.expr(self.root_expr).extent))
             .then(|| Fix::suggestion("swap the two sides", edits))
     }
 }

@@ -6,39 +6,41 @@ use shaderlint_text::Role;
 impl Explain for QualifierError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use QualifierError as E;
-        let say = |message: &str| c.error(error::INVALID_QUALIFIER, at, message);
+        let report = |message: &str| c.error(error::INVALID_QUALIFIER, at, message);
         let written = c.sources.text(c.span(at));
         let word = c.sources.text(c.token_span(at.first));
         match self {
-            E::Local => say(&format!("a local variable cannot be `{word}`")),
-            E::NotGlobal => say(&format!("`{word}` is only allowed at global scope")),
+            E::Local => report(&format!("a local variable cannot be `{word}`")),
+            E::NotGlobal => report(&format!("`{word}` is only allowed at global scope")),
             E::Later => {
                 let message = format!("`{word}` requires `#version 300 es` here");
                 c.error(error::NEEDS_WEBGL2, at, message)
                     .help("use `attribute` or `varying` in GLSL ES 1.00")
             }
-            E::NoParameter => say("`inout` is only allowed on parameters"),
-            E::NoAttribute => say("`attribute` is only allowed in vertex shaders"),
-            E::Together => say("these qualifiers cannot be combined"),
-            E::Twice => say(&format!("`{word}` repeats a qualifier of the same kind")).note(ORDER),
-            E::InvariantLayout => say("`invariant` and `layout` cannot be combined").note(ORDER),
-            E::Order => say(&format!("qualifier `{word}` is in the wrong order")).note(ORDER),
+            E::NoParameter => report("`inout` is only allowed on parameters"),
+            E::NoAttribute => report("`attribute` is only allowed in vertex shaders"),
+            E::Together => report("these qualifiers cannot be combined"),
+            E::Twice => {
+                report(&format!("`{word}` repeats a qualifier of the same kind")).note(ORDER)
+            }
+            E::InvariantLayout => report("`invariant` and `layout` cannot be combined").note(ORDER),
+            E::Order => report(&format!("qualifier `{word}` is in the wrong order")).note(ORDER),
             E::Parameter => {
                 let message = format!("a parameter cannot be `{written}` here");
                 c.error(error::INVALID_PARAMETER, at, message)
                     .note("a parameter is `in`, `const in`, `out` or `inout` (section 4.6)")
             }
-            E::Returned => say(&format!("a return type cannot be `{written}`")),
-            E::Alone(storage) => say(&format!(
+            E::Returned => report(&format!("a return type cannot be `{written}`")),
+            E::Alone(storage) => report(&format!(
                 "`{}` must be followed by `in` or `out`",
                 storage.name()
             ))
             .note("only variables passed between stages are interpolated (section 4.3.9)"),
-            E::Invariant => say("`invariant` is not allowed here").note(INVARIANT),
+            E::Invariant => report("`invariant` is not allowed here").note(INVARIANT),
             E::InvariantVariable(name) => {
-                say(&format!("`{}` cannot be `invariant`", c.text(name))).note(INVARIANT)
+                report(&format!("`{}` cannot be `invariant`", c.text(name))).note(INVARIANT)
             }
-            E::Afterwards => say("a redeclaration can only add `invariant`"),
+            E::Afterwards => report("a redeclaration can only add `invariant`"),
             E::Undeclared(name) => {
                 let message = format!("`{}` is not declared", c.text(name));
                 c.error(error::UNDECLARED_NAME, at, message)
@@ -48,13 +50,14 @@ impl Explain for QualifierError {
                 let message = format!("declaration of `{name}` lacks a type or a name");
                 c.error(error::SYNTAX_ERROR, at, message)
             }
-            E::NoPrecision(ty) => say(&format!("`{}` cannot have a precision", c.name_of(ty))),
+            E::NoPrecision(ty) => report(&format!("`{}` cannot have a precision", c.name_of(ty))),
             E::MissingPrecision(ty) => c.missing_precision(ty, at),
-            E::DefaultPrecision => say(&format!("cannot set a default precision for `{written}`"))
-                .note(
+            E::DefaultPrecision => {
+                report(&format!("cannot set a default precision for `{written}`")).note(
                     "only `float`, `int` and samplers have one; vectors follow `float` \
                      (section 4.5.4)",
-                ),
+                )
+            }
         }
     }
 }
@@ -78,7 +81,7 @@ impl ExplainContext<'_> {
         };
         let message = format!("missing precision for `{name}`");
         let d = self.error(error::MISSING_PRECISION, at, message).note(why);
-        match self.line_behind_version(at.first) {
+        match self.line_after_version(at.first) {
             Some(place) => d.fix(Fix::safe(
                 format!("add `{line}`"),
                 vec![Edit::insert(place, format!("{line}\n"))],
@@ -89,13 +92,13 @@ impl ExplainContext<'_> {
 
     /// Position of the line after `#version` and the `#extension`s in the file of a token: where
     /// the first declaration is inserted.
-    pub(crate) fn line_behind_version(&self, token: TokenId) -> Option<u32> {
+    pub(crate) fn line_after_version(&self, token: TokenId) -> Option<u32> {
         let code = self.sources.code_at(self.token_span(token).start)?;
         if code.role == Role::Prelude {
             return None;
         }
-        let whole = Span::new(code.base, code.base + code.text.len() as u32);
-        let inside = |span: &Span| whole.contains(*span);
+        let file = Span::new(code.base, code.base + code.text.len() as u32);
+        let inside = |span: &Span| file.contains(*span);
         let directives = self
             .tokens
             .version_span

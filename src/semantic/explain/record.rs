@@ -2,11 +2,11 @@
 
 use super::*;
 
-impl Record {
+impl RecordKind {
     fn rule(self) -> ErrorKind {
         match self {
-            Record::Struct => error::INVALID_STRUCT,
-            Record::Block => error::INTERFACE_BLOCK,
+            RecordKind::Struct => error::INVALID_STRUCT,
+            RecordKind::Block => error::INTERFACE_BLOCK,
         }
     }
 }
@@ -21,8 +21,8 @@ impl Explain for RecordError {
                 record.rule(),
                 at,
                 match record {
-                    Record::Struct => "a struct needs at least one member",
-                    Record::Block => "an interface block needs at least one member",
+                    RecordKind::Struct => "a struct needs at least one member",
+                    RecordKind::Block => "an interface block needs at least one member",
                 },
             ),
             E::Inside => of_struct("a struct cannot be declared inside another struct")

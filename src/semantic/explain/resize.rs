@@ -152,7 +152,7 @@ impl ExplainContext<'_> {
         let target = self.tree.expr(id).extent;
         let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
         let mut wanted = self.wanted;
-        let mut at = self.whole;
+        let mut at = self.root_expr;
         while at != id {
             at = match self.tree.expr(at).kind {
                 ExprKind::Paren(inner) | ExprKind::Unary(_, inner) => inner,

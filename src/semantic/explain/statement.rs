@@ -31,7 +31,7 @@ impl Explain for StatementError {
                 c.error(error::CONDITION_TYPE, at, message)
             }
             E::NoCondition(id, of, ty) => c.explain_condition(id, ty, of),
-            E::Return(value, misfit) => c.explain_return(value, at, misfit),
+            E::Return(value, mismatch) => c.explain_return(value, at, mismatch),
             E::Endless(variable) => c.endless_loop(variable, at),
         }
     }
@@ -61,13 +61,15 @@ impl ExplainContext<'_> {
         &self,
         value: Option<ExprId>,
         extent: Extent,
-        misfit: Misfit,
+        mismatch: TypeMismatch,
     ) -> Diagnostic {
-        match (misfit, value) {
-            (Misfit::ValueReturned, Some(value)) => self.return_of_void(value, extent),
-            (Misfit::Returned(wanted), Some(value)) => self.return_misfit(value, wanted, extent),
-            (Misfit::NothingReturned(wanted), _) => self.return_of_nothing(wanted, extent),
-            (_, value) => self.explain_void(value.unwrap_or(self.whole)),
+        match (mismatch, value) {
+            (TypeMismatch::ValueReturned, Some(value)) => self.return_of_void(value, extent),
+            (TypeMismatch::Returned(wanted), Some(value)) => {
+                self.return_mismatch(value, wanted, extent)
+            }
+            (TypeMismatch::NothingReturned(wanted), _) => self.return_of_nothing(wanted, extent),
+            (_, value) => self.explain_void(value.unwrap_or(self.root_expr)),
         }
     }
 
@@ -116,7 +118,7 @@ impl ExplainContext<'_> {
         d.fix(fix)
     }
 
-    fn return_misfit(&self, value: ExprId, wanted: Type, extent: Extent) -> Diagnostic {
+    fn return_mismatch(&self, value: ExprId, wanted: Type, extent: Extent) -> Diagnostic {
         let found = self.ty(value);
         let numbers = |t: Type| t.scalar_kind().filter(|s| *s != Scalar::Bool);
         let rule = match (numbers(wanted), numbers(found)) {
@@ -126,7 +128,7 @@ impl ExplainContext<'_> {
             (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
             _ => error::RETURN_TYPE,
         };
-        let mut d = self.misfit_at(extent, wanted, value, rule);
+        let mut d = self.mismatch_at(extent, wanted, value, rule);
         d.message = format!(
             "expected return value of type `{}`, found `{}`",
             self.name_of(wanted),

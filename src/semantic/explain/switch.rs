@@ -5,7 +5,7 @@ use super::*;
 impl Explain for SwitchError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use SwitchError as E;
-        let say = |message: &str| c.error(error::INVALID_SWITCH, at, message);
+        let report = |message: &str| c.error(error::INVALID_SWITCH, at, message);
         // A float is converted to an integer.
         let to_integer = |value| match c.ty(value) {
             Type::FLOAT => c.convert(value, Scalar::Int),
@@ -14,11 +14,12 @@ impl Explain for SwitchError {
         match self {
             E::Selector(value) => {
                 let name = c.name_of(c.ty(value));
-                say(&format!("`switch` requires an integer, found `{name}`")).fix(to_integer(value))
+                report(&format!("`switch` requires an integer, found `{name}`"))
+                    .fix(to_integer(value))
             }
             E::Label(value) => {
                 let name = c.name_of(c.ty(value));
-                say(&format!("`case` label must be an integer, found `{name}`"))
+                report(&format!("`case` label must be an integer, found `{name}`"))
                     .fix(to_integer(value))
             }
             E::NotConstant(value) => {
@@ -28,24 +29,24 @@ impl Explain for SwitchError {
             E::LabelType(value, selector) => {
                 let (expected, found) = (c.name_of(selector), c.name_of(c.ty(value)));
                 let scalar = selector.scalar_kind().unwrap_or(Scalar::Int);
-                say(&format!(
+                report(&format!(
                     "expected `case` label of type `{expected}`, found `{found}`"
                 ))
                 .fix(c.convert(value, scalar))
             }
-            E::Outside(word) => say(&format!("`{word}` must be directly inside a `switch`")),
+            E::Outside(word) => report(&format!("`{word}` must be directly inside a `switch`")),
             E::Twice(first) => {
-                say("duplicate label in `switch`").label(c.token_span(first), "first label")
+                report("duplicate label in `switch`").label(c.token_span(first), "first label")
             }
             E::NothingBehind(dropped) => {
-                let d = say("the last label of a `switch` has no statement");
+                let d = report("the last label of a `switch` has no statement");
                 let d = match dropped {
                     Some(dropped) => d.label(c.span(dropped), "removed by the browser"),
                     None => d,
                 };
                 d.help("add `break;` after it")
             }
-            E::BeforeLabels => say("statement before the first label of a `switch`"),
+            E::BeforeLabels => report("statement before the first label of a `switch`"),
         }
     }
 }

@@ -18,10 +18,10 @@ fn check(statement: &str, expected: &str) {
         .iter()
         .map(|d| match &d.fix {
             Some(fix) => {
-                let mended = apply_edits(&text, 0, &fix.edits).unwrap();
-                let mended = mended.strip_prefix(HEAD).unwrap_or(&mended);
-                let mended = mended.strip_suffix("\n}\n").unwrap_or(mended);
-                format!("{} => {mended}", d.message)
+                let repaired = apply_edits(&text, 0, &fix.edits).unwrap();
+                let repaired = repaired.strip_prefix(HEAD).unwrap_or(&repaired);
+                let repaired = repaired.strip_suffix("\n}\n").unwrap_or(repaired);
+                format!("{} => {repaired}", d.message)
             }
             None => d.message.clone(),
         })
@@ -151,7 +151,7 @@ fn arguments_are_given_swapped_or_taken_away() {
 }
 
 #[test]
-fn names_that_are_slips_or_of_other_languages() {
+fn names_that_are_typos_or_of_other_languages() {
     check(
         "f = saturate(f);",
         "`saturate` is not a GLSL function; use `clamp(a, 0.0, 1.0)` => f = clamp(f, 0.0, 1.0);",

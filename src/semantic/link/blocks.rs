@@ -74,7 +74,7 @@ fn packing(
         false => "`column_major`",
     };
     let name = fragment.text(of_fragment.name);
-    let mut tell = |what: &str, of_vertex: (TokenId, bool), of_fragment: (TokenId, bool)| {
+    let mut report = |what: &str, of_vertex: (TokenId, bool), of_fragment: (TokenId, bool)| {
         let message = format!(
             "{what} is {} in the fragment but {} in the vertex shader",
             word(of_fragment.1),
@@ -89,7 +89,7 @@ fn packing(
     // The browser compares them even if there is no matrix.
     if of_vertex.by_rows != of_fragment.by_rows {
         let [vertex_side, fragment_side] = [of_vertex, of_fragment].map(|b| (b.token, b.by_rows));
-        return tell(&format!("block `{name}`"), vertex_side, fragment_side);
+        return report(&format!("block `{name}`"), vertex_side, fragment_side);
     }
     let members = |interface, block: &Block| {
         let fields = fields(interface, block).iter();
@@ -99,7 +99,7 @@ fn packing(
     for (v, f) in members(vertex, of_vertex).zip(members(fragment, of_fragment)) {
         if v.1 != f.1 && holds_matrix(f.0.ty, &with_matrices) {
             let what = format!("`{name}.{}`", fragment.text(f.0.name));
-            return tell(&what, (v.0.token, v.1), (f.0.token, f.1));
+            return report(&what, (v.0.token, v.1), (f.0.token, f.1));
         }
     }
 }

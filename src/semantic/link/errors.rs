@@ -15,7 +15,7 @@ pub const MAX_ERRORS: usize = 200;
 pub struct LinkErrors {
     pub diagnostics: Vec<Diagnostic>,
     /// Spans with an error; each mistake is reported once.
-    pub told: FxHashSet<Span>,
+    pub reported: FxHashSet<Span>,
 }
 
 impl LinkErrors {
@@ -39,7 +39,7 @@ impl LinkErrors {
         } else {
             (first, second)
         };
-        if is_hosts(&at) || !self.told.insert(at.span()) {
+        if is_hosts(&at) || !self.reported.insert(at.span()) {
             return None;
         }
         let mut d = Diagnostic::error(rule, at.span(), message).mark(at.label);
@@ -63,7 +63,7 @@ impl LinkErrors {
         message: String,
         at: LinkSite,
     ) -> Option<&mut Diagnostic> {
-        if at.interface.is_hosts(at.token) || !self.told.insert(at.span()) {
+        if at.interface.is_hosts(at.token) || !self.reported.insert(at.span()) {
             return None;
         }
         let mut d = Diagnostic::error(rule, at.span(), message).mark(at.label.clone());

@@ -1,7 +1,7 @@
 //! The interface of a stage: inputs, outputs, uniforms and blocks with the properties of their
 //! declarations.
 
-use super::live::named;
+use super::static_use::named;
 use crate::{Base, Program, Scalar, Stage, Storage, Type, VariableId};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::Name;

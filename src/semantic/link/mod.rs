@@ -9,7 +9,7 @@ mod compare;
 mod errors;
 mod interface;
 mod limits;
-mod live;
+mod static_use;
 mod uniforms;
 mod varyings;
 

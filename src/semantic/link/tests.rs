@@ -1,7 +1,7 @@
 //! Link errors of pairs of shaders.
 
 use super::link;
-use crate::{Dialect, Stage, Unit, Wholeness, analyze};
+use crate::{Completeness, Dialect, Stage, Unit, analyze};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ fn check(vertex: &str, fragment: &str, expected: &str) {
             stage,
             dialect: Dialect::WebGl,
             infer_channels: false,
-            wholeness: Wholeness::Whole,
+            completeness: Completeness::Complete,
         });
         let messages: Vec<&str> = analysis
             .diagnostics
@@ -186,7 +186,7 @@ fn attributes_have_places() {
 }
 
 #[test]
-fn invariance_of_webgl1_is_said_twice() {
+fn invariance_of_webgl1_is_stated_twice() {
     let fragment = "varying mediump float v; void main() { gl_FragColor.x = v; }";
     let wrong =
         "a.frag:1 link-varying: `v` is `invariant` in the vertex but not in the fragment shader";

@@ -65,15 +65,15 @@ fn qualifiers(
     } else {
         return;
     };
-    let is_said = |i: &InterfaceVariable| match word {
+    let is_qualified = |i: &InterfaceVariable| match word {
         "flat" => i.is_flat,
         _ => i.is_invariant,
     };
     let label = |item: &InterfaceVariable, stage: &str| {
-        let said = if is_said(item) { "" } else { "not " };
-        format!("{said}`{word}` in the {stage} shader")
+        let negation = if is_qualified(item) { "" } else { "not " };
+        format!("{negation}`{word}` in the {stage} shader")
     };
-    let (with, without) = if is_said(input) {
+    let (with, without) = if is_qualified(input) {
         ("fragment", "vertex")
     } else {
         ("vertex", "fragment")

@@ -1,7 +1,7 @@
 //! Constructors (GLSL ES 3.00 section 5.4).
 
-use super::meaning::Types;
-use super::misfit::Misfit;
+use super::mismatch::TypeMismatch;
+use super::type_context::Types;
 use crate::types::*;
 
 /// A type with the array size that its constructor's arguments imply.
@@ -17,22 +17,22 @@ pub fn construct(
     types: Types,
     ty: Type,
     arguments: impl ExactSizeIterator<Item = Type> + Clone,
-) -> Result<(), Misfit> {
+) -> Result<(), TypeMismatch> {
     if ty.is_void() || ty.is_sampler() {
-        return Err(Misfit::NotConstructible(ty));
+        return Err(TypeMismatch::NotConstructible(ty));
     }
     if arguments.clone().any(Type::is_error) {
         return Ok(());
     }
     if arguments.len() == 0 {
-        return Err(Misfit::NoArguments(ty));
+        return Err(TypeMismatch::NoArguments(ty));
     }
     for (i, argument) in arguments.clone().enumerate() {
         if argument.is_void() {
-            return Err(Misfit::Void(i));
+            return Err(TypeMismatch::Void(i));
         }
         if types.inside(argument).sampler {
-            return Err(Misfit::SamplerArgument(i));
+            return Err(TypeMismatch::SamplerArgument(i));
         }
     }
     match ty.base {
@@ -54,20 +54,20 @@ fn each(
     ty: Type,
     parts: impl ExactSizeIterator<Item = Type>,
     arguments: impl ExactSizeIterator<Item = Type>,
-) -> Result<(), Misfit> {
+) -> Result<(), TypeMismatch> {
     if parts.len() != arguments.len() {
-        return Err(Misfit::Count(ty));
+        return Err(TypeMismatch::Count(ty));
     }
     let mut pairs = parts.zip(arguments).enumerate();
     match pairs.find(|(_, (part, argument))| part != argument && !part.is_error()) {
-        Some((i, (part, _))) => Err(Misfit::Part(i, part)),
+        Some((i, (part, _))) => Err(TypeMismatch::Part(i, part)),
         None => Ok(()),
     }
 }
 
 /// The components of all arguments in sequence form the value and must suffice for it; a single
 /// scalar fills it, and a matrix can be built from another of any size.
-fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(), Misfit> {
+fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(), TypeMismatch> {
     let wanted = ty.components();
     let count = arguments.len();
     let mut given = 0;
@@ -75,7 +75,7 @@ fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(
     let mut has_matrix = false;
     for (i, argument) in arguments.enumerate() {
         if argument.numeric().is_none() {
-            return Err(Misfit::NoNumber(i, ty));
+            return Err(TypeMismatch::NoNumber(i, ty));
         }
         if given >= wanted && surplus.is_none() {
             surplus = Some(i);
@@ -86,12 +86,12 @@ fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(
     if ty.is_matrix() && has_matrix {
         return match count {
             1 => Ok(()),
-            _ => Err(Misfit::MatrixBeside),
+            _ => Err(TypeMismatch::MatrixBeside),
         };
     }
     match surplus {
-        Some(first) => Err(Misfit::TooMany(ty, given, first)),
-        None if given != 1 && given < wanted => Err(Misfit::TooFew(ty, given)),
+        Some(first) => Err(TypeMismatch::TooMany(ty, given, first)),
+        None if given != 1 && given < wanted => Err(TypeMismatch::TooFew(ty, given)),
         None => Ok(()),
     }
 }

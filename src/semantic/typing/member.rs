@@ -1,7 +1,7 @@
 //! Members, components and elements (GLSL ES 3.00 sections 5.5 and 5.7).
 
-use super::meaning::Types;
-use super::misfit::Misfit;
+use super::mismatch::TypeMismatch;
+use super::type_context::Types;
 use crate::types::*;
 use shaderlint_syntax::Name;
 
@@ -20,12 +20,12 @@ pub const LENGTH: &str = "length";
 pub const SWIZZLES: [&str; 3] = ["xyzw", "rgba", "stpq"];
 
 /// Resolves `object.name`; `text` is the name.
-pub fn member(types: Types, object: Type, name: Name, text: &str) -> Result<Member, Misfit> {
+pub fn member(types: Types, object: Type, name: Name, text: &str) -> Result<Member, TypeMismatch> {
     if let Some((scalar, 1, rows @ 2..)) = object.numeric() {
-        let lanes = components(text).ok_or(Misfit::Letters(object))?;
+        let lanes = components(text).ok_or(TypeMismatch::Letters(object))?;
         let picked = lanes.get(..text.len()).unwrap_or(&[]);
         if let Some(letter) = picked.iter().position(|&c| c >= rows) {
-            return Err(Misfit::Component(object, letter));
+            return Err(TypeMismatch::Component(object, letter));
         }
         return Ok(Member::Components(
             Type::vector(scalar, text.len() as u8),
@@ -33,14 +33,14 @@ pub fn member(types: Types, object: Type, name: Name, text: &str) -> Result<Memb
         ));
     }
     match object.base {
-        _ if object.is_array() => Err(Misfit::ArrayMember),
+        _ if object.is_array() => Err(TypeMismatch::ArrayMember),
         Base::Struct(index) | Base::Block(index) => field(types, index, name),
-        Base::Void => Err(Misfit::Void(0)),
-        _ => Err(Misfit::NoMembers(object)),
+        Base::Void => Err(TypeMismatch::Void(0)),
+        _ => Err(TypeMismatch::NoMembers(object)),
     }
 }
 
-fn field(types: Types, index: u16, name: Name) -> Result<Member, Misfit> {
+fn field(types: Types, index: u16, name: Name) -> Result<Member, TypeMismatch> {
     let fields = types
         .structs
         .get(index as usize)
@@ -52,7 +52,7 @@ fn field(types: Types, index: u16, name: Name) -> Result<Member, Misfit> {
         }
         offset += types.scalars_in(field.ty);
     }
-    Err(Misfit::Field(index))
+    Err(TypeMismatch::Field(index))
 }
 
 /// The component indices of a swizzle; `None` if it is not one.
@@ -69,19 +69,19 @@ pub fn components(text: &str) -> Option<[u8; 4]> {
 }
 
 /// Element type and count of an array, a matrix (its columns) or a vector.
-pub fn element(object: Type) -> Result<(Type, u32), Misfit> {
+pub fn element(object: Type) -> Result<(Type, u32), TypeMismatch> {
     match object.numeric() {
         _ if object.is_array() => Ok((object.element(), object.array)),
         Some((scalar, columns @ 2.., rows)) => Ok((Type::vector(scalar, rows), columns as u32)),
         Some((scalar, 1, rows @ 2..)) => Ok((Type::scalar(scalar), rows as u32)),
-        _ => Err(Misfit::NoElements(object)),
+        _ => Err(TypeMismatch::NoElements(object)),
     }
 }
 
 /// Checks that an index is an integer.
-pub fn index(ty: Type) -> Result<(), Misfit> {
+pub fn index(ty: Type) -> Result<(), TypeMismatch> {
     match ty {
         Type::INT | Type::UINT => Ok(()),
-        ty => Err(Misfit::Index(ty)),
+        ty => Err(TypeMismatch::Index(ty)),
     }
 }

@@ -1,20 +1,20 @@
 //! Type rules: from the types of operands to the type of the result, or to a type error.
 //!
-//! Every decision is a function of types only; the messages for a [`Misfit`] are made in `explain`.
+//! Every decision is a function of types only; the messages for a [`TypeMismatch`] are made in `explain`.
 
 mod construct;
-mod meaning;
 mod member;
-mod misfit;
+mod mismatch;
 mod operator;
 #[cfg(test)]
 mod tests;
+mod type_context;
 
 pub use construct::{construct, sized};
-pub use meaning::Types;
 pub use member::{LENGTH, Member, SWIZZLES, components, element, index, member};
-pub use misfit::{Clash, Misfit, NonNumber};
+pub use mismatch::{Clash, NonNumber, TypeMismatch};
 pub use operator::{assign, binary, choice, compound, condition, returned, sequence, step, unary};
+pub use type_context::Types;
 
 use super::types::Type;
 

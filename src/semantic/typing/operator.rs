@@ -1,7 +1,7 @@
 //! Operators, assignments and `return` (GLSL ES 3.00 sections 5.8, 5.9 and 6.1).
 
-use super::meaning::Types;
-use super::misfit::{Clash, Misfit, NonNumber};
+use super::mismatch::{Clash, NonNumber, TypeMismatch};
+use super::type_context::Types;
 use crate::types::*;
 use shaderlint_syntax::Feature;
 use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
@@ -16,7 +16,7 @@ enum Use {
 }
 
 /// `op operand`, without `++` and `--`.
-pub fn unary(op: UnaryOp, operand: Type) -> Result<Type, Misfit> {
+pub fn unary(op: UnaryOp, operand: Type) -> Result<Type, TypeMismatch> {
     let scalar = operand.scalar_kind();
     let fits = match op {
         UnaryOp::Not => operand == Type::BOOL,
@@ -25,41 +25,41 @@ pub fn unary(op: UnaryOp, operand: Type) -> Result<Type, Misfit> {
     };
     match fits {
         true => Ok(operand),
-        false if operand.is_void() => Err(Misfit::Void(0)),
-        false => Err(Misfit::Operand(operand)),
+        false if operand.is_void() => Err(TypeMismatch::Void(0)),
+        false => Err(TypeMismatch::Operand(operand)),
     }
 }
 
 /// `++` and `--`.
-pub fn step(operand: Type) -> Result<Type, Misfit> {
+pub fn step(operand: Type) -> Result<Type, TypeMismatch> {
     unary(UnaryOp::Plus, operand)
 }
 
 /// `l op r`
-pub fn binary(types: Types, op: BinaryOp, l: Type, r: Type) -> Result<Type, Misfit> {
+pub fn binary(types: Types, op: BinaryOp, l: Type, r: Type) -> Result<Type, TypeMismatch> {
     let is_equality = matches!(op, BinaryOp::Equal | BinaryOp::NotEqual);
     values(l, r)?;
     let fits = aggregates(types, is_equality, l, r);
     fits.and_then(|()| operate(op, l, r, Use::Value))
-        .map_err(Misfit::Operands)
+        .map_err(TypeMismatch::Operands)
 }
 
 /// `l op= r`, whose result must fit `l`.
-pub fn compound(types: Types, op: BinaryOp, l: Type, r: Type) -> Result<Type, Misfit> {
+pub fn compound(types: Types, op: BinaryOp, l: Type, r: Type) -> Result<Type, TypeMismatch> {
     values(l, r)?;
     let fits = aggregates(types, false, l, r);
     fits.and_then(|()| operate(op, l, r, Use::Update))
-        .map_err(Misfit::Operands)
+        .map_err(TypeMismatch::Operands)
 }
 
 /// `l = r`, or `r` as the initial value of `l`.
-pub fn assign(types: Types, l: Type, r: Type) -> Result<(), Misfit> {
+pub fn assign(types: Types, l: Type, r: Type) -> Result<(), TypeMismatch> {
     values(l, r)?;
-    aggregates(types, true, l, r).map_err(Misfit::Value)?;
+    aggregates(types, true, l, r).map_err(TypeMismatch::Value)?;
     if l == r {
         return Ok(());
     }
-    Err(Misfit::Value(
+    Err(TypeMismatch::Value(
         match (l.element().scalar_kind(), r.element().scalar_kind()) {
             (Some(a), Some(b)) if a != b => Clash::Scalars,
             _ => Clash::Shape,
@@ -68,22 +68,22 @@ pub fn assign(types: Types, l: Type, r: Type) -> Result<(), Misfit> {
 }
 
 /// A condition must be a `bool`.
-pub fn condition(ty: Type) -> Result<(), Misfit> {
+pub fn condition(ty: Type) -> Result<(), TypeMismatch> {
     match ty {
         Type::BOOL => Ok(()),
-        ty if ty.is_void() => Err(Misfit::Void(0)),
-        ty => Err(Misfit::Condition(ty)),
+        ty if ty.is_void() => Err(TypeMismatch::Void(0)),
+        ty => Err(TypeMismatch::Condition(ty)),
     }
 }
 
 /// `c ? yes : no`. WebGL2 allows it only for scalars, vectors and matrices (WebGL 2.0 section
 /// 5.26).
-pub fn choice(yes: Type, no: Type) -> Result<Type, Misfit> {
+pub fn choice(yes: Type, no: Type) -> Result<Type, TypeMismatch> {
     if yes != no {
         return Err(match (yes.is_void(), no.is_void()) {
-            (true, _) => Misfit::Void(0),
-            (_, true) => Misfit::Void(1),
-            _ => Misfit::Arms,
+            (true, _) => TypeMismatch::Void(0),
+            (_, true) => TypeMismatch::Void(1),
+            _ => TypeMismatch::Arms,
         });
     }
     let kind = match yes.base {
@@ -94,55 +94,55 @@ pub fn choice(yes: Type, no: Type) -> Result<Type, Misfit> {
         _ if yes.is_array() => NonNumber::Arrays,
         _ => return Ok(yes),
     };
-    Err(Misfit::Unchosen(kind))
+    Err(TypeMismatch::Unchosen(kind))
 }
 
 /// `l, r`. WebGL2 does not allow it for arrays and types that contain them (WebGL 2.0 section
 /// 5.26).
-pub fn sequence(types: Types, l: Type, r: Type) -> Result<Type, Misfit> {
+pub fn sequence(types: Types, l: Type, r: Type) -> Result<Type, TypeMismatch> {
     let fits =
         |ty: Type| !ty.is_void() && !matches!(ty.base, Base::Block(_)) && !types.inside(ty).array;
     match fits(l) && fits(r) {
         true => Ok(r),
-        false => Err(Misfit::Sequence),
+        false => Err(TypeMismatch::Sequence),
     }
 }
 
 /// `return` with or without a value, in a function with return type `wanted`.
-pub fn returned(wanted: Type, value: Option<Type>) -> Result<(), Misfit> {
+pub fn returned(wanted: Type, value: Option<Type>) -> Result<(), TypeMismatch> {
     let is_unknown = wanted.is_error() || value.is_some_and(Type::is_error);
     match value {
         None if wanted.is_void() || wanted.is_error() => Ok(()),
-        None => Err(Misfit::NothingReturned(wanted)),
+        None => Err(TypeMismatch::NothingReturned(wanted)),
         Some(found) if found.is_void() && (wanted.is_void() || wanted.is_error()) => {
-            Err(Misfit::ValueReturned)
+            Err(TypeMismatch::ValueReturned)
         }
         Some(found) if is_unknown || found == wanted => Ok(()),
-        Some(_) if wanted.is_void() => Err(Misfit::ValueReturned),
-        Some(found) if found.is_void() => Err(Misfit::Void(0)),
-        Some(_) => Err(Misfit::Returned(wanted)),
+        Some(_) if wanted.is_void() => Err(TypeMismatch::ValueReturned),
+        Some(found) if found.is_void() => Err(TypeMismatch::Void(0)),
+        Some(_) => Err(TypeMismatch::Returned(wanted)),
     }
 }
 
 /// Checks that neither operand is `void`.
-fn values(l: Type, r: Type) -> Result<(), Misfit> {
+fn values(l: Type, r: Type) -> Result<(), TypeMismatch> {
     match (l.is_void(), r.is_void()) {
-        (true, _) => Err(Misfit::Void(0)),
-        (_, true) => Err(Misfit::Void(1)),
+        (true, _) => Err(TypeMismatch::Void(0)),
+        (_, true) => Err(TypeMismatch::Void(1)),
         _ => Ok(()),
     }
 }
 
 /// Rules for all operators: no samplers, and structs and arrays only in comparison and assignment
 /// of whole values.
-fn aggregates(types: Types, takes_whole: bool, l: Type, r: Type) -> Result<(), Clash> {
+fn aggregates(types: Types, takes_aggregates: bool, l: Type, r: Type) -> Result<(), Clash> {
     if l.is_sampler() || r.is_sampler() {
         return Err(Clash::Sampler);
     }
     let is_struct = |t: Type| matches!(t.base, Base::Struct(_) | Base::Block(_));
     if is_struct(l) || is_struct(r) {
         let is_block = matches!(l.base, Base::Block(_)) || matches!(r.base, Base::Block(_));
-        if is_block || !takes_whole || l != r {
+        if is_block || !takes_aggregates || l != r {
             return Err(Clash::Struct);
         }
         let inside = types.inside(l.element());
@@ -154,7 +154,7 @@ fn aggregates(types: Types, takes_whole: bool, l: Type, r: Type) -> Result<(), C
         return Err(Clash::Array);
     }
     if l.is_array() {
-        if !types.has(Feature::ArrayValues) || !takes_whole {
+        if !types.has(Feature::ArrayValues) || !takes_aggregates {
             return Err(Clash::Array);
         }
         if l.array != r.array {

@@ -81,33 +81,35 @@ fn written(ty: Type) -> String {
 }
 
 /// The result as text: `vec2`, or `! ` and the type error.
-fn shown(result: Result<Type, Misfit>) -> String {
-    let misfit = match result {
+fn shown(result: Result<Type, TypeMismatch>) -> String {
+    let mismatch = match result {
         Ok(ty) => return written(ty),
-        Err(misfit) => misfit,
+        Err(mismatch) => mismatch,
     };
-    let text = match misfit {
-        Misfit::Operands(clash) | Misfit::Value(clash) => format!("{clash:?}"),
-        Misfit::Operand(ty)
-        | Misfit::Condition(ty)
-        | Misfit::NoMembers(ty)
-        | Misfit::Letters(ty)
-        | Misfit::NoElements(ty)
-        | Misfit::Index(ty)
-        | Misfit::NotConstructible(ty)
-        | Misfit::NoArguments(ty)
-        | Misfit::Count(ty)
-        | Misfit::NothingReturned(ty)
-        | Misfit::Returned(ty) => {
-            let name = format!("{misfit:?}");
+    let text = match mismatch {
+        TypeMismatch::Operands(clash) | TypeMismatch::Value(clash) => format!("{clash:?}"),
+        TypeMismatch::Operand(ty)
+        | TypeMismatch::Condition(ty)
+        | TypeMismatch::NoMembers(ty)
+        | TypeMismatch::Letters(ty)
+        | TypeMismatch::NoElements(ty)
+        | TypeMismatch::Index(ty)
+        | TypeMismatch::NotConstructible(ty)
+        | TypeMismatch::NoArguments(ty)
+        | TypeMismatch::Count(ty)
+        | TypeMismatch::NothingReturned(ty)
+        | TypeMismatch::Returned(ty) => {
+            let name = format!("{mismatch:?}");
             format!("{} {}", name.split('(').next().unwrap(), written(ty))
         }
-        Misfit::Part(number, ty) => format!("Part {number} {}", written(ty)),
-        Misfit::NoNumber(number, ty) => format!("NoNumber {number} {}", written(ty)),
-        Misfit::Component(ty, number) => format!("Component {} {number}", written(ty)),
-        Misfit::TooFew(ty, given) => format!("TooFew {} {given}", written(ty)),
-        Misfit::TooMany(ty, given, first) => format!("TooMany {} {given} {first}", written(ty)),
-        misfit => format!("{misfit:?}"),
+        TypeMismatch::Part(number, ty) => format!("Part {number} {}", written(ty)),
+        TypeMismatch::NoNumber(number, ty) => format!("NoNumber {number} {}", written(ty)),
+        TypeMismatch::Component(ty, number) => format!("Component {} {number}", written(ty)),
+        TypeMismatch::TooFew(ty, given) => format!("TooFew {} {given}", written(ty)),
+        TypeMismatch::TooMany(ty, given, first) => {
+            format!("TooMany {} {given} {first}", written(ty))
+        }
+        mismatch => format!("{mismatch:?}"),
     };
     format!("! {text}")
 }
@@ -294,7 +296,7 @@ fn members_are_components_and_fields() {
                     format!("{} {:?}", written(ty), &lanes[..name.len()])
                 }
                 Ok(Member::Field(ty, offset)) => format!("{} {offset}", written(ty)),
-                Err(misfit) => shown(Err(misfit)),
+                Err(mismatch) => shown(Err(mismatch)),
             }
         });
         assert_eq!(found, expected, "{object}.{name}");

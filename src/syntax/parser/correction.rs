@@ -51,7 +51,7 @@ pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
 
 /// An edit of the token list at one index.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Change {
+pub(super) enum TokenChange {
     /// Insert a token of this kind and value before the index.
     Insert(TokenKind, u32),
     /// Remove the token at the index.
@@ -65,14 +65,14 @@ pub(super) enum Change {
 pub struct Correction {
     /// Index of the token in the preprocessor's output.
     pub(super) at: usize,
-    pub(super) change: Change,
+    pub(super) change: TokenChange,
     /// Reported if this correction is chosen.
     pub(super) diagnostic: Diagnostic,
 }
 
 impl Correction {
     pub(super) fn is_insertion(&self) -> bool {
-        matches!(self.change, Change::Insert(..))
+        matches!(self.change, TokenChange::Insert(..))
     }
 }
 
@@ -81,7 +81,7 @@ pub type Choice = Vec<Correction>;
 
 /// State of error recovery.
 #[derive(Default)]
-pub(super) struct Repairs {
+pub(super) struct Corrections {
     /// Remaining search budget.
     pub search: Search,
     /// For each token its index before any correction; empty if there was none.
@@ -93,9 +93,9 @@ pub(super) struct Repairs {
 }
 
 /// Applies an edit to a list of tokens.
-pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: Change) {
+pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: TokenChange) {
     match change {
-        Change::Insert(kind, value) => {
+        TokenChange::Insert(kind, value) => {
             let before = at.checked_sub(1).and_then(|i| tokens.get(i));
             let address = before.map_or(0, |t| t.span.end);
             let token = Token {
@@ -107,11 +107,11 @@ pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: Change) 
             };
             tokens.insert(at.min(tokens.len()), token);
         }
-        Change::Delete if at < tokens.len() => {
+        TokenChange::Delete if at < tokens.len() => {
             tokens.remove(at);
         }
-        Change::Delete => {}
-        Change::Replace(kind) => {
+        TokenChange::Delete => {}
+        TokenChange::Replace(kind) => {
             if let Some(token) = tokens.get_mut(at) {
                 token.kind = kind;
             }
@@ -155,18 +155,18 @@ impl Parser<'_> {
     }
 
     /// Applies an edit to the parsed tokens and updates the original indices.
-    pub(super) fn apply(&mut self, at: usize, change: Change) {
+    pub(super) fn apply(&mut self, at: usize, change: TokenChange) {
         if self.repairs.origin.is_empty() {
             self.repairs.origin = (0..self.tokens.len() as u32).collect();
         }
         let original = self.original(at) as u32;
         change_tokens(&mut self.tokens, at, change);
         match change {
-            Change::Insert(..) => self.repairs.origin.insert(at, original),
-            Change::Delete => {
+            TokenChange::Insert(..) => self.repairs.origin.insert(at, original),
+            TokenChange::Delete => {
                 self.repairs.origin.remove(at);
             }
-            Change::Replace(_) => {}
+            TokenChange::Replace(_) => {}
         }
     }
 
@@ -175,18 +175,18 @@ impl Parser<'_> {
     pub(super) fn correction(
         &self,
         at: usize,
-        change: Change,
+        change: TokenChange,
         reported: Option<&Diagnostic>,
-        certainty: Certainty,
+        certainty: Confidence,
     ) -> Correction {
         let diagnostic = match change {
-            Change::Insert(kind, value) => self.missing(at, kind, value),
-            Change::Delete => self.stray(at, reported),
-            Change::Replace(kind) => self.exchanged(at, kind),
+            TokenChange::Insert(kind, value) => self.missing(at, kind, value),
+            TokenChange::Delete => self.stray(at, reported),
+            TokenChange::Replace(kind) => self.exchanged(at, kind),
         };
         let mut diagnostic = diagnostic;
         if let Some(fix) = &mut diagnostic.fix
-            && certainty == Certainty::Sure
+            && certainty == Confidence::Sure
         {
             fix.applicability = shaderlint_diagnostic::Applicability::Safe;
         }
@@ -240,11 +240,11 @@ impl Parser<'_> {
             _ => format!("add `{symbol}`"),
         };
         let callee = self.token(at.saturating_sub(1));
-        let place_told = match kind == T::LeftParen && set::BEFORE_PAREN.contains(callee.kind) {
+        let place_reported = match kind == T::LeftParen && set::BEFORE_PAREN.contains(callee.kind) {
             true => callee.span.to(place),
             false => place,
         };
-        let mut d = Diagnostic::error(rule, place_told, message)
+        let mut d = Diagnostic::error(rule, place_reported, message)
             .about(subject)
             .mark(mark)
             .fix(Fix::suggestion(
@@ -389,11 +389,11 @@ impl Parser<'_> {
 
 /// The keyword that a word is probably a typo of.
 pub fn keyword_near(word: &str) -> Option<(&'static str, TokenKind)> {
-    let found = KEYWORDS.iter().find(|(keyword, _)| is_slip(word, keyword));
+    let found = KEYWORDS.iter().find(|(keyword, _)| is_typo(word, keyword));
     found.copied()
 }
 
-fn is_slip(word: &str, keyword: &str) -> bool {
+fn is_typo(word: &str, keyword: &str) -> bool {
     let most = (keyword.len() - 1) / 3;
     if word.len().abs_diff(keyword.len()) > most {
         return false;
@@ -404,8 +404,8 @@ fn is_slip(word: &str, keyword: &str) -> bool {
         letters
     };
     let word = word.to_ascii_lowercase();
-    let slips = strsim::damerau_levenshtein(keyword, &word);
-    slips <= most || (slips == 1 && letters(keyword) == letters(&word))
+    let distance = strsim::damerau_levenshtein(keyword, &word);
+    distance <= most || (distance == 1 && letters(keyword) == letters(&word))
 }
 
 /// Maximum distance at which a matching bracket is searched, in tokens.
@@ -413,7 +413,7 @@ const MAX_LOOK: usize = 1_000;
 
 /// Whether other corrections are plausible.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Certainty {
+pub(super) enum Confidence {
     Sure,
     Likely,
 }

@@ -1,6 +1,6 @@
 //! Declarations, types and functions (GLSL ES 3.00 sections 4 and 6.1).
 
-use super::attempt::Scope;
+use super::token_repair::FaultScope;
 use super::{Parsed, Parser, Reported, append, since};
 use crate::ast::*;
 use crate::names::{Name, TypeWord};
@@ -26,7 +26,7 @@ impl Parser<'_> {
             let item = self.item_as_it_is();
             let reported = self.diagnostics.get(start.diagnostics).cloned();
             let from = self.first_to_read(start, &[self.item_before]);
-            if !self.mend(from.at, Scope::Global, reported) {
+            if !self.repair_token(from.at, FaultScope::Global, reported) {
                 self.tree.items.extend(item);
                 self.item_before = Some(start);
                 return;
@@ -214,7 +214,7 @@ impl Parser<'_> {
         let open = self.id();
         self.expect(TokenKind::LeftBrace, "`{`")?;
         let mut fields = Vec::new();
-        let mut is_whole = true;
+        let mut is_file = true;
         while !self.is(TokenKind::RightBrace) {
             if self.is(TokenKind::End) || self.at_function() {
                 self.missing_brace(open);
@@ -223,16 +223,16 @@ impl Parser<'_> {
             match self.field() {
                 Ok(field) => fields.push(field),
                 Err(Reported) => {
-                    is_whole = false;
+                    is_file = false;
                     self.skip_field();
                 }
             }
         }
-        if !is_whole {
+        if !is_file {
             self.lose_names(open + 1);
         }
         self.eat(TokenKind::RightBrace);
-        if !is_whole {
+        if !is_file {
             return Ok(None);
         }
         if let (Some(structs), Some(name)) = (&mut self.structs, name) {
@@ -286,7 +286,7 @@ impl Parser<'_> {
 
     fn variables(&mut self, first: TokenId, qualifiers: List, ty: TypeId) -> Parsed<DeclId> {
         let start = self.tree.declarator_lists.len();
-        let mut is_whole = true;
+        let mut is_file = true;
         if !self.is(TokenKind::Semicolon) {
             if !self.is(TokenKind::Comma) {
                 let declarator = self.declarator(ty)?;
@@ -294,14 +294,14 @@ impl Parser<'_> {
             }
             while self.eat(TokenKind::Comma).is_some() {
                 let Ok(declarator) = self.declarator(ty) else {
-                    is_whole = false;
+                    is_file = false;
                     break;
                 };
                 self.tree.declarator_lists.push(declarator);
             }
         }
         // The names count as declared even if the rest cannot be parsed.
-        if !is_whole || self.semicolon().is_err() {
+        if !is_file || self.semicolon().is_err() {
             self.forget_initializer(start);
             let from = self.id();
             self.skip_statement(first);
@@ -676,8 +676,8 @@ impl Parser<'_> {
     /// `;` at global scope, usually after the `}` of a function.
     fn stray_semicolon(&mut self) {
         let span = self.next().span;
-        let behind_brace = self.at > 0 && self.token(self.at - 1).kind == TokenKind::RightBrace;
-        let message = if behind_brace {
+        let after_brace = self.at > 0 && self.token(self.at - 1).kind == TokenKind::RightBrace;
+        let message = if after_brace {
             "unexpected `;` after the function body"
         } else {
             "unexpected `;` outside a function"

@@ -104,11 +104,11 @@ impl Parser<'_> {
 
     fn operators(&mut self, min: Power) -> Parsed<ExprId> {
         let left = self.operand()?;
-        self.operators_behind(left, min)
+        self.operators_after(left, min)
     }
 
     /// Parses the operators after `left` that bind at least as tightly as `min`.
-    fn operators_behind(&mut self, mut left: ExprId, min: Power) -> Parsed<ExprId> {
+    fn operators_after(&mut self, mut left: ExprId, min: Power) -> Parsed<ExprId> {
         loop {
             let kind = self.peek();
             if let Some((op, power)) = binary(kind) {
@@ -200,7 +200,7 @@ impl Parser<'_> {
             inner = self.push_expr(ExprKind::Paren(inner), extent);
             inner = self.postfix(inner)?;
             if open > 0 {
-                inner = self.operators_behind(inner, COMMA)?;
+                inner = self.operators_after(inner, COMMA)?;
             }
         }
         Ok(inner)
@@ -288,13 +288,13 @@ impl Parser<'_> {
 
     /// Whether `name [ ... ] (` follows: the constructor of an array of structs.
     fn is_array_constructor(&self) -> bool {
-        self.behind_brackets(self.at + 1)
+        self.after_brackets(self.at + 1)
             .is_some_and(|at| self.token(at).kind == TokenKind::LeftParen)
     }
 
     /// Index of the token after the bracket that closes the one at `at`, if it is closed before the
     /// statement ends.
-    pub(super) fn behind_brackets(&self, at: usize) -> Option<usize> {
+    pub(super) fn after_brackets(&self, at: usize) -> Option<usize> {
         let mut open = 0_u32;
         for (i, token) in self.tokens.get(at..)?.iter().enumerate() {
             match token.kind {

@@ -4,14 +4,14 @@
 //! one reported error, and parsing continues after it. No symbol table is needed: `Id Id` is a
 //! declaration whatever the first name means (so `mat mat;` works).
 
-mod attempt;
-mod balance;
+mod brace_repair;
 mod correction;
 mod declaration;
 mod expression;
 mod recovery;
 mod reserved;
 mod statement;
+mod token_repair;
 
 pub use correction::keyword_near;
 pub use correction::{Choice, Correction};
@@ -22,7 +22,7 @@ use super::preprocessor::{Tokens, macro_uses};
 use super::search::Search;
 use super::token::{Token, TokenKind};
 use super::translation::{Translated, translate};
-use correction::{Repairs, change_tokens};
+use correction::{Corrections, change_tokens};
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Facet, error};
 use shaderlint_text::{Sources, Span};
@@ -36,13 +36,13 @@ const MAX_PARENS: u32 = 9_980;
 const MAX_ERRORS: usize = 200;
 
 /// Base token budget for trial parses of one shader; a multiple of its length is added.
-const TRIAL_TOKENS: usize = 40_000;
+const SPECULATIVE_TOKENS: usize = 40_000;
 /// Upper limit of the token budget for trial parses.
-const MAX_TRIAL_TOKENS: usize = 70_000;
+const MAX_SPECULATIVE_TOKENS: usize = 70_000;
 
 /// Maximum number of syntax errors for which corrections are searched; one missing brace causes
 /// many.
-const MAX_BROKEN: usize = 80;
+const MAX_BROKEN_PLACES: usize = 80;
 
 /// Result of parsing a shader.
 pub struct Parse {
@@ -91,16 +91,16 @@ pub fn parse(
     }
     let is_broken = |d: &Diagnostic| d.has(Facet::Grammar) || d.is(error::LOCAL_FUNCTION);
     let broken = parse.diagnostics.iter().filter(|d| is_broken(d)).count();
-    if broken == 0 || broken > MAX_BROKEN {
+    if broken == 0 || broken > MAX_BROKEN_PLACES {
         return parse;
     }
     let translated = parse.translated;
     let original = std::mem::take(&mut tokens.tokens);
     let mut parser = Parser::new(sources, tokens, names, options, original.clone());
-    let most = MAX_TRIAL_TOKENS.min(TRIAL_TOKENS + 4 * parser.tokens.len());
+    let most = MAX_SPECULATIVE_TOKENS.min(SPECULATIVE_TOKENS + 4 * parser.tokens.len());
     search.within(most, |part| {
         std::mem::swap(part, &mut parser.repairs.search);
-        parser.balance();
+        parser.repair_braces();
         parser.translation_unit();
         std::mem::swap(part, &mut parser.repairs.search);
     });
@@ -163,12 +163,12 @@ struct Parser<'a> {
     /// Index of the `{` of the current function.
     function_open: TokenId,
     /// Index after the last statement that could not be parsed.
-    behind_error: Option<usize>,
+    after_error: Option<usize>,
     /// Index where a missing `}` was reported.
     missing_brace_at: Option<usize>,
     /// Index of the first unexpected token since the current statement started.
     fault: Option<usize>,
-    repairs: Repairs,
+    repairs: Corrections,
     /// Start of the item before the current one.
     item_before: Option<Checkpoint>,
     /// Structs declared so far; `None` if only a part of the shader is parsed.
@@ -195,7 +195,7 @@ struct Checkpoint {
     reserved: usize,
     diagnostics: usize,
     items: usize,
-    behind_error: Option<usize>,
+    after_error: Option<usize>,
     missing_brace_at: Option<usize>,
 }
 
@@ -218,10 +218,10 @@ impl<'a> Parser<'a> {
             at: 0,
             depth: 0,
             function_open: 0,
-            behind_error: None,
+            after_error: None,
             missing_brace_at: None,
             fault: None,
-            repairs: Repairs::default(),
+            repairs: Corrections::default(),
             item_before: None,
             structs: Some(FxHashSet::default()),
             has_unknown_types: false,
@@ -255,7 +255,7 @@ impl<'a> Parser<'a> {
             reserved: self.reserved.len(),
             diagnostics: self.diagnostics.len(),
             items: self.tree.items.len(),
-            behind_error: self.behind_error,
+            after_error: self.after_error,
             missing_brace_at: self.missing_brace_at,
         }
     }
@@ -269,7 +269,7 @@ impl<'a> Parser<'a> {
         self.reserved.truncate(to.reserved);
         self.diagnostics.truncate(to.diagnostics);
         self.tree.items.truncate(to.items);
-        self.behind_error = to.behind_error;
+        self.after_error = to.after_error;
         self.missing_brace_at = to.missing_brace_at;
         self.fault = None;
     }

@@ -100,7 +100,7 @@ impl Parser<'_> {
     }
 
     /// Reports the current word as a misspelt keyword.
-    pub(super) fn misspelt_keyword(&mut self) -> Reported {
+    pub(super) fn misspelled_keyword(&mut self) -> Reported {
         let word = self.next();
         let keyword = self
             .keyword_like(self.at)

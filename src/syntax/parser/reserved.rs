@@ -293,14 +293,14 @@ impl Parser<'_> {
             T::Type => match self.kind(1) {
                 T::LeftParen => false,
                 T::LeftBracket => self
-                    .behind_brackets(self.at + 1)
+                    .after_brackets(self.at + 1)
                     .is_none_or(|at| self.token(at).kind != T::LeftParen),
                 _ => true,
             },
             T::Identifier => match self.kind(1) {
                 T::Identifier | T::Reserved => true,
                 T::LeftBracket => self
-                    .behind_brackets(self.at + 1)
+                    .after_brackets(self.at + 1)
                     .is_some_and(|at| self.token(at).kind == T::Identifier),
                 _ => false,
             },

@@ -1,6 +1,6 @@
 //! Statements (GLSL ES 3.00 section 6).
 
-use super::attempt::Scope;
+use super::token_repair::FaultScope;
 use super::{Checkpoint, MAX_ERRORS, Parsed, Parser, Reported, append};
 use crate::ast::*;
 use crate::names::Name;
@@ -48,7 +48,7 @@ impl Parser<'_> {
                 }
                 _ => {
                     let start = self.checkpoint();
-                    match self.statement_behind(&before, Scope::Block) {
+                    match self.statement_after(&before, FaultScope::Block) {
                         Ok(statement) => {
                             self.open_stmts.push(statement);
                             before = [before[1], Some(start)];
@@ -70,7 +70,7 @@ impl Parser<'_> {
     /// Parses a statement; on errors, adds an `Error` node and skips the statement.
     pub(super) fn statement_or_error(&mut self) -> StmtId {
         let first = self.id();
-        match self.statement_behind(&[], Scope::Body) {
+        match self.statement_after(&[], FaultScope::Body) {
             Ok(statement) => statement,
             Err(_) => self.push_stmt(StmtKind::Error, first),
         }
@@ -78,10 +78,10 @@ impl Parser<'_> {
 
     /// Parses a statement after others. If an earlier statement was corrected, parsing resumes
     /// there.
-    fn statement_behind(
+    fn statement_after(
         &mut self,
         before: &[Option<Checkpoint>],
-        scope: Scope,
+        scope: FaultScope,
     ) -> Result<StmtId, TakenBack> {
         let outer = self.fault.take();
         let start = self.checkpoint();
@@ -93,7 +93,7 @@ impl Parser<'_> {
             }
             let reported = self.diagnostics.get(start.diagnostics).cloned();
             let from = self.first_to_read(start, before);
-            if !self.mend(from.at, scope, reported) {
+            if !self.repair_token(from.at, scope, reported) {
                 self.fault = outer.or(self.fault);
                 return Ok(statement);
             }
@@ -132,7 +132,7 @@ impl Parser<'_> {
                 self.tree.exprs.truncate(mark);
                 self.skip_statement(first);
                 self.lose_names(first);
-                self.behind_error = Some(self.at);
+                self.after_error = Some(self.at);
                 self.push_stmt(StmtKind::Error, first)
             }
         }
@@ -168,13 +168,13 @@ impl Parser<'_> {
             T::Discard => self.jump(StmtKind::Discard)?,
             T::Return => self.return_statement()?,
             // The `if` before it could not be parsed.
-            T::Else if self.behind_error == Some(self.at) => {
+            T::Else if self.after_error == Some(self.at) => {
                 self.advance();
                 return self.statement();
             }
             T::Else => return Err(self.else_without_if()),
-            T::Identifier if self.at_misspelt_keyword() => {
-                return Err(self.misspelt_keyword());
+            T::Identifier if self.at_misspelled_keyword() => {
+                return Err(self.misspelled_keyword());
             }
             _ if self.at_declaration() => {
                 let decl = self.declaration()?;
@@ -191,7 +191,7 @@ impl Parser<'_> {
 
     /// Whether a misspelt keyword would parse as the type of a declaration, `retrun x;`, or as a
     /// value before a block, `esle {`.
-    fn at_misspelt_keyword(&self) -> bool {
+    fn at_misspelled_keyword(&self) -> bool {
         use TokenKind as T;
         let next = self.kind(1);
         let is_keyword = |kind| match next {

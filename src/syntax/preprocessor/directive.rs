@@ -1,7 +1,7 @@
 //! Directives: the lines that start with `#` (GLSL ES 3.00 section 3.4).
 
-use super::amend::meant;
 use super::condition::{ConditionProblem, evaluate, evaluate_prefix};
+use super::directive_repair::meant;
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::language::Feature;
@@ -202,9 +202,9 @@ impl Preprocessor<'_> {
             && !open.space
         {
             match self.params(span, more) {
-                Some((params, behind)) => {
+                Some((params, after)) => {
                     definition.params = Some(params);
-                    body = behind;
+                    body = after;
                 }
                 None => return,
             }
@@ -305,15 +305,15 @@ impl Preprocessor<'_> {
             params.push(name);
             match more.split_first() {
                 // A comma may precede the `)`.
-                Some((p, [close, behind @ ..]))
+                Some((p, [close, after @ ..]))
                     if p.token.kind == TokenKind::Comma
                         && close.token.kind == TokenKind::RightParen =>
                 {
-                    return Some((params, behind));
+                    return Some((params, after));
                 }
-                Some((p, behind)) if p.token.kind == TokenKind::Comma => rest = behind,
-                Some((p, behind)) if p.token.kind == TokenKind::RightParen => {
-                    return Some((params, behind));
+                Some((p, after)) if p.token.kind == TokenKind::Comma => rest = after,
+                Some((p, after)) if p.token.kind == TokenKind::RightParen => {
+                    return Some((params, after));
                 }
                 _ => {
                     let close = || Edit::insert(first.token.span.end, ")");
@@ -508,8 +508,8 @@ impl Preprocessor<'_> {
             directive.is_some_and(|d| d.starts_with("line"))
         };
         let rest = rest.replace("\r\n", "\n").replace('\r', "\n");
-        let mut behind = rest.split('\n').skip(1);
-        let before_next = behind.position(sets_it).map(|i| i + 1);
+        let mut after = rest.split('\n').skip(1);
+        let before_next = after.position(sets_it).map(|i| i + 1);
         let count = before_next.unwrap_or_else(|| rest.matches('\n').count());
         if count > left {
             let message = "line numbers after `#line` exceed 2147483647";

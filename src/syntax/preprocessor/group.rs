@@ -2,7 +2,7 @@
 
 use super::condition::{ConditionProblem, evaluate};
 use super::macros::{Expander, Macro, Piece};
-use super::{ConditionGroup, Input, Preprocessor, error_at};
+use super::{ConditionGroup, Preprocessor, TokenInput, error_at};
 use crate::names::Name;
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Fix, error};
@@ -82,7 +82,7 @@ impl Preprocessor<'_> {
             return;
         }
         if let Some(at) = group.else_at {
-            return self.behind_else("elif", span, at);
+            return self.after_else("elif", span, at);
         }
         group.skip = true;
         if group.taken {
@@ -133,7 +133,7 @@ impl Preprocessor<'_> {
             return;
         }
         if let Some(at) = group.else_at {
-            return self.behind_else("else", span, at);
+            return self.after_else("else", span, at);
         }
         group.else_at = Some(span);
         group.skip = group.taken;
@@ -164,7 +164,7 @@ impl Preprocessor<'_> {
         self.report(d.fix(Fix::suggestion(title, vec![Edit::delete(span)])));
     }
 
-    pub(super) fn behind_else(&mut self, word: &str, span: Span, at: Span) {
+    pub(super) fn after_else(&mut self, word: &str, span: Span, at: Span) {
         let message = format!("`#{word}` after `#else`");
         let d = error_at(error::UNBALANCED_CONDITIONAL, span, message);
         let fix = Fix::suggestion(format!("remove `#{word}`"), vec![Edit::delete(span)]);
@@ -188,7 +188,7 @@ impl Preprocessor<'_> {
 
     pub(super) fn expand_all(&mut self, pieces: Vec<Piece>) -> Vec<Piece> {
         let mut expander = Expander::default();
-        let mut input = Input::of(pieces);
+        let mut input = TokenInput::of(pieces);
         let mut out = Vec::new();
         loop {
             let piece = expander.next(self, &mut input);
@@ -211,14 +211,14 @@ impl Preprocessor<'_> {
                 out.push(first);
                 continue;
             }
-            let (name, behind) = match rest {
-                [name, behind @ ..] if name.token.kind == TokenKind::Identifier => (name, behind),
-                [open, name, close, behind @ ..]
+            let (name, after) = match rest {
+                [name, after @ ..] if name.token.kind == TokenKind::Identifier => (name, after),
+                [open, name, close, after @ ..]
                     if open.token.kind == TokenKind::LeftParen
                         && name.token.kind == TokenKind::Identifier
                         && close.token.kind == TokenKind::RightParen =>
                 {
-                    (name, behind)
+                    (name, after)
                 }
                 _ => {
                     self.expected(span, rest, "a name after `defined`");
@@ -234,7 +234,7 @@ impl Preprocessor<'_> {
                 },
                 ..first
             });
-            rest = behind;
+            rest = after;
         }
         Some(out)
     }
@@ -287,7 +287,7 @@ impl Preprocessor<'_> {
         let mut d = error_at(error::PREPROCESSOR_EXPRESSION, span, message);
         d.notes.extend(note.map(String::from));
         d.fix = match problem {
-            ConditionProblem::Unexpected(at) => self.mend_condition(rest, at),
+            ConditionProblem::Unexpected(at) => self.repair_condition(rest, at),
             ConditionProblem::Undefined(at) => self.foreign_operator(rest, at),
             ConditionProblem::Empty if self.sources.text(directive).ends_with("elif") => Some(
                 Fix::suggestion("use `#else`", vec![Edit::replace(directive, "#else")]),

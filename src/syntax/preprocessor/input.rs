@@ -6,22 +6,22 @@ use std::ops::Range;
 use std::rc::Rc;
 
 /// A source of tokens.
-pub(super) enum Input {
+pub(super) enum TokenInput {
     /// The source files.
     Files,
     /// A range of a token list.
-    Pieces(Rc<List>, Range<usize>),
+    Pieces(Rc<TokenList>, Range<usize>),
 }
 
 /// A token list that nested macro calls read without copying.
-pub(super) struct List {
+pub(super) struct TokenList {
     pub pieces: Vec<Piece>,
     /// For each left parenthesis, the index of the matching right one; 0 for other tokens.
     closing: Vec<u32>,
 }
 
-impl List {
-    pub fn new(pieces: Vec<Piece>) -> List {
+impl TokenList {
+    pub fn new(pieces: Vec<Piece>) -> TokenList {
         let mut closing = vec![0; pieces.len()];
         let mut open = Vec::new();
         for (i, piece) in pieces.iter().enumerate() {
@@ -35,7 +35,7 @@ impl List {
                 _ => {}
             }
         }
-        List { pieces, closing }
+        TokenList { pieces, closing }
     }
 
     /// Index of the parenthesis that closes the one at an index, within a range.
@@ -45,24 +45,26 @@ impl List {
     }
 }
 
-impl Input {
+impl TokenInput {
     /// An input over a whole list.
-    pub fn of(pieces: Vec<Piece>) -> Input {
+    pub fn of(pieces: Vec<Piece>) -> TokenInput {
         let all = 0..pieces.len();
-        Input::Pieces(Rc::new(List::new(pieces)), all)
+        TokenInput::Pieces(Rc::new(TokenList::new(pieces)), all)
     }
 
     pub fn next(&mut self, pp: &mut Preprocessor) -> Piece {
         match self {
-            Input::Files => pp.next_piece(),
-            Input::Pieces(list, range) => match range.next().and_then(|at| list.pieces.get(at)) {
-                Some(&piece) => piece,
-                None => Piece {
-                    token: end_token(0),
-                    space: false,
-                    frozen: false,
-                },
-            },
+            TokenInput::Files => pp.next_piece(),
+            TokenInput::Pieces(list, range) => {
+                match range.next().and_then(|at| list.pieces.get(at)) {
+                    Some(&piece) => piece,
+                    None => Piece {
+                        token: end_token(0),
+                        space: false,
+                        frozen: false,
+                    },
+                }
+            }
         }
     }
 }

@@ -4,7 +4,7 @@
 //! lists, macros disabled while their own list is active, and arguments expanded separately before
 //! substitution.
 
-use super::{Input, List, MAX_GATHERED, Preprocessor, bad, error_at};
+use super::{MAX_GATHERED, Preprocessor, TokenInput, TokenList, bad, error_at};
 use crate::names::Name;
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::error;
@@ -126,7 +126,7 @@ pub(super) struct Expander {
 impl Expander {
     /// The next token with all macros expanded.
     #[inline]
-    pub fn next(&mut self, pp: &mut Preprocessor, input: &mut Input) -> Piece {
+    pub fn next(&mut self, pp: &mut Preprocessor, input: &mut TokenInput) -> Piece {
         loop {
             let piece = if self.is_idle() {
                 input.next(pp)
@@ -157,7 +157,7 @@ impl Expander {
     fn call(
         &mut self,
         pp: &mut Preprocessor,
-        input: &mut Input,
+        input: &mut TokenInput,
         id: MacroId,
         mut piece: Piece,
     ) -> Option<Piece> {
@@ -173,7 +173,7 @@ impl Expander {
         None
     }
 
-    fn take(&mut self, pp: &mut Preprocessor, input: &mut Input) -> Piece {
+    fn take(&mut self, pp: &mut Preprocessor, input: &mut TokenInput) -> Piece {
         if let Some(piece) = self.put_back.take() {
             return piece;
         }
@@ -201,7 +201,7 @@ impl Expander {
         }
     }
 
-    fn at_left_paren(&mut self, pp: &mut Preprocessor, input: &mut Input) -> bool {
+    fn at_left_paren(&mut self, pp: &mut Preprocessor, input: &mut TokenInput) -> bool {
         let was_kept = std::mem::replace(&mut self.keep_disabled, true);
         let piece = self.take(pp, input);
         match self.open.last_mut() {
@@ -224,7 +224,7 @@ impl Expander {
     }
 
     /// Expands the call that starts with `name` and pushes its replacement list.
-    fn expand(&mut self, pp: &mut Preprocessor, input: &mut Input, id: MacroId, name: Piece) {
+    fn expand(&mut self, pp: &mut Preprocessor, input: &mut TokenInput, id: MacroId, name: Piece) {
         let Some(definition) = pp.macros.get_mut(id.0 as usize) else {
             return;
         };
@@ -329,7 +329,7 @@ impl Expander {
     fn arguments(
         &mut self,
         pp: &mut Preprocessor,
-        input: &mut Input,
+        input: &mut TokenInput,
         id: MacroId,
         name: Piece,
     ) -> Option<(Vec<Vec<Piece>>, Token)> {
@@ -348,13 +348,13 @@ impl Expander {
     fn gather(
         &mut self,
         pp: &mut Preprocessor,
-        input: &mut Input,
+        input: &mut TokenInput,
         id: MacroId,
         name: Piece,
-    ) -> Option<(Rc<List>, Vec<Range<usize>>, Token)> {
+    ) -> Option<(Rc<TokenList>, Vec<Range<usize>>, Token)> {
         self.take(pp, input); // the left parenthesis that was seen before
         if self.is_idle()
-            && let Input::Pieces(list, range) = input
+            && let TokenInput::Pieces(list, range) = input
             && let Some(found) = written_arguments(list, range)
         {
             return Some(found);
@@ -395,7 +395,7 @@ impl Expander {
                 return None;
             }
         }
-        Some((Rc::new(List::new(pieces)), args, close))
+        Some((Rc::new(TokenList::new(pieces)), args, close))
     }
 
     fn check_count(
@@ -438,7 +438,7 @@ impl Expander {
     fn expand_argument(
         &self,
         pp: &mut Preprocessor,
-        list: &Rc<List>,
+        list: &Rc<TokenList>,
         arg: Range<usize>,
         total: &mut usize,
     ) -> Option<Vec<Piece>> {
@@ -459,7 +459,7 @@ impl Expander {
             depth: self.depth + 1,
             ..Expander::default()
         };
-        let mut input = Input::Pieces(list.clone(), arg);
+        let mut input = TokenInput::Pieces(list.clone(), arg);
         let mut out = Vec::new();
         loop {
             let piece = inner.next(pp, &mut input);
@@ -479,9 +479,9 @@ impl Expander {
 /// The arguments of a call inside a list, after its left parenthesis, and the closing parenthesis;
 /// `range` advances past it. `None` if the list ends first.
 fn written_arguments(
-    list: &Rc<List>,
+    list: &Rc<TokenList>,
     range: &mut Range<usize>,
-) -> Option<(Rc<List>, Vec<Range<usize>>, Token)> {
+) -> Option<(Rc<TokenList>, Vec<Range<usize>>, Token)> {
     let end = list.closing(range.start.checked_sub(1)?, range)?;
     let mut args = Vec::new();
     let (mut from, mut at) = (range.start, range.start);

@@ -4,9 +4,9 @@
 //! where it is spelled and which macro call produced it. What the preprocessor removes (comments,
 //! skipped groups, definitions) is kept separately.
 
-mod amend;
 mod condition;
 mod directive;
+mod directive_repair;
 mod group;
 mod input;
 mod lines;
@@ -15,14 +15,14 @@ mod number;
 mod place;
 mod version;
 
-pub use amend::DIRECTIVES;
+pub use directive_repair::DIRECTIVES;
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
 use super::language::Feature;
 use super::lexer::{Lexer, unsplice};
 use super::names::{Name, Names, Version, WordClass};
 use super::token::{RawKind, RawToken, Token, TokenKind};
-use input::{Input, List};
+use input::{TokenInput, TokenList};
 use lines::LineCount;
 use macros::Expander;
 use memchr::memchr;
@@ -258,7 +258,7 @@ impl<'a> Preprocessor<'a> {
     #[inline(never)]
     fn emit_expanded(&mut self, expander: &mut Expander) -> bool {
         while !expander.is_idle() {
-            let piece = expander.next(self, &mut Input::Files);
+            let piece = expander.next(self, &mut TokenInput::Files);
             if piece.token.kind == TokenKind::End || self.gave_up {
                 return false;
             }
@@ -284,7 +284,7 @@ impl<'a> Preprocessor<'a> {
             let at = file.base + nul as u32;
             self.out.cut = Some(Span::new(at, at + 1));
         }
-        let is_ended = file.role == Role::User && id.is_some_and(|id| id.is_whole());
+        let is_ended = file.role == Role::User && id.is_some_and(|id| id.is_file());
         let end = file.base + self.text.len() as u32;
         self.lines.go_on(file.base, end, is_ended);
         self.base = file.base;

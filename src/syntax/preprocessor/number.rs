@@ -35,18 +35,18 @@ fn short_decimal(digits: &[u8]) -> Option<f32> {
         return None;
     }
     let mut whole: u32 = 0;
-    let mut behind_point = None;
+    let mut after_point = None;
     for &byte in digits {
         match byte {
             b'0'..=b'9' => {
                 whole = whole * 10 + u32::from(byte - b'0');
-                behind_point = behind_point.map(|n| n + 1);
+                after_point = after_point.map(|n| n + 1);
             }
-            b'.' => behind_point = Some(0),
+            b'.' => after_point = Some(0),
             _ => return None,
         }
     }
-    let power = POWERS.get(behind_point.unwrap_or(0))?;
+    let power = POWERS.get(after_point.unwrap_or(0))?;
     // A float represents integers of up to 24 bits exactly.
     (whole < 1 << 24).then_some(whole as f32 / power)
 }

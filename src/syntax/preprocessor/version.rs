@@ -21,8 +21,8 @@ impl Preprocessor<'_> {
         let Some(number) = number else {
             return self.expected(span, rest, "a version, such as `#version 300 es`");
         };
-        let behind = rest.get(1..).unwrap_or(&[]);
-        let words: Vec<&str> = behind.iter().map(|p| self.raw_text(p.token.span)).collect();
+        let after = rest.get(1..).unwrap_or(&[]);
+        let words: Vec<&str> = after.iter().map(|p| self.raw_text(p.token.span)).collect();
         match (number, words.as_slice()) {
             (100, []) => self.set_version(Version::Es100),
             (300, ["es"]) => {
@@ -41,11 +41,11 @@ impl Preprocessor<'_> {
             }
             (100, _) => {
                 self.set_version(Version::Es100);
-                self.expect_end(behind, "version");
+                self.expect_end(after, "version");
             }
             (300, ["es", ..]) => {
                 self.set_version(Version::Es300);
-                self.expect_end(behind.get(1..).unwrap_or(&[]), "version");
+                self.expect_end(after.get(1..).unwrap_or(&[]), "version");
             }
             (300, [word, ..]) => {
                 self.set_version(Version::Es300);
@@ -103,10 +103,10 @@ impl Preprocessor<'_> {
                 span,
                 "`#version 300 es` must end on the first line",
             );
-            let whole = Span::new(span.start, self.line_end);
+            let line = Span::new(span.start, self.line_end);
             let fix = Fix::safe(
                 "write it on one line",
-                vec![Edit::replace(whole, "#version 300 es")],
+                vec![Edit::replace(line, "#version 300 es")],
             );
             return self.report(d.fix(fix));
         }

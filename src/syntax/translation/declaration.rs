@@ -92,7 +92,7 @@ impl Translator<'_> {
         let span = self.span(0, end + 1);
         let alias = self
             .type_at(1)
-            .filter(|&(_, behind)| self.kind(behind) == T::Identifier && behind + 1 == end);
+            .filter(|&(_, after)| self.kind(after) == T::Identifier && after + 1 == end);
         let fix = alias.map(|(word, _)| {
             let line = format!("#define {} {}", self.text(end - 1), word.name());
             Fix::suggestion(format!("use `{line}`"), vec![Edit::replace(span, line)])
@@ -127,7 +127,7 @@ impl Translator<'_> {
         else {
             return false;
         };
-        let Some(mut end) = self.behind(open) else {
+        let Some(mut end) = self.after(open) else {
             return false;
         };
         end += (self.kind(end) == T::Semicolon) as usize;
@@ -180,7 +180,7 @@ impl Translator<'_> {
             && self.starts_statement()
             && self.kind(1) == T::Identifier
             && self.kind(2) == T::LeftParen;
-        let Some(close) = is_one.then(|| self.behind(2)).flatten() else {
+        let Some(close) = is_one.then(|| self.after(2)).flatten() else {
             return false;
         };
         let is_arrow = self.kind(close) == T::Minus && self.kind(close + 1) == T::Greater;
@@ -196,7 +196,7 @@ impl Translator<'_> {
             return true;
         }
         let end = match self.kind(body) {
-            T::LeftBrace => self.behind(body).unwrap_or(body + 1),
+            T::LeftBrace => self.after(body).unwrap_or(body + 1),
             _ => self.end_of_indented(),
         };
         let head = self.span(0, body);
@@ -358,11 +358,11 @@ impl Translator<'_> {
 
     /// Whether a declaration can start here: at the start of a statement or loop header.
     fn starts_declaration(&self) -> bool {
-        let behind_head = || match self.out.as_slice() {
+        let after_head = || match self.out.as_slice() {
             [.., head, open] => (head.kind, open.kind) == (TokenKind::For, TokenKind::LeftParen),
             _ => false,
         };
-        self.starts_statement() || behind_head()
+        self.starts_statement() || after_head()
     }
 
     /// `const auto& x = ...`: reduced to the single word that the checker understands.
@@ -479,7 +479,7 @@ impl Translator<'_> {
             return false;
         }
         let end = match self.kind(2) {
-            T::LeftParen => match self.behind(2) {
+            T::LeftParen => match self.after(2) {
                 Some(end) => end,
                 None => return false,
             },

@@ -210,7 +210,7 @@ impl<'a> Translator<'a> {
     }
 
     /// Offset after the bracket that closes the one at `open`, relative to the next token.
-    fn behind(&self, open: usize) -> Option<usize> {
+    fn after(&self, open: usize) -> Option<usize> {
         use TokenKind as T;
         let mut depth = 0_u32;
         for ahead in open.. {
@@ -278,10 +278,10 @@ impl<'a> Translator<'a> {
     }
 
     /// The span from one upcoming token to just before another.
-    fn span(&self, from: usize, behind: usize) -> Span {
+    fn span(&self, from: usize, after: usize) -> Span {
         self.token(from)
             .span
-            .to(self.token(behind.saturating_sub(1)).span)
+            .to(self.token(after.saturating_sub(1)).span)
     }
 
     /// Reports a construct of another language.
@@ -305,9 +305,9 @@ impl<'a> Translator<'a> {
     }
 
     /// Removes text together with the blanks after it.
-    fn remove(&self, from: usize, behind: usize) -> Option<Fix> {
-        let span = self.span(from, behind);
-        let next = self.token(behind).span.start;
+    fn remove(&self, from: usize, after: usize) -> Option<Fix> {
+        let span = self.span(from, after);
+        let next = self.token(after).span.start;
         let blank = Span::new(span.end, next.max(span.end));
         let file = self.sources.file_at(span.start);
         // The next token may be in another file.

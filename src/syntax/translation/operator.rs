@@ -36,7 +36,7 @@ impl Translator<'_> {
             || self.decimal_comma()
             || self.new_operator()
             || self.generic()
-            || self.cast_behind()
+            || self.cast_after()
             || self.cast_before()
             || self.list()
     }
@@ -135,7 +135,7 @@ impl Translator<'_> {
             return false;
         }
         let span = self.span(0, 2);
-        let exponent = self.operand_behind(2);
+        let exponent = self.operand_after(2);
         let fix = self.operand_before().zip(exponent).map(|(base, end)| {
             let base = self.out.get(base).map_or(span, |t| t.span);
             let last = self.out.last().map_or(span, |t| t.span);
@@ -194,20 +194,20 @@ impl Translator<'_> {
     }
 
     /// Offset after the operand that starts at `ahead`.
-    fn operand_behind(&self, ahead: usize) -> Option<usize> {
+    fn operand_after(&self, ahead: usize) -> Option<usize> {
         use TokenKind as T;
         let mut at = ahead;
         while matches!(self.kind(at), T::Minus | T::Plus | T::Not | T::Tilde) {
             at += 1;
         }
         at = match self.kind(at) {
-            T::LeftParen => self.behind(at)?,
+            T::LeftParen => self.after(at)?,
             kind if kind.starts_operand() => at + 1,
             _ => return None,
         };
         loop {
             at = match self.kind(at) {
-                T::LeftParen | T::LeftBracket => self.behind(at)?,
+                T::LeftParen | T::LeftBracket => self.after(at)?,
                 T::Dot => at + 2,
                 _ => return Some(at),
             };
@@ -300,7 +300,7 @@ impl Translator<'_> {
             return false;
         };
         let is_array = statement.iter().any(|t| t.kind == T::LeftBracket);
-        let Some(end) = self.behind(0).filter(|&end| end > 2) else {
+        let Some(end) = self.after(0).filter(|&end| end > 2) else {
             return false;
         };
         let word = TypeWord::ALL
@@ -377,7 +377,7 @@ impl Translator<'_> {
     }
 
     /// `x as f32`
-    fn cast_behind(&mut self) -> bool {
+    fn cast_after(&mut self) -> bool {
         if self.word(0) != "as" || !self.before().ends_operand() {
             return false;
         }

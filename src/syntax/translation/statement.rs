@@ -67,7 +67,7 @@ impl Translator<'_> {
         }
         let end = match self.kind(1) {
             T::LeftBrace => Some(1),
-            T::LeftParen => self.behind(1).filter(|&end| self.kind(end) == T::LeftBrace),
+            T::LeftParen => self.after(1).filter(|&end| self.kind(end) == T::LeftBrace),
             _ => None,
         };
         // `f(float x) {` is a function without a return type.
@@ -174,11 +174,11 @@ impl Translator<'_> {
         let is_alone = matches!(self.kind(1), T::Semicolon | T::RightBrace | T::End)
             || (self.starts_line(1) && self.kind(1) != T::Equal);
         if is_alone {
-            let behind = if self.kind(1) == T::Semicolon { 2 } else { 1 };
-            let fix = self.remove(0, behind);
+            let after = if self.kind(1) == T::Semicolon { 2 } else { 1 };
+            let fix = self.remove(0, after);
             let message = format!("GLSL has no `{}`; a block ends with `}}`", self.text(0));
             self.report(span, message, fix);
-            self.at += behind;
+            self.at += after;
         }
         is_alone
     }
@@ -189,7 +189,7 @@ impl Translator<'_> {
         if self.kind(0) != T::LeftBracket || !self.starts_statement() {
             return false;
         }
-        let Some(end) = self.behind(0) else {
+        let Some(end) = self.after(0) else {
             return false;
         };
         if end == 2
@@ -252,7 +252,7 @@ impl Translator<'_> {
             && self.kind(2) == T::LeftParen
             && self.touches_next(0)
             && self.starts_statement();
-        let Some(end) = is_one.then(|| self.behind(2)).flatten() else {
+        let Some(end) = is_one.then(|| self.after(2)).flatten() else {
             return false;
         };
         let end = end + (self.kind(end) == T::Semicolon) as usize;
@@ -275,7 +275,7 @@ impl Translator<'_> {
         }
         let has_parens = self.kind(1) == T::LeftParen;
         let close = match has_parens {
-            true => match self.behind(1) {
+            true => match self.after(1) {
                 Some(end) => end - 1,
                 None => return false,
             },
@@ -298,8 +298,8 @@ impl Translator<'_> {
         }
         let name = self.token(between - 1);
         let range = self.range(between + 1, close);
-        let behind = close + (has_parens || self.kind(close) == T::Colon) as usize;
-        let span = self.span(0, behind);
+        let after = close + (has_parens || self.kind(close) == T::Colon) as usize;
+        let span = self.span(0, after);
         let text = self.sources.text(name.span);
         let fix = range.map(|(from, to)| {
             let (from, to) = (from.unwrap_or("0"), self.sources.text(to));
@@ -315,7 +315,7 @@ impl Translator<'_> {
         for kind in [T::While, T::LeftParen, T::False, T::RightParen] {
             self.put(kind, 0, span);
         }
-        self.at += behind;
+        self.at += after;
         true
     }
 
@@ -346,7 +346,7 @@ impl Translator<'_> {
         if self.kind(0) != T::For || self.kind(1) != T::LeftParen {
             return false;
         }
-        let Some(end) = self.behind(1) else {
+        let Some(end) = self.after(1) else {
             return false;
         };
         let mut depth = 0_u32;

@@ -69,11 +69,11 @@ fn added(text: &str, tokens: &[ScriptToken], first: usize) -> Chain {
             chain.add(0..0, next);
             continue;
         }
-        let Some(behind) = behind_operand(tokens, next) else {
+        let Some(after) = after_operand(tokens, next) else {
             chain.goes_on = true;
             return chain;
         };
-        chain.add(next..behind, behind);
+        chain.add(next..after, after);
     }
 }
 
@@ -89,8 +89,8 @@ fn concat(text: &str, tokens: &[ScriptToken], dot: usize, chain: &mut Chain) -> 
     loop {
         let at = skip_comments(tokens, from);
         let end = argument_end(tokens, at);
-        let is_whole = end == skip_comments(tokens, at + 1);
-        if tokens.get(at).is_some_and(is_literal) && is_whole {
+        let is_complete = end == skip_comments(tokens, at + 1);
+        if tokens.get(at).is_some_and(is_literal) && is_complete {
             let between = if others.end > others.start {
                 others.clone()
             } else {
@@ -130,7 +130,7 @@ fn argument_end(tokens: &[ScriptToken], mut at: usize) -> usize {
 }
 
 /// The literal after another operand: `+ (x) + "..."`.
-fn behind_operand(tokens: &[ScriptToken], mut at: usize) -> Option<usize> {
+fn after_operand(tokens: &[ScriptToken], mut at: usize) -> Option<usize> {
     /// Maximum length of this operand in tokens.
     const MAX_OPERAND: usize = 64;
     let mut depth = 0_u32;
@@ -159,14 +159,14 @@ fn joined(text: &str, tokens: &[ScriptToken], first: usize) -> Option<Chain> {
     let mut from = first;
     loop {
         let end = argument_end(tokens, at);
-        let is_whole = end == skip_comments(tokens, at + 1);
-        if at > first && tokens.get(at).is_some_and(is_literal) && is_whole {
+        let is_complete = end == skip_comments(tokens, at + 1);
+        if at > first && tokens.get(at).is_some_and(is_literal) && is_complete {
             let others = if from < at { from..at } else { 0..0 };
             chain.add(others, at);
             from = end + 1;
         } else if at == first {
             // The first element may be a chain itself.
-            if !is_whole {
+            if !is_complete {
                 return None;
             }
             from = end + 1;
@@ -196,7 +196,7 @@ fn joined(text: &str, tokens: &[ScriptToken], first: usize) -> Option<Chain> {
         && is_mark(tokens, at + 3, b'(')
         && tokens.get(at + 4).is_some_and(is_literal);
     chain.last = at + 4;
-    let parting = word(at + 4);
-    chain.has_lines = parting.contains("\\n") || parting.contains('\n');
+    let separator = word(at + 4);
+    chain.has_lines = separator.contains("\\n") || separator.contains('\n');
     is_join.then_some(chain)
 }

@@ -28,11 +28,11 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
 
 /// Length of the front matter of an Astro component, between two lines of `---`.
 fn front_matter(text: &str) -> usize {
-    let Some(behind) = text.trim_start().strip_prefix("---") else {
+    let Some(after) = text.trim_start().strip_prefix("---") else {
         return 0;
     };
-    let start = text.len() - behind.len();
-    behind.find("\n---").map_or(0, |end| start + end + 4)
+    let start = text.len() - after.len();
+    after.find("\n---").map_or(0, |end| start + end + 4)
 }
 
 #[cfg(test)]

@@ -225,13 +225,13 @@ impl<'a> ContextReader<'a> {
     /// Whether a name that contains "vert" receives a literal.
     fn is_named_vertex(&self, literal: usize) -> bool {
         let from = literal.saturating_sub(6);
-        let behind = |at: &usize| {
+        let after = |at: &usize| {
             !matches!(
                 self.kind(*at),
                 None | Some(ScriptTokenKind::Mark(b';' | b',' | b'{' | b'(' | b')'))
             ) && !self.tokens.get(*at).is_some_and(is_literal)
         };
-        let mut all = (from..literal).rev().take_while(behind);
+        let mut all = (from..literal).rev().take_while(after);
         all.any(|at| {
             let word = self.word(at).to_ascii_lowercase();
             self.kind(at) == Some(&ScriptTokenKind::Word) && (word.contains("vert") || word == "vs")
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn scripts_tell_what_their_literals_are() {
+    fn scripts_show_what_their_literals_are() {
         check("glsl`x`", "introduced");
         check("/* glsl */ `x`", "introduced");
         check("// language=GLSL\n`x`", "introduced");

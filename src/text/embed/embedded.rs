@@ -62,8 +62,8 @@ impl Embedded {
         while let Some(rest) = self.code.get(at..).filter(|r| !r.is_empty()) {
             let length = if rest.starts_with("//") {
                 rest.find('\n').unwrap_or(rest.len())
-            } else if let Some(behind) = rest.strip_prefix("/*") {
-                behind.find("*/").map_or(rest.len(), |end| end + 4)
+            } else if let Some(after) = rest.strip_prefix("/*") {
+                after.find("*/").map_or(rest.len(), |end| end + 4)
             } else if rest.starts_with("...") {
                 let before = self.code.get(..at).unwrap_or("");
                 let dots = left_out(before);

@@ -8,7 +8,7 @@ pub struct Embedder {
     /// It compiles shaders itself, without a library.
     pub hands_over: bool,
     /// What it does with leading white space of shaders.
-    pub front: Front,
+    pub leading_blanks: LeadingBlanks,
 }
 
 impl Embedder {
@@ -24,14 +24,14 @@ impl Embedder {
         Embedder {
             is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
             hands_over: text.contains(HANDS_OVER),
-            front: Front::of(text),
+            leading_blanks: LeadingBlanks::of(text),
         }
     }
 }
 
 /// What happens to leading white space before the shader is compiled.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub enum Front {
+pub enum LeadingBlanks {
     /// Unknown, because other code compiles the shader.
     #[default]
     Unknown,
@@ -41,9 +41,9 @@ pub enum Front {
     Kept,
 }
 
-impl Front {
+impl LeadingBlanks {
     /// Analyses a page or script.
-    pub(super) fn of(text: &str) -> Front {
+    pub(super) fn of(text: &str) -> LeadingBlanks {
         const TRIMS: [&str; 7] = [
             ".trim()",
             ".trimStart()",
@@ -54,11 +54,11 @@ impl Front {
             ".replace(/^[\\n",
         ];
         if TRIMS.iter().any(|t| text.contains(t)) {
-            Front::Trimmed
+            LeadingBlanks::Trimmed
         } else if text.contains(HANDS_OVER) {
-            Front::Kept
+            LeadingBlanks::Kept
         } else {
-            Front::Unknown
+            LeadingBlanks::Unknown
         }
     }
 }

@@ -61,9 +61,9 @@ fn fitted(bytes: &[u8], range: &Range<usize>, value: &str) -> Option<String> {
         return None;
     }
     let before = range.start.checked_sub(1).and_then(|b| bytes.get(b));
-    let behind = bytes.get(range.end);
+    let after = bytes.get(range.end);
     let is_tight = |byte: Option<&u8>| touches(byte) || byte == Some(&b'.');
-    match (is_tight(before), is_tight(behind)) {
+    match (is_tight(before), is_tight(after)) {
         (true, true) if value.len() < length => None,
         (false, true) => Some(format!("{value:>length$}")),
         _ => Some(value.to_string()),
@@ -121,7 +121,7 @@ impl HoleWords {
 struct HolePlace<'a> {
     length: usize,
     before: &'a [u8],
-    behind: &'a [u8],
+    after: &'a [u8],
 }
 
 impl<'a> HolePlace<'a> {
@@ -132,7 +132,7 @@ impl<'a> HolePlace<'a> {
         HolePlace {
             length: range.len(),
             before: bytes.get(from..range.start).unwrap_or(&[]),
-            behind: bytes.get(range.end..).unwrap_or(&[]),
+            after: bytes.get(range.end..).unwrap_or(&[]),
         }
     }
 
@@ -154,8 +154,8 @@ impl<'a> HolePlace<'a> {
         }
         let (last, next) = (self.last_sign(), self.next_sign());
         let is_start = matches!(last, HoleSign::Start | HoleSign::Mark(b';' | b'{' | b'}'));
-        let behind = self.word_behind();
-        let is_declared = next == Some(OPEN) || is_keyword(behind);
+        let after = self.word_after();
+        let is_declared = next == Some(OPEN) || is_keyword(after);
         match last {
             _ if is_start && self.is_done(next) => String::new(),
             HoleSign::Word(word) if word == "precision" && self.length >= 4 => {
@@ -171,9 +171,9 @@ impl<'a> HolePlace<'a> {
             HoleSign::Word("case") => words.number(key).to_string(),
             HoleSign::Mark(b'=') if self.is_layout() => words.number(key).to_string(),
             HoleSign::Mark(b')') if self.is_done(next) || is_declared => "{}".to_string(),
-            HoleSign::Mark(b')' | b']') => self.behind_operand(next),
+            HoleSign::Mark(b')' | b']') => self.after_operand(next),
             HoleSign::Word(word) if !is_keyword(word) && !self.is_declaration(word) => {
-                self.behind_operand(next)
+                self.after_operand(next)
             }
             // The rest of the statement, with its semicolon.
             HoleSign::Word("return") | HoleSign::Mark(b'=') if self.is_done(next) => {
@@ -184,7 +184,7 @@ impl<'a> HolePlace<'a> {
     }
 
     /// The replacement after an operand: an operator, or nothing.
-    fn behind_operand(&self, next: Option<u8>) -> String {
+    fn after_operand(&self, next: Option<u8>) -> String {
         match next {
             Some(byte) if is_word(byte) || byte == b'(' || byte == b'.' => " +".to_string(),
             _ => String::new(),
@@ -201,15 +201,15 @@ impl<'a> HolePlace<'a> {
     fn in_directive(&self, words: &mut HoleWords, key: &str) -> Option<String> {
         let rest = self.line().trim_start().strip_prefix('#')?.trim_start();
         let name = rest.split(|c: char| !c.is_ascii_alphabetic()).next()?;
-        let is_parted = !touches(self.before.last()) && !touches(self.behind.first());
+        let is_separate = !touches(self.before.last()) && !touches(self.after.first());
         Some(match name {
             "version" => {
-                let is_es = self.word_behind() == "es";
+                let is_es = self.word_after() == "es";
                 let room = self.length >= 6 && !is_es;
                 (if room { "300 es" } else { "300" }).to_string()
             }
-            "if" | "elif" if is_parted => "1".to_string(),
-            "extension" if self.length >= 3 && is_parted => "all".to_string(),
+            "if" | "elif" if is_separate => "1".to_string(),
+            "extension" if self.length >= 3 && is_separate => "all".to_string(),
             _ if self.is_number() => "1".repeat(self.length),
             _ => words.word(key, self.length),
         })
@@ -218,13 +218,13 @@ impl<'a> HolePlace<'a> {
     /// Whether digits or a decimal point are next to it.
     fn is_number(&self) -> bool {
         let is_point = |b: Option<&u8>| b == Some(&b'.');
-        let behind = is_point(self.behind.first())
-            && !self.behind.get(1).is_some_and(u8::is_ascii_alphabetic);
+        let after =
+            is_point(self.after.first()) && !self.after.get(1).is_some_and(u8::is_ascii_alphabetic);
         let before = match self.before.split_last() {
             Some((b'.', rest)) => starts_with_digit(rest) || !rest.last().is_some_and(ends_operand),
             _ => starts_with_digit(self.before),
         };
-        before || (behind && !touches(self.before.last()))
+        before || (after && !touches(self.before.last()))
     }
 
     /// The last token before the hole that is not a comment.
@@ -257,15 +257,15 @@ impl<'a> HolePlace<'a> {
 
     /// The first byte after it that is not white space.
     fn next_sign(&self) -> Option<u8> {
-        let mut all = self.behind.iter();
+        let mut all = self.after.iter();
         all.find(|b| !b.is_ascii_whitespace()).copied()
     }
 
     /// The next word on the same line.
-    fn word_behind(&self) -> &'a str {
+    fn word_after(&self) -> &'a str {
         let is_blank = |b: &u8| matches!(b, b' ' | b'\t');
-        let from = self.behind.iter().position(|b| !is_blank(b));
-        let rest = self.behind.get(from.unwrap_or(0)..).unwrap_or(&[]);
+        let from = self.after.iter().position(|b| !is_blank(b));
+        let rest = self.after.get(from.unwrap_or(0)..).unwrap_or(&[]);
         let end = rest.iter().position(|b| !is_word(*b));
         let word = rest.get(..end.unwrap_or(rest.len())).unwrap_or(&[]);
         std::str::from_utf8(word).unwrap_or("")
@@ -273,7 +273,7 @@ impl<'a> HolePlace<'a> {
 
     /// Whether a statement may end after it.
     fn is_done(&self, next: Option<u8>) -> bool {
-        let mut line = self.behind.iter().take_while(|b| **b != b'\n');
+        let mut line = self.after.iter().take_while(|b| **b != b'\n');
         let is_last = line.all(|b| b.is_ascii_whitespace());
         match next {
             None | Some(b'}' | b'#') => true,
@@ -296,8 +296,8 @@ impl<'a> HolePlace<'a> {
     /// Whether it is in `layout(...)`.
     fn is_layout(&self) -> bool {
         let line = self.line();
-        let behind = line.rsplit("layout").next().unwrap_or(line);
-        behind.len() < line.len() && !behind.contains(')')
+        let after = line.rsplit("layout").next().unwrap_or(line);
+        after.len() < line.len() && !after.contains(')')
     }
 }
 

@@ -1,7 +1,7 @@
 //! Shaders in the elements of a web page.
 
 use super::embedded::{Embedded, Wrapping};
-use super::embedder::Front;
+use super::embedder::LeadingBlanks;
 use super::tag::{attribute, tag_length};
 use super::{holes::mask, listing, script};
 use crate::kind::Scanned;
@@ -20,7 +20,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
 /// Finds the shaders in script elements.
 pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
     let lower = text.to_ascii_lowercase();
-    let trims = Front::of(text) == Front::Trimmed;
+    let trims = LeadingBlanks::of(text) == LeadingBlanks::Trimmed;
     let mut at = 0;
     while let Some(element) = next_script(&lower, at) {
         at = element.end;

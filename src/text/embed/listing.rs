@@ -89,8 +89,8 @@ fn next(lower: &str, mut at: usize) -> Option<CodeElement<'_>> {
 
 /// Whether an element of this name starts here.
 fn opens(rest: &str, name: &str) -> bool {
-    let behind = rest.get(1..).and_then(|r| r.strip_prefix(name));
-    behind.is_some_and(|b| b.starts_with(|c: char| c.is_ascii_whitespace() || c == '>'))
+    let after = rest.get(1..).and_then(|r| r.strip_prefix(name));
+    after.is_some_and(|b| b.starts_with(|c: char| c.is_ascii_whitespace() || c == '>'))
 }
 
 /// Whether an element contains a shader: according to an attribute, or clearly by its text.

@@ -35,11 +35,11 @@ pub fn read(
     let mut others = chain.others.iter().peekable();
     for (part, index) in parts.iter().zip(&chain.parts) {
         code.literal(text, part);
-        let behind = part.range.end;
+        let after = part.range.end;
         if let Some((_, other)) = others.next_if(|(before, _)| before == index) {
-            code.other(text, tokens, behind, other, chain.has_lines);
-        } else if chain.has_lines && behind < end {
-            code.set(behind, b'\n');
+            code.other(text, tokens, after, other, chain.has_lines);
+        } else if chain.has_lines && after < end {
+            code.set(after, b'\n');
         }
     }
     let is_unknown = fill(&mut code.bytes, &code.holes);

@@ -169,11 +169,11 @@ fn mask(content: &str) -> String {
         code.push_str(&before.replace('>', " "));
         let mut rest = rest;
         while let Some(at) = rest.find(['.', '\u{2026}']) {
-            let (before, behind) = rest.split_at_checked(at).unwrap_or((rest, ""));
+            let (before, after) = rest.split_at_checked(at).unwrap_or((rest, ""));
             code.push_str(before);
-            let is_left_out = behind.starts_with("...") || behind.starts_with('\u{2026}');
+            let is_left_out = after.starts_with("...") || after.starts_with('\u{2026}');
             let length = if is_left_out { 3 } else { 1 };
-            let (dots, more) = behind.split_at_checked(length).unwrap_or((behind, ""));
+            let (dots, more) = after.split_at_checked(length).unwrap_or((after, ""));
             let told = if is_left_out { left_out(&code) } else { dots };
             code.push_str(told);
             rest = more;
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn fences_are_told_apart() {
+    fn fences_are_distinguished() {
         let text = "```glsl\na\n```\n\n```\nvec3 c = vec2(1);\n```\n```python\nvec3 = vec2\n```\n~~~c\nint main() {}\n~~~\n";
         assert_eq!(codes(text), ["a\n", "vec3 c = vec2(1);\n"]);
     }

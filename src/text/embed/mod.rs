@@ -25,7 +25,7 @@ mod together;
 mod token;
 
 pub use embedded::{Embedded, Wrapping};
-pub use embedder::{Embedder, Front};
+pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
 pub use language::DocumentLanguage;
 pub use together::{Asked, asked, together};

@@ -84,7 +84,7 @@ fn shader(
         is_vertex: context.is_vertex,
         chapter: 0,
     };
-    cut_front(text, tokens, chain.last + 1, &mut shader);
+    cut_start(text, tokens, chain.last + 1, &mut shader);
     Some(shader)
 }
 
@@ -129,15 +129,15 @@ fn is_balanced(code: &str) -> bool {
 }
 
 /// Removes what `.trim()` or `.slice(1)` after the literal removes.
-fn cut_front(text: &str, tokens: &[ScriptToken], behind: usize, shader: &mut Embedded) {
-    if !is_mark(tokens, behind, b'.') {
+fn cut_start(text: &str, tokens: &[ScriptToken], after: usize, shader: &mut Embedded) {
+    if !is_mark(tokens, after, b'.') {
         return;
     }
     let word = |at: usize| {
         let range = tokens.get(at).map_or(0..0, |t| t.range.clone());
         text.get(range).unwrap_or("")
     };
-    match (word(behind + 1), word(behind + 3)) {
+    match (word(after + 1), word(after + 3)) {
         ("trim" | "trimStart" | "trimLeft", _) => shader.trim_start(),
         ("slice" | "substring" | "substr", "1") if shader.code.starts_with(['\n', ' ']) => {
             shader.code.remove(0);

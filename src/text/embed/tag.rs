@@ -19,13 +19,13 @@ pub(super) fn tag_length(head: &str) -> Option<usize> {
 pub(super) fn attribute<'a>(head: &'a str, name: &str) -> Option<&'a str> {
     let named = head.match_indices(name).find_map(|(at, _)| {
         let before = head.get(..at)?;
-        let behind = head
+        let after = head
             .get(at + name.len()..)?
             .trim_start()
             .strip_prefix('=')?;
         before
             .ends_with(|c: char| c.is_ascii_whitespace())
-            .then_some(behind.trim_start())
+            .then_some(after.trim_start())
     })?;
     match named.chars().next() {
         Some(quote @ ('"' | '\'')) => named.get(1..)?.split(quote).next(),

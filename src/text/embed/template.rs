@@ -267,8 +267,8 @@ impl<'a> TemplateScan<'a> {
         }
         if let Some(named) = inner.strip_prefix('(') {
             let name = word(named);
-            let behind = named.get(name.len()..)?.strip_prefix(')')?;
-            let is_format = behind.starts_with(['s', 'd', 'f', 'i', 'g']);
+            let after = named.get(name.len()..)?.strip_prefix(')')?;
+            let is_format = after.starts_with(['s', 'd', 'f', 'i', 'g']);
             return (is_format && !name.is_empty()).then(|| (name.len() + 4, expression(name)));
         }
         let name = word(inner);
@@ -340,8 +340,8 @@ fn dollar(rest: &str) -> Option<(usize, HoleContent)> {
     if !name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
         return None;
     }
-    let behind = rest.get(marks + name.len()..)?;
-    let closing = behind.len() - behind.trim_start_matches('$').len();
+    let after = rest.get(marks + name.len()..)?;
+    let closing = after.len() - after.trim_start_matches('$').len();
     Some((marks + name.len() + closing, expression(name)))
 }
 

@@ -190,7 +190,7 @@ pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
         };
         let mut at = 0;
         while at < read.len() {
-            let (names, behind) = match word(at) {
+            let (names, after) = match word(at) {
                 "getUniformLocation" => {
                     let name = second_argument(&read, at + 1);
                     (name.into_iter().collect(), at + 1)
@@ -198,7 +198,7 @@ pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
                 "uniforms" => keys(&read, at + 1),
                 _ => (Vec::new(), at + 1),
             };
-            at = behind;
+            at = after;
             for name in names {
                 let text = content.get(name.range.clone()).unwrap_or("");
                 let end = text.find(['[', '.']).unwrap_or(text.len());

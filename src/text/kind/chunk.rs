@@ -117,8 +117,8 @@ fn has_interface(all: &[ScanToken]) -> bool {
             token.text,
             "uniform" | "varying" | "attribute" | "in" | "out"
         );
-        let behind = at + 1 + usize::from(is_precision(text(at + 1)));
-        depth == 0 && token.is_first && is_qualifier && is_type(text(behind))
+        let after = at + 1 + usize::from(is_precision(text(at + 1)));
+        depth == 0 && token.is_first && is_qualifier && is_type(text(after))
     })
 }
 
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_told_apart() {
+    fn parts_are_distinguished() {
         check("vec3 f(vec2 p) { return vec3(p, 1.); }", Chunk::Clear);
         check("#define A 1\nuniform vec3 a;\n", Chunk::Likely);
         check("float f(float p) { return p; }", Chunk::Likely);

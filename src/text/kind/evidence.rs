@@ -1,8 +1,8 @@
 //! Evidence for the language of a text.
 
 use super::scan::{ScanKind, ScanToken, first_tokens, tokens};
+use super::shader_language::ShaderLanguage;
 use super::signs::SIGNS;
-use super::tongue::Tongue;
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
@@ -14,7 +14,7 @@ const NAMES: usize = 3;
 /// A parsed sequence of [`SIGNS`].
 struct SignRow {
     number: usize,
-    tongue: Tongue,
+    language: ShaderLanguage,
     /// Tokens of the sequence, separated by blanks.
     row: &'static str,
     is_enough: bool,
@@ -24,13 +24,13 @@ struct SignRow {
 }
 
 impl SignRow {
-    fn of(number: usize, tongue: Tongue, text: &'static str) -> SignRow {
+    fn of(number: usize, language: ShaderLanguage, text: &'static str) -> SignRow {
         let enough = text.strip_prefix("! ");
         let row = enough.unwrap_or(text);
         let at_start = row.strip_prefix("^ ");
         SignRow {
             number,
-            tongue,
+            language,
             row: at_start.unwrap_or(row),
             is_enough: enough.is_some(),
             starts_line: at_start.is_some(),
@@ -66,7 +66,7 @@ impl Signs {
             .flat_map(|(t, rows)| rows.iter().map(|r| (*t, *r)));
         let mut all: Vec<SignRow> = rows
             .enumerate()
-            .map(|(number, (tongue, text))| SignRow::of(number, tongue, text))
+            .map(|(number, (language, text))| SignRow::of(number, language, text))
             .collect();
         let mut heads = FxHashMap::default();
         heads.reserve(all.len());
@@ -111,7 +111,7 @@ fn length_bit(token: &str) -> u32 {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct SeenSign {
     number: usize,
-    tongue: Tongue,
+    language: ShaderLanguage,
     is_enough: bool,
     /// Start offset.
     start: usize,
@@ -155,7 +155,7 @@ pub struct Evidence<'a> {
     /// Number of lines that start as in a diff.
     changes: usize,
     /// The language that the first characters determine.
-    start: Option<Tongue>,
+    start: Option<ShaderLanguage>,
     /// Number of closing tags and escaped angle brackets.
     tags: usize,
     /// Whether a type precedes a word, or a line is a GLSL directive.
@@ -188,7 +188,7 @@ impl<'a> Evidence<'a> {
         let mut in_directive = false;
         for (i, token) in all.iter().enumerate() {
             if token.is_first {
-                evidence.judge_row(all, row..i);
+                evidence.check_row(all, row..i);
                 (row, in_directive) = (i, token.text == "#");
                 let is_margin = token.at == 0 || text.as_bytes().get(token.at - 1) == Some(&b'\n');
                 let is_change = matches!(token.text, "+" | "-");
@@ -206,7 +206,7 @@ impl<'a> Evidence<'a> {
             }
             if token.kind != ScanKind::Word {
                 evidence.has_quotes |= token.kind == ScanKind::Quoted;
-                evidence.judge_row(all, row..i);
+                evidence.check_row(all, row..i);
                 row = i + 1;
             }
             let next = all.get(i + 1);
@@ -214,12 +214,12 @@ impl<'a> Evidence<'a> {
                 || next.is_some_and(|n| n.kind == ScanKind::Word || n.text == "(")
                     && is_type(token.text);
         }
-        evidence.judge_row(all, row..all.len());
+        evidence.check_row(all, row..all.len());
         evidence
     }
 
     /// Decides whether consecutive words are a sentence.
-    fn judge_row(&mut self, all: &[ScanToken], row: std::ops::Range<usize>) {
+    fn check_row(&mut self, all: &[ScanToken], row: std::ops::Range<usize>) {
         if row.len() < NAMES {
             return;
         }
@@ -259,7 +259,7 @@ impl<'a> Evidence<'a> {
                 let last = all.get(end - 1).unwrap_or(token);
                 self.seen.push(SeenSign {
                     number: sign.number,
-                    tongue: sign.tongue,
+                    language: sign.language,
                     is_enough: sign.is_enough,
                     start: token.at,
                     end: last.at + last.text.len(),
@@ -268,72 +268,81 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    fn count(&self, tongue: Tongue) -> usize {
-        self.seen.iter().filter(|s| s.tongue == tongue).count()
+    fn count(&self, language: ShaderLanguage) -> usize {
+        self.seen.iter().filter(|s| s.language == language).count()
     }
 
     /// Whether there are `wanted` sequences of a language; strong ones count as three.
-    fn has_enough(&self, tongue: Tongue, wanted: usize) -> bool {
-        let of = self.seen.iter().filter(|s| s.tongue == tongue);
+    fn has_enough(&self, language: ShaderLanguage, wanted: usize) -> bool {
+        let of = self.seen.iter().filter(|s| s.language == language);
         of.map(|s| if s.is_enough { 3 } else { 1 }).sum::<usize>() >= wanted
     }
 
     /// Whether it contains something that only GLSL has.
     fn speaks_glsl(&self) -> bool {
-        self.count(Tongue::Glsl) + self.count(Tongue::Web) > 0
+        self.count(ShaderLanguage::Glsl) + self.count(ShaderLanguage::Web) > 0
     }
 
     /// The shading language other than GLSL ES that the text is clearly written in.
-    pub fn foreign(&self) -> Option<Tongue> {
+    pub fn foreign(&self) -> Option<ShaderLanguage> {
         if let Some(version) = self.version {
-            return version.is_desktop().then_some(Tongue::Desktop);
+            return version.is_desktop().then_some(ShaderLanguage::Desktop);
         }
-        let whole = [Tongue::ShaderLab, Tongue::Godot, Tongue::Sksl];
-        if let Some(tongue) = whole.into_iter().find(|t| self.has_enough(*t, 3)) {
-            return Some(tongue);
+        let complete = [
+            ShaderLanguage::ShaderLab,
+            ShaderLanguage::Godot,
+            ShaderLanguage::Sksl,
+        ];
+        if let Some(language) = complete.into_iter().find(|t| self.has_enough(*t, 3)) {
+            return Some(language);
         }
-        if self.has_enough(Tongue::Desktop, 3) && self.count(Tongue::Web) == 0 {
-            return Some(Tongue::Desktop);
+        if self.has_enough(ShaderLanguage::Desktop, 3) && self.count(ShaderLanguage::Web) == 0 {
+            return Some(ShaderLanguage::Desktop);
         }
-        let others = [Tongue::Hlsl, Tongue::Wgsl, Tongue::Metal];
+        let others = [
+            ShaderLanguage::Hlsl,
+            ShaderLanguage::Wgsl,
+            ShaderLanguage::Metal,
+        ];
         let best = others.into_iter().filter(|t| self.has_enough(*t, 3));
         let best = best.max_by_key(|t| self.count(*t))?;
-        (!self.speaks_glsl() && self.count(Tongue::Desktop) == 0).then_some(best)
+        (!self.speaks_glsl() && self.count(ShaderLanguage::Desktop) == 0).then_some(best)
     }
 
     /// The other language that the text is clearly written in.
-    pub fn other(&self) -> Option<Tongue> {
+    pub fn other(&self) -> Option<ShaderLanguage> {
         if self.start.is_some() {
             return self.start;
         }
         if self.tags >= 2 {
-            return Some(Tongue::Markup);
+            return Some(ShaderLanguage::Markup);
         }
-        if self.has_enough(Tongue::Diff, 3) {
-            return Some(Tongue::Diff);
+        if self.has_enough(ShaderLanguage::Diff, 3) {
+            return Some(ShaderLanguage::Diff);
         }
         if self.version.is_some() || self.speaks_glsl() || self.foreign().is_some() {
             return None;
         }
-        use Tongue::{C, FSharp, Python, Rust, Script};
+        use ShaderLanguage::{C, FSharp, Python, Rust, Script};
         let all = [Script, C, FSharp, Rust, Python];
         // Words of another language next to GLSL declarations are mistakes.
         let wanted = if self.has_types { 4 } else { 2 };
         let named = all.into_iter().filter(|t| self.has_enough(*t, wanted));
-        let prose = (self.sentences >= 2 && !self.has_types).then_some(Tongue::Prose);
+        let prose = (self.sentences >= 2 && !self.has_types).then_some(ShaderLanguage::Prose);
         named.max_by_key(|t| self.count(*t)).or(prose)
     }
 
     /// Whether it clearly is GLSL ES.
     pub fn is_glsl(&self) -> bool {
-        let is_else = |s: &SeenSign| !matches!(s.tongue, Tongue::Glsl | Tongue::Web);
+        let is_else =
+            |s: &SeenSign| !matches!(s.language, ShaderLanguage::Glsl | ShaderLanguage::Web);
         if self.seen.iter().any(is_else) || self.start.is_some() || self.foreign().is_some() {
             return false;
         }
         if self.has_quotes || self.has_prose || self.changes > 1 || self.tags > 0 {
             return false;
         }
-        let signs = self.count(Tongue::Glsl) + self.count(Tongue::Web);
+        let signs = self.count(ShaderLanguage::Glsl) + self.count(ShaderLanguage::Web);
         self.version.is_some() || signs >= 2 || (signs >= 1 && has_main(self.text))
     }
 
@@ -354,15 +363,15 @@ impl<'a> Evidence<'a> {
     }
 
     /// The range of the first typical code of a language.
-    pub fn first_sign(&self, tongue: Tongue) -> Option<std::ops::Range<usize>> {
-        let of = self.seen.iter().filter(|s| s.tongue == tongue);
+    pub fn first_sign(&self, language: ShaderLanguage) -> Option<std::ops::Range<usize>> {
+        let of = self.seen.iter().filter(|s| s.language == language);
         of.map(|s| s.start..s.end).next()
     }
 
     /// The first typical code of a language, as written.
-    pub fn told(&self, tongue: Tongue) -> Vec<&'a str> {
+    pub fn told(&self, language: ShaderLanguage) -> Vec<&'a str> {
         const MOST: usize = 3;
-        let of = self.seen.iter().filter(|s| s.tongue == tongue);
+        let of = self.seen.iter().filter(|s| s.language == language);
         let mut texts: Vec<&str> = Vec::new();
         for text in of.filter_map(|s| self.text.get(s.start..s.end)) {
             if texts.len() < MOST && !texts.contains(&text) && !text.contains('\n') {
@@ -408,19 +417,19 @@ fn version(all: &[ScanToken]) -> Option<VersionLine> {
 }
 
 /// The language that the first tokens determine, because no shader starts that way.
-fn start(all: &[ScanToken]) -> Option<Tongue> {
+fn start(all: &[ScanToken]) -> Option<ShaderLanguage> {
     let text = |i: usize| all.get(i).map_or("", |t| t.text);
     let is_word = |i: usize| all.get(i).is_some_and(|t| t.kind == ScanKind::Word);
     match (text(0), text(1)) {
-        ("<", "!" | "?") => Some(Tongue::Markup),
-        ("<", _) if is_word(1) => Some(Tongue::Markup),
-        ("{", "\"" | "}") | ("[", "\"" | "{" | "]") => Some(Tongue::Json),
-        ("#", "!") if text(2) == "/" => Some(Tongue::Shell),
+        ("<", "!" | "?") => Some(ShaderLanguage::Markup),
+        ("<", _) if is_word(1) => Some(ShaderLanguage::Markup),
+        ("{", "\"" | "}") | ("[", "\"" | "{" | "]") => Some(ShaderLanguage::Json),
+        ("#", "!") if text(2) == "/" => Some(ShaderLanguage::Shell),
         ("-", "-") if text(2) == "-" && all.get(3).is_some_and(|t| !t.is_first) => {
-            Some(Tongue::Diff)
+            Some(ShaderLanguage::Diff)
         }
         // The front matter of a static site generator.
-        ("-", "-") if text(2) == "-" => Some(Tongue::Prose),
+        ("-", "-") if text(2) == "-" => Some(ShaderLanguage::Prose),
         _ => None,
     }
 }
@@ -470,12 +479,12 @@ pub fn is_type(word: &str) -> bool {
 /// Whether a text defines `main` or `mainImage`.
 pub fn has_main(code: &str) -> bool {
     code.match_indices("void").any(|(at, word)| {
-        let behind = code.get(at + word.len()..).unwrap_or("");
-        let name = behind.trim_start();
+        let after = code.get(at + word.len()..).unwrap_or("");
+        let name = after.trim_start();
         let rest = name
             .strip_prefix("mainImage")
             .or_else(|| name.strip_prefix("main"));
-        name.len() < behind.len()
+        name.len() < after.len()
             && rest.is_some_and(|r| r.trim_start().starts_with('(') && r.contains('{'))
     })
 }

@@ -8,14 +8,14 @@ mod chunk;
 mod evidence;
 mod made;
 mod scan;
+mod shader_language;
 mod signs;
-mod tongue;
 
 pub use chunk::{Chunk, Scanned};
 use evidence::starts_as_web;
 pub use evidence::{Evidence, VersionLine, has_main, is_type};
 pub use made::made;
-pub use tongue::Tongue;
+pub use shader_language::ShaderLanguage;
 
 use super::embed::DocumentLanguage;
 use std::fmt;
@@ -30,7 +30,7 @@ pub enum FileKind {
     /// A document that may contain shaders.
     Holds(DocumentLanguage),
     /// A shader in a language that WebGL cannot compile.
-    Foreign(Tongue),
+    Foreign(ShaderLanguage),
     /// Anything else, which is neither checked nor written.
     Other,
 }
@@ -84,43 +84,43 @@ enum Extension {
     Stage,
     Export,
     Holds(DocumentLanguage),
-    Foreign(Tongue),
+    Foreign(ShaderLanguage),
     /// Another language.
     Other(&'static str),
     Unknown,
 }
 
 /// The extension of a file name in lower case; empty if there is none.
-pub fn ending(name: &str) -> String {
+pub fn file_extension(name: &str) -> String {
     let file = name.rsplit(['/', '\\']).next().unwrap_or("");
-    let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
-    ending.to_ascii_lowercase()
+    let extension = file.rsplit_once('.').map_or("", |(_, extension)| extension);
+    extension.to_ascii_lowercase()
 }
 
-fn ending_of(name: &str) -> Extension {
-    let ending = ending(name);
-    if let Some(language) = DocumentLanguage::of_extension(&ending) {
+fn extension_of(name: &str) -> Extension {
+    let extension = file_extension(name);
+    if let Some(language) = DocumentLanguage::of_extension(&extension) {
         return Extension::Holds(language);
     }
-    match ending.as_str() {
+    match extension.as_str() {
         "glsl" | "frag" | "vert" | "fsh" | "vsh" | "glslf" | "glslv" => Extension::Shader,
         "fs" | "vs" => Extension::Shared,
         "json" | "shadertoy" => Extension::Export,
         "comp" | "geom" | "tesc" | "tese" | "rgen" | "rint" | "rahit" | "rchit" | "rmiss"
         | "rcall" | "mesh" | "task" => Extension::Stage,
         "hlsl" | "hlsli" | "fxh" | "cginc" | "cg" | "usf" | "ush" => {
-            Extension::Foreign(Tongue::Hlsl)
+            Extension::Foreign(ShaderLanguage::Hlsl)
         }
-        "metal" => Extension::Foreign(Tongue::Metal),
-        "wgsl" => Extension::Foreign(Tongue::Wgsl),
-        "gdshader" => Extension::Foreign(Tongue::Godot),
+        "metal" => Extension::Foreign(ShaderLanguage::Metal),
+        "wgsl" => Extension::Foreign(ShaderLanguage::Wgsl),
+        "gdshader" => Extension::Foreign(ShaderLanguage::Godot),
         other => others(other).map_or(Extension::Unknown, Extension::Other),
     }
 }
 
 /// Languages whose files may contain GLSL in strings, or share it by macros, but are not GLSL.
-fn others(ending: &str) -> Option<&'static str> {
-    Some(match ending {
+fn others(extension: &str) -> Option<&'static str> {
+    Some(match extension {
         "c" | "h" | "cc" | "cpp" | "cxx" | "hh" | "hpp" | "hxx" | "inl" | "ipp" | "m" | "mm" => {
             "C or C++"
         }
@@ -147,7 +147,7 @@ fn others(ending: &str) -> Option<&'static str> {
 
 /// Decides what kind of file a file is.
 pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
-    let kind = match ending_of(name) {
+    let kind = match extension_of(name) {
         Extension::Other(what) => {
             return Decision::new(FileKind::Other, format!("the extension indicates {what}"));
         }
@@ -161,9 +161,9 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         Extension::Export => {
             return Decision::new(FileKind::Export, "the extension indicates JSON");
         }
-        Extension::Foreign(tongue) => {
-            let reason = format!("the extension indicates {tongue}");
-            return Decision::new(FileKind::Foreign(tongue), reason);
+        Extension::Foreign(language) => {
+            let reason = format!("the extension indicates {language}");
+            return Decision::new(FileKind::Foreign(language), reason);
         }
         kind => kind,
     };
@@ -172,11 +172,11 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         return Decision::new(FileKind::Shader, "the extension indicates GLSL");
     }
     let evidence = Evidence::of(text);
-    if let Some(tongue) = evidence.foreign() {
-        return Decision::new(FileKind::Foreign(tongue), reason(&evidence, tongue));
+    if let Some(language) = evidence.foreign() {
+        return Decision::new(FileKind::Foreign(language), reason(&evidence, language));
     }
-    if let Some(tongue) = evidence.other() {
-        return Decision::new(FileKind::Other, format!("the content is {tongue}"));
+    if let Some(language) = evidence.other() {
+        return Decision::new(FileKind::Other, format!("the content is {language}"));
     }
     if let Some(word) = own_directive(text) {
         let reason = format!("`{word}` is a directive of another preprocessor");
@@ -184,7 +184,7 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
     }
     match (kind, claim) {
         (Extension::Stage, _) if evidence.version.is_none() => Decision::new(
-            FileKind::Foreign(Tongue::Desktop),
+            FileKind::Foreign(ShaderLanguage::Desktop),
             "the extension indicates a shader stage that WebGL does not have",
         ),
         (Extension::Shader | Extension::Stage, _) => {
@@ -206,19 +206,19 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
 }
 
 /// The evidence for a language: the `#version`, or typical code.
-pub fn reason(evidence: &Evidence, tongue: Tongue) -> String {
+pub fn reason(evidence: &Evidence, language: ShaderLanguage) -> String {
     match evidence.version {
         Some(version) => {
             let es = if version.is_es { " es" } else { "" };
-            format!("detected {tongue} by `#version {}{es}`", version.number)
+            format!("detected {language} by `#version {}{es}`", version.number)
         }
         None => {
             let told: Vec<String> = evidence
-                .told(tongue)
+                .told(language)
                 .iter()
                 .map(|t| format!("`{t}`"))
                 .collect();
-            format!("detected {tongue} by {}", told.join(", "))
+            format!("detected {language} by {}", told.join(", "))
         }
     }
 }
@@ -226,7 +226,7 @@ pub fn reason(evidence: &Evidence, tongue: Tongue) -> String {
 /// Whether files of this name are found when folders are searched.
 pub fn is_searched(name: &str) -> bool {
     let is_known = matches!(
-        ending_of(name),
+        extension_of(name),
         Extension::Shader | Extension::Shared | Extension::Export | Extension::Holds(_)
     );
     is_known && !is_packed(name) && !is_declarations(name)
@@ -234,7 +234,10 @@ pub fn is_searched(name: &str) -> bool {
 
 /// Whether a file of this name is a script.
 pub fn is_script(name: &str) -> bool {
-    matches!(ending_of(name), Extension::Holds(DocumentLanguage::Script))
+    matches!(
+        extension_of(name),
+        Extension::Holds(DocumentLanguage::Script)
+    )
 }
 
 /// Whether a file is a TypeScript declaration file.
@@ -268,10 +271,10 @@ pub fn own_directive(text: &str) -> Option<&str> {
             (None, None) => in_comment,
         };
         let line = line.trim();
-        let behind = line.strip_prefix('@').filter(|_| !was_in_comment)?;
-        let end = behind.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        let word = behind.get(..end.unwrap_or(behind.len()))?;
-        let is_closed = behind.get(word.len()..).is_some_and(|b| b.starts_with('@'));
+        let after = line.strip_prefix('@').filter(|_| !was_in_comment)?;
+        let end = after.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let word = after.get(..end.unwrap_or(after.len()))?;
+        let is_closed = after.get(word.len()..).is_some_and(|b| b.starts_with('@'));
         let is_word = word.starts_with(|c: char| c.is_ascii_lowercase());
         (is_word && word != "import" && !is_closed).then(|| line.get(..=word.len()))?
     })
@@ -448,7 +451,7 @@ mod tests {
     }
 
     #[test]
-    fn shaders_in_literals_are_told_from_other_programs() {
+    fn shaders_in_literals_are_distinguished_from_other_programs() {
         let is_shader = |text| Scanned::of(text).is_shader();
         assert!(is_shader("void main() {}"));
         assert!(is_shader("\n#version 300 es\n"));

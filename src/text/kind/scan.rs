@@ -57,10 +57,10 @@ pub fn first_tokens(text: &str, count: usize) -> Vec<ScanToken<'_>> {
                 continue;
             }
             b'/' if matches!(bytes.get(at + 1), Some(b'/' | b'*')) => {
-                at = behind_comment(text, at);
+                at = after_comment(text, at);
                 continue;
             }
-            b'"' | b'\'' | b'`' => match behind_string(text, at) {
+            b'"' | b'\'' | b'`' => match after_string(text, at) {
                 Some(end) => {
                     at = end;
                     ScanKind::Quoted
@@ -104,7 +104,7 @@ fn is_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
 }
 
-fn behind_comment(text: &str, at: usize) -> usize {
+fn after_comment(text: &str, at: usize) -> usize {
     let rest = text.get(at..).unwrap_or("");
     let length = if rest.starts_with("//") {
         rest.find('\n')
@@ -115,7 +115,7 @@ fn behind_comment(text: &str, at: usize) -> usize {
 }
 
 /// The end of a string that starts here; `None` if none does, as at an apostrophe.
-fn behind_string(text: &str, at: usize) -> Option<usize> {
+fn after_string(text: &str, at: usize) -> Option<usize> {
     let rest = text.get(at..)?;
     let (open, before) = (rest.get(..1)?, text.get(..at)?);
     let near = |from: usize, close: &str| {

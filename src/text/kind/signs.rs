@@ -1,13 +1,13 @@
 //! Typical code of each language, as data.
 
-use super::tongue::Tongue::{self, *};
+use super::shader_language::ShaderLanguage::{self, *};
 
 /// Token sequences that few of these languages share.
 ///
 /// `_` matches any word, `"` any string, and a leading `^` the start of a line. One sequence with a
 /// leading `!` is sufficient evidence; any other needs further evidence.
 #[rustfmt::skip]
-pub const SIGNS: &[(Tongue, &[&str])] = &[
+pub const SIGNS: &[(ShaderLanguage, &[&str])] = &[
     (Web, &[
         "attribute _", "varying _", "gl_FragColor", "gl_FragData", "mainImage (", "mainSound (", "mainCubemap (",
         "precision highp", "precision mediump", "precision lowp", "texture2D (", "textureCube (", "iResolution",

@@ -1,6 +1,6 @@
 //! Answers that edit text: fixes, renaming, formatting.
 
-use super::super::buffers::{TextBuffer, whole};
+use super::super::buffers::{TextBuffer, full_range};
 use super::super::capabilities::{EXPLAIN, FIX_ALL_KIND};
 use super::super::diagnostics::one;
 use super::super::position::text_edits;
@@ -40,10 +40,10 @@ pub fn actions(
     if is_wanted(&CodeActionKind::QuickFix) {
         let span = snapshot.span(buffer, params.range);
         let actions = ide::actions(&document, span);
-        let told = actions
+        let items = actions
             .iter()
             .filter_map(|action| of_finding(snapshot, buffer, &document, action));
-        found.extend(told.map(CodeActionResponse::CodeAction));
+        found.extend(items.map(CodeActionResponse::CodeAction));
     }
     // All safe fixes together, only on request: verifying them draws the shader.
     let asks = only.is_some_and(|only| only.iter().any(|k| k.to_string().starts_with("source")));
@@ -74,7 +74,7 @@ fn of_finding(
             _ => action.title.clone(),
         },
         kind: Some(CodeActionKind::QuickFix),
-        diagnostics: one(snapshot, document, Some(buffer), diagnostic).map(|told| vec![told]),
+        diagnostics: one(snapshot, document, Some(buffer), diagnostic).map(|items| vec![items]),
         is_preferred: (action.kind == ActionKind::Fix).then_some(true),
         edit: (!edits.is_empty()).then(|| workspace_edit(buffer, edits)),
         command: explain,
@@ -87,7 +87,7 @@ pub fn fix_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Option<CodeAction> {
     let text = ide::fix_all(&snapshot.document(buffer), &snapshot.files)?;
     let lines = buffer.lines(snapshot.columns());
     let edit = TextEdit {
-        range: whole(lines),
+        range: full_range(lines),
         new_text: text,
     };
     Some(CodeAction {
@@ -203,7 +203,7 @@ pub fn format_range(
         snapshot,
         buffer,
         &params.options,
-        Some(whole_lines(buffer, span)),
+        Some(full_lines(buffer, span)),
     )
 }
 
@@ -227,12 +227,12 @@ pub fn format_typed(
         snapshot,
         buffer,
         &params.options,
-        Some(whole_lines(buffer, span)),
+        Some(full_lines(buffer, span)),
     )
 }
 
 /// Extends a span to complete lines, without the last line break.
-fn whole_lines(buffer: &TextBuffer, span: Span) -> Span {
+fn full_lines(buffer: &TextBuffer, span: Span) -> Span {
     let length = buffer.text.len() as u32;
     let (start, _) = buffer.lines.bounds(span.start, length);
     // A range that ends at the start of a line does not include that line.

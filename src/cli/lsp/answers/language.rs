@@ -3,8 +3,8 @@
 use super::super::snapshot::{Answer, Snapshot};
 use crate::cli::lint::explain::page;
 use crate::engine::Analysis;
-use crate::engine::play::Picture;
-use crate::ide::{self, CompletionKind, Proposal, Symbol, SymbolKind, picture_of};
+use crate::engine::playback::RenderedImage;
+use crate::ide::{self, CompletionKind, Proposal, Symbol, SymbolKind, image_of};
 use crate::lint::Page;
 use crate::text::Span;
 use base64::Engine as _;
@@ -16,7 +16,7 @@ pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> 
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.best(buffer);
     if let Some(rule) = rule_at(&buffer.text, offset) {
-        return Ok(Some(told(
+        return Ok(Some(hover_of(
             snapshot,
             buffer.lines(snapshot.columns()).range(rule.0),
             rule.1,
@@ -30,13 +30,13 @@ pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> 
     };
     let mut text = found.text;
     if snapshot.settings.pictures && snapshot.client.markdown {
-        text.push_str(&picture(&document, offset).unwrap_or_default());
+        text.push_str(&rendered(&document, offset).unwrap_or_default());
     }
     let range = buffer.lines(snapshot.columns()).range(found.span);
-    Ok(Some(told(snapshot, range, text)))
+    Ok(Some(hover_of(snapshot, range, text)))
 }
 
-fn told(snapshot: &Snapshot, range: Range, text: String) -> Hover {
+fn hover_of(snapshot: &Snapshot, range: Range, text: String) -> Hover {
     let (kind, text) = match snapshot.client.markdown {
         true => (MarkupKind::Markdown, text),
         false => (MarkupKind::PlainText, plain(&text)),
@@ -77,19 +77,19 @@ fn rule_at(text: &str, offset: u32) -> Option<(Span, String)> {
 }
 
 /// The values of the variable at a position over the whole frame, as a Markdown image.
-fn picture(document: &ide::Document, offset: u32) -> Option<String> {
+fn rendered(document: &ide::Document, offset: u32) -> Option<String> {
     let spot = document.spot(offset)?;
     let name = spot.name()?;
     let Symbol::Variable(variable) = name.symbol else {
         return None;
     };
     let kind = name.symbol.kind(spot.program());
-    let is_told = matches!(
+    let is_listed = matches!(
         kind,
         SymbolKind::Local | SymbolKind::Global | SymbolKind::Parameter
     );
     let is_number = name.symbol.ty(spot.program())?.numeric().is_some();
-    if !is_told || !is_number {
+    if !is_listed || !is_number {
         return None;
     }
     let code = document.report.sources.file_at(name.span.start)?;
@@ -97,19 +97,19 @@ fn picture(document: &ide::Document, offset: u32) -> Option<String> {
     let (start, end) = code.lines().bounds(at, code.text.len() as u32);
     let line = Span::new(code.base + start, code.base + end);
     let analysis: &Analysis = spot.analysis;
-    let picture = picture_of(analysis, variable, line)?;
-    let png = png(&picture)?;
+    let image = image_of(analysis, variable, line)?;
+    let png = png(&image)?;
     Some(format!(
         "\n![its values over the whole frame](data:image/png;base64,{})\n",
         STANDARD.encode(png)
     ))
 }
 
-fn png(picture: &Picture) -> Option<Vec<u8>> {
+fn png(image: &RenderedImage) -> Option<Vec<u8>> {
     /// Each pixel of the frame is scaled up to this many pixels.
     const ZOOM: usize = 3;
-    let [width, height] = picture.size.map(|n| n as usize);
-    let bytes = picture.bytes();
+    let [width, height] = image.size.map(|n| n as usize);
+    let bytes = image.bytes();
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, (width * ZOOM) as u32, (height * ZOOM) as u32);
     encoder.set_color(png::ColorType::Rgb);

@@ -1,8 +1,8 @@
 //! The handlers of requests.
 
+mod appearance;
 mod edits;
 mod language;
-mod look;
 mod navigation;
 mod workspace;
 
@@ -93,15 +93,15 @@ impl Jobs {
             Quick DocumentFormattingRequest edits::format,
             Quick DocumentRangeFormattingRequest edits::format_range,
             Quick DocumentOnTypeFormattingRequest edits::format_typed,
-            Quick SemanticTokensRequest look::tokens,
-            Quick SemanticTokensDeltaRequest look::tokens_delta,
-            Quick SemanticTokensRangeRequest look::tokens_range,
-            Quick InlayHintRequest look::hints,
-            Quick FoldingRangeRequest look::folds,
-            Quick SelectionRangeRequest look::selections,
-            Quick DocumentColorRequest look::colors,
-            Quick ColorPresentationRequest look::presentations,
-            Quick CodeLensRequest look::lenses,
+            Quick SemanticTokensRequest appearance::tokens,
+            Quick SemanticTokensDeltaRequest appearance::tokens_delta,
+            Quick SemanticTokensRangeRequest appearance::tokens_range,
+            Quick InlayHintRequest appearance::hints,
+            Quick FoldingRangeRequest appearance::folds,
+            Quick SelectionRangeRequest appearance::selections,
+            Quick DocumentColorRequest appearance::colors,
+            Quick ColorPresentationRequest appearance::presentations,
+            Quick CodeLensRequest appearance::lenses,
         };
         let page: Job = |snapshot, params| {
             let params = read::<PageParams>(params)?;

@@ -106,12 +106,13 @@ pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option
     let all: Vec<&Document> = others.iter().map(Arc::as_ref).collect();
     let found = ide::references(&all, &document, offset);
     let with_declaration = params.context.include_declaration;
-    let is_told = |access: NameUse| {
+    let is_listed = |access: NameUse| {
         with_declaration || !matches!(access, NameUse::Declared | NameUse::Defined)
     };
-    let told = found.iter().filter(|(_, access)| is_told(*access));
+    let items = found.iter().filter(|(_, access)| is_listed(*access));
     Ok(Some(
-        told.filter_map(|(place, _)| snapshot.location(place))
+        items
+            .filter_map(|(place, _)| snapshot.location(place))
             .collect(),
     ))
 }
@@ -124,7 +125,7 @@ pub fn highlights(
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let found = ide::highlights(&snapshot.document(buffer), offset);
     let lines = buffer.lines(snapshot.columns());
-    let told = found.into_iter().map(|(span, access)| DocumentHighlight {
+    let items = found.into_iter().map(|(span, access)| DocumentHighlight {
         range: lines.range(span),
         kind: Some(match access {
             NameUse::Written | NameUse::Changed | NameUse::Defined => DocumentHighlightKind::Write,
@@ -132,7 +133,7 @@ pub fn highlights(
             NameUse::Declared | NameUse::Unseen => DocumentHighlightKind::Text,
         }),
     });
-    Ok(Some(told.collect()))
+    Ok(Some(items.collect()))
 }
 
 /// The outline of a document.

@@ -162,7 +162,7 @@ pub fn workspace_diagnostics(
     let mut items = Vec::new();
     for path in files(snapshot) {
         let open = snapshot.files.open.get(&path);
-        let told = match open {
+        let findings = match open {
             Some(buffer) => diagnostics(snapshot, buffer),
             None => match document_at(snapshot, &path) {
                 Some(document) => convert(snapshot, &document, None),
@@ -171,7 +171,7 @@ pub fn workspace_diagnostics(
         };
         let uri = snapshot.uri(&path.to_string_lossy());
         let version = open.map(|buffer| buffer.version);
-        let id = result_id(&told);
+        let id = result_id(&findings);
         let mut previous = params.previous_result_ids.iter();
         let is_known = previous.any(|p| p.uri == uri && p.value == id);
         items.push(match is_known {
@@ -188,7 +188,7 @@ pub fn workspace_diagnostics(
                 version,
                 full_document_diagnostic_report: FullDocumentDiagnosticReport {
                     result_id: Some(id),
-                    items: told,
+                    items: findings,
                 },
             }
             .into(),

@@ -51,7 +51,7 @@ impl Tool for FixTool {
             return Err(done.err);
         }
         match input {
-            ToolInput::Code(code) => mended(code, done),
+            ToolInput::Code(code) => fixed(code, done),
             ToolInput::Path(_) if self.write => Ok(ToolAnswer::of_outcome(&done, "no findings")),
             ToolInput::Path(_) => Ok(ToolAnswer::of_outcome(&done, "no fixes available")),
         }
@@ -59,7 +59,7 @@ impl Tool for FixTool {
 }
 
 /// The fixed text. It is never truncated, because the client would save it.
-fn mended(code: &str, mut done: CommandOutcome) -> Result<ToolAnswer, String> {
+fn fixed(code: &str, mut done: CommandOutcome) -> Result<ToolAnswer, String> {
     if done.out == code {
         done.out = "no fixes available; the text is unchanged".to_string();
     } else if done.out.len() > MAX_TEXT {

@@ -69,13 +69,13 @@ impl Tool for PortTool {
         args.0.extend(input.args());
         let done = program.run(args.0, input.text()).await?;
         let mut answer = match &self.output {
-            _ if done.code == i32::from(FAILED) => return Err(done.said()),
+            _ if done.code == i32::from(FAILED) => return Err(done.message()),
             Some(output) if Path::new(output).exists() => {
                 ToolAnswer::of(&format!("written: {output}"), "")
             }
-            Some(_) => return Err(done.said()),
+            Some(_) => return Err(done.message()),
             None => match files(&made).map_err(|e| e.to_string())? {
-                files if files.is_empty() => return Err(done.said()),
+                files if files.is_empty() => return Err(done.message()),
                 files => shown(&files)?,
             },
         };

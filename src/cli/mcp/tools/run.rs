@@ -71,7 +71,7 @@ impl Tool for RunTool {
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
         let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
-        let picture = folder.path().join("picture.png");
+        let image = folder.path().join("picture.png");
         let uniforms = folder.path().join("uniforms.json");
         let mut args = self.args()?;
         if let Some(values) = &self.uniforms {
@@ -79,18 +79,18 @@ impl Tool for RunTool {
             fs::write(&uniforms, text).map_err(|e| e.to_string())?;
             args.option("--uniforms", Some(uniforms.to_string_lossy()));
         }
-        args.option("--output", Some(picture.to_string_lossy()));
+        args.option("--output", Some(image.to_string_lossy()));
         args.0.extend(input.args());
         let done = program.run(args.0, input.text()).await?;
         if done.code != i32::from(CLEAN) {
-            return Err(done.said());
+            return Err(done.message());
         }
         // The temporary path of the image means nothing to the client.
         let lines = done.out.lines();
         let facts: Vec<&str> = lines
             .filter(|l| !l.trim_start().starts_with("written "))
             .collect();
-        let png = fs::read(&picture).map_err(|e| format!("cannot read the image: {e}"))?;
+        let png = fs::read(&image).map_err(|e| format!("cannot read the image: {e}"))?;
         let mut answer = ToolAnswer::of(&facts.join("\n"), "the image");
         answer.push_png(&png);
         answer.push_any(&done.err);

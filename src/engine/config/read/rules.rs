@@ -48,7 +48,7 @@ impl Rules {
     /// The adjustments in order: groups first, so that more specific names take precedence.
     pub fn adjustments(self) -> Result<Vec<(&'static Rule, Adjustment)>, Mistake> {
         let mut all = Vec::new();
-        for (name, said) in self.0 {
+        for (name, entry) in self.0 {
             let key = name.get_ref().as_str();
             let named = RULES.iter().filter_map(|r| Some((Reach::of(key, r)?, *r)));
             let named: Vec<(Reach, &'static Rule)> = named.collect();
@@ -57,11 +57,11 @@ impl Rules {
                 [(Reach::Rule, rule)] => rule.options,
                 _ => &[],
             };
-            let adjustments: Vec<Adjustment> = match said {
+            let adjustments: Vec<Adjustment> = match entry {
                 WordOr::Word(level) => vec![Adjustment::Level(level.0)],
                 WordOr::Table(table) => {
-                    let said = table.iter().map(|(k, v)| adjustment(k, v, options));
-                    said.collect::<Result<_, _>>()?
+                    let entry = table.iter().map(|(k, v)| adjustment(k, v, options));
+                    entry.collect::<Result<_, _>>()?
                 }
             };
             for (reach, rule) in named {

@@ -1,0 +1,168 @@
+//! Ports the input and reports notes, repairs and errors.
+
+use super::args::PortArgs;
+#[cfg(feature = "naga")]
+use super::complete;
+use super::load::{self, LoadedProject};
+use super::report::{is_colored, report};
+use super::save::OutputPlace;
+use crate::cli::command::{CLEAN, FINDINGS};
+use crate::cli::output::diff;
+use crate::engine::{Original, Repairs, Verified, repairable, verify};
+use crate::exec::Equality;
+use crate::port::{Composed, File, Target, build, missing};
+use crate::report::{Format, Reporter};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// The result of a run.
+pub(super) struct MadeFiles {
+    /// The files to write; empty if errors prevent it or a diff was printed.
+    pub(super) files: Vec<File>,
+    /// The files that were read.
+    pub(super) read: Vec<PathBuf>,
+    /// The exit code.
+    pub(super) code: u8,
+}
+
+/// Ports the input and reports about it. `version` is set for a served page, which reloads itself
+/// when the server announces another version.
+pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<MadeFiles, String> {
+    #[cfg(feature = "naga")]
+    if let Some(shaders) = complete::load(args)? {
+        let (files, code) = complete::build_output(args, &shaders)?;
+        let read = args.input.clone();
+        return Ok(MadeFiles { files, read, code });
+    }
+    let LoadedProject {
+        project,
+        composed,
+        repairs,
+        given,
+        read,
+        notes,
+    } = load::load(args)?;
+    for remark in project.remarks() {
+        let _ = writeln!(io::stderr(), "note: {remark}");
+    }
+    match args.repair || args.diff || repairs.done.len() < 2 {
+        true => print_repairs(&repairs).map_err(|e| e.to_string())?,
+        false => {
+            let count = repairs.done.len();
+            let _ = writeln!(
+                io::stderr(),
+                "note: applied {count} repairs for WebGL2; `--diff` shows them"
+            );
+        }
+    }
+    let nothing = |code| MadeFiles {
+        files: Vec::new(),
+        read: Vec::new(),
+        code,
+    };
+    if args.diff {
+        return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
+    }
+    let target = args.target()?;
+    let place = OutputPlace::of(args.output.as_deref(), target, &project.info.name);
+    let order = args.order(target, place.output(), version);
+    let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
+    let analyses = composed.units.iter().map(|u| composed.analysis(u));
+    let found = analyses.flat_map(|a| &a.diagnostics);
+    let summary = report(&composed.sources, found, &made.remarks).map_err(|e| e.to_string())?;
+    if summary.errors > 0 && !args.repair {
+        offer_repair(&composed);
+    }
+    // Other languages require code that compiles.
+    if target != Target::Glsl && target.is_shaders() && summary.errors > 0 {
+        return Ok(nothing(FINDINGS));
+    }
+    if !target.is_shaders() {
+        let missing = missing(&project).into_iter().map(|what| what.to_string());
+        for note in notes.into_iter().chain(missing) {
+            let _ = writeln!(io::stderr(), "note: {note}");
+        }
+    }
+    let mut code = if summary.errors > 0 { FINDINGS } else { CLEAN };
+    if args.verify {
+        let passes = verify(&project, &composed, given.as_ref(), target, &made.files)?;
+        if !is_verified(passes) {
+            code = FINDINGS;
+        }
+    }
+    Ok(MadeFiles {
+        files: made.files,
+        read,
+        code,
+    })
+}
+
+pub(super) fn print(text: &[u8]) -> Result<(), String> {
+    let printed = io::stdout().lock().write_all(text);
+    printed.map_err(|e| format!("cannot write the output: {e}"))
+}
+
+/// Reports for each pass whether the output draws the same as the original.
+fn is_verified(passes: Vec<Verified>) -> bool {
+    let mut is_so = true;
+    for verified in passes {
+        let Verified {
+            pass,
+            original,
+            outcome,
+        } = verified;
+        let outcome_in_words = match &outcome {
+            Ok(Equality::Proved) => "identical code".to_string(),
+            Ok(Equality::SampledEqual { pixels }) => format!("identical on {pixels} pixels"),
+            Ok(Equality::Differs { pixel: [x, y], .. }) => {
+                format!("differs from the original, first at pixel ({x}, {y})")
+            }
+            Ok(Equality::TooLong) => "not compared: the sample run takes too long".to_string(),
+            Err(why) => format!("not compared: {why}"),
+        };
+        is_so &= matches!(
+            outcome,
+            Ok(Equality::Proved | Equality::SampledEqual { .. })
+        );
+        let since = match original {
+            Original::Given => "",
+            Original::Repaired => {
+                ", compared with the repaired code: the original does not compile"
+            }
+        };
+        let _ = writeln!(io::stderr(), "{pass}: {outcome_in_words}{since}");
+    }
+    is_so
+}
+
+/// All repairs as a diff.
+fn diff_of(repairs: &Repairs) -> String {
+    let changed = repairs.changed().map(|(before, after)| {
+        let name = match &before.part {
+            Some(part) => format!("{}/{part}", before.path),
+            None => before.path.clone(),
+        };
+        diff(&name, &before.text, after)
+    });
+    changed.collect()
+}
+
+/// Reports the repairs, at their positions in the original text.
+fn print_repairs(repairs: &Repairs) -> io::Result<()> {
+    if repairs.is_empty() {
+        return Ok(());
+    }
+    let mut reporter = Reporter::new(Format::Human, io::stderr().lock(), is_colored());
+    reporter.file("", &repairs.before, &repairs.done)?;
+    reporter.finish().map(|_| ())
+}
+
+/// Suggests `--repair` if it would fix errors.
+fn offer_repair(composed: &Composed) {
+    let help = match repairable(composed) {
+        0 => return,
+        1 => "help: `--repair` fixes 1 of these errors; `--diff` shows how".to_string(),
+        n => format!("help: `--repair` fixes {n} of these errors; `--diff` shows how"),
+    };
+    let _ = writeln!(io::stderr(), "{help}");
+}

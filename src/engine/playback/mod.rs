@@ -1,0 +1,18 @@
+//! Runs shaders: sets their inputs for a frame, and summarises the image.
+
+mod image;
+mod moment;
+mod player;
+mod project;
+mod scene;
+mod supply;
+mod test;
+mod varyings;
+
+pub use image::{ImageFacts, RenderedImage};
+pub use moment::{Button, Moment, Mouse};
+pub use player::{player_draw, player_gives};
+pub use project::{Decode, Decoded, PlaybackOptions, PlaybackProblem, Played, Player, SOUND_RATE};
+pub use scene::{GivenUniforms, Scene, Unfit};
+pub(crate) use supply::Supply;
+pub use test::{SeenCondition, SeenValue, TestFailure, TestVerdict, run_test, tests};

@@ -1,0 +1,112 @@
+//! The inputs of a shader in sample runs.
+
+use super::moment::{Button, Moment, Mouse};
+use super::player::{player_draw, player_gives};
+use super::scene::GivenUniforms;
+use shaderlint_exec::{Bytecode, Draw};
+use shaderlint_host::{Feed, Preset};
+use shaderlint_lint::sample::{Instant, Supplier};
+use shaderlint_port::bindings;
+use shaderlint_semantic::Program;
+use std::cell::OnceCell;
+
+/// The inputs of a checked shader, determined on demand.
+pub(crate) struct Supply<'p> {
+    program: &'p Program,
+    /// The host that the user names.
+    host: Option<&'static Preset>,
+    given: OnceCell<GivenUniforms>,
+}
+
+impl<'p> Supply<'p> {
+    pub fn of(program: &'p Program, host: Option<&'static Preset>) -> Supply<'p> {
+        Supply {
+            program,
+            host,
+            given: OnceCell::new(),
+        }
+    }
+
+    fn given(&self) -> &GivenUniforms {
+        self.given
+            .get_or_init(|| GivenUniforms::of(bindings(self.program, self.host)))
+    }
+}
+
+impl Supplier for Supply<'_> {
+    fn draw<'c>(&self, code: &'c Bytecode, size: [u32; 2], instant: &Instant) -> Draw<'c> {
+        let moment = moment(instant);
+        if !self.program.dialect.is_shadertoy() {
+            return self.given().draw(code, size, &moment);
+        }
+        player_draw(code, size, &moment)
+    }
+
+    fn knows(&self, name: &str) -> bool {
+        if self.program.dialect.is_shadertoy() {
+            return player_gives(name) || is_built_in(name);
+        }
+        let bound = &self.given().bound;
+        let mut fed = bound.uniforms.iter().filter(|u| u.name == name);
+        let is_guessed = bound.guessed.iter().any(|guessed| guessed == name);
+        let mut varyings = bound.varyings.iter();
+        fed.any(|u| is_certain(u.source))
+            || is_built_in(name)
+            || !is_guessed && varyings.any(|v| v.place == name)
+    }
+}
+
+/// Whether a name is a built-in input.
+fn is_built_in(name: &str) -> bool {
+    matches!(name, "gl_FragCoord" | "gl_FrontFacing")
+}
+
+/// Whether every page sets this input to about the same value.
+fn is_certain(feed: Feed) -> bool {
+    match feed {
+        Feed::Time
+        | Feed::Milliseconds
+        | Feed::Delta
+        | Feed::Frame
+        | Feed::FrameFromOne
+        | Feed::FrameRate
+        | Feed::Date
+        | Feed::DateFromOne
+        | Feed::Resolution
+        | Feed::ResolutionAndPixel
+        | Feed::Pixel
+        | Feed::Aspect
+        | Feed::PixelRatio
+        | Feed::SurfaceSize
+        | Feed::Mouse
+        | Feed::Pointer
+        | Feed::PointerUnit
+        | Feed::PointerUnitDown
+        | Feed::PointerUnitZero
+        | Feed::PointerSigned
+        | Feed::Button => true,
+        Feed::SampleRate
+        | Feed::ChannelTime
+        | Feed::ChannelResolution
+        | Feed::TextureSize
+        | Feed::Spectrum
+        | Feed::Volume
+        | Feed::HistorySize
+        | Feed::Camera
+        | Feed::Identity
+        | Feed::Control
+        | Feed::Nothing => false,
+    }
+}
+
+fn moment(instant: &Instant) -> Moment {
+    let mut moment = Moment::at(instant.time);
+    moment.mouse = instant.mouse.map(|press| Mouse {
+        at: press.at,
+        button: match press.is_down {
+            true => Button::Down,
+            false => Button::Up,
+        },
+    });
+    moment
+}

@@ -1,0 +1,280 @@
+//! The VM: a SIMD interpreter that executes bytecode for 32 pixels at a time.
+//!
+//! The execution mask has one bit per lane. Registers of inactive lanes may hold anything;
+//! variables that outlive a construct are written only in active lanes.
+
+mod arithmetic;
+mod array;
+mod texture;
+mod watch;
+
+use super::bytecode::{Bytecode, EMPTY, Instr, InstrIndex, Reg};
+use super::draw::{Draw, Stop};
+use super::row::{LANES, PARTS, Row};
+use shaderlint_semantic::Scalar;
+use watch::Watched;
+use wide::i32x8;
+
+/// All registers of a shader. The compiler guarantees that register indices are in bounds.
+type Bank = [[i32x8; PARTS]];
+
+/// The pixels executed together.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tile {
+    /// By lane.
+    pub pixels: [[u32; 2]; LANES],
+    /// The requested lanes; the others are helper lanes for derivatives.
+    pub wanted: u32,
+}
+
+/// The state of the VM.
+pub(super) struct Vm<'d> {
+    draw: &'d Draw<'d>,
+    code: &'d Bytecode,
+    bank: Box<Bank>,
+    masks: Vec<u32>,
+    /// The execution mask: the active lanes.
+    active: u32,
+    /// The lanes that are not discarded.
+    live: u32,
+    /// The lanes that are counted in statistics.
+    wanted: u32,
+    /// Cache of an expanded mask: the mask, and the register with all bits set in its lanes.
+    spread: (u32, [i32x8; PARTS]),
+    fuel: u64,
+    /// The number of instructions executed so far.
+    pub spent: u64,
+    tile: Tile,
+    pub watched: Watched,
+}
+
+/// Expands a mask to all bits set in its lanes.
+fn spread(mask: u32) -> [i32x8; PARTS] {
+    const BITS: [i32; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
+    let bits = i32x8::new(BITS);
+    std::array::from_fn(|part| {
+        let own = i32x8::splat((mask >> (8 * part)) as i32 & 0xff);
+        (own & bits).simd_eq(bits)
+    })
+}
+
+/// A bit mask of the lanes whose highest bit is set.
+fn mask_of(row: &[i32x8; PARTS]) -> u32 {
+    Row(*row).mask()
+}
+
+impl<'d> Vm<'d> {
+    /// Creates a VM and executes the uniform prologue.
+    pub fn new(draw: &'d Draw<'d>) -> Vm<'d> {
+        let code = draw.code;
+        let mut vm = Vm {
+            draw,
+            code,
+            bank: vec![Row::ZERO.0; code.registers].into_boxed_slice(),
+            masks: vec![0; code.slots.max(1) as usize],
+            active: u32::MAX,
+            live: u32::MAX,
+            wanted: 0,
+            spread: (u32::MAX, spread(u32::MAX)),
+            fuel: 0,
+            spent: code.uniform_prologue.len() as u64,
+            tile: Tile {
+                pixels: [[0; 2]; LANES],
+                wanted: 0,
+            },
+            watched: Watched::new(code),
+        };
+        for (reg, bits) in &code.constants {
+            vm.set(*reg, Row::splat(*bits));
+        }
+        for instr in &code.uniform_prologue {
+            vm.straight(instr);
+        }
+        vm
+    }
+
+    /// Executes a tile. Returns the lanes that were not discarded.
+    ///
+    /// # Errors
+    /// The tile ran out of fuel.
+    pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
+        self.open(tile);
+        (self.active, self.live) = (u32::MAX, u32::MAX);
+        self.inputs();
+        let out_of_fuel = |m: &Vm<'_>| Stop::OutOfFuel {
+            pixel: m.tile.pixels.first().copied().unwrap_or_default(),
+        };
+        let code = self.code;
+        // Each instruction runs once; only repeats in loops are charged as fuel.
+        let once = self.spent.saturating_add(code.body.len() as u64);
+        let Some(left) = self.draw.budget.checked_sub(once) else {
+            return Err(out_of_fuel(self));
+        };
+        let allowed = left.min(self.draw.fuel);
+        self.fuel = allowed;
+        let mut at: InstrIndex = 0;
+        while let Some(instr) = code.body.get(at as usize) {
+            at += 1;
+            match self.jump(instr) {
+                Some(JumpTarget::To(target)) => at = target,
+                Some(JumpTarget::Back(target)) => {
+                    let cost = (at - target) as u64;
+                    let Some(rest) = self.fuel.checked_sub(cost) else {
+                        return Err(out_of_fuel(self));
+                    };
+                    self.fuel = rest;
+                    at = target;
+                }
+                None => {}
+            }
+        }
+        self.spent = once.saturating_add(allowed - self.fuel);
+        self.watched.close(self.wanted);
+        Ok(self.live & self.wanted)
+    }
+
+    /// The statistics of all tiles.
+    pub fn finish(self) -> super::observations::Observations {
+        self.watched.finish(self.code)
+    }
+
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
+    #[inline(always)]
+    fn bits(&self, reg: Reg) -> &[i32x8; PARTS] {
+        &self.bank[reg as usize]
+    }
+
+    /// The value of a register.
+    pub fn row(&self, reg: Reg) -> Row {
+        Row(self.get(reg))
+    }
+
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
+    #[inline(always)]
+    fn get(&self, reg: Reg) -> [i32x8; PARTS] {
+        self.bank[reg as usize]
+    }
+
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
+    #[inline(always)]
+    fn set(&mut self, reg: Reg, row: Row) {
+        self.bank[reg as usize] = row.0;
+    }
+
+    /// Loads the inputs of the tile's pixels.
+    fn inputs(&mut self) {
+        let draw = self.draw;
+        for (slot, planes) in self.code.inputs.iter().zip(&draw.inputs) {
+            for (reg, [base, across, up]) in slot.regs.iter().zip(planes) {
+                let values = self
+                    .tile
+                    .pixels
+                    .map(|[x, y]| base + across * (x as f32 + 0.5) + up * (y as f32 + 0.5));
+                let row = match slot.ty.scalar_kind() {
+                    Some(Scalar::Bool) => {
+                        Row::of_bits(values.map(|v| if v == 0.0 { 0 } else { u32::MAX }))
+                    }
+                    Some(Scalar::Int) => Row::of_bits(values.map(|v| v as i32 as u32)),
+                    Some(Scalar::Uint) => Row::of_bits(values.map(|v| v as u32)),
+                    Some(Scalar::Float) | None => Row::of_floats(values),
+                };
+                self.set(*reg, row);
+            }
+        }
+    }
+
+    /// The execution mask, expanded to all bits.
+    fn spread(&mut self) -> [i32x8; PARTS] {
+        if self.spread.0 != self.active {
+            self.spread = (self.active, spread(self.active));
+        }
+        self.spread.1
+    }
+
+    fn kept(&self, slot: u16) -> u32 {
+        self.masks.get(slot as usize).copied().unwrap_or(0)
+    }
+
+    fn keep(&mut self, slot: u16, mask: u32) {
+        if slot != EMPTY
+            && let Some(kept) = self.masks.get_mut(slot as usize)
+        {
+            *kept = mask;
+        }
+    }
+
+    /// Jumps if no lane is active.
+    fn unless_any(&self, to: InstrIndex) -> Option<JumpTarget> {
+        (self.active == 0).then_some(JumpTarget::To(to))
+    }
+
+    /// Executes an instruction. Returns the jump to take.
+    #[inline(always)]
+    fn jump(&mut self, instr: &Instr) -> Option<JumpTarget> {
+        match *instr {
+            Instr::If {
+                condition,
+                others,
+                to,
+            } => {
+                let holds = mask_of(&self.get(condition));
+                self.keep(others, self.active & !holds);
+                self.active &= holds;
+                return self.unless_any(to);
+            }
+            Instr::Else { others, to } => {
+                let kept = self.kept(others);
+                self.keep(others, self.active);
+                self.active = kept;
+                return self.unless_any(to);
+            }
+            Instr::EndIf { others } => self.active |= self.kept(others),
+            Instr::Keep(slot) => self.keep(slot, self.active),
+            Instr::Clear(slot) => self.keep(slot, 0),
+            Instr::Mark(slot, reg) => self.keep(slot, mask_of(&self.get(reg))),
+            Instr::Restore { came, left, others } => {
+                let gone = self.kept(left) | self.kept(others);
+                self.active = self.kept(came) & !gone & self.live;
+            }
+            Instr::While { condition, to } => {
+                self.active &= mask_of(&self.get(condition));
+                return self.unless_any(to);
+            }
+            Instr::Resume(slot) => {
+                self.active |= self.kept(slot);
+                self.keep(slot, 0);
+            }
+            Instr::Wait(slot) => {
+                self.keep(slot, self.kept(slot) | self.active);
+                self.active = 0;
+            }
+            Instr::Case {
+                waiting,
+                marked,
+                to,
+            } => {
+                let hit = self.kept(waiting) & self.kept(marked);
+                self.keep(waiting, self.kept(waiting) & !hit);
+                self.active |= hit;
+                return self.unless_any(to);
+            }
+            Instr::Halt => self.active = 0,
+            Instr::Discard => {
+                self.live &= !self.active;
+                self.active = 0;
+            }
+            Instr::SkipIfNone(to) => return self.unless_any(to),
+            Instr::Back(to) => return Some(JumpTarget::Back(to)),
+            _ => self.straight(instr),
+        }
+        None
+    }
+}
+
+/// The target of a jump.
+enum JumpTarget {
+    /// Forwards.
+    To(InstrIndex),
+    /// Backwards, to instructions already executed.
+    Back(InstrIndex),
+}

@@ -1,0 +1,633 @@
+//! Collects the statistics of a run.
+
+use super::{Tile, Vm, mask_of};
+use crate::bytecode::{Bytecode, CallPath, FaultCheck, OperandCheck, Reg};
+use crate::observations::{
+    BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
+    NumberObservation, Observations, SiteObservation, Witness,
+};
+use crate::row::{LANES, PARTS, Row, floats, of_floats, unsigned};
+use shaderlint_ir::{LoopId, OpId, Provenance};
+use shaderlint_math as math;
+use shaderlint_semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
+use wide::{f32x8, i32x8};
+
+/// The last bucket of iteration histograms.
+const MAX_ITERATIONS: usize = 1024;
+
+/// The statistics so far, and those of the current tile.
+pub(crate) struct Watched {
+    /// By lane: the cost in this tile.
+    cost: [i32x8; PARTS],
+    /// By lane: the iterations of all loops in this tile.
+    iterations: [i32x8; PARTS],
+    /// The operations executed for this tile, counted once for all its pixels.
+    ran: u32,
+    /// By call path: the cost summed over pixels.
+    paid: Vec<u64>,
+    loops: Vec<LoopCount>,
+    /// By check: how often pixels executed it.
+    visits: Vec<u64>,
+    compared: Vec<Ends>,
+    seen: Observations,
+}
+
+/// The minimum and maximum of the operands of a comparison, by lane.
+struct Ends {
+    held: u64,
+    failed: u64,
+    low: [[f32x8; PARTS]; 2],
+    high: [[f32x8; PARTS]; 2],
+}
+
+/// The state of a loop in the current tile.
+struct LoopCount {
+    /// The lanes inside it.
+    entered: u32,
+    /// By lane: the iterations of this entry.
+    iterations: [i32x8; PARTS],
+    /// By lane: the maximum iterations of an entry in this tile.
+    most: [u32; LANES],
+    /// The lanes that entered it in this tile, and those for which its condition became false.
+    came: u32,
+    exhausted: u32,
+}
+
+impl Watched {
+    pub fn new(code: &Bytecode) -> Watched {
+        let loops = code.loops.iter().map(|_| LoopCount {
+            entered: 0,
+            iterations: Row::ZERO.0,
+            most: [0; LANES],
+            came: 0,
+            exhausted: 0,
+        });
+        Watched {
+            cost: Row::ZERO.0,
+            iterations: Row::ZERO.0,
+            ran: 0,
+            paid: vec![0; code.calls.len()],
+            loops: loops.collect(),
+            visits: vec![0; code.checks.len()],
+            compared: code.compared.iter().map(|_| Ends::default()).collect(),
+            seen: Observations {
+                loops: code
+                    .loops
+                    .iter()
+                    .map(|id| LoopObservation::new(*id))
+                    .collect(),
+                branches: code
+                    .branches
+                    .iter()
+                    .map(|at| BranchObservation::new(*at))
+                    .collect(),
+                ..Observations::default()
+            },
+        }
+    }
+
+    /// The statistics of all tiles.
+    pub fn finish(mut self, code: &Bytecode) -> Observations {
+        let seen = &mut self.seen;
+        for (site, visits) in code.checks.iter().zip(self.visits) {
+            let op = site.op;
+            let kinds = site.checked.kinds().iter();
+            seen.watched
+                .extend(kinds.map(|&kind| SiteObservation { op, kind, visits }));
+        }
+        let compared = code.compared.iter().zip(&self.compared);
+        seen.compared = compared.map(|(op, ends)| ends.seen(*op)).collect();
+        seen.numbers.sort_by_key(|n| (n.op, n.kind));
+        seen.functions = functions_seen(&code.calls, &self.paid);
+        self.seen
+    }
+
+    /// By lane: the cost in this tile.
+    pub fn cost(&self) -> [u32; LANES] {
+        Row(self.cost).bits()
+    }
+
+    /// By lane: the iterations of all loops in this tile.
+    pub fn iterations(&self) -> [u32; LANES] {
+        Row(self.iterations).bits()
+    }
+
+    pub fn enter(&mut self, index: u32, active: u32) {
+        if let Some(count) = self.loops.get_mut(index as usize) {
+            count.entered = active;
+            count.iterations = Row::ZERO.0;
+        }
+    }
+
+    pub fn iterate(&mut self, index: u32, lanes: &[i32x8; PARTS]) {
+        if let Some(count) = self.loops.get_mut(index as usize) {
+            for (iterations, lanes) in count.iterations.iter_mut().zip(lanes) {
+                *iterations -= *lanes;
+            }
+        }
+        for (iterations, lanes) in self.iterations.iter_mut().zip(lanes) {
+            *iterations -= *lanes;
+        }
+    }
+
+    /// Records the lanes that leave a loop because its condition is false.
+    pub fn exhaust(&mut self, index: u32, lanes: u32) {
+        let count = self.loops.get_mut(index as usize);
+        let seen = self.seen.loops.get_mut(index as usize);
+        if let (Some(count), Some(seen)) = (count, seen) {
+            count.exhausted |= lanes;
+            seen.exhausted += lanes.count_ones() as u64;
+        }
+    }
+
+    pub fn leave(&mut self, index: u32, wanted: u32) {
+        let count = self.loops.get_mut(index as usize);
+        let seen = self.seen.loops.get_mut(index as usize);
+        let (Some(count), Some(seen)) = (count, seen) else {
+            return;
+        };
+        let lanes = count.entered & wanted;
+        count.came |= lanes;
+        seen.entries += lanes.count_ones() as u64;
+        let iterations = Row(count.iterations).bits();
+        for ((lane, most), iterations) in count.most.iter_mut().enumerate().zip(iterations) {
+            if lanes >> lane & 1 == 1 {
+                *most = iterations.max(*most);
+                seen.iterations += iterations as u64;
+            }
+        }
+    }
+
+    pub fn branch(&mut self, index: u32, held: u32, failed: u32) {
+        if let Some(seen) = self.seen.branches.get_mut(index as usize) {
+            seen.taken += held.count_ones() as u64;
+            seen.skipped += failed.count_ones() as u64;
+        }
+    }
+
+    /// The operations executed for this tile, which is more than the cost of any pixel if they
+    /// diverge.
+    pub const fn ran(&self) -> u32 {
+        self.ran
+    }
+
+    /// Charges lanes for operations. `pixels` is the number of them that are counted.
+    pub fn spend(&mut self, [cost, by]: [u32; 2], pixels: u32, lanes: &[i32x8; PARTS]) {
+        if pixels > 0 {
+            self.ran = self.ran.saturating_add(cost);
+        }
+        if let Some(paid) = self.paid.get_mut(by as usize) {
+            *paid += cost as u64 * pixels as u64;
+        }
+        let cost = i32x8::splat(cost as i32);
+        for (paid, lanes) in self.cost.iter_mut().zip(lanes) {
+            *paid += *lanes & cost;
+        }
+    }
+
+    /// Starts a tile.
+    pub fn open(&mut self) {
+        self.cost = Row::ZERO.0;
+        self.iterations = Row::ZERO.0;
+        self.ran = 0;
+        for count in &mut self.loops {
+            (count.came, count.exhausted) = (0, 0);
+            count.most = [0; LANES];
+        }
+    }
+
+    /// Ends a tile.
+    pub fn close(&mut self, wanted: u32) {
+        self.seen.pixels += wanted.count_ones() as u64;
+        for (lane, cost) in self.cost().into_iter().enumerate() {
+            if wanted >> lane & 1 == 1 {
+                self.seen.operations += cost as u64;
+            }
+        }
+        for (count, seen) in self.loops.iter().zip(&mut self.seen.loops) {
+            seen.pixels += count.came.count_ones() as u64;
+            seen.exhausted_pixels += (count.exhausted & count.came).count_ones() as u64;
+            for (lane, most) in count.most.into_iter().enumerate() {
+                if count.came >> lane & 1 == 1 {
+                    seen.count(most);
+                }
+            }
+        }
+    }
+
+    fn number(&mut self, op: OpId, kind: FaultKind, times: u64, witness: impl FnOnce() -> Witness) {
+        let same = |n: &&mut NumberObservation| n.op == op && n.kind == kind;
+        if let Some(known) = self.seen.numbers.iter_mut().find(same) {
+            known.times += times;
+            return;
+        }
+        self.seen.numbers.push(NumberObservation {
+            kind,
+            op,
+            times,
+            witness: witness(),
+        });
+    }
+}
+
+/// The cost of each function, from the costs of all call paths that contain it.
+fn functions_seen(calls: &[CallPath], paid: &[u64]) -> Vec<FunctionObservation> {
+    let mut seen: Vec<FunctionObservation> = Vec::new();
+    let mut add = |function: Option<FunctionRef>, own: u64, inclusive: u64| {
+        let at = seen.iter().position(|f| f.function == function);
+        let at = at.unwrap_or_else(|| {
+            let (own, inclusive) = (0, 0);
+            seen.push(FunctionObservation {
+                function,
+                own,
+                inclusive,
+            });
+            seen.len() - 1
+        });
+        if let Some(known) = seen.get_mut(at) {
+            (known.own, known.inclusive) = (known.own + own, known.inclusive + inclusive);
+        }
+    };
+    for (path, &paid) in calls.iter().zip(paid) {
+        add(path.function, paid, paid);
+        // There is no recursion, so a function occurs once per path.
+        let next = |path: &CallPath| calls.get(path.caller? as usize).copied();
+        for caller in std::iter::successors(next(path), next) {
+            add(caller.function, 0, paid);
+        }
+    }
+    seen
+}
+
+impl LoopObservation {
+    fn new(id: LoopId) -> LoopObservation {
+        LoopObservation {
+            id,
+            pixels: 0,
+            entries: 0,
+            iterations: 0,
+            most: 0,
+            exhausted: 0,
+            exhausted_pixels: 0,
+            histogram: Vec::new(),
+        }
+    }
+
+    /// Adds a pixel with this maximum number of iterations.
+    fn count(&mut self, most: u32) {
+        self.most = self.most.max(most);
+        let at = (most as usize).min(MAX_ITERATIONS);
+        if self.histogram.len() <= at {
+            self.histogram.resize(at + 1, 0);
+        }
+        if let Some(slot) = self.histogram.get_mut(at) {
+            *slot += 1;
+        }
+    }
+}
+
+impl BranchObservation {
+    const fn new(at: Provenance) -> BranchObservation {
+        BranchObservation {
+            at,
+            taken: 0,
+            skipped: 0,
+        }
+    }
+}
+
+impl Default for Ends {
+    fn default() -> Ends {
+        Ends {
+            held: 0,
+            failed: 0,
+            low: [[f32x8::splat(f32::INFINITY); PARTS]; 2],
+            high: [[f32x8::splat(f32::NEG_INFINITY); PARTS]; 2],
+        }
+    }
+}
+
+impl Ends {
+    fn seen(&self, op: OpId) -> ComparisonObservation {
+        let ends = |side: usize| {
+            let lanes = |rows: &[[f32x8; PARTS]; 2]| {
+                let row = rows.get(side).copied().unwrap_or_default();
+                row.into_iter().flat_map(f32x8::to_array).map(f64::from)
+            };
+            [
+                lanes(&self.low).fold(f64::INFINITY, f64::min),
+                lanes(&self.high).fold(f64::NEG_INFINITY, f64::max),
+            ]
+        };
+        ComparisonObservation {
+            op,
+            held: self.held,
+            failed: self.failed,
+            left: ends(0),
+            right: ends(1),
+        }
+    }
+}
+
+impl FaultCheck {
+    /// The kinds of faults that a check may report.
+    const fn kinds(self) -> &'static [FaultKind] {
+        match self {
+            FaultCheck::Float => &[FaultKind::Nan, FaultKind::Infinite],
+            FaultCheck::Quotient => &[
+                FaultKind::DivisionByZero,
+                FaultKind::Nan,
+                FaultKind::Infinite,
+            ],
+            FaultCheck::Divisor(_) => &[FaultKind::DivisionByZero],
+            FaultCheck::Index => &[FaultKind::OutOfRange],
+            FaultCheck::Operands(..) | FaultCheck::Neighbours => &[FaultKind::Undefined],
+        }
+    }
+}
+
+impl ComparisonObservation {
+    /// Merges the statistics of another thread.
+    fn add(&mut self, other: &ComparisonObservation) {
+        self.held += other.held;
+        self.failed += other.failed;
+        self.left = [
+            self.left[0].min(other.left[0]),
+            self.left[1].max(other.left[1]),
+        ];
+        self.right = [
+            self.right[0].min(other.right[0]),
+            self.right[1].max(other.right[1]),
+        ];
+    }
+}
+
+/// Converts eight lanes to floats. Integers beyond 2^24 are rounded, so that different ones may
+/// become equal.
+fn numbers(part: i32x8, scalar: Scalar) -> f32x8 {
+    match scalar {
+        Scalar::Int => math::float_of_int(part),
+        Scalar::Uint => math::float_of_uint(unsigned(part)),
+        Scalar::Float | Scalar::Bool => floats(part),
+    }
+}
+
+/// The lanes of a mask whose quad is completely in it.
+const fn full_quads(lanes: u32) -> u32 {
+    let first = lanes & lanes >> 1 & lanes >> 2 & lanes >> 3 & 0x1111_1111;
+    first | first << 1 | first << 2 | first << 3
+}
+
+/// The lanes with an infinite or NaN float: all exponent bits are set.
+fn unusual(bits: &[i32x8; PARTS]) -> u32 {
+    let exponent = i32x8::splat(0x7f80_0000);
+    lanes_of(bits, |part| (part & exponent).simd_eq(exponent))
+}
+
+/// The lanes in which a test sets the highest bit.
+#[inline(always)]
+fn lanes_of(bits: &[i32x8; PARTS], test: impl Fn(i32x8) -> i32x8) -> u32 {
+    let parts = bits.iter().enumerate();
+    parts.fold(0, |mask, (part, bits)| {
+        mask | test(*bits).to_bitmask() << (8 * part)
+    })
+}
+
+/// The lanes whose float satisfies a predicate.
+fn lanes_where(row: Row, is: impl Fn(f32) -> bool) -> u32 {
+    let lanes = row.floats().into_iter().enumerate();
+    lanes.fold(0, |mask, (lane, v)| mask | (is(v) as u32) << lane)
+}
+
+impl Vm<'_> {
+    /// Checks a result for faults.
+    pub(super) fn check_operands(&mut self, check_operands: u32) {
+        let code = self.code;
+        let Some(check_operands) = code.looks.get(check_operands as usize) else {
+            return;
+        };
+        let Some(&what) = code.checks.get(check_operands.site as usize) else {
+            return;
+        };
+        let came = self.active & self.wanted;
+        if let Some(visits) = self.watched.visits.get_mut(check_operands.site as usize) {
+            *visits += came.count_ones() as u64;
+        }
+        let suspects = match what.checked {
+            FaultCheck::Float | FaultCheck::Quotient => unusual(self.bits(check_operands.result)),
+            FaultCheck::Divisor(scalar) => self.zeros(check_operands, scalar),
+            FaultCheck::Index | FaultCheck::Operands(..) | FaultCheck::Neighbours => u32::MAX,
+        };
+        if came & suspects == 0 {
+            return;
+        }
+        for &kind in what.checked.kinds() {
+            let wrong = self.wrong(kind, what.checked, check_operands) & came;
+            if wrong != 0 {
+                let lane = wrong.trailing_zeros() as usize;
+                let witness = self.witness(what.checked.scalar(), check_operands, lane);
+                let times = wrong.count_ones() as u64;
+                self.watched.number(what.op, kind, times, || witness);
+            }
+        }
+    }
+
+    /// The lanes whose last operand, the divisor, is zero (of either sign).
+    fn zeros(&self, check_operands: &OperandCheck, scalar: Scalar) -> u32 {
+        let Some(divisor) = check_operands.operands.last() else {
+            return 0;
+        };
+        let sign = i32::from(scalar == Scalar::Float);
+        lanes_of(self.bits(*divisor), |part| {
+            (part << sign).simd_eq(i32x8::ZERO)
+        })
+    }
+
+    /// The pixel of a lane, with the operands of the operation.
+    fn witness(&self, scalar: Scalar, check_operands: &OperandCheck, lane: usize) -> Witness {
+        let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
+        let number = |bits: u32| match scalar {
+            Scalar::Int => bits as i32 as f64,
+            Scalar::Uint => bits as f64,
+            Scalar::Bool => (bits != 0) as u8 as f64,
+            Scalar::Float => f32::from_bits(bits) as f64,
+        };
+        Witness {
+            pixel: self.tile.pixels.get(lane).copied().unwrap_or_default(),
+            operands: check_operands
+                .operands
+                .iter()
+                .map(|reg| number(bits(reg)))
+                .collect(),
+        }
+    }
+
+    /// Records the operands of a comparison.
+    pub(super) fn compare(&mut self, index: u32) {
+        let code = self.code;
+        let Some(&comparison) = code.comparisons.get(index as usize) else {
+            return;
+        };
+        let came = self.active & self.wanted;
+        let lanes = super::spread(came);
+        let holds = self.row(comparison.result).mask();
+        let sides = [comparison.left, comparison.right].map(|reg| self.row(reg).0);
+        let Some(ends) = self.watched.compared.get_mut(comparison.site as usize) else {
+            return;
+        };
+        ends.held += (came & holds).count_ones() as u64;
+        ends.failed += (came & !holds).count_ones() as u64;
+        let rows = ends.low.iter_mut().zip(&mut ends.high).zip(sides);
+        for ((lows, highs), side) in rows {
+            let parts = lows.iter_mut().zip(highs).zip(side).zip(lanes);
+            for (((low, high), part), lanes) in parts {
+                let values = numbers(part, comparison.scalar);
+                // Comparisons with NaN are false, so NaN changes neither bound.
+                let counts = floats(lanes);
+                *low = (values.simd_lt(*low) & counts).bitselect(values, *low);
+                *high = (values.simd_gt(*high) & counts).bitselect(values, *high);
+            }
+        }
+    }
+
+    /// The lanes in which an operand test holds; none if the operand is missing.
+    fn holds(&self, test: &OperandTest, scalar: Scalar, check_operands: &OperandCheck) -> u32 {
+        let operand = |index: usize| {
+            let row = self.row(*check_operands.operands.get(index)?);
+            Some(row.0.map(|part| numbers(part, scalar)))
+        };
+        let with = match test.with {
+            ComparedWith::Number(index) => Some([f32x8::splat(index as f32); PARTS]),
+            ComparedWith::Operand(index) => operand(index),
+        };
+        let (Some(left), Some(right)) = (operand(test.operand), with) else {
+            return 0;
+        };
+        let mut lanes = Row::ZERO.0;
+        for ((lanes, a), b) in lanes.iter_mut().zip(left).zip(right) {
+            *lanes = of_floats(match test.relation {
+                Comparing::Less => a.simd_lt(b),
+                Comparing::LessEqual => a.simd_le(b),
+                Comparing::Equal => a.simd_eq(b),
+                Comparing::Greater => a.simd_gt(b),
+                Comparing::GreaterEqual => a.simd_ge(b),
+            });
+        }
+        mask_of(&lanes)
+    }
+
+    /// The lanes whose operands make the result undefined.
+    fn undefined(
+        &self,
+        Undefined(cases): Undefined,
+        scalar: Scalar,
+        check_operands: &OperandCheck,
+    ) -> u32 {
+        cases.iter().fold(0, |any, case| {
+            let tests = case
+                .iter()
+                .map(|test| self.holds(test, scalar, check_operands));
+            any | tests.fold(u32::MAX, |all, lanes| all & lanes)
+        })
+    }
+
+    /// The lanes with a fault of this kind.
+    fn wrong(&self, kind: FaultKind, checked: FaultCheck, check_operands: &OperandCheck) -> u32 {
+        let result = self.row(check_operands.result);
+        let operands = || check_operands.operands.iter().map(|reg| self.row(*reg));
+        match kind {
+            FaultKind::Nan => {
+                let made = lanes_where(result, f32::is_nan);
+                match made {
+                    0 => 0,
+                    _ => operands().fold(made, |m, row| m & !lanes_where(row, f32::is_nan)),
+                }
+            }
+            FaultKind::Infinite => {
+                let made = lanes_where(result, f32::is_infinite);
+                match made {
+                    0 => 0,
+                    _ => operands().fold(made, |m, row| m & lanes_where(row, f32::is_finite)),
+                }
+            }
+            FaultKind::DivisionByZero => self.zeros(check_operands, checked.scalar()),
+            FaultKind::OutOfRange => {
+                let limit = check_operands
+                    .operands
+                    .last()
+                    .map_or(Row::ZERO, |r| self.row(*r));
+                let lanes = result.bits().into_iter().zip(limit.bits()).enumerate();
+                lanes.fold(0, |m, (lane, (at, limit))| {
+                    m | ((at >= limit) as u32) << lane
+                })
+            }
+            FaultKind::Undefined => match checked {
+                FaultCheck::Operands(undefined, scalar) => {
+                    self.undefined(undefined, scalar, check_operands)
+                }
+                FaultCheck::Neighbours => !full_quads(self.active),
+                _ => 0,
+            },
+        }
+    }
+
+    /// Starts a tile.
+    pub(super) fn open(&mut self, tile: &Tile) {
+        self.tile = *tile;
+        self.wanted = tile.wanted;
+        self.watched.open();
+    }
+}
+
+impl Observations {
+    /// Merges the statistics of another thread of the same draw.
+    pub fn add(&mut self, other: Observations) {
+        if self.pixels == 0 {
+            *self = other;
+            return;
+        }
+        self.pixels += other.pixels;
+        self.operations += other.operations;
+        for (own, other) in self.loops.iter_mut().zip(other.loops) {
+            own.pixels += other.pixels;
+            own.entries += other.entries;
+            own.iterations += other.iterations;
+            own.most = own.most.max(other.most);
+            own.exhausted += other.exhausted;
+            own.exhausted_pixels += other.exhausted_pixels;
+            if own.histogram.len() < other.histogram.len() {
+                own.histogram.resize(other.histogram.len(), 0);
+            }
+            for (own, other) in own.histogram.iter_mut().zip(other.histogram) {
+                *own += other;
+            }
+        }
+        for (own, other) in self.branches.iter_mut().zip(other.branches) {
+            own.taken += other.taken;
+            own.skipped += other.skipped;
+        }
+        for (own, other) in self.functions.iter_mut().zip(other.functions) {
+            (own.own, own.inclusive) = (own.own + other.own, own.inclusive + other.inclusive);
+        }
+        for (own, other) in self.watched.iter_mut().zip(other.watched) {
+            own.visits += other.visits;
+        }
+        for (own, other) in self.compared.iter_mut().zip(&other.compared) {
+            own.add(other);
+        }
+        for index in other.numbers {
+            let same = |n: &&mut NumberObservation| n.op == index.op && n.kind == index.kind;
+            match self.numbers.iter_mut().find(same) {
+                Some(known) => {
+                    known.times += index.times;
+                    let place = |w: &Witness| (w.pixel[1], w.pixel[0]);
+                    if place(&index.witness) < place(&known.witness) {
+                        known.witness = index.witness;
+                    }
+                }
+                None => self.numbers.push(index),
+            }
+        }
+        self.numbers.sort_by_key(|n| (n.op, n.kind));
+    }
+}

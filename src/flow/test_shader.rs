@@ -1,0 +1,29 @@
+//! Shaders for the unit tests of the analyses.
+
+use shaderlint_semantic::{Checked, Completeness, Dialect, Pass, Stage, Unit, analyze};
+use shaderlint_text::{Role, Sources};
+use std::sync::Arc;
+
+/// Checks the code of a ShaderToy image pass and asserts that it has no errors.
+pub(super) fn checked(code: &str) -> Checked {
+    let mut sources = Sources::default();
+    let prelude = Pass::Image.host().prelude([None; 4]);
+    let header = sources.add("header", None, Role::Prelude, prelude).unwrap();
+    let user = sources.add("test", None, Role::User, code).unwrap();
+    let sources = Arc::new(sources);
+    let unit = Unit {
+        sources: &sources,
+        files: &[header, user],
+        stage: Stage::Fragment,
+        dialect: Dialect::ShaderToy(Pass::Image),
+        infer_channels: true,
+        completeness: Completeness::Complete,
+    };
+    let analysis = analyze(&unit);
+    assert!(
+        analysis.diagnostics.is_empty(),
+        "{:?}",
+        analysis.diagnostics
+    );
+    analysis
+}

@@ -1,0 +1,136 @@
+//! The operation that made a pixel NaN or infinite.
+
+use super::SampleRun;
+use super::bench::colors;
+use crate::context::Context;
+use crate::facts::Facts;
+use shaderlint_exec::{CompileOptions, FaultKind, NumberObservation, Watch};
+
+/// A pixel with an invalid colour, and the operation that caused it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Culprit {
+    /// The share of sampled pixels with such a colour, from 0 to 1.
+    pub share: f64,
+    /// The first such pixel, as `gl_FragCoord.xy - 0.5`.
+    pub pixel: [u32; 2],
+    /// Time of its frame, in seconds.
+    pub time: f64,
+    /// The first operation that produced such a number in it, with its operands.
+    pub number: Option<NumberObservation>,
+}
+
+impl Facts<'_> {
+    /// The first sampled pixel with such a channel, run again while watching every number.
+    pub fn culprit(&self, kind: FaultKind, is_broken: fn(f32) -> bool) -> Option<Culprit> {
+        let is_hit = |color: &[f32; 3]| color.iter().any(|lane| is_broken(*lane));
+        let has_one = |sample_run: &SampleRun| sample_run.drawn().any(|pixel| is_hit(&pixel.color));
+        let sample_run = self
+            .sampled_image()
+            .filter(|sample_run| has_one(sample_run))?;
+        if !self.is_seen(has_one) {
+            return None;
+        }
+        let share = super::share(sample_run.drawn(), |pixel| is_hit(&pixel.color));
+        let (instant, pixel) = sample_run.frames.iter().find_map(|frame| {
+            let found = frame.drawn().find(|pixel| is_hit(&pixel.color))?;
+            Some((frame.instant, found))
+        })?;
+        let (bench, supplier) = self.bench()?;
+        let options = CompileOptions {
+            watch: Watch::Numbers,
+            ..CompileOptions::default()
+        };
+        let code = self.compiled(&options)?;
+        let quad = pixel.at.map(|at| at & !1);
+        let sampled = bench.sample(&code, supplier, &instant, &[quad])?;
+        let again = sampled.pixels.iter().zip(colors(&code, &sampled));
+        let mut again = again.filter(|(at, _)| **at == pixel.at);
+        let is_same = again.all(|(_, color)| is_hit(&color));
+        let numbers = sampled.seen.numbers.into_iter();
+        let mut own = numbers.filter(|n| n.kind == kind && n.witness.pixel == pixel.at);
+        Some(Culprit {
+            share,
+            pixel: pixel.at,
+            time: instant.time,
+            number: own.next().filter(|_| is_same),
+        })
+    }
+}
+
+impl Culprit {
+    /// The pixel, time and operands, as a note.
+    pub fn evidence_note(&self) -> String {
+        let [x, y] = self.pixel;
+        let time = self.time;
+        let operands = self
+            .number
+            .as_ref()
+            .map_or(&[][..], |n| &n.witness.operands);
+        let numbers: Vec<String> = operands
+            .iter()
+            .map(|n| format!("{n:.6}"))
+            .map(short)
+            .collect();
+        let of = match numbers.as_slice() {
+            [] => String::new(),
+            numbers => format!(", with operands {}", numbers.join(" and ")),
+        };
+        format!("first at pixel ({x}, {y}) at {time} s{of}")
+    }
+}
+
+/// Reports the share of pixels with an invalid colour at the operation that caused the first one, unless
+/// another rule has reported that operation.
+pub fn report_broken(cx: &mut Context, kind: FaultKind, is_broken: fn(f32) -> bool, what: &str) {
+    let Some(culprit) = cx.facts.culprit(kind, is_broken) else {
+        return;
+    };
+    let op = culprit.number.as_ref().map(|n| n.op);
+    if op.is_some_and(|op| cx.facts.is_reported(op)) {
+        return;
+    }
+    let note = cx
+        .facts
+        .sample_run()
+        .map_or(String::new(), SampleRun::sampled_note);
+    let message = format!("{} of the pixels are {what}", percent(culprit.share));
+    let finding = match op {
+        Some(op) => cx.report_op(op, message).mark("first occurs here"),
+        None => cx.report_image(message),
+    };
+    finding.note(culprit.evidence_note()).note(note);
+}
+
+/// Removes trailing zeros.
+fn short(number: String) -> String {
+    match number.contains('.') {
+        true => number
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_string(),
+        false => number,
+    }
+}
+
+/// An integer with a comma between groups of three digits: `9,216`.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A share in percent, rounded for a message.
+pub fn percent(share: f64) -> String {
+    match share * 100.0 {
+        p if p < 0.01 => "less than 0.01 %".to_string(),
+        p if p < 1.0 => format!("{p:.2} %"),
+        p if p < 10.0 => format!("{p:.1} %"),
+        p => format!("{p:.0} %"),
+    }
+}

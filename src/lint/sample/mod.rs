@@ -1,0 +1,308 @@
+//! Sample runs of a shader: some pixels of the frame, at a few times.
+
+mod bench;
+mod culprit;
+mod hit;
+mod more_iterations;
+mod pixels;
+mod verdict;
+
+use super::facts::Facts;
+use rustc_hash::FxHashSet;
+use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile, Observations, Sampled, Watch};
+use shaderlint_flow::{Uniformity, Varying};
+use shaderlint_ir::{Module, OpId, Root};
+use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
+use std::cell::{Cell, OnceCell, RefCell};
+
+pub use bench::{Bench, SIZE, SampleLimit, colors};
+pub use culprit::{Culprit, grouped, percent, report_broken};
+pub use hit::Hit;
+pub use more_iterations::is_apart;
+pub use pixels::{SampledPixel, is_too_bright, luminance, share};
+pub use verdict::{UnreportedFault, Verdict};
+
+use shaderlint_exec::{Bytecode, Draw};
+
+/// The time and mouse state of a sampled frame.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Instant {
+    /// Seconds since the start.
+    pub time: f64,
+    /// The mouse, if it was pressed.
+    pub mouse: Option<Press>,
+}
+
+/// State of the mouse.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Press {
+    /// Position in pixels from the lower left corner.
+    pub at: [f64; 2],
+    /// Whether the button is still down.
+    pub is_down: bool,
+}
+
+/// The instants of a sample run: two without a mouse, and two later ones with it.
+pub const INSTANTS: [Instant; 4] = [
+    Instant::at(0.0),
+    Instant::at(2.3),
+    Instant {
+        time: 10.7,
+        mouse: Some(Press {
+            at: [410.0, 420.0],
+            is_down: true,
+        }),
+    },
+    Instant {
+        time: 43.1,
+        mouse: Some(Press {
+            at: [890.0, 300.0],
+            is_down: false,
+        }),
+    },
+];
+
+impl Instant {
+    /// A time in seconds, without a mouse.
+    pub const fn at(time: f64) -> Instant {
+        Instant { time, mouse: None }
+    }
+}
+
+/// Supplies the inputs of a shader for a sample run.
+pub trait Supplier {
+    /// A draw with all known inputs; textures are empty, and unknown inputs are zero.
+    fn draw<'c>(&self, code: &'c Bytecode, size: [u32; 2], instant: &Instant) -> Draw<'c>;
+
+    /// Whether the value of a uniform or input is known.
+    fn knows(&self, name: &str) -> bool;
+}
+
+/// The result of a sample run.
+#[derive(Clone, Debug)]
+pub struct SampleRun {
+    /// Number of sampled pixels, over all instants.
+    pub pixels: u64,
+    /// The events of all pixels.
+    pub seen: Observations,
+    /// By instant of [`INSTANTS`].
+    pub frames: Vec<SampleFrame>,
+}
+
+/// The samples of one instant.
+#[derive(Clone, Debug)]
+pub struct SampleFrame {
+    /// Time and mouse state.
+    pub instant: Instant,
+    /// The sampled pixels.
+    pub sampled: Sampled,
+    /// By pixel: the red, green and blue channels of the first output.
+    pub colors: Vec<[f32; 3]>,
+}
+
+impl SampleRun {
+    /// What was sampled, as a note of a finding.
+    pub fn sampled_note(&self) -> String {
+        let times = self.frames.iter().map(|s| s.instant.time.to_string());
+        let times: Vec<String> = times.collect();
+        let times = match times.as_slice() {
+            [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+            other => other.join(", "),
+        };
+        let [width, height] = SIZE;
+        let pixels = grouped(self.pixels);
+        format!("sampled {pixels} pixels of a {width}x{height} frame at {times} s")
+    }
+}
+
+/// The GPU profiles on which a finding must hold: with the largest rounding error in both directions.
+const GPU_PROFILES: [GpuProfile; 3] = [
+    GpuProfile::Inexact(ErrorDirection::Out),
+    GpuProfile::Inexact(ErrorDirection::In),
+    GpuProfile::Mobile,
+];
+
+/// Cached results of the sample runs of a shader.
+#[derive(Default)]
+pub(crate) struct SampleCache<'a> {
+    pub supplier: Option<&'a dyn Supplier>,
+    pub limit: SampleLimit,
+    bench: OnceCell<Option<Bench>>,
+    unwatched: OnceCell<Option<Bytecode>>,
+    usual: OnceCell<Option<SampleRun>>,
+    gpu_profiles: [OnceCell<Option<SampleRun>>; GPU_PROFILES.len()],
+    unknown: OnceCell<Uniformity>,
+    hits: OnceCell<Vec<Hit>>,
+    /// Operations that other rules have reported.
+    reported: RefCell<FxHashSet<OpId>>,
+    /// Whether a rule has reported that nothing is visible.
+    is_blank: Cell<bool>,
+}
+
+impl<'a> Facts<'a> {
+    /// How the shader is sampled; `None` if its inputs are unknown, it would take too long, or sampling is
+    /// off.
+    pub fn bench(&self) -> Option<(&Bench, &'a dyn Supplier)> {
+        let supplier = self.samples.supplier?;
+        let bench = self.samples.bench.get_or_init(|| Bench::of(self, supplier));
+        bench.as_ref().map(|bench| (bench, supplier))
+    }
+
+    /// The sample run of the shader.
+    pub fn sample_run(&self) -> Option<&SampleRun> {
+        let run = || {
+            let (bench, supplier) = self.bench()?;
+            bench.run(bench.watched(), supplier, bench.quads)
+        };
+        self.samples.usual.get_or_init(run).as_ref()
+    }
+
+    /// Whether a test holds for the sample run, and on all GPU profiles.
+    pub fn is_seen(&self, mut test: impl FnMut(&SampleRun) -> bool) -> bool {
+        if !self.sample_run().is_some_and(&mut test) {
+            return false;
+        }
+        let mut others = GPU_PROFILES.iter().zip(&self.samples.gpu_profiles);
+        others.all(|(gpu_profile, slot)| {
+            let run = || self.smaller(Watch::Faults, *gpu_profile);
+            slot.get_or_init(run).as_ref().is_none_or(&mut test)
+        })
+    }
+
+    /// Smaller sample runs that watch for these events, exact and on each GPU profile; `None` for those that
+    /// take too long.
+    pub fn smaller_runs(&self, watch: Watch) -> impl Iterator<Item = Option<SampleRun>> {
+        let others = GPU_PROFILES.into_iter();
+        let all = std::iter::once(GpuProfile::Exact).chain(others);
+        all.map(move |gpu_profile| self.smaller(watch, gpu_profile))
+    }
+
+    fn smaller(&self, watch: Watch, gpu_profile: GpuProfile) -> Option<SampleRun> {
+        let (bench, supplier) = self.bench()?;
+        let options = CompileOptions {
+            watch,
+            gpu_profile,
+            ..CompileOptions::default()
+        };
+        let code = self.compiled(&options)?;
+        bench.run(&code, supplier, bench.quads.div_ceil(4))
+    }
+
+    /// The bytecode of the shader, without watching for events.
+    pub fn unwatched(&self) -> Option<&Bytecode> {
+        let compile = || self.compiled(&CompileOptions::default());
+        self.samples.unwatched.get_or_init(compile).as_ref()
+    }
+
+    /// The bytecode of the shader; `None` if it cannot be run, or is too large.
+    pub fn compiled(&self, options: &CompileOptions) -> Option<Bytecode> {
+        let options = CompileOptions {
+            most: self.samples.limit.instructions(),
+            ..*options
+        };
+        shaderlint_exec::compile(self.program(), self.module(), &options).ok()
+    }
+
+    /// What depends on textures and other unknown inputs.
+    fn unknown(&self) -> &Uniformity {
+        self.samples.unknown.get_or_init(|| {
+            let (program, module) = (self.program(), self.module());
+            Uniformity::spread(module, |_| {
+                let supplier = self.samples.supplier;
+                let all = unknown(program, module, |name| {
+                    supplier.is_some_and(|s| s.knows(name))
+                });
+                all.map(Varying::Variable).collect()
+            })
+        })
+    }
+
+    /// Whether neither the value of an operation nor its execution depends on unknown inputs.
+    pub fn is_known(&self, op: OpId) -> bool {
+        let unknown = self.unknown();
+        !unknown.varies(Varying::Value(op)) && !unknown.is_divergent(op)
+    }
+
+    /// The sample run, if its colours are shown as an image and do not depend on unknown inputs.
+    pub fn sampled_image(&self) -> Option<&SampleRun> {
+        let sample_run = self.sample_run()?;
+        let is_shown = match self.program().dialect {
+            Dialect::ShaderToy(pass) => pass == Pass::Image,
+            _ => true,
+        };
+        let outputs = self.outputs();
+        let unknown = self.unknown();
+        let mut given = outputs.iter().map(|v| Varying::Variable(*v));
+        let is_known = is_shown && outputs.len() == 1 && !given.any(|v| unknown.varies(v));
+        is_known.then_some(sample_run)
+    }
+
+    /// Whether the image depends on the pixel coordinates.
+    pub fn is_computed(&self) -> bool {
+        let uniformity = self.uniformity();
+        let mut outputs = self.outputs().into_iter();
+        outputs.any(|v| uniformity.varies(Varying::Variable(v)))
+    }
+
+    /// The outputs: the `out` parameters of the entry function, or the written outputs of the stage.
+    pub fn outputs(&self) -> Vec<VariableId> {
+        let module = self.module();
+        let entry = self.entry();
+        let known = entry.and_then(|f| module.function(f));
+        let parameters = known.map_or(&[][..], |f| module.parameters(f)).iter();
+        let is_out = |id: &VariableId| {
+            let root = module.variable(*id).map(|v| v.root);
+            matches!(root, Some(Root::ParameterOut | Root::ParameterInout))
+        };
+        let handed: Vec<VariableId> = parameters.copied().filter(is_out).collect();
+        if !handed.is_empty() {
+            return handed;
+        }
+        let variables = module.variables.iter().zip(0..);
+        let given = variables.filter(|(v, _)| v.root == Root::Output);
+        // Built-in outputs count only if the shader writes to them.
+        let ids = given.map(|(_, id)| VariableId(id));
+        let written = |id: &VariableId| self.program().variable(*id).is_some_and(|v| v.written);
+        ids.filter(written).collect()
+    }
+
+    /// The conditions that test whether a ray has hit something.
+    pub fn hits(&self) -> &[Hit] {
+        self.samples.hits.get_or_init(|| hit::hits(self))
+    }
+
+    /// Records that a rule has reported an operation.
+    pub fn mark_reported(&self, op: Option<OpId>) {
+        self.samples.reported.borrow_mut().extend(op);
+    }
+
+    /// Records that a rule has reported that nothing is visible.
+    pub fn mark_blank(&self) {
+        self.samples.is_blank.set(true);
+    }
+
+    /// Whether a rule has reported that nothing is visible, so that others need not.
+    pub fn is_blank(&self) -> bool {
+        self.samples.is_blank.get()
+    }
+
+    /// Whether a rule has reported an operation.
+    pub fn is_reported(&self, op: OpId) -> bool {
+        self.samples.reported.borrow().contains(&op)
+    }
+}
+
+/// The uniforms, textures and inputs with unknown values.
+fn unknown<'m>(
+    program: &'m Program,
+    module: &'m Module,
+    knows: impl Fn(&str) -> bool + 'm,
+) -> impl Iterator<Item = VariableId> + 'm {
+    let variables = module.variables.iter().zip(0..);
+    let given = variables.filter(|(v, _)| matches!(v.root, Root::Uniform | Root::Input));
+    let ids = given.map(|(_, id)| VariableId(id));
+    ids.filter(move |id| {
+        let name = program.variable(*id).map(|v| program.names.text(v.name));
+        !name.is_some_and(&knows)
+    })
+}

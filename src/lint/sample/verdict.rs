@@ -1,0 +1,156 @@
+//! Evidence from a sample run for findings of the static analysis.
+
+use super::{SampleRun, grouped, percent};
+use crate::facts::Facts;
+use shaderlint_exec::{FaultKind, LoopObservation, NumberObservation, Observations};
+use shaderlint_ir::OpId;
+use shaderlint_syntax::ast::StmtId;
+
+/// Evidence from a sample run for a finding.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Verdict {
+    /// Whether the fault occurred; if not, the operation ran often without it.
+    pub is_confirmed: bool,
+    /// The evidence, as a note.
+    pub words: String,
+}
+
+/// Fewest evaluations without a fault that count as evidence.
+const LEAST_VISITS: u64 = 1000;
+
+impl Facts<'_> {
+    /// Evidence from a sample run for faults of an operation; `None` if it ran rarely, or depends on
+    /// unknown inputs.
+    pub(crate) fn verdict(&self, op: OpId, kinds: &[FaultKind]) -> Option<Verdict> {
+        let sample_run = self.sample_run().filter(|_| self.is_known(op))?;
+        let is_one = |kind: FaultKind, other: OpId| other == op && kinds.contains(&kind);
+        let watched = sample_run.seen.watched.iter();
+        let visits = watched
+            .filter(|w| is_one(w.kind, w.op))
+            .map(|w| w.visits)
+            .max()?;
+        let times = |sample_run: &SampleRun| {
+            let numbers = sample_run.seen.numbers.iter();
+            numbers
+                .filter(|n| is_one(n.kind, n.op))
+                .map(|n| n.times)
+                .sum::<u64>()
+        };
+        let seen = times(sample_run);
+        if seen > 0 {
+            let number = sample_run
+                .seen
+                .numbers
+                .iter()
+                .find(|n| is_one(n.kind, n.op))?;
+            let place = place(sample_run, number);
+            return Some(Verdict {
+                is_confirmed: true,
+                words: format!(
+                    "occurred in {} of {} sampled evaluations, first {place}",
+                    grouped(seen),
+                    grouped(visits)
+                ),
+            });
+        }
+        (visits >= LEAST_VISITS && self.is_seen(|sample_run| times(sample_run) == 0)).then(|| {
+            Verdict {
+                is_confirmed: false,
+                words: format!("did not occur in {} sampled evaluations", grouped(visits)),
+            }
+        })
+    }
+}
+
+impl Facts<'_> {
+    /// The sampled iteration counts of a loop.
+    pub fn loop_observation<'s>(
+        &self,
+        seen: &'s Observations,
+        stmt: StmtId,
+    ) -> Option<&'s LoopObservation> {
+        let is_this = |id| self.module().looped(id).is_some_and(|l| l.stmt == stmt);
+        seen.loops.iter().find(|l| is_this(l.id))
+    }
+
+    /// The sampled iteration counts of a loop, as a note; `None` if they depend on unknown inputs.
+    pub fn iterations_note(&self, stmt: StmtId) -> Option<String> {
+        let sample_run = self.sample_run()?;
+        let seen = self.loop_observation(&sample_run.seen, stmt)?;
+        let mut ops = self.module().looped(seen.id)?.ops.ops();
+        if seen.entries == 0 || !ops.all(|op| self.is_known(op)) {
+            return None;
+        }
+        let (pixels, most) = (sample_run.pixels, seen.most);
+        let mean = seen.iterations as f64 / seen.entries as f64;
+        let out = match seen.exhausted_pixels {
+            0 => "no pixel reached the limit".to_string(),
+            n => format!(
+                "{} of the pixels in the loop reached the limit",
+                percent(n as f64 / seen.pixels.max(1) as f64)
+            ),
+        };
+        Some(format!(
+            "sampled {} pixels: at most {most} iterations, {mean:.1} on average; {out}",
+            grouped(pixels)
+        ))
+    }
+}
+
+/// A sampled fault that no other rule has reported.
+#[derive(Clone, PartialEq, Debug)]
+pub struct UnreportedFault {
+    /// The operation, and the first sample of the fault.
+    pub number: NumberObservation,
+    /// Number of sampled evaluations of the operation.
+    pub visits: u64,
+    /// How often the fault occurred and where first, as a note.
+    pub words: String,
+}
+
+impl Facts<'_> {
+    /// The faults of this kind that occur on every GPU, do not depend on unknown inputs, and have not been
+    /// reported by another rule.
+    pub fn unreported_faults(&self, kind: FaultKind) -> Vec<UnreportedFault> {
+        let Some(sample_run) = self.sample_run() else {
+            return Vec::new();
+        };
+        let numbers = sample_run.seen.numbers.iter().filter(|n| n.kind == kind);
+        let is_one = |number: &&NumberObservation| {
+            let is_same = |n: &NumberObservation| n.op == number.op && n.kind == kind;
+            let is_new = !self.is_reported(number.op) && self.is_known(number.op);
+            is_new && self.is_seen(|sample_run| sample_run.seen.numbers.iter().any(is_same))
+        };
+        let unreported = numbers.filter(is_one).map(|number| {
+            let watched = sample_run.seen.watched.iter();
+            let same = watched.filter(|w| w.op == number.op && w.kind == kind);
+            let visits = same.map(|w| w.visits).max().unwrap_or(0);
+            let (times, place) = (number.times, place(sample_run, number));
+            UnreportedFault {
+                number: number.clone(),
+                visits,
+                words: format!(
+                    "occurred in {} of {} sampled evaluations, first {place}",
+                    grouped(times),
+                    grouped(visits)
+                ),
+            }
+        });
+        unreported.collect()
+    }
+}
+
+/// Where a fault first occurred: `at pixel (3, 4) at 2.3 s`.
+fn place(sample_run: &SampleRun, number: &NumberObservation) -> String {
+    let is_same = |n: &NumberObservation| n.op == number.op && n.kind == number.kind;
+    let mut frames = sample_run.frames.iter();
+    let first = frames.find_map(|frame| {
+        let mut numbers = frame.sampled.seen.numbers.iter();
+        Some((
+            frame.instant.time,
+            numbers.find(|n| is_same(n))?.witness.pixel,
+        ))
+    });
+    let (time, [x, y]) = first.unwrap_or((0.0, number.witness.pixel));
+    format!("at pixel ({x}, {y}) at {time} s")
+}

@@ -1,0 +1,13 @@
+//! Candidate repairs.
+
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::{Edit, Span};
+
+/// A repair to be tried.
+pub(super) struct RepairCandidate {
+    pub edits: Vec<Edit>,
+    /// Reported if this repair is chosen.
+    pub diagnostic: Diagnostic,
+    /// Name span of the macro whose calls fail.
+    pub of: Option<Span>,
+}

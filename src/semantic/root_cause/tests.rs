@@ -1,0 +1,190 @@
+//! Errors in macros and directives are reported at the cause, and their fixes work.
+
+use crate::{Checked, analyze_fragment};
+use shaderlint_text::apply_edits;
+
+const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
+
+/// The findings in `code`, each as `line:column rule` with lines counted in `code`, and the code
+/// with the first fix applied.
+fn found(code: &str) -> (Vec<String>, String) {
+    let text = format!("{HEAD}{code}");
+    let Checked {
+        program,
+        diagnostics,
+        ..
+    } = analyze_fragment(&text);
+    let reported = diagnostics.iter().map(|d| {
+        let file = program.sources.file_at(d.span.start).unwrap();
+        let at = file.position(d.span.start);
+        format!("{}:{} {}", at.line - 3, at.column, d.rule)
+    });
+    let reported = reported.collect();
+    let fix = diagnostics.first().and_then(|d| d.fix.as_ref());
+    let fixed = fix.map_or(text.clone(), |f| apply_edits(&text, 0, &f.edits).unwrap());
+    (reported, fixed.strip_prefix(HEAD).unwrap().to_string())
+}
+
+/// Checks that `code` has exactly this error and that its fix leaves none.
+#[track_caller]
+fn check(code: &str, expected: &str) {
+    let (reported, fixed) = found(code);
+    assert_eq!(reported, [expected], "{code}");
+    assert_eq!(found(&fixed).0, [""; 0], "{fixed}");
+}
+
+/// A shader with these definitions and this body of `main`.
+fn main_with(definitions: &str, body: &str) -> String {
+    format!("{definitions}\nvoid main() {{\n    {body}\n}}\n")
+}
+
+#[test]
+fn the_definition_is_reported_once_for_all_its_uses() {
+    let twice = "float a = N * 2.0; float b = (N + 1.0); color = vec4(a, b, N, 1.0);";
+    check(&main_with("#define N 64.0;", twice), "1:15 faulty-macro");
+    check(&main_with("#define N = 64.0", twice), "1:11 faulty-macro");
+    check(&main_with("#define N = 64.0;", twice), "1:11 faulty-macro");
+    check(
+        &main_with("#define N (2.0 * 32.0", twice),
+        "1:22 faulty-macro",
+    );
+    check(
+        &main_with("#define N 2.0 * 32.0)", twice),
+        "1:11 faulty-macro",
+    );
+    check(
+        &main_with("#define N (2 * 3.14)", twice),
+        "1:12 int-float-mix",
+    );
+    check(&main_with("#define N 64", twice), "1:11 int-float-mix");
+    check(&main_with("#define N", twice), "1:9 faulty-macro");
+    check(&main_with("#define N 64.0 *", twice), "1:16 faulty-macro");
+}
+
+#[test]
+fn macros_with_parameters() {
+    let twice = "float a = SQ(2.0) + 1.0; color = vec4(SQ(a + 1.0));";
+    check(
+        &main_with("#define SQ (x) ((x)*(x))", twice),
+        "1:11 faulty-macro",
+    );
+    check(
+        &main_with("#define SQ(x) ((x)*(y))", twice),
+        "1:21 undeclared-name",
+    );
+    check(
+        &main_with("#define SQ(x) return x*x;", twice),
+        "1:15 faulty-macro",
+    );
+    check(
+        &main_with("#define SQ(float x) x*x", twice),
+        "1:18 bad-directive",
+    );
+    check(&main_with("#define SQ(x x*x", twice), "1:14 bad-directive");
+    check(
+        &main_with("#define SQ(x) max(x,\n    x)", twice),
+        "1:21 faulty-macro",
+    );
+    check(
+        &main_with("#define SQ(x) max(x, \\ \n    x)", twice),
+        "1:23 faulty-macro",
+    );
+    check(&main_with("#defien SQ(x) x*x", twice), "1:1 bad-directive");
+}
+
+#[test]
+fn a_call_is_blamed_where_others_work() {
+    let code = main_with(
+        "#define F(x) max(x, 0.0)",
+        "color = vec4(F(1.0), F(2.0), F(true), 1.0);",
+    );
+    assert_eq!(found(&code).0, ["3:36 argument-mismatch"]);
+    check(
+        &main_with(
+            "#define F(x) (x)",
+            "color = vec4(F(1.0), F(2.0, 3.0), F(3.0), 1.0);",
+        ),
+        "3:26 macro-arguments",
+    );
+}
+
+#[test]
+fn what_the_browser_accepts_is_no_error() {
+    for (definition, body) in [
+        ("#define A color = vec4(1.0);", "A"),
+        ("#define OPEN vec4(", "color = OPEN 1.0);"),
+        ("#define X * 2.0", "color = vec4(1.0 X);"),
+        ("#define F(a,) a", "color = vec4(F(1.0));"),
+        ("#pragma debug(1)\n#pragma optimize()", ""),
+    ] {
+        assert_eq!(
+            found(&main_with(definition, body)).0,
+            [""; 0],
+            "{definition}"
+        );
+    }
+}
+
+#[test]
+fn conditionals() {
+    let main = "void main() { color = vec4(A); }\n";
+    check(
+        &format!("#if 1\n#define A 1.0\n#else\n#define A 2.0\n\n\n{main}"),
+        "1:1 unbalanced-conditional",
+    );
+    check(
+        &format!("#if 0\n#define A 1.0\n#else\n#define A 2.0\n#end if\n{main}"),
+        "5:1 bad-directive",
+    );
+    check(
+        &format!("#if 0\n#define A 1.0\n#elseif 1\n#define A 2.0\n#endif\n{main}"),
+        "3:1 bad-directive",
+    );
+    check(
+        &format!("#define A 1.0\n#ifdef A && GL_ES\n#endif\n{main}"),
+        "2:10 bad-directive",
+    );
+    check(
+        &format!("#define A 1.0\n#if 1 = 1\n#endif\n{main}"),
+        "2:7 preprocessor-expression",
+    );
+    check(
+        &format!("#define A 1.0\n#if 1.0\n#endif\n{main}"),
+        "2:5 preprocessor-expression",
+    );
+    check(
+        &format!("#define A 1.0\n#if defined(A) and 1\n#endif\n{main}"),
+        "2:16 preprocessor-expression",
+    );
+    check(
+        &format!("#define A 1.0\n#ifdef\n#endif\n{main}"),
+        "2:7 bad-directive",
+    );
+    check(
+        &format!("#define A 1.0\n#endif\n{main}"),
+        "2:1 unbalanced-conditional",
+    );
+}
+
+#[test]
+fn a_hash_before_something_else_is_not_a_misspelled_directive() {
+    let code = "void main() {\n    color = vec4(1.0);\n    if (color.x > 0.5) {\n        color.y = 2.0;\n#    }\n}\n";
+    let (reported, fixed) = found(code);
+    assert_eq!(reported, ["4:23 unclosed-delimiter", "5:1 bad-directive"]);
+    assert!(!fixed.contains("#if"), "{fixed}");
+}
+
+#[test]
+fn rechecks_of_a_long_text_are_not_paid() {
+    let reported = |comment: usize| {
+        let comment = format!("/*{}*/", "*".repeat(comment));
+        let (reported, _) = found(&main_with(
+            "#define N 64.0;",
+            &format!("color = vec4(N + 1.0); {comment}"),
+        ));
+        reported
+    };
+    assert_eq!(reported(10), ["1:15 faulty-macro"]);
+    let long = reported(13_000_000);
+    assert!(!long.is_empty() && long != reported(10), "{long:?}");
+}
