@@ -56,8 +56,8 @@ fn is_fetched(cx: &Context, sampler: VariableId) -> bool {
 }
 
 /// Whether the shader declares a default precision for a type.
-fn has_default(tree: &Tree, wanted: TypeId) -> bool {
-    let base = tree.ty(wanted).base;
+fn has_default(tree: &Tree, expected: TypeId) -> bool {
+    let base = tree.ty(expected).base;
     tree.decls.iter().any(|d| match d.kind {
         DeclKind::Precision { ty, .. } => tree.ty(ty).base == base,
         _ => false,

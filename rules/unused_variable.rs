@@ -75,7 +75,7 @@ fn removal(cx: &Context, declared: &DeclaredVariable, writes: &[ExprId]) -> Opti
         return None;
     }
     let is_alone = declared.declarators.len() == 1;
-    if is_alone && declared.stmt.is_some_and(|s| !stands_alone(cx, s)) {
+    if is_alone && declared.stmt.is_some_and(|s| !is_in_block(cx, s)) {
         return None;
     }
     let mut edits = vec![remove_declaration(program, declared)?];
@@ -88,7 +88,7 @@ fn removal(cx: &Context, declared: &DeclaredVariable, writes: &[ExprId]) -> Opti
         let stmt = cx.facts.structure().stmt_of(write)?;
         let is_all = tree.stmt(stmt).kind == StmtKind::Expr(write);
         let has_more = effects.has(target) || value.is_some_and(|v| effects.has(v));
-        if !is_all || has_more || !stands_alone(cx, stmt) {
+        if !is_all || has_more || !is_in_block(cx, stmt) {
             return None;
         }
         edits.push(remove_statement(program, tree.stmt(stmt).extent)?);
@@ -97,7 +97,7 @@ fn removal(cx: &Context, declared: &DeclaredVariable, writes: &[ExprId]) -> Opti
 }
 
 /// Whether a statement is directly in a block, so that it can be removed.
-fn stands_alone(cx: &Context, stmt: StmtId) -> bool {
+fn is_in_block(cx: &Context, stmt: StmtId) -> bool {
     let outer = cx.facts.structure().outer(stmt);
     outer.is_some_and(|o| matches!(cx.program.tree.stmt(o).kind, StmtKind::Block(_)))
 }

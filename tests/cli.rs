@@ -266,8 +266,8 @@ fn invalid_input_writes_no_files() {
 #[test]
 fn target_languages_that_are_not_compiled_in_are_rejected() {
     let folder = Folder::new();
-    for ending in ["wgsl", "spv", "hlsl", "metal"] {
-        let (code, text) = folder.port(&["clean.glsl", "-o", &format!("a.{ending}")]);
+    for extension in ["wgsl", "spv", "hlsl", "metal"] {
+        let (code, text) = folder.port(&["clean.glsl", "-o", &format!("a.{extension}")]);
         assert_eq!(code, Some(2));
         assert!(text.contains("--features naga"), "{text}");
     }

@@ -17,10 +17,10 @@ use std::path::{Path, PathBuf};
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        let suffix = path.extension().and_then(|e| e.to_str()).unwrap_or("");
         match path.is_dir() {
             true => files(&path, found),
-            false if ["glsl", "frag", "vert", "json"].contains(&ending) => found.push(path),
+            false if ["glsl", "frag", "vert", "json"].contains(&suffix) => found.push(path),
             false => {}
         }
     }

@@ -67,10 +67,10 @@ fn hlsl_output_compiles() {
             .arg(&file)
             .output()
             .unwrap();
-        let said = String::from_utf8_lossy(&out.stdout).into_owned();
+        let stderr = String::from_utf8_lossy(&out.stdout).into_owned();
         assert!(
             out.status.success(),
-            "{said}\n{}",
+            "{stderr}\n{}",
             String::from_utf8_lossy(text)
         );
     };
@@ -311,7 +311,7 @@ fn the_interface_lists_the_inputs_of_all_passes() {
     );
     let project = Project::from_json(&json).unwrap();
     let composed = compose(&project, "project").unwrap();
-    let told = |i: usize, row| {
+    let reported = |i: usize, row| {
         let unit = &composed.units[i];
         let made = translate(&project, &composed, unit, TargetLanguage::Wgsl, row);
         let interface = made.unwrap().unwrap().interface;
@@ -319,8 +319,8 @@ fn the_interface_lists_the_inputs_of_all_passes() {
         let pass = interface.pass.unwrap();
         (pass, source, interface.first_row.unwrap())
     };
-    let (picture, read, row) = told(0, FirstRow::Top);
-    let (drawn, own, rows) = told(1, FirstRow::Top);
+    let (picture, read, row) = reported(0, FirstRow::Top);
+    let (drawn, own, rows) = reported(1, FirstRow::Top);
     assert_eq!(
         (picture.kind, picture.order, picture.format),
         ("image", Some(1), "rgba8unorm")
@@ -330,7 +330,7 @@ fn the_interface_lists_the_inputs_of_all_passes() {
         ("buffer", Some(0), "rgba32float")
     );
     assert_eq!((row, rows), (FirstRow::Top, FirstRow::Bottom));
-    assert_eq!(told(0, FirstRow::Bottom).2, FirstRow::Bottom);
+    assert_eq!(reported(0, FirstRow::Bottom).2, FirstRow::Bottom);
     assert_eq!(read, own);
     assert_eq!(read.pass, Some(drawn.name));
     assert_eq!(
@@ -564,13 +564,13 @@ fn qualifiers_are_kept() {
     ] {
         assert!(text.contains(part), "{part}\n{text}");
     }
-    let told = wgsl_of(SHADERS[6].1);
+    let reported = wgsl_of(SHADERS[6].1);
     for part in [
         "centroid",
         "// flat inputs have the value of the first vertex",
         "// integer textures use nearest filtering",
     ] {
-        assert!(told.contains(part), "{part}\n{told}");
+        assert!(reported.contains(part), "{part}\n{reported}");
     }
 }
 
@@ -589,13 +589,13 @@ fn row_major_layouts_are_supported() {
             assert!(text.contains("a: mat2x3<f32>"), "{text}");
             assert!(text.contains("transpose("), "{text}");
             let members = &lowered.interface.buffers[0].members;
-            let told: Vec<_> = members
+            let reported: Vec<_> = members
                 .iter()
                 .map(|m| (m.name.as_str(), m.offset, m.columns.is_some(), m.rows))
                 .collect();
             let rows = |count| Some(Repeated { count, stride: 16 });
             assert_eq!(
-                told,
+                reported,
                 [
                     ("a", 0, false, rows(2)),
                     ("b", 32, true, None),

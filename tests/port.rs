@@ -44,21 +44,21 @@ impl Folder {
     /// Exit code and messages, without the notes about missing media files.
     fn run(&self, args: &str) -> (Option<i32>, String) {
         let out = self.command(args).output().unwrap();
-        let said = String::from_utf8(out.stderr).unwrap();
-        let lines = said.lines().filter(|l| !l.contains(" file given; "));
+        let message = String::from_utf8(out.stderr).unwrap();
+        let lines = message.lines().filter(|l| !l.contains(" file given; "));
         let lines: Vec<&str> = lines.collect();
         (out.status.code(), lines.join("\n"))
     }
 
     #[track_caller]
-    fn works(&self, args: &str, said: &str) {
-        assert_eq!(self.run(args), (Some(0), said.to_string()), "{args}");
+    fn works(&self, args: &str, message: &str) {
+        assert_eq!(self.run(args), (Some(0), message.to_string()), "{args}");
     }
 
     #[track_caller]
-    fn fails(&self, args: &str, said: &str) {
-        let said = format!("shaderport: {said}");
-        assert_eq!(self.run(args), (Some(2), said), "{args}");
+    fn fails(&self, args: &str, message: &str) {
+        let message = format!("shaderport: {message}");
+        assert_eq!(self.run(args), (Some(2), message), "{args}");
     }
 }
 
@@ -70,9 +70,9 @@ fn inputs_are_never_overwritten() {
     folder.fails("a.glsl -o ./a.glsl --force", &same("./a.glsl"));
     folder.fails("a.glsl -o hard.glsl --force", &same("hard.glsl"));
     folder.fails("--pass image=a.glsl -o a.glsl --force", &same("a.glsl"));
-    let (code, said) = folder.run("a.glsl --channel 0=a.png -t json -o a.png --force");
+    let (code, message) = folder.run("a.glsl --channel 0=a.png -t json -o a.png --force");
     assert_eq!(code, Some(2));
-    assert!(said.ends_with(&same("a.png")), "{said}");
+    assert!(message.ends_with(&same("a.png")), "{message}");
     folder.put("p/image.frag", CODE);
     folder.fails("p -o p --force", &same("p/image.frag"));
     assert_eq!(fs::read_to_string(folder.path("a.glsl")).unwrap(), CODE);
@@ -187,18 +187,18 @@ fn output_is_verified() {
     // The export has an error that is repaired here.
     let text = fs::read_to_string(export).unwrap().replace("SCALE", "2.0");
     folder.put("export.json", text);
-    let lines = |said: &str| -> Vec<String> {
-        let told = said.lines().filter(|l| l.contains(": identical"));
-        told.map(str::to_string).collect()
+    let lines = |message: &str| -> Vec<String> {
+        let reported = message.lines().filter(|l| l.contains(": identical"));
+        reported.map(str::to_string).collect()
     };
     for target in ["page.html", "module.js", "project.json", "shaders"] {
-        let (code, said) = folder.run(&format!("export.json --verify -o {target}"));
-        assert_eq!(code, Some(0), "{target}: {said}");
-        let told = lines(&said);
-        assert!(!told.is_empty(), "{target}: {said}");
+        let (code, message) = folder.run(&format!("export.json --verify -o {target}"));
+        assert_eq!(code, Some(0), "{target}: {message}");
+        let reported = lines(&message);
+        assert!(!reported.is_empty(), "{target}: {message}");
         assert!(
-            told.iter().all(|l| l.ends_with(": identical code")),
-            "{target}: {said}"
+            reported.iter().all(|l| l.ends_with(": identical code")),
+            "{target}: {message}"
         );
     }
     folder.put(
@@ -215,21 +215,21 @@ fn output_is_verified() {
 #[test]
 fn repairs_are_verified() {
     let folder = Folder::new();
-    let told = |file: &str, code: &str| {
+    let reported = |file: &str, code: &str| {
         folder.put(file, code);
-        let (exit, said) = folder.run(&format!("{file} --repair --verify --force -o page.html"));
-        let last = said.lines().last().unwrap_or_default().to_string();
+        let (exit, message) = folder.run(&format!("{file} --repair --verify --force -o page.html"));
+        let last = message.lines().last().unwrap_or_default().to_string();
         (exit, last)
     };
     let old = "precision highp float;\nvarying vec2 place;\nuniform float time;\n\
                uniform sampler2D back;\nvoid main() {\n    \
                gl_FragColor = texture2D(back, place) * sin(time);\n}\n";
     let same = "Image: identical on 8832 pixels".to_string();
-    assert_eq!(told("old.frag", old), (Some(0), same));
+    assert_eq!(reported("old.frag", old), (Some(0), same));
     let toy = "void mainImage(out vec4 c, in vec2 p) { c = texture2D(iChannel0, p); }\n";
     let since = ", compared with the repaired code: the original does not compile";
     let same = format!("Image: identical code{since}");
-    assert_eq!(told("toy.glsl", toy), (Some(0), same));
+    assert_eq!(reported("toy.glsl", toy), (Some(0), same));
 }
 
 /// A vertex pass is written as a vertex shader together with the host's fragment shader, and a pair
@@ -240,9 +240,9 @@ fn both_shaders_of_a_pass_are_written() {
     let dialects = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/dialects");
     let check = |from: &str, out: &str, vertex: (&str, &str), fragment: (&str, &str)| {
         let args = format!("{dialects}/{from} -t glsl --verify -o {out}");
-        let (code, said) = folder.run(&args);
-        assert_eq!(code, Some(0), "{said}");
-        assert!(said.ends_with("Image: identical code"), "{said}");
+        let (code, message) = folder.run(&args);
+        assert_eq!(code, Some(0), "{message}");
+        assert!(message.ends_with("Image: identical code"), "{message}");
         for (file, text) in [vertex, fragment] {
             let shader = fs::read_to_string(folder.path(file)).unwrap();
             assert!(shader.contains(text), "{file}: {shader}");
@@ -271,8 +271,8 @@ fn both_shaders_of_a_pass_are_written() {
 fn oversized_files_are_rejected() {
     let folder = Folder::new();
     folder.put("large.glsl", vec![b'\n'; 41 << 20]);
-    let said = "large.glsl: the file is larger than 40 MB, the limit for shaders";
-    folder.fails("large.glsl -o large.html", said);
+    let message = "large.glsl: the file is larger than 40 MB, the limit for shaders";
+    folder.fails("large.glsl -o large.html", message);
 }
 
 #[test]
@@ -283,16 +283,16 @@ fn main_sound_with_only_a_time_is_repaired() {
         {"type":"sound","code":"vec2 mainSound(float time) { return vec2(sin(time)); }","inputs":[],"outputs":[]}]}"#;
     folder.put("toy.json", toy);
     assert_eq!(folder.run("toy.json -o new.json").0, Some(1));
-    let (code, said) = folder.run("toy.json --repair -o new.json --force");
-    assert_eq!(code, Some(0), "{said}");
+    let (code, message) = folder.run("toy.json --repair -o new.json --force");
+    assert_eq!(code, Some(0), "{message}");
     let new = fs::read_to_string(folder.path("new.json")).unwrap();
     assert!(new.contains("mainSound(in int, float time)"), "{new}");
 }
 
 #[test]
-fn misspelt_names_get_suggestions() {
+fn misspelled_names_get_suggestions() {
     let folder = Folder::new();
-    let check = |args: &str, said: &str| folder.fails(&format!("{args} -o x.html"), said);
+    let check = |args: &str, message: &str| folder.fails(&format!("{args} -o x.html"), message);
     check(
         "a.glsl --channel 0=keybord",
         "--channel: file `keybord` not found; did you mean `keyboard`?",
@@ -393,31 +393,34 @@ fn waiting_for_standard_input_is_reported() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let mut said = String::new();
+    let mut message = String::new();
     let mut errors = BufReader::new(running.stderr.take().unwrap());
-    errors.read_line(&mut said).unwrap();
-    assert!(said.starts_with("waiting for standard input"), "{said}");
+    errors.read_line(&mut message).unwrap();
+    assert!(
+        message.starts_with("waiting for standard input"),
+        "{message}"
+    );
     let mut input = running.stdin.take().unwrap();
     input.write_all(CODE.as_bytes()).unwrap();
     drop(input);
-    errors.read_to_string(&mut said).unwrap();
-    assert_eq!(running.wait().unwrap().code(), Some(0), "{said}");
+    errors.read_to_string(&mut message).unwrap();
+    assert_eq!(running.wait().unwrap().code(), Some(0), "{message}");
 }
 
 #[test]
 fn unrepairable_text_is_not_reported_as_repaired() {
     let folder = Folder::new();
     folder.put("text.glsl", "hello world\n");
-    let (code, said) = folder.run("text.glsl -o text.html");
-    assert_eq!(code, Some(1), "{said}");
-    assert!(said.contains("unknown type `hello`"), "{said}");
-    assert!(!said.contains("repaired"), "{said}");
+    let (code, message) = folder.run("text.glsl -o text.html");
+    assert_eq!(code, Some(1), "{message}");
+    assert!(message.contains("unknown type `hello`"), "{message}");
+    assert!(!message.contains("repaired"), "{message}");
     // A shader that a repair completes is repaired automatically, as WebGL2 requires it.
     let desktop = "#version 330\nout vec4 c;\nvoid main() { c = vec4(1 / 2.0f); }\n";
     folder.put("desktop.glsl", desktop);
-    let (code, said) = folder.run("desktop.glsl -o desktop.html");
-    assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("repaired"), "{said}");
+    let (code, message) = folder.run("desktop.glsl -o desktop.html");
+    assert_eq!(code, Some(0), "{message}");
+    assert!(message.contains("repaired"), "{message}");
 }
 
 #[test]
@@ -430,10 +433,10 @@ fn a_channel_is_named_by_its_sampler() {
     folder.works("photo.frag --channel u_photo=a.png -o photo.html", note);
     let page = fs::read_to_string(folder.path("photo.html")).unwrap();
     assert!(page.contains("\"uniform\":\"u_photo\"") && page.contains("data:image/png"));
-    let (code, said) = folder.run("photo.frag --channel photo=a.png -o other.html");
-    assert_eq!(code, Some(2), "{said}");
+    let (code, message) = folder.run("photo.frag --channel photo=a.png -o other.html");
+    assert_eq!(code, Some(2), "{message}");
     assert!(
-        said.contains("unknown sampler `photo`; the shader has `u_photo`"),
-        "{said}"
+        message.contains("unknown sampler `photo`; the shader has `u_photo`"),
+        "{message}"
     );
 }

@@ -48,10 +48,10 @@ const WORDS: [&str; 25] = [
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
         match path.is_dir() {
             true => files(&path, found),
-            false if ["glsl", "frag", "vert", "json"].contains(&ending) => found.push(path),
+            false if ["glsl", "frag", "vert", "json"].contains(&extension) => found.push(path),
             false => {}
         }
     }
@@ -110,8 +110,8 @@ fn meaning(printed: &str, old: &str) -> Meaning {
         if !line.starts_with(' ') {
             numbers.clear();
         }
-        let said = line.split(" // ").next().unwrap_or(line).trim_end();
-        each_word(said, |word, of| {
+        let message = line.split(" // ").next().unwrap_or(line).trim_end();
+        each_word(message, |word, of| {
             if of == WordUse::None {
                 renamed_back.push_str(word);
                 return numbered.push_str(word);

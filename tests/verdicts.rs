@@ -22,9 +22,11 @@ struct Case<'a> {
 
 /// Parses the head of a case, `//: VERDICT[, VERSION STAGE][: TITLE]`.
 fn head(line: &str) -> Option<Case<'_>> {
-    let said = line.strip_prefix("//: ")?;
-    let said = said.split_once(": ").map_or(said, |(said, _)| said);
-    let (verdict, kind) = said.split_once(", ").unwrap_or((said, ""));
+    let message = line.strip_prefix("//: ")?;
+    let message = message
+        .split_once(": ")
+        .map_or(message, |(message, _)| message);
+    let (verdict, kind) = message.split_once(", ").unwrap_or((message, ""));
     assert!(
         kind.split_whitespace()
             .all(|w| ["100", "300", "vertex", "fragment"].contains(&w)),

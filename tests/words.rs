@@ -89,6 +89,39 @@ const TEXTS: &[(&str, &str)] = &[
     (r"beholders?|thereof|wherein|whereby|therein", "shorter"),
 ];
 
+/// Refused in the names that the code declares, and what to write. Each is one word of a name.
+const NAMES: &[(&str, &str)] = &[
+    ("turn turns", "iteration, rotation"),
+    ("picture pictures", "image, frame"),
+    ("told tell tells said say says", "reported, message, output"),
+    ("mend mends mended", "fix, repair"),
+    ("ending endings", "extension"),
+    ("parting", "divergence"),
+    ("persona personas", "GPU profile"),
+    ("blessed", "golden image"),
+    ("settle settled settles", "resolve, infer"),
+    ("doubt doubts doubtful", "candidate"),
+    ("blame slip slips", "root cause, typo"),
+    ("trial trials tried", "candidate, sample run"),
+    ("needless", "redundant"),
+    ("misspelt", "misspelled"),
+    ("stands stood", "is, is declared"),
+    ("wants wanted", "expects, expected"),
+    ("gone", "removed"),
+];
+
+/// Names with a refused word: those of rules, which users have in their configurations, and what
+/// other programs have named.
+const ALLOWED_NAMES: &[&str] = &[
+    "gpu_dependent_picture",
+    "gray_picture",
+    "needless_bool",
+    "single_turn_loop",
+    "static_picture",
+    // The client's setting `shaderlint.pictures`.
+    "pictures",
+];
+
 /// Phrases with a refused word that mean something else.
 const ALLOWED: &[&str] = &[
     // Names.
@@ -263,6 +296,74 @@ fn texts_have_no_refused_words() {
     assert!(problems.is_empty(), "{count}:\n{}", problems.join("\n"));
 }
 
+/// The names that a text declares, tests left out.
+fn declared(text: &str) -> Vec<(&str, usize)> {
+    const BEFORE: &[&str] = &[
+        "fn", "struct", "enum", "trait", "type", "mod", "const", "static", "let", "mut",
+    ];
+    let all = tokens(text);
+    let tokens = without_tests(&all);
+    let mut found = Vec::new();
+    for three in tokens.windows(3) {
+        let [(before, _), (Token::Name(name), line), (after, _)] = three else {
+            continue;
+        };
+        let is_declared = matches!(before, Token::Name(word) if BEFORE.contains(word));
+        // A field, a parameter or a variant.
+        let is_listed = matches!(before, Token::Mark('{' | '(' | ',') | Token::Name("pub"))
+            && matches!(after, Token::Mark(':' | ',' | '(' | '{' | '}'));
+        if (is_declared || is_listed) && *name != "mut" {
+            found.push((*name, *line));
+        }
+    }
+    found
+}
+
+/// The words of a name, in lower case.
+fn parts(name: &str) -> Vec<String> {
+    let mut parts: Vec<String> = vec![String::new()];
+    let mut is_lower = false;
+    for c in name.chars() {
+        if !c.is_alphabetic() || (c.is_uppercase() && is_lower) {
+            parts.push(String::new());
+        }
+        is_lower = c.is_lowercase();
+        if let Some(part) = parts.last_mut().filter(|_| c.is_alphabetic()) {
+            part.extend(c.to_lowercase());
+        }
+    }
+    parts
+}
+
+/// What to write instead of a refused word of a name.
+fn better_name(name: &str) -> Option<&'static str> {
+    if ALLOWED_NAMES.contains(&name) {
+        return None;
+    }
+    let parts = parts(name);
+    let is_refused = |words: &str| words.split(' ').any(|w| parts.iter().any(|p| p == w));
+    NAMES.iter().find(|n| is_refused(n.0)).map(|n| n.1)
+}
+
+#[test]
+fn names_in_code_have_no_refused_words() {
+    let mut problems = Vec::new();
+    let mut count = 0;
+    for (path, text) in files(&["src", "rules", "fuzz"], ".rs") {
+        let file = path.rsplit('/').next().unwrap_or(&path);
+        let file = file.trim_end_matches(".rs");
+        let names = declared(&text);
+        count += names.len();
+        for (name, line) in names.into_iter().chain([(file, 1)]) {
+            if let Some(better) = better_name(name) {
+                problems.push(format!("{path}:{line}: `{name}` -> {better}"));
+            }
+        }
+    }
+    assert!(count > 10_000, "{count}");
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
 /// What the pages and the corpus print: the titles, and the lines after them.
 fn printed() -> Vec<(String, String)> {
     let mut found = Vec::new();
@@ -342,6 +443,16 @@ fn the_guards_find_what_they_refuse() {
     ] {
         assert!(complaints(good, &refused).is_empty(), "{good}");
     }
+    let text = "pub fn told(turns: u8) { let mut x = 1; } struct S { isGone: u8 }\n\
+        #[cfg(test)]\nmod tests { fn f() {} }";
+    let names: Vec<&str> = declared(text).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["told", "turns", "x", "S", "isGone"]);
+    let refused: Vec<&str> = names
+        .into_iter()
+        .filter(|n| better_name(n).is_some())
+        .collect();
+    assert_eq!(refused, ["told", "turns", "isGone"]);
+    assert_eq!(better_name("return_type"), None);
     assert_eq!(title_of("error[a-b]: `x` is bad"), Some("`x` is bad"));
     assert_eq!(title_of("  = note]: x"), None);
     assert_eq!(joined("a \\\n    b"), "a b");

@@ -77,7 +77,7 @@ fn check_document(document: &Document) {
     }
     let options = HintOptions {
         parameters: true,
-        turns: true,
+        iterations: true,
         types: true,
     };
     for hint in hints(document, all, options, &[]) {

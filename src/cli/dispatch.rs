@@ -41,8 +41,8 @@ fn run_command(command: &Command) -> io::Result<u8> {
         Command::Ir { file } => return ir::run(file),
         #[cfg(feature = "lsp")]
         Command::Lsp { .. } => {
-            let said_goodbye = lsp::serve()?;
-            return Ok(if said_goodbye { CLEAN } else { FINDINGS });
+            let was_shut_down = lsp::serve()?;
+            return Ok(if was_shut_down { CLEAN } else { FINDINGS });
         }
         #[cfg(feature = "mcp")]
         Command::Mcp => return mcp::serve().map(|()| CLEAN),

@@ -233,7 +233,7 @@ fn run_rules(
     if let SkippedRules::Functions { broken, .. } = &skipped {
         allows.excuse(broken);
     }
-    // A declaration that was misspelt where it is used is not reported as unused.
+    // A declaration that was misspelled where it is used is not reported as unused.
     let fixes = errors.iter().filter_map(|d| d.fix.as_ref());
     let meant: BTreeSet<&str> = fixes
         .flat_map(|f| &f.edits)

@@ -21,7 +21,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Size limit in bytes of texts that are tested for composing hosts without being asked to.
-const MAX_TRIED: usize = 200_000;
+const MAX_COMPOSED: usize = 200_000;
 /// Maximum number of other texts that a shader is composed from.
 const MAX_TEXTS: usize = 256;
 
@@ -74,7 +74,7 @@ pub(super) fn compose(
         return None;
     }
     let (text, pieces) = own_text(sources, part)?;
-    if given.is_none() && (text.len() > MAX_TRIED || !may_be_composed(&text)) {
+    if given.is_none() && (text.len() > MAX_COMPOSED || !may_be_composed(&text)) {
         return None;
     }
     let found = hosted_with_siblings(hosts.name(), &text, given, hosts.context())?;
@@ -172,7 +172,7 @@ fn hosted_with_siblings(
     loop {
         let found = hosted(&Clues::with_siblings(text, &title, &texts), given)?;
         let known = texts.len();
-        for asked in &found.wanted {
+        for asked in &found.requested {
             if !texts.contains_key(asked) && texts.len() < MAX_TEXTS {
                 let text = context.files.load(&folder.join(asked)).ok();
                 texts.insert(asked.clone(), text);

@@ -178,7 +178,7 @@ impl Readings {
             PresumedCompleteness::Chunk | PresumedCompleteness::Excerpt
         ) || kind.is_some_and(GuessedKind::is_complete)
         {
-            found.all.push(found.as_it_stands(sources, kind, options)?);
+            found.all.push(found.as_it_is(sources, kind, options)?);
         }
         let may_be_part = matches!(
             presumed,
@@ -366,7 +366,7 @@ impl Readings {
     }
 
     /// The reading of a text that no host completes, except for ShaderToy.
-    fn as_it_stands(
+    fn as_it_is(
         &self,
         sources: &mut Sources,
         kind: Option<GuessedKind>,

@@ -50,7 +50,7 @@ pub struct Sampled {
 fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     let mut tile = Tile {
         pixels: [[0; 2]; LANES],
-        wanted: 0,
+        requested: 0,
     };
     for (lane, pixel) in tile.pixels.iter_mut().enumerate() {
         let (right, up) = (lane as u32 & 1, lane as u32 >> 1 & 1);
@@ -60,7 +60,7 @@ fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
         *pixel = [x + right, y + up];
         let is_inside = pixel[0] < size[0] && pixel[1] < size[1];
         if quad.is_some() && is_inside {
-            tile.wanted |= 1 << lane;
+            tile.requested |= 1 << lane;
         }
     }
     tile
@@ -119,9 +119,9 @@ impl PixelResults {
 
     /// Copies the wanted pixels of a tile.
     fn take(&mut self, vm: &Vm<'_>, code: &Bytecode, tile: &Tile, covered: u32) {
-        let wanted = (0..LANES).filter(|lane| tile.wanted >> lane & 1 == 1);
+        let requested = (0..LANES).filter(|lane| tile.requested >> lane & 1 == 1);
         let (cost, iterations) = (vm.watched.cost(), vm.watched.iterations());
-        for lane in wanted.clone() {
+        for lane in requested.clone() {
             self.pixels.extend(tile.pixels.get(lane));
             self.covered.push(covered >> lane & 1 == 1);
             self.cost.extend(cost.get(lane));
@@ -133,7 +133,7 @@ impl PixelResults {
             for (row, reg) in rows.iter_mut().zip(&slot.regs) {
                 *row = vm.row(*reg).bits();
             }
-            for lane in wanted.clone() {
+            for lane in requested.clone() {
                 given.push(rows.map(|row| row.get(lane).copied().unwrap_or(0)));
             }
         }

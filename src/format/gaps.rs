@@ -25,8 +25,8 @@ pub fn edits(
                 0 => " ".repeat(place.column.saturating_sub(column) as usize),
                 _ => indentation(place, style),
             };
-            let wanted = line_break.repeat(place.breaks as usize) + &blanks;
-            replace(text, gap, &wanted, &mut edits);
+            let expected = line_break.repeat(place.breaks as usize) + &blanks;
+            replace(text, gap, &expected, &mut edits);
         }
         end = item.span.end;
         column = match item.is_tall {
@@ -71,9 +71,9 @@ fn indentation(place: &ItemPlace, style: &Style) -> String {
     "\t".repeat(tabs as usize) + &" ".repeat(blanks as usize)
 }
 
-fn replace(text: &str, gap: Span, wanted: &str, edits: &mut Vec<Edit>) {
+fn replace(text: &str, gap: Span, expected: &str, edits: &mut Vec<Edit>) {
     let found = text.get(gap.start as usize..gap.end as usize).unwrap_or("");
-    if found != wanted {
-        edits.push(Edit::replace(gap, wanted));
+    if found != expected {
+        edits.push(Edit::replace(gap, expected));
     }
 }

@@ -37,7 +37,7 @@ pub struct HintOptions {
     /// Whether names of parameters are shown.
     pub parameters: bool,
     /// Whether numbers of iterations are shown.
-    pub turns: bool,
+    pub iterations: bool,
     /// Whether types are shown.
     pub types: bool,
 }
@@ -60,7 +60,7 @@ pub fn hints(
         if options.parameters {
             finder.parameters();
         }
-        if options.turns {
+        if options.iterations {
             finder.iterations(&analysis.facts(), seen.get(number).and_then(Option::as_ref));
         }
         if options.types {

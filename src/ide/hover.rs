@@ -68,8 +68,8 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         description.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
     let is_uniform = matches!(name.symbol, Symbol::Variable(id)
         if program.variable(id).is_some_and(|v| v.storage == Storage::Uniform));
-    let told = || is_uniform.then(|| given(spot, own)).flatten();
-    let description = description.or_else(|| told().map(str::to_string));
+    let reported = || is_uniform.then(|| given(spot, own)).flatten();
+    let description = description.or_else(|| reported().map(str::to_string));
     if let Some(description) = description {
         text.push_str(&format!("\n{description}\n"));
     }

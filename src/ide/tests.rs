@@ -207,16 +207,16 @@ fn what_was_found_out_is_kept() {
     let document = Document::new("/a.frag", text.into(), Arc::new(options), &NoFiles);
     let at = |word: &str| document.text.find(word).expect(word) as u32;
     let all = Span::new(0, document.text.len() as u32);
-    let turns = HintOptions {
+    let iterations = HintOptions {
         parameters: false,
-        turns: true,
+        iterations: true,
         types: false,
     };
     let ask = |question: usize| {
         match question {
             0 => assert!(hover(&document, at("x); }"), None).is_some()),
             1 => assert!(!lenses(&document, &[]).is_empty()),
-            2 => assert!(!hints(&document, all, turns, &[]).is_empty()),
+            2 => assert!(!hints(&document, all, iterations, &[]).is_empty()),
             3 => assert!(call_item(&document, at("f(float")).is_some()),
             4 => assert!(!outgoing(&document, at("main")).is_empty()),
             _ => assert!(!incoming(&[&document], &document, at("f(float")).is_empty()),

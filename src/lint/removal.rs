@@ -82,13 +82,13 @@ fn remove_declarator(program: &Program, all: &[Declarator], index: usize) -> Opt
     let span = |extent: Extent| program.is_direct(extent).then(|| program.span(extent));
     let own = span(this.extent)?;
     let before = index.checked_sub(1).and_then(|i| all.get(i));
-    let gone = match (before, all.get(index + 1)) {
+    let removed = match (before, all.get(index + 1)) {
         (Some(before), _) => Span::new(span(before.extent)?.end, own.end),
         (None, Some(next)) => Span::new(own.start, span(next.extent)?.start),
         (None, None) => return None,
     };
     // A comment between two names may be about either.
-    let text = program.sources.text(gone);
+    let text = program.sources.text(removed);
     let has_comment = text.contains("//") || text.contains("/*");
-    (!has_comment).then(|| Edit::delete(gone))
+    (!has_comment).then(|| Edit::delete(removed))
 }

@@ -2,8 +2,8 @@
 
 /// The sine of an angle in radians. The precision decreases with the magnitude of the angle.
 pub fn sine(angle: f64) -> f64 {
-    let turns = angle / std::f64::consts::TAU;
-    let mut x = (turns - turns.round()) * std::f64::consts::TAU;
+    let cycles = angle / std::f64::consts::TAU;
+    let mut x = (cycles - cycles.round()) * std::f64::consts::TAU;
     let quarter = std::f64::consts::FRAC_PI_2;
     if x > quarter {
         x = 2.0 * quarter - x;

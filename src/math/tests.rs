@@ -313,7 +313,7 @@ fn what_is_packed_is_unpacked() {
 }
 
 #[test]
-fn halves_are_packed_as_ieee_754_says() {
+fn halves_are_packed_as_in_ieee_754() {
     for (number, bits) in [
         (1.0, 0x3c00),
         (-2.5, 0xc100),

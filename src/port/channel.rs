@@ -213,7 +213,7 @@ impl Project {
     /// # Errors
     /// If there is no such pass or channel.
     pub fn places_of(&self, order: &ChannelOrder) -> Result<Vec<(usize, u8)>, String> {
-        let is_wanted = |pass: &ProjectPass, role: PassRole| {
+        let is_requested = |pass: &ProjectPass, role: PassRole| {
             let is_it = pass.kind != Pass::Buffer || pass.output == role.output();
             pass.kind == role.kind() && pass.kind != Pass::Common && is_it
         };
@@ -221,8 +221,9 @@ impl Project {
         let number = match &order.channel {
             ChannelName::Number(number) => *number,
             ChannelName::Sampler(name) => {
-                let wanted = |p: &ProjectPass| order.pass.is_none_or(|role| is_wanted(p, role));
-                let passes = all().filter(|(_, p)| wanted(p));
+                let requested =
+                    |p: &ProjectPass| order.pass.is_none_or(|role| is_requested(p, role));
+                let passes = all().filter(|(_, p)| requested(p));
                 let found = passes.filter_map(|(i, p)| Some((i, p.channel_of(name)?)));
                 let found: Vec<_> = found.collect();
                 return match found.is_empty() {
@@ -232,7 +233,7 @@ impl Project {
             }
         };
         let role = order.pass.unwrap_or(PassRole::Image);
-        let pass = all().find(|(_, p)| is_wanted(p, role));
+        let pass = all().find(|(_, p)| is_requested(p, role));
         let (index, pass) = pass.ok_or_else(|| self.no_pass(role))?;
         match pass.wrapper == Wrapper::Player && number > 3 {
             true => Err("expected a channel from 0 to 3".to_string()),
@@ -274,7 +275,7 @@ impl Project {
 
 impl Project {
     /// The error for a sampler that no pass declares.
-    fn no_sampler(&self, wanted: &str) -> String {
+    fn no_sampler(&self, requested: &str) -> String {
         let mut names: Vec<&str> = Vec::new();
         let inputs = self.passes.iter().flat_map(|p| &p.inputs);
         for name in inputs.filter_map(|i| i.uniform.as_deref()) {
@@ -283,21 +284,21 @@ impl Project {
             }
         }
         match names.is_empty() {
-            true => format!("unknown sampler `{wanted}`"),
+            true => format!("unknown sampler `{requested}`"),
             false => format!(
-                "unknown sampler `{wanted}`; the shader has `{}`",
+                "unknown sampler `{requested}`; the shader has `{}`",
                 names.join("`, `")
             ),
         }
     }
 
     /// The error for a pass that is not in the project.
-    fn no_pass(&self, wanted: PassRole) -> String {
+    fn no_pass(&self, requested: PassRole) -> String {
         let drawn = self.passes.iter().filter(|p| p.kind != Pass::Common);
         let names: Vec<String> = drawn.map(|p| format!("`{}`", p.slug())).collect();
         format!(
             "the project has no pass `{}`; it has {}",
-            wanted.name(),
+            requested.name(),
             names.join(", ")
         )
     }
@@ -322,10 +323,12 @@ mod tests {
 
     #[test]
     fn a_misspelled_word_is_distinguished_from_a_file() {
-        let said = |text: &str| unknown_source(text);
-        assert!(said("keyboard,neerest").ends_with("did you mean `nearest` instead of `neerest`?"));
-        assert!(said("keybord").ends_with("did you mean `keyboard`?"));
-        assert!(said("photo,summer.jpg").contains("a channel reads a file"));
+        let message = |text: &str| unknown_source(text);
+        assert!(
+            message("keyboard,neerest").ends_with("did you mean `nearest` instead of `neerest`?")
+        );
+        assert!(message("keybord").ends_with("did you mean `keyboard`?"));
+        assert!(message("photo,summer.jpg").contains("a channel reads a file"));
     }
 
     #[test]

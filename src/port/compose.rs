@@ -152,11 +152,11 @@ fn add(
     project: &Project,
     sources: &mut Sources,
     path: &str,
-    wanted: impl Fn(&ProjectPass) -> bool,
+    requested: impl Fn(&ProjectPass) -> bool,
 ) -> Option<Vec<(usize, FileId)>> {
     let passes = project.passes.iter().enumerate();
     passes
-        .filter(|(_, pass)| wanted(pass))
+        .filter(|(_, pass)| requested(pass))
         .map(|(i, pass)| {
             let part = project.is_export.then(|| pass.title(i));
             let (code, path) = (pass.code.clone(), pass.file.as_deref().unwrap_or(path));

@@ -25,7 +25,7 @@ pub struct Project {
     pub notes: Vec<String>,
     /// Companion files that have not been read yet, by their paths relative to the project's
     /// folder.
-    pub wanted: Vec<String>,
+    pub requested: Vec<String>,
 }
 
 /// Descriptive data of a project. All of it is untrusted.

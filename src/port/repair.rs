@@ -90,9 +90,9 @@ fn layout(program: &Program, at: Span) -> Option<Fix> {
         .filter(|q| matches!(q.kind, QualifierKind::Layout(_)))
         .find(|q| program.span(q.extent).contains(at))?;
     let next = span_of(program, found.extent.last + 1)?;
-    let gone = Span::new(program.span(found.extent).start, next.start);
+    let removed = Span::new(program.span(found.extent).start, next.start);
     let is_complete = program.is_direct(found.extent);
-    is_complete.then(|| Fix::safe("remove the `layout` qualifier", vec![Edit::delete(gone)]))
+    is_complete.then(|| Fix::safe("remove the `layout` qualifier", vec![Edit::delete(removed)]))
 }
 
 /// Removes the initial value of a uniform, which desktop GLSL accepts: the page has a control with
@@ -154,30 +154,30 @@ fn signature(program: &Program, header: Span) -> Option<Fix> {
         edits.push(Edit::insert(at, "in int, "));
     }
     for (i, param) in params.iter().enumerate() {
-        let wanted = match (i, entry.result) {
+        let requested = match (i, entry.result) {
             (0, EntryResult::Parameter) => "out",
             _ => "in",
         };
-        edits.extend(direct(program, param, wanted)?);
+        edits.extend(direct(program, param, requested)?);
     }
     let title = format!("declare it as `{}`", entry.signature);
     (!edits.is_empty()).then(|| Fix::safe(title, edits))
 }
 
 /// Gives a parameter a direction. The inner `None` means that it already has it.
-fn direct(program: &Program, param: &Param, wanted: &str) -> Option<Option<Edit>> {
+fn direct(program: &Program, param: &Param, requested: &str) -> Option<Option<Edit>> {
     use QualifierKind::{In, Inout, Out};
     let mut qualifiers = program.tree.qualifiers(param.qualifiers).iter();
     let found = qualifiers.find(|q| matches!(q.kind, In | Inout | Out));
     Some(match found {
         Some(q) => {
             let span = span_of(program, q.extent.first)?;
-            (program.sources.text(span) != wanted).then(|| Edit::replace(span, wanted))
+            (program.sources.text(span) != requested).then(|| Edit::replace(span, requested))
         }
-        None if wanted == "in" => None,
+        None if requested == "in" => None,
         None => {
             let at = span_of(program, param.extent.first)?.start;
-            Some(Edit::insert(at, format!("{wanted} ")))
+            Some(Edit::insert(at, format!("{requested} ")))
         }
     })
 }
@@ -204,9 +204,9 @@ fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
         if let Some(q) = constant {
             let word = span_of(program, q.extent.first)?;
             let next = span_of(program, q.extent.first + 1)?;
-            let gone = Edit::delete(Span::new(word.start, next.start));
-            if !edits.contains(&gone) {
-                edits.push(gone);
+            let removed = Edit::delete(Span::new(word.start, next.start));
+            if !edits.contains(&removed) {
+                edits.push(removed);
             }
         }
         values.push_str(&value.statement);

@@ -391,9 +391,9 @@ impl ShaderPair<'_> {
             && ours.variable == coordinate
         {
             let both = [Access::Lanes(Lanes::new([0, 1]))];
-            let wanted = if path.is_empty() { &both } else { path };
-            let is_known = matches!(wanted, [Access::Lanes(_)]);
-            return holds(is_known && theirs.variable == fragment && path_b == wanted);
+            let requested = if path.is_empty() { &both } else { path };
+            let is_known = matches!(requested, [Access::Lanes(_)]);
+            return holds(is_known && theirs.variable == fragment && path_b == requested);
         }
         self.variable(ours.variable, theirs.variable)?;
         holds(path.len() == path_b.len())?;

@@ -211,10 +211,10 @@ mod tests {
         let mut project = Project::from_shader("", code).unwrap();
         project.controls[0].label = "a */ b".to_string();
         let module = with_uniforms(MOUNT_TYPES, &project, number_type);
-        let wanted = "export interface Uniforms {\n  /** a * / b; from 0.5 to 4.5; default 2.5 */\n  \
+        let requested = "export interface Uniforms {\n  /** a * / b; from 0.5 to 4.5; default 2.5 */\n  \
             gain: number;\n  /** default 0 */\n  on: boolean;\n  \
             /** default [0.95, 0.55, 0.2] */\n  tint: [number, number, number];\n}\n";
-        assert!(module.contains(wanted), "{module}");
+        assert!(module.contains(requested), "{module}");
         let three = with_uniforms(THREE_TYPES, &project, three_type);
         assert!(three.contains("  tint: IUniform<Color>;\n"), "{three}");
         let plain = Project::from_shader("", "void mainImage(out vec4 o, vec2 u) {}").unwrap();

@@ -143,7 +143,7 @@ impl Project {
             described: plan.controls.len(),
             controls: plan.controls,
             notes,
-            wanted: plan.wanted,
+            requested: plan.requested,
             ..Project::default()
         })
     }

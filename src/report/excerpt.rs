@@ -80,17 +80,17 @@ impl Excerpt {
 
 impl ExcerptPart {
     fn new(file: &SourceFile, name: String, spans: &[Span]) -> ExcerptPart {
-        let mut wanted: Vec<(u32, Span)> = spans
+        let mut expected: Vec<(u32, Span)> = spans
             .iter()
             .map(|s| (file.lines().line(s.start - file.base), *s))
             .collect();
-        wanted.sort_unstable_by_key(|(number, span)| (*number, span.start));
+        expected.sort_unstable_by_key(|(number, span)| (*number, span.start));
         let mut part = ExcerptPart {
             name,
             text: String::new(),
             lines: Vec::new(),
         };
-        for (number, span) in wanted {
+        for (number, span) in expected {
             let last = part.lines.last().map(|l| l.number);
             if last == Some(number) {
                 continue;

@@ -88,17 +88,17 @@ impl Reduction<'_> {
     /// ranges are in source order.
     fn delete(&mut self, parts: &[Range<usize>]) {
         let whole = self.text.clone();
-        let mut gone = vec![false; parts.len()];
+        let mut removed = vec![false; parts.len()];
         let mut size = parts.len();
         while size > 0 && !self.is_over() {
             for start in (0..parts.len()).step_by(size) {
                 let chunk = start..(start + size).min(parts.len());
-                let mut tried = gone.clone();
-                for slot in tried.iter_mut().take(chunk.end).skip(chunk.start) {
+                let mut candidate = removed.clone();
+                for slot in candidate.iter_mut().take(chunk.end).skip(chunk.start) {
                     *slot = true;
                 }
-                if tried != gone && self.accept(without(&whole, parts, &tried)) {
-                    gone = tried;
+                if candidate != removed && self.accept(without(&whole, parts, &candidate)) {
+                    removed = candidate;
                 }
             }
             size /= 2;
@@ -136,11 +136,11 @@ impl Reduction<'_> {
     }
 }
 
-/// The text without the ranges marked in `gone`. Ranges may overlap.
-fn without(text: &str, parts: &[Range<usize>], gone: &[bool]) -> String {
+/// The text without the ranges marked in `removed`. Ranges may overlap.
+fn without(text: &str, parts: &[Range<usize>], removed: &[bool]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
-    for (part, _) in parts.iter().zip(gone).filter(|(_, gone)| **gone) {
+    for (part, _) in parts.iter().zip(removed).filter(|(_, removed)| **removed) {
         if part.start > at {
             out.push_str(text.get(at..part.start).unwrap_or(""));
         }

@@ -183,10 +183,10 @@ pub fn strings_in(text: &str, list: &str, key: &str) -> Option<Vec<(usize, JsonS
                 at = end;
                 let depth = open.len();
                 let above = |up: usize| depth.checked_sub(up).and_then(|i| open.get(i));
-                let is_wanted = above(1).is_some_and(|o| !o.awaits_key && o.key == key)
+                let is_requested = above(1).is_some_and(|o| !o.awaits_key && o.key == key)
                     && above(2).is_some_and(|o| o.is_list)
                     && above(3).is_some_and(|o| o.key == list);
-                if is_wanted {
+                if is_requested {
                     let index = above(2)?.index;
                     found.push((index, JsonString::read(text, range)?));
                 } else if let Some(top) = open.last_mut().filter(|o| o.awaits_key) {

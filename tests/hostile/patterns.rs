@@ -75,7 +75,7 @@ fn frame(kind: &str) -> (String, &'static str, &'static str) {
         ),
         "vert" => ("a.vert".to_string(), "#version 300 es\n", ""),
         "old" => ("a.frag".to_string(), "precision mediump float;\n", ""),
-        ending => (format!("a.{ending}"), "", ""),
+        extension => (format!("a.{extension}"), "", ""),
     }
 }
 

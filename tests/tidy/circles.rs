@@ -114,11 +114,11 @@ fn file_dependencies_have_no_new_cycles() {
     }
     assert!(circles_left.is_empty(), "{}", circles_left.join("\n"));
     let places = LEFT.iter().copied().flatten();
-    let gone: Vec<&str> = places.filter(|p| !met.contains(*p)).copied().collect();
+    let removed: Vec<&str> = places.filter(|p| !met.contains(*p)).copied().collect();
     assert!(
-        gone.is_empty(),
+        removed.is_empty(),
         "no longer in a cycle; remove from LEFT: {}",
-        gone.join(" ")
+        removed.join(" ")
     );
 }
 

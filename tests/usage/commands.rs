@@ -167,16 +167,16 @@ fn lines_of(stream: impl Read + Send + 'static) -> Receiver<String> {
     lines
 }
 
-/// Waits for a line that contains `wanted`, at most until the process ends.
-fn until(lines: &Receiver<String>, wanted: &str) {
+/// Waits for a line that contains `expected`, at most until the process ends.
+fn until(lines: &Receiver<String>, expected: &str) {
     let mut seen = Vec::new();
     for line in lines {
-        if line.contains(wanted) {
+        if line.contains(expected) {
             return;
         }
         seen.push(line);
     }
-    panic!("no `{wanted}` in {seen:?}");
+    panic!("no `{expected}` in {seen:?}");
 }
 
 #[test]
@@ -190,16 +190,16 @@ fn watching_checks_again_when_a_file_changes() {
         .spawn()
         .unwrap();
     let found = lines_of(child.stdout.take().unwrap());
-    let told = lines_of(child.stderr.take().unwrap());
-    until(&told, "checking");
+    let reported = lines_of(child.stderr.take().unwrap());
+    until(&reported, "checking");
     until(&found, "a.glsl:5:24: error[int-float-mix]");
-    until(&told, "waiting for changes");
+    until(&reported, "waiting for changes");
     scratch.write("a.glsl", after_fix().replace("halfOf(a)", "halfOf(b)"));
-    until(&told, "checking");
+    until(&reported, "checking");
     until(&found, "undeclared");
-    until(&told, "waiting for changes");
+    until(&reported, "waiting for changes");
     scratch.write("a.glsl", after_fix());
-    until(&told, "waiting for changes");
+    until(&reported, "waiting for changes");
     child.kill().unwrap();
     child.wait().unwrap();
     let rest: Vec<String> = found.iter().collect();

@@ -212,7 +212,7 @@ fn three_declares_its_names() {
     let files = [
         ("a.vert", code),
         ("wrong.vert", &wrong),
-        ("misspelt.vert", &misspelled),
+        ("misspelled.vert", &misspelled),
     ];
     let scratch = Scratch::new(&files);
     for config in ["", "host = \"three\""] {
@@ -226,10 +226,10 @@ fn three_declares_its_names() {
             "{}",
             ran.out
         );
-        let ran = scratch.run(&["-q", "--format", "short", "misspelt.vert"]);
+        let ran = scratch.run(&["-q", "--format", "short", "misspelled.vert"]);
         assert!(
             ran.out
-                .starts_with("misspelt.vert:4:38: error[undeclared-name]"),
+                .starts_with("misspelled.vert:4:38: error[undeclared-name]"),
             "{}",
             ran.out
         );
@@ -343,7 +343,7 @@ fn the_schema_has_the_keys_of_the_reader() {
         let object = schema.pointer(at).and_then(Value::as_object).unwrap();
         object.keys().cloned().collect()
     };
-    let told = |text: &str| {
+    let reported = |text: &str| {
         let ran = config(text).run(&["a.glsl"]);
         let names = ran
             .err
@@ -356,14 +356,14 @@ fn the_schema_has_the_keys_of_the_reader() {
         names.sort();
         names
     };
-    assert_eq!(keys("/properties"), told("zzzzzzzzzz = 1"));
+    assert_eq!(keys("/properties"), reported("zzzzzzzzzz = 1"));
     let overrides = "[[overrides]]\npaths = []\nzzzzzzzzzz = 1";
     assert_eq!(
         keys("/properties/overrides/items/properties"),
-        told(overrides)
+        reported(overrides)
     );
     let host = "host.zzzzzzzzzz = 1";
-    assert_eq!(keys("/properties/host/anyOf/1/properties"), told(host));
+    assert_eq!(keys("/properties/host/anyOf/1/properties"), reported(host));
     for rule in keys("/properties/rules/properties") {
         let ran = config(&format!("rules.{rule} = \"info\"")).run(&["a.glsl"]);
         assert_ne!(ran.code, 2, "{rule}");

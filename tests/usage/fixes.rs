@@ -25,8 +25,8 @@ fn verbose_output_tells_how_fixes_were_verified() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    vec3 v = vec3(p, iTime);\n    v = v;\n    c = vec4(v, 1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let ran = scratch.run(&["-v", "--fix", "a.glsl"]);
-    let told = "shaderlint: a.glsl: fixed: 1 with identical sampled pixels\n";
-    assert!(ran.err.starts_with(told), "{}", ran.err);
+    let reported = "shaderlint: a.glsl: fixed: 1 with identical sampled pixels\n";
+    assert!(ran.err.starts_with(reported), "{}", ran.err);
     assert_eq!(scratch.read("a.glsl"), code.replace("    v = v;\n", ""));
 }
 
@@ -48,10 +48,10 @@ fn a_fix_can_enable_another() {
 fn unsafe_fixes_need_an_option() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(iTime * 2.0 + 3.0);\n    c = vec4(a);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
-    let told = scratch.run(&["a.glsl"]).out;
+    let reported = scratch.run(&["a.glsl"]).out;
     assert!(
-        told.ends_with("Found 1 warning (1 shader in 1 file); 1 fixable with --unsafe-fixes\n"),
-        "{told}"
+        reported.ends_with("Found 1 warning (1 shader in 1 file); 1 fixable with --unsafe-fixes\n"),
+        "{reported}"
     );
     scratch.run(&["--fix", "a.glsl"]);
     assert_eq!(scratch.read("a.glsl"), code);
@@ -225,7 +225,7 @@ fn exports_are_fixed_in_place() {
 fn errors_uncovered_by_fixes_are_fixed_too() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 0; float b = max(a, 0); vec3 v = a;\n    c = vec4(v, b);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
-    let told = scratch.run(&["a.glsl"]).out;
+    let reported = scratch.run(&["a.glsl"]).out;
     let ran = scratch.run(&["--fix", "a.glsl"]);
     let fixed = scratch.read("a.glsl");
     assert!(
@@ -235,8 +235,8 @@ fn errors_uncovered_by_fixes_are_fixed_too() {
     let summary = ran.out.split("; fixed ").nth(1);
     let count = summary.unwrap().split(' ').next().unwrap();
     assert!(
-        told.contains(&format!("; {count} fixable with --fix")),
-        "{told}"
+        reported.contains(&format!("; {count} fixable with --fix")),
+        "{reported}"
     );
 }
 
@@ -258,8 +258,8 @@ fn fixed_findings_of_included_files_are_not_reported() {
         "#include \"common.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }\n";
     let scratch = Scratch::new(&[("a.glsl", image), ("common.glsl", common)]);
     let ran = scratch.run(&["--fix", "a.glsl", "common.glsl"]);
-    let said = "All checks passed (2 shaders in 2 files); fixed 1 finding\n";
-    assert_eq!((ran.code, ran.out.as_str()), (0, said));
+    let message = "All checks passed (2 shaders in 2 files); fixed 1 finding\n";
+    assert_eq!((ran.code, ran.out.as_str()), (0, message));
 }
 
 #[test]
@@ -268,10 +268,10 @@ fn included_files_are_fixed_only_when_checked_themselves() {
     let image =
         "#include \"common.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }\n";
     let scratch = Scratch::new(&[("a.glsl", image), ("common.glsl", common)]);
-    let told = scratch.run(&["a.glsl"]).out;
+    let reported = scratch.run(&["a.glsl"]).out;
     assert!(
-        told.contains("\nFound 1 error (1 shader in 1 file)\n"),
-        "{told}"
+        reported.contains("\nFound 1 error (1 shader in 1 file)\n"),
+        "{reported}"
     );
     scratch.run(&["--fix", "a.glsl"]);
     assert_eq!(scratch.read("a.glsl"), image);

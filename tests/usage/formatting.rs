@@ -101,6 +101,7 @@ fn the_nearest_style_files_apply() {
     assert_eq!(scratch.read("old/b.frag"), PRETTY.replace("    ", " "));
     scratch.write("shaderlint.toml", "format.width = 7\n");
     let ran = scratch.run(&["fmt", "a.frag"]);
-    let said = "shaderlint fmt: a.frag: shaderlint.toml:1:16: expected a number from 20 to 1000\n";
-    assert_eq!((ran.code, ran.err.as_str()), (2, said));
+    let message =
+        "shaderlint fmt: a.frag: shaderlint.toml:1:16: expected a number from 20 to 1000\n";
+    assert_eq!((ran.code, ran.err.as_str()), (2, message));
 }

@@ -45,17 +45,19 @@ fn ported(scratch: &Scratch, path: &Path, more: &[&str]) -> (Option<String>, boo
         .args(more)
         .output()
         .unwrap();
-    let said = String::from_utf8(out.stderr).unwrap();
-    let line = said.lines().find_map(|l| l.strip_prefix("note: read as "));
-    let told = line.map(|l| l.split("; ").next().unwrap_or(l).to_string());
-    (told, out.status.success())
+    let printed = String::from_utf8(out.stderr).unwrap();
+    let line = printed
+        .lines()
+        .find_map(|l| l.strip_prefix("note: read as "));
+    let reported = line.map(|l| l.split("; ").next().unwrap_or(l).to_string());
+    (reported, out.status.success())
 }
 
 #[test]
 fn both_programs_recognise_the_same_host() {
     let scratch = Scratch::new(&[]);
     for (host, path) in fixtures() {
-        let (told, _) = ported(&scratch, &path, &[]);
+        let (reported, _) = ported(&scratch, &path, &[]);
         let linted = scratch.run(&["-v", path.to_str().unwrap()]);
         let name = path.file_name().unwrap().to_str().unwrap();
         let line = linted.err.lines().find(|l| l.contains(": checked as "));
@@ -63,10 +65,10 @@ fn both_programs_recognise_the_same_host() {
             .unwrap_or_else(|| panic!("{name}: {}", linted.err))
             .split_once(": checked as ")
             .unwrap();
-        match told {
-            Some(told) => assert!(
-                line.starts_with(&format!("{told}: ")),
-                "{host}/{name}: {line}\n{told}"
+        match reported {
+            Some(reported) => assert!(
+                line.starts_with(&format!("{reported}: ")),
+                "{host}/{name}: {line}\n{reported}"
             ),
             None => {
                 let is_reported =
@@ -129,9 +131,9 @@ fn names_declared_in_the_head_are_known() {
     let scratch = Scratch::new(&[("a.fs", ISF), ("b.fs", &wrong), ("c.fs", &versioned)]);
     for file in ["a.fs", "c.fs"] {
         assert_eq!(scratch.places(&[file]), [] as [&str; 0], "{file}");
-        let (told, plays) = ported(&scratch, Path::new(file), &[]);
+        let (reported, plays) = ported(&scratch, Path::new(file), &[]);
         assert!(
-            plays && told.is_some_and(|t| t.starts_with("ISF (found ")),
+            plays && reported.is_some_and(|t| t.starts_with("ISF (found ")),
             "{file}"
         );
     }
@@ -147,24 +149,24 @@ fn host_directives_are_applied() {
         c = texture(iChannel0, p / iResolution.xy) * speed * iMouseButton.x;\n}\n";
     let buffer = "void main() { gl_FragColor = vec4(sin(iTime)); }\n";
     let typo = image.replace("* speed", "* sped");
-    let gone = image.replace("ui.glsl", "gone.glsl");
+    let removed = image.replace("ui.glsl", "gone.glsl");
     let scratch = Scratch::new(&[
         ("a.glsl", image),
         ("ui.glsl", "#iUniform float speed = 1.0 in { 0.0, 2.0 }\n"),
         ("buffer.glsl", buffer),
         ("typo.glsl", &typo),
-        ("away.glsl", &gone),
+        ("away.glsl", &removed),
     ]);
     assert_eq!(scratch.places(&["a.glsl", "ui.glsl"]), [] as [&str; 0]);
     assert!(ported(&scratch, Path::new("a.glsl"), &[]).1);
     assert_eq!(scratch.places(&["typo.glsl"]), ["4:50 undeclared-name"]);
     assert!(!ported(&scratch, Path::new("typo.glsl"), &[]).1);
     // A missing file may declare it.
-    let told = scratch.run(&["away.glsl", "--format", "short"]);
+    let reported = scratch.run(&["away.glsl", "--format", "short"]);
     assert!(
-        told.out.contains("info[undeclared-name]: `speed`"),
+        reported.out.contains("info[undeclared-name]: `speed`"),
         "{}",
-        told.out
+        reported.out
     );
 }
 
@@ -201,13 +203,13 @@ fn errors_in_multi_pass_texts_are_reported_once() {
         .args(["a.fs", "-o", "a.html"])
         .output()
         .unwrap();
-    let said = String::from_utf8(out.stderr).unwrap();
+    let printed = String::from_utf8(out.stderr).unwrap();
     assert_eq!(
-        said.matches("`unknown` is not declared").count(),
+        printed.matches("`unknown` is not declared").count(),
         1,
-        "{said}"
+        "{printed}"
     );
-    assert!(said.contains("1 error in 1 file"), "{said}");
+    assert!(printed.contains("1 error in 1 file"), "{printed}");
 }
 
 /// Files that include each other, or others twice, do not recurse forever.
@@ -239,7 +241,7 @@ fn machine_readable_formats_name_the_host() {
         ("c.md", &text),
     ];
     let scratch = Scratch::new(&files);
-    let said = scratch.run(&[".", "-v"]).err;
+    let printed = scratch.run(&[".", "-v"]).err;
     let json = scratch.run(&[".", "--format", "json"]).out;
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let readings = json["readings"].as_array().unwrap();
@@ -249,8 +251,8 @@ fn machine_readable_formats_name_the_host() {
         let read_as = reading["read_as"].as_str().unwrap();
         let line = format!("{file}: checked as {read_as}; no configuration");
         assert!(
-            reading["file"] == file && said.contains(&line),
-            "{line}\n{said}"
+            reading["file"] == file && printed.contains(&line),
+            "{line}\n{printed}"
         );
     }
     let lines = scratch.run(&["b.glsl", "--format", "jsonl"]).out;
@@ -267,11 +269,11 @@ fn machine_readable_formats_name_the_host() {
 fn unknown_hosts_get_suggestions() {
     let scratch = Scratch::new(&[("a.glsl", "void main() {}")]);
     let ran = scratch.run(&["a.glsl", "--host", "bonzomatik"]);
-    let said = "unknown host `bonzomatik`; did you mean `bonzomatic`?";
+    let printed = "unknown host `bonzomatik`; did you mean `bonzomatic`?";
     assert_eq!(ran.code, 2);
-    assert!(ran.err.contains(said), "{}", ran.err);
-    let (told, plays) = ported(&scratch, Path::new("a.glsl"), &["--from", "bonzomatik"]);
-    assert!(told.is_none() && !plays);
+    assert!(ran.err.contains(printed), "{}", ran.err);
+    let (reported, plays) = ported(&scratch, Path::new("a.glsl"), &["--from", "bonzomatik"]);
+    assert!(reported.is_none() && !plays);
     assert_eq!(
         scratch
             .run(&["a.glsl", "--host", "three", "--dialect", "webgl2"])

@@ -309,7 +309,7 @@ fn check(args: &[&str], explicit: bool) {
     }
     let names: Vec<&str> = files.keys().map(String::as_str).collect();
     let paths = if explicit { names } else { vec!["."] };
-    let told = scratch.run(&paths);
+    let reported = scratch.run(&paths);
     let ran = scratch.run(&[args, &paths].concat());
     for (name, (before, after)) in &files {
         let now = fs::read(scratch.path(name)).unwrap();
@@ -331,7 +331,7 @@ fn check(args: &[&str], explicit: bool) {
     // All fixes offered must be applied; more may become possible.
     let fixed = ran.out.split("; fixed ").nth(1);
     let fixed = fixed.and_then(|l| l.split(' ').next()).unwrap_or("");
-    let promise = told.out.split(" fixable with --fix").next();
+    let promise = reported.out.split(" fixable with --fix").next();
     let promised = promise.and_then(|p| p.rsplit(' ').next()).unwrap_or("");
     let [fixed, promised] = [fixed, promised].map(|n| n.parse::<usize>().unwrap());
     assert!(100 < promised && promised <= fixed, "{promised} {fixed}");
@@ -404,19 +404,21 @@ fn generated_files_are_skipped_in_folders() {
         scratch.write(name, text);
     }
     let fixed = |args: &[&str]| scratch.run(args).out.contains("; fixed ");
-    let told = scratch.run(&["-v", "."]);
-    let said = [
+    let reported = scratch.run(&["-v", "."]);
+    let message = [
         "src/node_modules: skipped: dependencies or build output",
         "dist: skipped: dependencies or build output",
         "src/b.js: skipped: generated: refers to a source map",
     ];
-    for line in said {
-        assert!(told.err.contains(line), "{}", told.err);
+    for line in message {
+        assert!(reported.err.contains(line), "{}", reported.err);
     }
     assert!(
-        told.err.contains("1 file skipped because of the extension"),
+        reported
+            .err
+            .contains("1 file skipped because of the extension"),
         "{}",
-        told.err
+        reported.err
     );
     assert!(fixed(&["--fix", "."]) && !fixed(&["--fix", "."]));
     // A file that is named explicitly is read.
@@ -430,13 +432,13 @@ fn a_byte_order_mark_of_a_file_is_a_warning() {
     let shader = "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() {\n    c = vec4(1.0);\n}\n";
     let scratch = Scratch::new(&[]);
     scratch.write("a.frag", format!("\u{feff}{shader}"));
-    let told = scratch.run(&["a.frag", "--format", "short"]);
+    let reported = scratch.run(&["a.frag", "--format", "short"]);
     assert!(
-        told.out.contains("warning[invalid-character]"),
+        reported.out.contains("warning[invalid-character]"),
         "{}",
-        told.out
+        reported.out
     );
-    assert!(!told.out.contains("error["), "{}", told.out);
+    assert!(!reported.out.contains("error["), "{}", reported.out);
     scratch.run(&["--fix", "a.frag"]);
     assert_eq!(scratch.read("a.frag"), shader);
     // Inside a string the byte order mark reaches the compiler.
@@ -444,11 +446,11 @@ fn a_byte_order_mark_of_a_file_is_a_warning() {
         "a.js",
         format!("const fragmentShader = `\u{feff}{shader}`;\n"),
     );
-    let told = scratch.run(&["a.js", "--format", "short"]);
+    let reported = scratch.run(&["a.js", "--format", "short"]);
     assert!(
-        told.out.contains("error[version-placement]"),
+        reported.out.contains("error[version-placement]"),
         "{}",
-        told.out
+        reported.out
     );
     let export = r#"{"ver": "0.1", "info": {"name": "n"}, "renderpass": [{"inputs": [], "outputs": [], "code": "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    c = vec4(a);\n}\n", "type": "image"}]}"#;
     scratch.write("a.json", format!("\u{feff}{export}\n"));

@@ -98,9 +98,9 @@ fn a_page_with_one_of_each_is_linked() {
         .replace("uTime", "uOther");
     let three = format!("{PAGE}{}", third.split_once("</script>\n").unwrap().1);
     check(&[("p.html", &three)], &["p.html"], &[]);
-    let told = format!("{three}<script>link(gl, get('vs'), get('fs'));</script>");
+    let reported = format!("{three}<script>link(gl, get('vs'), get('fs'));</script>");
     check(
-        &[("p.html", &told)],
+        &[("p.html", &reported)],
         &["p.html"],
         &["p.html:8:14 link-varying"],
     );

@@ -220,8 +220,8 @@ fn hosts_are_identified_by_names_imports_and_packages() {
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["diagnostics"][0]["part"], true);
     assert_eq!(json["diagnostics"][0]["host"], "three.js");
-    let told = scratch.run(&["-v", "words"]).err;
-    assert!(told.contains("for three.js"), "{told}");
+    let reported = scratch.run(&["-v", "words"]).err;
+    assert!(reported.contains("for three.js"), "{reported}");
 }
 
 #[test]
@@ -233,8 +233,11 @@ fn unchecked_names_are_summarised() {
     let ran = scratch.run(&["."]);
     let last = "2 files are shader fragments using 2 names from a host; set `[host]` in shaderlint.toml to check them";
     assert!(ran.out.ends_with(&format!("{last}\n")), "{}", ran.out);
-    let told = scratch.run(&["-v", "a.glsl"]).err;
-    assert!(told.contains("names from the host: `x`, `y`"), "{told}");
+    let reported = scratch.run(&["-v", "a.glsl"]).err;
+    assert!(
+        reported.contains("names from the host: `x`, `y`"),
+        "{reported}"
+    );
 }
 
 #[test]

@@ -105,11 +105,14 @@ fn loop_statistics_are_reported() {
     ];
     let ran = scratch.run(&[&args[..], &["--format", "json"]].concat());
     assert_eq!((ran.code, ran.err.as_str()), (0, ""));
-    let told: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-    assert_eq!(told["schema"], 1);
-    assert_eq!(told["size"], serde_json::json!([16, 1]));
-    assert_eq!((&told["time"], &told["frame"]), (&0.5.into(), &30.into()));
-    let march = &told["loops"][0];
+    let reported: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(reported["schema"], 1);
+    assert_eq!(reported["size"], serde_json::json!([16, 1]));
+    assert_eq!(
+        (&reported["time"], &reported["frame"]),
+        (&0.5.into(), &30.into())
+    );
+    let march = &reported["loops"][0];
     assert_eq!(march["at"], "m.glsl:3:5");
     assert_eq!(
         (&march["bound"], &march["turns"]),
@@ -119,7 +122,7 @@ fn loop_statistics_are_reported() {
         (&march["most"], &march["exhausted"]),
         (&8.into(), &0.5625.into())
     );
-    let steady = &told["loops"][1];
+    let steady = &reported["loops"][1];
     assert_eq!(
         (&steady["mean"], &steady["exhausted"]),
         (&4.0.into(), &serde_json::Value::Null)
@@ -193,8 +196,8 @@ void mainImage(out vec4 color, in vec2 place) {
     let scratch = Scratch::new(&[("f.glsl", shader)]);
     let args = ["run", "f.glsl", "--size", "8x4", "--report"];
     let ran = scratch.run(&[&args[..], &["--format", "json"]].concat());
-    let told: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-    let all = told["functions"].as_array().unwrap();
+    let reported: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let all = reported["functions"].as_array().unwrap();
     let row = |name: &str| all.iter().find(|f| f["name"] == name).unwrap();
     assert_eq!(row("twice")["at"], "f.glsl:2:7");
     let count = |name: &str| row(name)["own_operations"].as_u64().unwrap();
@@ -202,7 +205,7 @@ void mainImage(out vec4 color, in vec2 place) {
         .iter()
         .map(|f| f["own_operations"].as_u64().unwrap())
         .sum();
-    assert_eq!(told["cost"]["operations"], sum);
+    assert_eq!(reported["cost"]["operations"], sum);
     let with = count("twice") + count("square") / 3 * 2;
     let share = row("twice")["with_callees"].as_f64().unwrap();
     assert!((share - with as f64 / sum as f64).abs() < 1e-12, "{share}");
@@ -259,10 +262,10 @@ fn errors_are_reported_like_the_linter_does_and_nothing_is_drawn() {
     let scratch = Scratch::new(&[("a.frag", &RAMP.replace("gain *", "gian *"))]);
     let ran = scratch.run(&["run", "a.frag", "-o", "a.png"]);
     assert_eq!(ran.code, 1);
-    let said = "error[undeclared-name]: `gian` is not declared";
+    let message = "error[undeclared-name]: `gian` is not declared";
     let checked = scratch.run(&["a.frag"]);
-    assert!(ran.out.starts_with(said), "{}", ran.out);
-    assert!(checked.out.contains(said), "{}", checked.out);
+    assert!(ran.out.starts_with(message), "{}", ran.out);
+    assert!(checked.out.contains(message), "{}", checked.out);
     assert!(!scratch.path("a.png").exists());
     let ran = scratch.run(&["run", "none.frag"]);
     assert_eq!(ran.code, 2, "{}", ran.err);
@@ -388,13 +391,13 @@ fn channel_images_have_the_correct_orientation() {
     assert_eq!(draw(&["show.glsl", "--channel", "0=colors.png"]).0, COLORS);
     let noflip = "0=colors.png,nearest,clamp,noflip";
     assert_eq!(draw(&["show.glsl", "--channel", noflip]).0, flipped);
-    let (drawn, said) = draw(&["show.glsl", "--channel", "0=half.png"]);
+    let (drawn, message) = draw(&["show.glsl", "--channel", "0=half.png"]);
     assert_eq!(drawn, [[0; 3]; 4]);
-    assert!(said.contains("; the channel is empty"), "{said}");
-    let (_, said) = draw(&["show.glsl", "--channel", "0=sound.wav"]);
+    assert!(message.contains("; the channel is empty"), "{message}");
+    let (_, message) = draw(&["show.glsl", "--channel", "0=sound.wav"]);
     assert!(
-        said.contains("; using a synthetic spectrum and wave"),
-        "{said}"
+        message.contains("; using a synthetic spectrum and wave"),
+        "{message}"
     );
     let ran = scratch.run(&[
         "run",

@@ -9,10 +9,14 @@ const BLACK: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n  
 #[test]
 fn run_samples_sets_the_number_of_pixels() {
     let scratch = Scratch::new(&[("a.glsl", BLACK)]);
-    let told = scratch.run(&["--run-samples", "2000", "a.glsl"]);
-    assert_eq!(told.code, 0);
-    assert!(told.out.contains("[dark-frame]"));
-    assert!(told.out.contains("sampled 1,920 pixels"), "{}", told.out);
+    let reported = scratch.run(&["--run-samples", "2000", "a.glsl"]);
+    assert_eq!(reported.code, 0);
+    assert!(reported.out.contains("[dark-frame]"));
+    assert!(
+        reported.out.contains("sampled 1,920 pixels"),
+        "{}",
+        reported.out
+    );
     let silent = scratch.run(&["--no-run", "a.glsl"]);
     assert!(
         silent.out.starts_with("All checks passed ("),
@@ -38,8 +42,8 @@ fn the_configuration_sets_the_number_of_samples() {
         String::from_utf8(done.stdout).unwrap()
     };
     assert!(run("silent.toml").starts_with("All checks passed ("));
-    let told = run("some.toml");
-    assert!(told.contains("sampled 640 pixels"), "{told}");
+    let reported = run("some.toml");
+    assert!(reported.contains("sampled 640 pixels"), "{reported}");
 }
 
 /// A possible problem that sampling never observes is not a warning; one that it observes is

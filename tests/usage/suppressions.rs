@@ -70,7 +70,7 @@ fn unused_suppressions_are_reported() {
 }
 
 #[test]
-fn misspelt_suppressions_are_fixed() {
+fn misspelled_suppressions_are_fixed() {
     let code = |first: &str, second: &str| {
         format!(
             "void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4(pow(iTime - 9.0, 2.0)); // {first}\n    \
@@ -155,8 +155,8 @@ fn expected_errors_are_not_reported() {
     assert_eq!(found(expected), [""; 0]);
     let over = "// shaderlint: expect(undeclared-name)\nc = vec4(q);\nc = vec4(r);";
     assert_eq!(found(over), ["5:10 undeclared-name"]);
-    let gone = "c = vec4(1.0); // shaderlint: expect(undeclared-name)";
-    assert_eq!(found(gone), ["3:38 unused-allow"]);
+    let removed = "c = vec4(1.0); // shaderlint: expect(undeclared-name)";
+    assert_eq!(found(removed), ["3:38 unused-allow"]);
     let file = "// shaderlint: expect-file(undeclared-name)\nc = vec4(q) + vec4(r);";
     assert_eq!(found(file), [""; 0]);
 }

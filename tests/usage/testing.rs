@@ -40,14 +40,14 @@ fn wave(level: &str) -> String {
     )
 }
 
-fn told(text: &str) -> Value {
+fn reported(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
 /// Name and status of each test, in order.
 fn states(out: &str) -> Vec<(String, String)> {
-    let told = told(out);
-    let all = told["tests"].as_array().unwrap().iter();
+    let reported = reported(out);
+    let all = reported["tests"].as_array().unwrap().iter();
     let text = |v: &Value| v.as_str().unwrap().to_string();
     all.map(|t| (text(&t["name"]), text(&t["status"])))
         .collect()
@@ -94,12 +94,16 @@ fn tests_of_helpers_run_after_the_tested_code() {
 fn json_output_contains_evaluated_conditions() {
     let scratch = Scratch::new(&[("sdf.glsl", SDF), ("sdf.test.glsl", SDF_TESTS)]);
     let ran = scratch.run(&["test", "--format", "json"]);
-    let told = told(&ran.out);
+    let reported = reported(&ran.out);
     assert_eq!(
-        (&told["schema"], &told["passed"], &told["failed"]),
+        (
+            &reported["schema"],
+            &reported["passed"],
+            &reported["failed"]
+        ),
         (&1.into(), &2.into(), &2.into())
     );
-    let left = &told["tests"][3];
+    let left = &reported["tests"][3];
     assert_eq!(
         (&left["file"], &left["at"]),
         (&"sdf.test.glsl".into(), &"sdf.test.glsl:10:6".into())
@@ -185,7 +189,7 @@ fn golden_images_are_blessed_and_compared_perceptually() {
         "{}",
         ran.out
     );
-    let blessed = fs::read(scratch.path("wave.glsl.golden.png")).unwrap();
+    let golden_image = fs::read(scratch.path("wave.glsl.golden.png")).unwrap();
     // Without a size, the golden image's size is used; differences in the last bit are ignored.
     for level in ["0.5", "0.502"] {
         scratch.write("wave.glsl", wave(level));
@@ -201,7 +205,7 @@ fn golden_images_are_blessed_and_compared_perceptually() {
     scratch.write("wave.glsl", wave("0.9"));
     let ran = scratch.run(&["test", "--format", "json"]);
     assert_eq!(ran.code, 1);
-    let difference = &told(&ran.out)["tests"][0]["difference"];
+    let difference = &reported(&ran.out)["tests"][0]["difference"];
     assert!(
         difference["visible"].as_f64().unwrap() > 0.9,
         "{difference}"
@@ -221,13 +225,13 @@ fn golden_images_are_blessed_and_compared_perceptually() {
     assert_eq!(scratch.run(&["test", "--tolerance", "100"]).code, 0);
     assert_eq!(
         fs::read(scratch.path("wave.glsl.golden.png")).unwrap(),
-        blessed
+        golden_image
     );
     let ran = scratch.run(&["test", "--bless"]);
     assert_eq!(ran.code, 0, "{}", ran.out);
     assert_ne!(
         fs::read(scratch.path("wave.glsl.golden.png")).unwrap(),
-        blessed
+        golden_image
     );
     assert_eq!(scratch.run(&["test"]).code, 0);
 }

@@ -20,11 +20,11 @@ const OWN: &str = "uniform float opacity;\nvoid main() { gl_FragColor = vec4(opc
 
 #[test]
 fn typos_without_a_host_are_errors() {
-    let told = "2:35: error[undeclared-name]: `opcaity` is not declared";
-    check(&[("a.frag", OWN)], &[told]);
-    check(&[("a.glsl", OWN)], &[told]);
+    let reported = "2:35: error[undeclared-name]: `opcaity` is not declared";
+    check(&[("a.frag", OWN)], &[reported]);
+    check(&[("a.glsl", OWN)], &[reported]);
     let script = format!("export const shader = `{OWN}`;");
-    check(&[("a.js", &script)], &[told]);
+    check(&[("a.js", &script)], &[reported]);
 }
 
 #[test]
@@ -59,8 +59,8 @@ fn names_declared_elsewhere_in_the_repository_are_not_typos() {
     let top = ("package.json", "{}");
     check(&[("a.frag", OWN), beside, top], &[listed]);
     let script = format!("const uniforms = {{ opcaity: 1 }}; const shader = `{OWN}`;");
-    let told = format!("2:35: {}", listed.split_once(": ").unwrap().1);
-    check(&[("a.js", &script)], &[&told]);
+    let reported = format!("2:35: {}", listed.split_once(": ").unwrap().1);
+    check(&[("a.js", &script)], &[&reported]);
 }
 
 #[test]
@@ -107,9 +107,9 @@ const NEW: &str = "precision highp float;\nin vec2 at;\nout vec4 color;\nvoid ma
 
 #[test]
 fn missing_versions_are_reported() {
-    let told =
+    let reported =
         "2:1: warning[needs-webgl2]: `in` requires GLSL ES 3.00, but `#version 300 es` is missing";
-    check(&[("a.frag", NEW)], &[told]);
+    check(&[("a.frag", NEW)], &[reported]);
     let top = ("package.json", "{}");
     let adds = ("b.js", "const head = '#version 300 es\\n';");
     check(&[("a.frag", NEW), top, adds], &[]);
@@ -121,7 +121,10 @@ fn missing_versions_are_reported() {
     let three = ("package.json", "{\"dependencies\": {\"three\": \"1\"}}");
     check(&[("a.frag", NEW), three], &[]);
     let script = format!("const shader = `{NEW}`;\ngl.shaderSource(s, shader);\n");
-    check(&[("a.js", &script)], &[&told.replace("warning", "error")]);
+    check(
+        &[("a.js", &script)],
+        &[&reported.replace("warning", "error")],
+    );
     check(
         &[(
             "a.js",
@@ -137,14 +140,14 @@ fn whitespace_before_a_version_matters_unless_trimmed() {
         "<script id=\"f\" type=\"x-shader/x-fragment\">\n#version 300 es\n{NEW}</script>\n\
         <script src=\"read.js\"></script>\n"
     );
-    let told = "2:1: warning[version-placement]: `#version 300 es` must be on the first line, not after a blank line";
-    check(&[("a.html", &page)], &[told]);
+    let reported = "2:1: warning[version-placement]: `#version 300 es` must be on the first line, not after a blank line";
+    check(&[("a.html", &page)], &[reported]);
     let keeps = "const read = id => gl.shaderSource(s, document.getElementById(id).textContent);";
     let trims =
         "const read = id => document.getElementById(id).textContent.replace(/^\\s+|\\s+$/g, '');";
     check(
         &[("a.html", &page), ("read.js", keeps)],
-        &[&told.replace("warning", "error")],
+        &[&reported.replace("warning", "error")],
     );
     check(&[("a.html", &page), ("read.js", trims)], &[]);
 }

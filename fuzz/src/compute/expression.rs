@@ -71,7 +71,7 @@ impl Writer {
     }
 
     /// A variable of the type, or a component of one that has the type.
-    pub(super) fn path(&mut self, wanted: Type, written: bool, depth: usize) -> Option<String> {
+    pub(super) fn path(&mut self, expected: Type, written: bool, depth: usize) -> Option<String> {
         for _ in 0..8 {
             let at = self.below(self.variables.len());
             let variable = self.variables.get(at)?.clone();
@@ -79,13 +79,13 @@ impl Writer {
                 continue;
             }
             let (mut text, mut ty) = (variable.name, variable.ty);
-            while ty != wanted {
-                let Some((part, of)) = self.part(&text, ty, wanted, depth) else {
+            while ty != expected {
+                let Some((part, of)) = self.part(&text, ty, expected, depth) else {
                     break;
                 };
                 (text, ty) = (part, of);
             }
-            if ty == wanted {
+            if ty == expected {
                 return Some(text);
             }
         }
@@ -93,7 +93,13 @@ impl Writer {
     }
 
     /// A component of something: an element, member, column or swizzle.
-    fn part(&mut self, text: &str, ty: Type, wanted: Type, depth: usize) -> Option<(String, Type)> {
+    fn part(
+        &mut self,
+        text: &str,
+        ty: Type,
+        expected: Type,
+        depth: usize,
+    ) -> Option<(String, Type)> {
         if ty.array > 0 {
             let at = self.index(ty.array, depth);
             return Some((format!("{text}[{at}]"), ty.element()));
@@ -106,16 +112,17 @@ impl Writer {
             let at = self.index(ty.columns, depth);
             return Some((format!("{text}[{at}]"), Type::vector(ty.kind, ty.rows)));
         }
-        if ty.rows == 1 || wanted.kind != ty.kind || !wanted.is_plain() || wanted.columns > 1 {
+        if ty.rows == 1 || expected.kind != ty.kind || !expected.is_plain() || expected.columns > 1
+        {
             return None;
         }
-        if wanted.rows == 1 && self.one_in(2) {
+        if expected.rows == 1 && self.one_in(2) {
             let at = self.index(ty.rows, depth);
             return Some((format!("{text}[{at}]"), Type::scalar(ty.kind)));
         }
-        (wanted.rows <= ty.rows).then(|| {
-            let lanes = self.lanes(ty.rows, wanted.rows);
-            (format!("{text}.{lanes}"), wanted)
+        (expected.rows <= ty.rows).then(|| {
+            let lanes = self.lanes(ty.rows, expected.rows);
+            (format!("{text}.{lanes}"), expected)
         })
     }
 

@@ -195,7 +195,7 @@ impl Writer {
 
     /// Constructor arguments for a scalar, vector or matrix.
     fn components(&mut self, ty: Type, depth: u32) -> Vec<String> {
-        let wanted = ty.components();
+        let expected = ty.components();
         if self.mistake() {
             let ty = self.numeric_type();
             return vec![self.expression(ty, depth); self.below(3)];
@@ -210,9 +210,9 @@ impl Writer {
         }
         let mut args = Vec::new();
         let mut given = 0;
-        while given < wanted {
+        while given < expected {
             let scalar = self.scalar();
-            let most = if ty.is_matrix() { wanted - given } else { 4 };
+            let most = if ty.is_matrix() { expected - given } else { 4 };
             let rows = (self.below(4) as u32 + 1).min(most);
             args.push(self.expression(Type::vector(scalar, rows as u8), depth));
             given += rows;

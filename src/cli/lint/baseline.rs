@@ -65,12 +65,12 @@ impl Baseline {
     fn forget_files(&mut self) {
         let folder = self.folder.clone();
         let known = std::mem::take(&mut self.known);
-        let (here, gone) = known
+        let (here, removed) = known
             .into_iter()
             .partition(|(f, _)| folder.join(f).is_file());
         self.known = here;
-        let gone: BTreeMap<String, Vec<KnownFinding>> = gone;
-        for (file, all) in gone {
+        let removed: BTreeMap<String, Vec<KnownFinding>> = removed;
+        for (file, all) in removed {
             all.into_iter().for_each(|k| self.note_stale(&file, k.rule));
         }
     }
@@ -90,11 +90,11 @@ impl Baseline {
         let mut of_found = prints.iter();
         found.retain(|_| of_found.next().is_none_or(|p| !old.contains(p.as_str())));
         let now: HashSet<&str> = prints.iter().map(String::as_str).collect();
-        for gone in known
+        for removed in known
             .iter()
             .filter(|k| !now.contains(k.fingerprint.as_str()))
         {
-            self.note_stale(&name, gone.rule.clone());
+            self.note_stale(&name, removed.rule.clone());
         }
     }
 

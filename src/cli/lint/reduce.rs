@@ -131,8 +131,8 @@ fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, Str
     if let Some(unknown) = args.rule.iter().find(|n| !known(n)) {
         return Err(format!("unknown rule or compile error `{unknown}`"));
     }
-    let wanted: BTreeSet<String> = args.rule.iter().map(|n| rule_name(n).to_string()).collect();
-    let select = match wanted.is_empty() {
+    let requested: BTreeSet<String> = args.rule.iter().map(|n| rule_name(n).to_string()).collect();
+    let select = match requested.is_empty() {
         true => Vec::new(),
         false => vec!["all".to_string()],
     };
@@ -145,9 +145,9 @@ fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, Str
             .filter(|d| !errors_only || d.severity == Severity::Error);
         all.map(|d| d.rule.to_string()).collect()
     };
-    if !wanted.is_empty() {
+    if !requested.is_empty() {
         return Ok(Box::new(move |text| {
-            found(text, false).is_superset(&wanted)
+            found(text, false).is_superset(&requested)
         }));
     }
     let errors = found(text, true);

@@ -98,7 +98,7 @@ pub struct UserHints {
     pub parameters: bool,
     /// Whether iteration counts of loops are shown.
     #[serde(rename = "loopIterations")]
-    pub turns: bool,
+    pub iterations: bool,
     /// Whether types of `?:` and of swizzles are shown.
     pub types: bool,
 }
@@ -119,7 +119,7 @@ impl Default for UserHints {
     fn default() -> UserHints {
         UserHints {
             parameters: true,
-            turns: true,
+            iterations: true,
             types: false,
         }
     }
@@ -146,7 +146,7 @@ impl UserSettings {
     pub fn hints(&self) -> HintOptions {
         HintOptions {
             parameters: self.hints.parameters,
-            turns: self.hints.turns,
+            iterations: self.hints.iterations,
             types: self.hints.types,
         }
     }
@@ -161,7 +161,7 @@ mod tests {
         let value =
             serde_json::json!({ "shaderlint": { "hints": { "types": true }, "run": false } });
         let settings = UserSettings::read(&value).unwrap().unwrap();
-        assert!(settings.hints.types && settings.hints.turns && !settings.run);
+        assert!(settings.hints.types && settings.hints.iterations && !settings.run);
         let read = |text: &str| UserSettings::read(&serde_json::from_str(text).unwrap());
         assert_eq!(read("{}"), Ok(Some(UserSettings::default())));
         assert_eq!(read("null"), Ok(None));

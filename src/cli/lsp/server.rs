@@ -37,7 +37,7 @@ enum Event {
     /// The sample run of a document in this state has finished.
     Ran(PathBuf, u64),
     /// The client closed the connection.
-    Gone,
+    Closed,
 }
 
 /// Requests of the worker thread, and whether the client cancelled them.
@@ -63,7 +63,7 @@ struct Server {
     /// Whether the client sent `shutdown`.
     is_done: bool,
     /// Whether the client closed the connection.
-    is_gone: bool,
+    is_closed: bool,
 }
 
 /// Serves a client. Returns whether it sent `shutdown` before `exit`.
@@ -141,7 +141,7 @@ impl Server {
                         return;
                     }
                 }
-                let _ = reader.send(Event::Gone);
+                let _ = reader.send(Event::Closed);
             })?;
         let folders = folders(params);
         let now = Snapshot {
@@ -173,7 +173,7 @@ impl Server {
             runs: Worker::start("runs")?,
             asked: 0,
             is_done: false,
-            is_gone: false,
+            is_closed: false,
         })
     }
 
@@ -246,7 +246,7 @@ impl Server {
                     self.notification(notification);
                 }
                 Some(Message::Response(response)) => self.response(response),
-                None if self.is_gone => return self.is_done,
+                None if self.is_closed => return self.is_done,
                 None => {}
             }
         }
@@ -256,13 +256,13 @@ impl Server {
     fn wait(&self) -> Option<Event> {
         let first = self.due.values().min();
         match first {
-            None => Some(self.events.recv().unwrap_or(Event::Gone)),
+            None => Some(self.events.recv().unwrap_or(Event::Closed)),
             Some(at) => {
                 let left = at.saturating_duration_since(Instant::now());
                 match self.events.recv_timeout(left) {
                     Ok(event) => Some(event),
                     Err(RecvTimeoutError::Timeout) => None,
-                    Err(RecvTimeoutError::Disconnected) => Some(Event::Gone),
+                    Err(RecvTimeoutError::Disconnected) => Some(Event::Closed),
                 }
             }
         }
@@ -275,7 +275,7 @@ impl Server {
             }
             Event::Message(message) => self.queue.push_back(message),
             Event::Ran(path, state) => self.ran(&path, state),
-            Event::Gone => self.is_gone = true,
+            Event::Closed => self.is_closed = true,
         }
     }
 
@@ -355,8 +355,8 @@ impl Server {
         lock(&pending).insert(id.clone(), false);
         self.slow.give(move || {
             let is_cancelled = || lock(&pending).get(&id) == Some(&true);
-            let is_wanted = !is_cancelled() && !snapshot.is_stale();
-            let answer = is_wanted.then(|| guarded(|| job(&snapshot)));
+            let is_requested = !is_cancelled() && !snapshot.is_stale();
+            let answer = is_requested.then(|| guarded(|| job(&snapshot)));
             let was_cancelled = lock(&pending).remove(&id) == Some(true);
             let (response, request) = match answer {
                 _ if was_cancelled => (cancelled(id), None),
@@ -555,9 +555,9 @@ impl Server {
 
     fn moved(&mut self, params: DidChangeWorkspaceFoldersParams) {
         let mut folders = self.now.folders.to_vec();
-        let gone = params.event.removed.iter().filter_map(|f| path_of(&f.uri));
-        let gone: Vec<PathBuf> = gone.collect();
-        folders.retain(|folder| !gone.contains(folder));
+        let missing = params.event.removed.iter().filter_map(|f| path_of(&f.uri));
+        let missing: Vec<PathBuf> = missing.collect();
+        folders.retain(|folder| !missing.contains(folder));
         folders.extend(params.event.added.iter().filter_map(|f| path_of(&f.uri)));
         self.now.folders = Arc::new(folders);
         self.renew();

@@ -71,12 +71,12 @@ impl OwnProgram {
             .kill_on_drop(true)
             .spawn()
             .map_err(not_run)?;
-        let (caller, gone) = oneshot::channel();
+        let (caller, cancel) = oneshot::channel();
         let input = input.to_string();
         // In its own task, because a stopped process must be waited for as well.
         let task = tokio::spawn(async move {
             let _permit = permit;
-            ended(child, input, gone).await
+            ended(child, input, cancel).await
         });
         let outcome = task.await.map_err(not_run)?;
         drop(caller);
@@ -92,7 +92,7 @@ fn not_run(error: impl Display) -> String {
 async fn ended(
     mut child: Child,
     input: String,
-    gone: oneshot::Receiver<()>,
+    cancel: oneshot::Receiver<()>,
 ) -> Result<CommandOutcome, String> {
     let why = tokio::select! {
         outcome = outcome(&mut child, input) => return outcome.map_err(not_run),
@@ -100,7 +100,7 @@ async fn ended(
             "the command was stopped after {} s; request less at a time",
             TIME_LIMIT.as_secs()
         ),
-        _ = gone => "cancelled".to_string(),
+        _ = cancel => "cancelled".to_string(),
     };
     child.kill().await.map_err(not_run)?;
     Err(why)

@@ -62,8 +62,8 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
         format!("{}: {message}", at(e.span().unwrap_or_default().start))
     })?;
     let mut found: Vec<(usize, String)> = Vec::new();
-    let wrong = |value: &Spanned<DeValue>, wanted| {
-        Err(format!("{}: expected {wanted}", at(value.span().start)))
+    let wrong = |value: &Spanned<DeValue>, requested| {
+        Err(format!("{}: expected {requested}", at(value.span().start)))
     };
     for (key, value) in table.get_ref() {
         match value.get_ref() {
@@ -138,8 +138,8 @@ mod tests {
         let all = all.unwrap();
         let places: Vec<_> = all.iter().map(|o| (o.pass, o.channel.clone())).collect();
         let (image, buffer) = (Some(PassRole::Image), Some(PassRole::Buffer(0)));
-        let wanted = [(None, 2), (buffer, 0), (image, 1)];
-        assert_eq!(places, wanted.map(|(p, n)| (p, ChannelName::Number(n))));
+        let requested = [(None, 2), (buffer, 0), (image, 1)];
+        assert_eq!(places, requested.map(|(p, n)| (p, ChannelName::Number(n))));
         assert_eq!(all[0].filter, Some("nearest"));
         let ChannelSource::File(path) = &all[0].source else {
             panic!("{:?}", all[0].source);

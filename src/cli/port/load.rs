@@ -124,8 +124,8 @@ fn apply_repairs(
         return Ok(None);
     }
     let renewed = fixed.resolve(name).map_err(wrong)?;
-    let is_wanted = mode == Mode::Repair || !renewed.has_errors();
-    Ok(is_wanted.then_some((fixed, renewed, repaired)))
+    let is_requested = mode == Mode::Repair || !renewed.has_errors();
+    Ok(is_requested.then_some((fixed, renewed, repaired)))
 }
 
 /// Loads a file as a project without repairs. Returns the project and the files that it was loaded

@@ -17,23 +17,27 @@ pub(super) fn draft_with_siblings(
     loop {
         let project = draft(siblings)?;
         if project
-            .wanted
+            .requested
             .iter()
             .all(|path| siblings.contains_key(path))
         {
             return Ok(project);
         }
-        read_wanted(path, &project.wanted, siblings)
+        read_requested(path, &project.requested, siblings)
             .map_err(|e| format!("{}: {e}", shown(path)))?;
     }
 }
 
 /// Reads companion files. Files outside of the shader's folder are rejected.
-fn read_wanted(path: &Path, wanted: &[String], texts: &mut SiblingTexts) -> Result<(), String> {
+fn read_requested(
+    path: &Path,
+    requested: &[String],
+    texts: &mut SiblingTexts,
+) -> Result<(), String> {
     let folder = folder_of(path);
     let root = folder.canonicalize();
     let is_stdin = path.as_os_str() == "-";
-    for asked in wanted {
+    for asked in requested {
         if texts.len() >= MAX_TEXTS {
             return Err(format!("the shader includes more than {MAX_TEXTS} files"));
         }
@@ -95,8 +99,8 @@ mod tests {
         )
         .unwrap();
         fs::write(folder.path().join("secret.glsl"), "no").unwrap();
-        let told = draft(folder.path(), "deep/a.glsl").unwrap();
-        assert_eq!(told.len(), 1, "{told:?}");
+        let reported = draft(folder.path(), "deep/a.glsl").unwrap();
+        assert_eq!(reported.len(), 1, "{reported:?}");
         let missing = draft(folder.path(), "gone.glsl").unwrap();
         assert!(
             missing.contains(&"`gone.glsl` was not found".to_string()),

@@ -44,7 +44,7 @@ struct MomentCompared {
 
 /// The comparison of one frame, pixel by pixel.
 struct ComparedImages {
-    told: MomentCompared,
+    reported: MomentCompared,
     /// By pixel: the largest difference of a channel; a tiny value if only bits differ that are not
     /// shown.
     by_pixel: Vec<f64>,
@@ -58,7 +58,7 @@ pub fn compare(
 ) -> Result<(Compared, Option<Bitmap>), String> {
     let moments = moments(args);
     let progress = Progress::new(moments.len() as u32);
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     let mut worst: Option<(u64, Vec<f64>)> = None;
     for moment in moments {
         let drawn = shots.each_mut().map(|shot| shot.drawn(&moment, &progress));
@@ -69,11 +69,11 @@ pub fn compare(
             &moment,
         );
         progress.step();
-        let pixels = found.told.pixels;
+        let pixels = found.reported.pixels;
         if pixels > 0 && worst.as_ref().is_none_or(|(most, _)| pixels > *most) {
             worst = Some((pixels, found.by_pixel));
         }
-        told.push(found.told);
+        reported.push(found.reported);
     }
     drop(progress);
     let image = worst.map(|(_, values)| heat::map(args.size, &values, "DIFFERENCE"));
@@ -82,8 +82,8 @@ pub fn compare(
         file: names[0].to_string(),
         other: names[1].to_string(),
         size: args.size,
-        same: told.iter().all(|moment| moment.pixels == 0),
-        moments: told,
+        same: reported.iter().all(|moment| moment.pixels == 0),
+        moments: reported,
         output: None,
     };
     Ok((compared, image))
@@ -118,7 +118,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
     let [code, other] = codes;
     let images = [(code, a), (other, b)].map(|(code, drawn)| RenderedImage::of(code, drawn, 0));
     let mut by_pixel = Vec::with_capacity(a.covered.len());
-    let mut told = MomentCompared {
+    let mut reported = MomentCompared {
         time: moment.time,
         frame: moment.frame,
         mouse: super::facts::mouse(moment),
@@ -146,14 +146,14 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
             true => gap.max(most),
             false => f64::from(u8::from(one.map(f32::to_bits) != two.map(f32::to_bits))).max(most),
         });
-        told.pixels += 1;
-        told.shown += u64::from(RenderedImage::shown(*one) != RenderedImage::shown(*two));
-        told.most = gap.max(told.most);
+        reported.pixels += 1;
+        reported.shown += u64::from(RenderedImage::shown(*one) != RenderedImage::shown(*two));
+        reported.most = gap.max(reported.most);
         let place = || [at as u32 % width, at as u32 / width];
-        told.first.get_or_insert_with(place);
+        reported.first.get_or_insert_with(place);
         by_pixel.push(gap.max(f64::from(f32::MIN_POSITIVE)));
     }
-    ComparedImages { told, by_pixel }
+    ComparedImages { reported, by_pixel }
 }
 
 impl Compared {

@@ -340,10 +340,10 @@ fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a Pas
     };
     found.ok_or_else(|| {
         let all: Vec<&str> = loaded.composed.units.iter().map(slug).collect();
-        let wanted = asked.unwrap_or("image");
+        let requested = asked.unwrap_or("image");
         let name = &loaded.name;
         let words = format!(
-            "{name}: the project has no pass `{wanted}`; it has {}",
+            "{name}: the project has no pass `{requested}`; it has {}",
             all.join(", ")
         );
         Trouble::Words(words)

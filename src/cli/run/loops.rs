@@ -21,7 +21,8 @@ pub struct LoopRow {
     /// (unknown).
     pub bound: &'static str,
     /// Static bound of the number of iterations, if known.
-    pub turns: Option<u64>,
+    #[serde(rename = "turns")]
+    pub iterations: Option<u64>,
     /// Number of pixels that reached the loop.
     pub pixels: u64,
     /// Largest number of iterations.
@@ -44,7 +45,7 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Observations) -> Vec<LoopRow>
     let rows = seen.into_iter().filter_map(|own| {
         let stmt = shot.module.looped(own.id)?.stmt;
         let own_facts = known.get(stmt);
-        let (bound, turns) = match own_facts.map_or(Bound::Open, |f| f.bound) {
+        let (bound, iterations) = match own_facts.map_or(Bound::Open, |f| f.bound) {
             Bound::Exact(n) => ("exactly", Some(n)),
             Bound::AtMost(n) => ("at most", Some(n)),
             Bound::Ends => ("ends", None),
@@ -56,7 +57,7 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Observations) -> Vec<LoopRow>
             at: position(&program.sources, place?)?,
             function: function.map_or(String::new(), |f| program.names.text(f.name).to_string()),
             bound,
-            turns,
+            iterations,
             pixels: own.pixels,
             most: own.most,
             mean: own.iterations as f64 / own.entries.max(1) as f64,
@@ -72,12 +73,12 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Observations) -> Vec<LoopRow>
 /// The smallest number that at least the given share of the counted values do not exceed.
 fn quantile(histogram: &[u32], share: f64) -> u32 {
     let all: u64 = histogram.iter().map(|n| u64::from(*n)).sum();
-    let wanted = (all as f64 * share).ceil() as u64;
+    let requested = (all as f64 * share).ceil() as u64;
     let mut counted = 0;
-    for (count, turns) in histogram.iter().zip(0..) {
+    for (count, iterations) in histogram.iter().zip(0..) {
         counted += u64::from(*count);
-        if counted >= wanted {
-            return turns;
+        if counted >= requested {
+            return iterations;
         }
     }
     0
@@ -102,7 +103,7 @@ pub fn table(rows: &[LoopRow]) -> String {
         [
             row.at.clone(),
             row.function.clone(),
-            match row.turns {
+            match row.iterations {
                 Some(n) => format!("{} {n}", row.bound),
                 None => row.bound.to_string(),
             },
@@ -137,7 +138,7 @@ mod tests {
             at: "a.glsl:4:5".to_string(),
             function: "map".to_string(),
             bound: "at most",
-            turns: Some(96),
+            iterations: Some(96),
             pixels: 100,
             most: 71,
             mean: 16.12,

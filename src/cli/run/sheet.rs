@@ -37,8 +37,14 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
         };
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&image.shrunk(small), left, top);
-        let told = format!("{} S", super::heat::short(moment.time));
-        font::write(&mut sheet, &told, [left, top + small[1] + GAP], scale, TEXT);
+        let reported = format!("{} S", super::heat::short(moment.time));
+        font::write(
+            &mut sheet,
+            &reported,
+            [left, top + small[1] + GAP],
+            scale,
+            TEXT,
+        );
         progress.step();
     }
     Ok(sheet)

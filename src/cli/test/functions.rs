@@ -11,14 +11,14 @@ pub fn run(
     report: &Report,
     file: FileId,
     name: &str,
-    is_wanted: &dyn Fn(&str) -> bool,
+    is_requested: &dyn Fn(&str) -> bool,
 ) -> Vec<TestRow> {
     let mut rows = Vec::new();
     for analysis in &report.analyses {
         let sources = analysis.sources();
         for (test, span) in tests(analysis, file) {
             let own = sources.text(span);
-            if !is_wanted(own) {
+            if !is_requested(own) {
                 continue;
             }
             let verdict = run_test(analysis, test);

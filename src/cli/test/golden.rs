@@ -92,7 +92,7 @@ pub fn wish(text: &str) -> Result<Option<Wish>, String> {
 pub fn run(
     subject: &GoldenSubject,
     args: &TestArgs,
-    is_wanted: &dyn Fn(&str) -> bool,
+    is_requested: &dyn Fn(&str) -> bool,
 ) -> GoldenImages {
     let wished = subject.wish.as_ref();
     let times = wished.and_then(|wish| wish.times.as_ref());
@@ -111,24 +111,26 @@ pub fn run(
     if !is_asked && !args.bless {
         return GoldenImages::Unblessed;
     }
-    let wanted = goldens.into_iter().filter(|g| is_wanted(&g.title()));
-    let wanted: Vec<Golden> = wanted.collect();
-    if wanted.is_empty() {
+    let requested = goldens.into_iter().filter(|g| is_requested(&g.title()));
+    let requested: Vec<Golden> = requested.collect();
+    if requested.is_empty() {
         return GoldenImages::None;
     }
-    let first = wanted.iter().find_map(|g| g.known.as_ref()?.as_ref().ok());
+    let first = requested
+        .iter()
+        .find_map(|g| g.known.as_ref()?.as_ref().ok());
     let size = wished.and_then(|w| w.size).or(args.size);
     let size = size.or_else(|| Some(first?.size)).unwrap_or(SIZE);
     let mut ready = match ready(project, size, subject.threads) {
         Ok(ready) => ready,
         Err(words) => {
-            let rows = wanted
+            let rows = requested
                 .iter()
                 .map(|g| TestRow::failed(subject.name, &g.title(), &words));
             return GoldenImages::Compared(rows.collect());
         }
     };
-    let rows = wanted
+    let rows = requested
         .iter()
         .map(|golden| golden.judge(&mut ready, subject, args));
     GoldenImages::Compared(rows.collect())
@@ -291,7 +293,7 @@ impl Golden {
         });
         match written {
             Ok(()) => TestRow {
-                status: Status::Blessed,
+                status: Status::Recorded,
                 difference: row.difference,
                 written: Some(shown),
                 ..TestRow::passed(subject.name, &self.title())

@@ -73,7 +73,7 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
         }
         done.problem.iter().for_each(|problem| complain(problem));
         problems.extend(done.problem);
-        tally.without_picture.extend(done.unblessed);
+        tally.without_golden.extend(done.unblessed);
         tally.notes.extend(done.notes);
         tally.add(done.rows);
         Ok(())
@@ -197,7 +197,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
         return Ok(Done::default());
     }
     let filter = run.args.filter.as_deref().unwrap_or("");
-    let is_wanted = |name: &str| name.contains(filter);
+    let is_requested = |name: &str| name.contains(filter);
     let mut done = Done::default();
     let error = first_error(&report);
     if let Some(file) = report.file {
@@ -208,7 +208,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
             }
             Some(_) => {}
             None => {
-                done.rows = functions::run(&report, file, name, &is_wanted);
+                done.rows = functions::run(&report, file, name, &is_requested);
                 let unusable_tests = report.analyses.iter();
                 done.notes = unusable_tests
                     .flat_map(|a| functions::unusable_tests(a, file))
@@ -216,7 +216,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
             }
         }
     }
-    golden_images(input, &text, &report, run, &is_wanted, &mut done);
+    golden_images(input, &text, &report, run, &is_requested, &mut done);
     Ok(done)
 }
 
@@ -226,7 +226,7 @@ fn golden_images(
     text: &str,
     report: &Report,
     run: &TestRun,
-    is_wanted: &dyn Fn(&str) -> bool,
+    is_requested: &dyn Fn(&str) -> bool,
     done: &mut Done,
 ) {
     let name = &input.name;
@@ -252,7 +252,7 @@ fn golden_images(
         wish,
         threads: run.threads,
     };
-    match golden::run(&subject, run.args, is_wanted) {
+    match golden::run(&subject, run.args, is_requested) {
         GoldenImages::None => {}
         GoldenImages::Unblessed => done.unblessed = Some(name.clone()),
         GoldenImages::Compared(rows) => done.rows.extend(rows),

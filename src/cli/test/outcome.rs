@@ -37,7 +37,7 @@ pub enum Status {
     /// The test passed.
     Passed,
     /// The golden image was written.
-    Blessed,
+    Recorded,
     /// The test failed.
     Failed,
 }
@@ -74,7 +74,7 @@ pub struct Tally {
     /// Number of tests that failed.
     pub failed: usize,
     /// Complete shaders without a golden image.
-    pub without_picture: Vec<String>,
+    pub without_golden: Vec<String>,
     /// The results of the tests.
     pub tests: Vec<TestRow>,
     /// Notes about functions that look like tests.
@@ -116,7 +116,7 @@ impl TestRow {
     pub fn line(&self) -> String {
         let what = match self.status {
             Status::Passed => "ok",
-            Status::Blessed => "blessed",
+            Status::Recorded => "blessed",
             Status::Failed => "FAILED",
         };
         format!("{} ... {what}\n", self.title())
@@ -152,7 +152,7 @@ impl Tally {
         for row in rows {
             match row.status {
                 Status::Failed => self.failed += 1,
-                Status::Passed | Status::Blessed => self.passed += 1,
+                Status::Passed | Status::Recorded => self.passed += 1,
             }
             self.tests.push(row);
         }
@@ -170,7 +170,7 @@ impl Tally {
             text.push('\n');
         }
         text.push_str(&format!("{} passed, {} failed", self.passed, self.failed));
-        match self.without_picture.len() {
+        match self.without_golden.len() {
             0 => {}
             1 => text.push_str("; 1 complete shader has no golden image, use --bless to create it"),
             n => text.push_str(&format!(

@@ -4,7 +4,7 @@ use super::super::check_context::CheckContext;
 use super::super::files::{FileType, Files};
 use super::super::options::Includes;
 use super::super::path::{plain, tidy};
-use super::scan::{IncludedFile, Manner, WantedFile};
+use super::scan::{IncludedFile, Manner, RequestedFile};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -69,12 +69,12 @@ impl Absent {
 
 impl CheckContext<'_> {
     /// Resolves a path in an include directive of the file `from`.
-    pub fn find(&self, from: &str, wanted: &WantedFile) -> Result<FoundFile, Absent> {
+    pub fn find(&self, from: &str, requested: &RequestedFile) -> Result<FoundFile, Absent> {
         let mut absent = Absent {
             looked_in: Vec::new(),
             why: Absence::NotFound,
         };
-        let named = wanted.path.replace('\\', "/");
+        let named = requested.path.replace('\\', "/");
         // Bundlers accept a query after the path.
         let named = named.split('?').next().unwrap_or("");
         for (folder, rest) in self.places(from, named) {
@@ -83,7 +83,7 @@ impl CheckContext<'_> {
                 absent.looked_in.push(folder_shown);
             }
             let path = tidy(&folder.join(rest));
-            let Some(path) = file_at(self.files, &path, wanted.manner) else {
+            let Some(path) = file_at(self.files, &path, requested.manner) else {
                 continue;
             };
             match self.load(&path) {

@@ -15,7 +15,7 @@ use super::check_context::CheckContext;
 use super::path::tidy;
 use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
-use scan::{Form, IncludeDirective, IncludedFile, Manner, WantedFile};
+use scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
@@ -269,20 +269,21 @@ impl Spreader<'_, '_> {
     }
 
     fn directive(&mut self, from: &str, directive: &IncludeDirective, span: Span) -> Option<()> {
-        let wanted = &directive.wanted;
-        let is_chunk = wanted.manner == Manner::Chunk && self.context.options.host.preset.is_some();
-        if is_chunk && !wanted.path.contains(['/', '.']) {
+        let requested = &directive.requested;
+        let is_chunk =
+            requested.manner == Manner::Chunk && self.context.options.host.preset.is_some();
+        if is_chunk && !requested.path.contains(['/', '.']) {
             self.found.is_open = true;
             return Some(());
         }
-        let found = match self.find(from, wanted) {
+        let found = match self.find(from, requested) {
             Ok(found) => found,
             Err(_) if is_chunk => {
                 self.found.is_open = true;
                 return Some(());
             }
             Err(absent) => {
-                self.miss(span, &wanted.path, absent);
+                self.miss(span, &requested.path, absent);
                 return Some(());
             }
         };
@@ -292,8 +293,8 @@ impl Spreader<'_, '_> {
         }
     }
 
-    fn find(&mut self, from: &str, wanted: &WantedFile) -> Result<FoundFile, Absent> {
-        let key = (from.to_string(), wanted.path.clone());
+    fn find(&mut self, from: &str, requested: &RequestedFile) -> Result<FoundFile, Absent> {
+        let key = (from.to_string(), requested.path.clone());
         if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
@@ -301,7 +302,7 @@ impl Spreader<'_, '_> {
             return Err(Absent::too_many());
         }
         self.lookups -= 1;
-        let found = self.context.find(from, wanted)?;
+        let found = self.context.find(from, requested)?;
         self.known.insert(key, found.clone());
         Ok(found)
     }
@@ -326,11 +327,11 @@ impl Spreader<'_, '_> {
         match way {
             IncludeMode::Leave => return Some(()),
             IncludeMode::Put | IncludeMode::Guard(_) if self.budget == 0 => {
-                self.miss(span, &directive.wanted.path, Absent::too_many());
+                self.miss(span, &directive.requested.path, Absent::too_many());
                 return Some(());
             }
             IncludeMode::Circle => {
-                let message = format!("`{}` includes itself", directive.wanted.path);
+                let message = format!("`{}` includes itself", directive.requested.path);
                 let problem = Diagnostic::error(error::BAD_DIRECTIVE, span, message);
                 self.found.problems.push(problem);
                 return Some(());

@@ -43,28 +43,30 @@ impl Modules {
     /// Records what the shader requires, so that modules that require the same can share it.
     pub fn expect(&mut self, name: &str, context: CheckContext, directives: &[IncludeDirective]) {
         for directive in directives.iter().take(MAX_MODULES) {
-            if let Form::Require(wanted, arguments) = &directive.form
+            if let Form::Require(requested, arguments) = &directive.form
                 && arguments.is_empty()
-                && let Ok(found) = context.find(name, &directive.wanted)
+                && let Ok(found) = context.find(name, &directive.requested)
             {
                 self.asked
                     .entry(found.real)
-                    .or_insert_with(|| wanted.clone());
+                    .or_insert_with(|| requested.clone());
             }
         }
     }
 
     /// The text of a module as included in the shader, empty if it is included already, and the
-    /// name of its export: `wanted`, if given. `None` if it cannot be included.
+    /// name of its export: `requested`, if given. `None` if it cannot be included.
     pub fn put(
         &mut self,
         found: &FoundFile,
         arguments: &[(String, String)],
-        wanted: Option<&str>,
+        requested: Option<&str>,
         context: CheckContext,
     ) -> Option<(String, String)> {
         let is_same = |m: &&MadeModule| {
-            m.real == found.real && m.arguments == arguments && wanted.is_none_or(|w| w == m.export)
+            m.real == found.real
+                && m.arguments == arguments
+                && requested.is_none_or(|w| w == m.export)
         };
         if let Some(made) = self.made.iter().find(is_same) {
             return Some((String::new(), made.export.clone()));
@@ -83,11 +85,11 @@ impl Modules {
             own.map(|n| (n.clone(), format!("{n}_{number}"))).collect();
         names.extend(arguments.iter().cloned());
         let asked = self.asked.get(&found.real).filter(|_| arguments.is_empty());
-        let wanted = wanted.map(str::to_string).or_else(|| asked.cloned());
-        let exported = match wanted {
-            Some(wanted) => {
-                names.insert(export, wanted.clone());
-                wanted
+        let requested = requested.map(str::to_string).or_else(|| asked.cloned());
+        let exported = match requested {
+            Some(requested) => {
+                names.insert(export, requested.clone());
+                requested
             }
             None => names.get(&export).unwrap_or(&export).clone(),
         };
@@ -129,7 +131,7 @@ impl Modules {
                 .iter()
                 .map(|(name, value)| (name.clone(), renamed(value)))
                 .collect();
-            match context.find(&found.name, &directive.wanted) {
+            match context.find(&found.name, &directive.requested) {
                 Ok(inner) => match self.put(&inner, &arguments, None, context) {
                     Some((text, export)) => {
                         out.push_str(&text);
@@ -137,7 +139,9 @@ impl Modules {
                     }
                     None => self.is_open = true,
                 },
-                Err(absent) => self.missing.push((directive.wanted.path.clone(), absent)),
+                Err(absent) => self
+                    .missing
+                    .push((directive.requested.path.clone(), absent)),
             }
         }
         rename(text, done..text.len(), &names, &mut out);

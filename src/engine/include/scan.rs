@@ -29,7 +29,7 @@ pub enum Manner {
 
 /// A file that a directive names.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct WantedFile {
+pub struct RequestedFile {
     /// The path as written.
     pub path: String,
     /// How the path is written.
@@ -54,7 +54,7 @@ pub struct IncludeDirective {
     /// End offset, without a trailing comment.
     pub end: usize,
     /// The file.
-    pub wanted: WantedFile,
+    pub requested: RequestedFile,
     /// What the directive does.
     pub form: Form,
     /// Whether it is in an `#if` group other than an include guard.
@@ -360,7 +360,7 @@ impl<'a> Scanner<'a> {
         self.found.directives.push(IncludeDirective {
             start,
             end,
-            wanted: WantedFile {
+            requested: RequestedFile {
                 path: path.to_string(),
                 manner,
             },
@@ -426,7 +426,7 @@ mod tests {
         for directive in scan(text).directives {
             left += &text[done..directive.start];
             done = directive.end;
-            paths.push(directive.wanted.path);
+            paths.push(directive.requested.path);
         }
         (paths, left + &text[done..])
     }

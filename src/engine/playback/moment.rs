@@ -11,7 +11,7 @@ const SIGNAL_WIDTH: f64 = 512.0;
 const HISTORY_ROWS: f64 = 240.0;
 
 /// 2 pi, with the digits that the player uses.
-const FULL_TURN: f64 = 62_831.0 / 10_000.0;
+const PAGE_TAU: f64 = 62_831.0 / 10_000.0;
 
 /// Time, frame number and mouse of a frame.
 #[derive(Clone, PartialEq, Debug)]
@@ -136,7 +136,7 @@ impl Moment {
 /// audio.
 fn made_up_spectrum(time: f64) -> [f64; 3] {
     let sine = |factor: f64| sine(factor * time);
-    let half = (0.5 + 0.5 * sine(FULL_TURN)) * (0.5 + 0.5 * sine(FULL_TURN));
+    let half = (0.5 + 0.5 * sine(PAGE_TAU)) * (0.5 + 0.5 * sine(PAGE_TAU));
     let middle = 0.4 + 0.3 * sine(13.0) * sine(1.7);
     [half * half, middle, 0.2 + 0.15 * sine(23.0)]
 }

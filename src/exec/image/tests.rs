@@ -48,7 +48,7 @@ fn check(texture: &Texture, at: &[f32], expected: f32) {
 }
 
 #[test]
-fn an_image_is_as_large_as_it_says() {
+fn the_size_in_the_header_is_the_size_of_the_image() {
     let texels = |count| Texels::Unorm8(vec![[0; 4]; count]);
     let refused = Image::new(ImageShape::Flat, [2, 2, 1], texels(3));
     assert_eq!(
@@ -83,7 +83,7 @@ fn texels_are_taken_or_weighted() {
 }
 
 #[test]
-fn outside_lies_what_the_wrap_says() {
+fn the_wrap_mode_decides_what_is_outside() {
     let check_operands = |wrap, at, expected| {
         let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
         check(&texture(image, Filter::Linear, wrap), &[at, 0.5], expected);
@@ -317,7 +317,7 @@ fn one_texel_is_fetched() {
 }
 
 #[test]
-fn only_wanted_lanes_are_looked_up() {
+fn only_requested_lanes_are_looked_up() {
     let image = gray(ImageShape::Flat, [1, 1, 1], &[255]);
     let texture = texture(image, Filter::Nearest, Wrap::Clamp);
     let given = TextureLookup {

@@ -99,17 +99,17 @@ impl Vm<'_> {
             }
             Instr::Exhaust(number, condition) => {
                 let ends = self.active & !super::mask_of(&self.get(condition));
-                self.watched.exhaust(number, ends & self.wanted);
+                self.watched.exhaust(number, ends & self.requested);
             }
-            Instr::Leave(number) => self.watched.leave(number, self.wanted),
+            Instr::Leave(number) => self.watched.leave(number, self.requested),
             Instr::Branch(number, condition) => {
                 let holds = super::mask_of(&self.get(condition));
-                let came = self.active & self.wanted;
+                let came = self.active & self.requested;
                 self.watched.branch(number, came & holds, came & !holds);
             }
             Instr::Spend { cost, by } => {
                 let lanes = self.spread();
-                let pixels = (self.active & self.wanted).count_ones();
+                let pixels = (self.active & self.requested).count_ones();
                 self.watched.spend([cost, by], pixels, &lanes);
             }
             Instr::Check(check_operands) => self.check_operands(check_operands),

@@ -24,7 +24,7 @@ pub(super) struct Tile {
     /// By lane.
     pub pixels: [[u32; 2]; LANES],
     /// The requested lanes; the others are helper lanes for derivatives.
-    pub wanted: u32,
+    pub requested: u32,
 }
 
 /// The state of the VM.
@@ -38,7 +38,7 @@ pub(super) struct Vm<'d> {
     /// The lanes that are not discarded.
     live: u32,
     /// The lanes that are counted in statistics.
-    wanted: u32,
+    requested: u32,
     /// Cache of an expanded mask: the mask, and the register with all bits set in its lanes.
     spread: (u32, [i32x8; PARTS]),
     fuel: u64,
@@ -74,13 +74,13 @@ impl<'d> Vm<'d> {
             masks: vec![0; code.slots.max(1) as usize],
             active: u32::MAX,
             live: u32::MAX,
-            wanted: 0,
+            requested: 0,
             spread: (u32::MAX, spread(u32::MAX)),
             fuel: 0,
             spent: code.uniform_prologue.len() as u64,
             tile: Tile {
                 pixels: [[0; 2]; LANES],
-                wanted: 0,
+                requested: 0,
             },
             watched: Watched::new(code),
         };
@@ -129,8 +129,8 @@ impl<'d> Vm<'d> {
             }
         }
         self.spent = once.saturating_add(allowed - self.fuel);
-        self.watched.close(self.wanted);
-        Ok(self.live & self.wanted)
+        self.watched.close(self.requested);
+        Ok(self.live & self.requested)
     }
 
     /// The statistics of all tiles.
@@ -233,8 +233,8 @@ impl<'d> Vm<'d> {
             Instr::Clear(slot) => self.keep(slot, 0),
             Instr::Mark(slot, reg) => self.keep(slot, mask_of(&self.get(reg))),
             Instr::Restore { came, left, others } => {
-                let gone = self.kept(left) | self.kept(others);
-                self.active = self.kept(came) & !gone & self.live;
+                let removed = self.kept(left) | self.kept(others);
+                self.active = self.kept(came) & !removed & self.live;
             }
             Instr::While { condition, to } => {
                 self.active &= mask_of(&self.get(condition));

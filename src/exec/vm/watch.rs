@@ -140,13 +140,13 @@ impl Watched {
         }
     }
 
-    pub fn leave(&mut self, index: u32, wanted: u32) {
+    pub fn leave(&mut self, index: u32, requested: u32) {
         let count = self.loops.get_mut(index as usize);
         let seen = self.seen.loops.get_mut(index as usize);
         let (Some(count), Some(seen)) = (count, seen) else {
             return;
         };
-        let lanes = count.entered & wanted;
+        let lanes = count.entered & requested;
         count.came |= lanes;
         seen.entries += lanes.count_ones() as u64;
         let iterations = Row(count.iterations).bits();
@@ -197,10 +197,10 @@ impl Watched {
     }
 
     /// Ends a tile.
-    pub fn close(&mut self, wanted: u32) {
-        self.seen.pixels += wanted.count_ones() as u64;
+    pub fn close(&mut self, requested: u32) {
+        self.seen.pixels += requested.count_ones() as u64;
         for (lane, cost) in self.cost().into_iter().enumerate() {
-            if wanted >> lane & 1 == 1 {
+            if requested >> lane & 1 == 1 {
                 self.seen.operations += cost as u64;
             }
         }
@@ -409,7 +409,7 @@ impl Vm<'_> {
         let Some(&what) = code.checks.get(check_operands.site as usize) else {
             return;
         };
-        let came = self.active & self.wanted;
+        let came = self.active & self.requested;
         if let Some(visits) = self.watched.visits.get_mut(check_operands.site as usize) {
             *visits += came.count_ones() as u64;
         }
@@ -468,7 +468,7 @@ impl Vm<'_> {
         let Some(&comparison) = code.comparisons.get(index as usize) else {
             return;
         };
-        let came = self.active & self.wanted;
+        let came = self.active & self.requested;
         let lanes = super::spread(came);
         let holds = self.row(comparison.result).mask();
         let sides = [comparison.left, comparison.right].map(|reg| self.row(reg).0);
@@ -574,7 +574,7 @@ impl Vm<'_> {
     /// Starts a tile.
     pub(super) fn open(&mut self, tile: &Tile) {
         self.tile = *tile;
-        self.wanted = tile.wanted;
+        self.requested = tile.requested;
         self.watched.open();
     }
 }

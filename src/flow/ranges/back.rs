@@ -12,23 +12,23 @@ use shaderlint_semantic::{BuiltinId, Scalar};
 
 /// The values that a condition permits.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct WantedRange {
+pub(super) struct RequiredRange {
     lo: f64,
     hi: f64,
     /// An excluded closed interval of values.
     not: Option<(f64, f64)>,
 }
 
-impl WantedRange {
-    const ANY: WantedRange = WantedRange {
+impl RequiredRange {
+    const ANY: RequiredRange = RequiredRange {
         lo: f64::NEG_INFINITY,
         hi: f64::INFINITY,
         not: None,
     };
 
-    fn between(lo: f64, hi: f64) -> WantedRange {
+    fn between(lo: f64, hi: f64) -> RequiredRange {
         let or = |value: f64, other| if value.is_nan() { other } else { value };
-        WantedRange {
+        RequiredRange {
             lo: or(lo, f64::NEG_INFINITY),
             hi: or(hi, f64::INFINITY),
             not: None,
@@ -42,7 +42,7 @@ impl WantedRange {
         truth: bool,
         (is_right, lane): (bool, u32),
         mut get: impl FnMut(Node) -> Option<Interval>,
-    ) -> WantedRange {
+    ) -> RequiredRange {
         let (op, left, right) = match query.module.op(comparison).kind {
             OpKind::Binary(op, left, right) => (Some(op), left, right),
             OpKind::Same {
@@ -50,23 +50,23 @@ impl WantedRange {
                 left,
                 right,
             } => (negated.then_some(Binary::Xor), left, right),
-            _ => return WantedRange::ANY,
+            _ => return RequiredRange::ANY,
         };
         let other = if is_right { left } else { right };
         let Some(with) = Node::lane(query.defs, other, lane).and_then(&mut get) else {
-            return WantedRange::ANY;
+            return RequiredRange::ANY;
         };
         if let OpKind::Same { negated, .. } = query.module.op(comparison).kind {
             return match negated != truth {
-                true => WantedRange::between(with.lo.value, with.hi.value),
-                false => WantedRange {
+                true => RequiredRange::between(with.lo.value, with.hi.value),
+                false => RequiredRange {
                     not: with.single().map(|v| (v, v)),
-                    ..WantedRange::ANY
+                    ..RequiredRange::ANY
                 },
             };
         }
         let Some(op) = op else {
-            return WantedRange::ANY;
+            return RequiredRange::ANY;
         };
         let op = if truth { op } else { negated(op) };
         let op = if is_right { flipped(op) } else { op };
@@ -75,11 +75,11 @@ impl WantedRange {
         let more = |v: f64| if is_float { above(v) } else { v + 1.0 };
         let (lo, hi) = (with.lo.value, with.hi.value);
         match op {
-            Binary::Less => WantedRange::between(f64::NEG_INFINITY, less(hi)),
-            Binary::LessEqual => WantedRange::between(f64::NEG_INFINITY, hi),
-            Binary::Greater => WantedRange::between(more(lo), f64::INFINITY),
-            Binary::GreaterEqual => WantedRange::between(lo, f64::INFINITY),
-            _ => WantedRange::ANY,
+            Binary::Less => RequiredRange::between(f64::NEG_INFINITY, less(hi)),
+            Binary::LessEqual => RequiredRange::between(f64::NEG_INFINITY, hi),
+            Binary::Greater => RequiredRange::between(more(lo), f64::INFINITY),
+            Binary::GreaterEqual => RequiredRange::between(lo, f64::INFINITY),
+            _ => RequiredRange::ANY,
         }
     }
 
@@ -88,15 +88,15 @@ impl WantedRange {
         query: &Query,
         by: Refinement,
         get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> WantedRange {
+    ) -> RequiredRange {
         let side = (by.is_right, by.lane as u32);
-        let mut wanted = WantedRange::of(query, by.comparison, by.truth, side, &mut *get);
+        let mut expected = RequiredRange::of(query, by.comparison, by.truth, side, &mut *get);
         for hop in by.way(query.module, query.defs) {
             if let Some(choice) = hop.choice {
-                wanted = wanted.through(query, hop.op, hop.lane, choice, get);
+                expected = expected.through(query, hop.op, hop.lane, choice, get);
             }
         }
-        wanted
+        expected
     }
 
     /// The values permitted for an operand, given those permitted for a component of the operation.
@@ -107,13 +107,13 @@ impl WantedRange {
         lane: u32,
         choice: u8,
         get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> WantedRange {
+    ) -> RequiredRange {
         let module = query.module;
         match module.op(op).kind {
             OpKind::Unary(Unary::Negate, _) if length_lane(module.ty(op)) != Some(lane) => {
-                WantedRange {
+                RequiredRange {
                     not: self.not.map(|(lo, hi)| (0.0 - hi, 0.0 - lo)),
-                    ..WantedRange::between(-self.hi, -self.lo)
+                    ..RequiredRange::between(-self.hi, -self.lo)
                 }
             }
             OpKind::Convert(a) => self.converted(query, op, a),
@@ -124,10 +124,10 @@ impl WantedRange {
                 if kind == Binary::Multiply && is_same(module, query.defs, a, b) {
                     return self.sqrt().magnitude();
                 }
-                let wanted = self.operand(kind, choice, other);
+                let expected = self.operand(kind, choice, other);
                 match query.is_integer(op) && matches!(kind, Binary::Divide | Binary::Multiply) {
-                    true => WantedRange::ANY,
-                    false => wanted,
+                    true => RequiredRange::ANY,
+                    false => expected,
                 }
             }
             OpKind::Builtin(function, list) => {
@@ -144,11 +144,11 @@ impl WantedRange {
         }
     }
 
-    fn converted(self, query: &Query, op: OpId, a: OpId) -> WantedRange {
+    fn converted(self, query: &Query, op: OpId, a: OpId) -> RequiredRange {
         let to = query.module.ty(op).scalar_kind();
         let from = query.module.ty(a).scalar_kind();
         match (from, to) {
-            (_, Some(Scalar::Bool)) | (Some(Scalar::Bool), _) => WantedRange::ANY,
+            (_, Some(Scalar::Bool)) | (Some(Scalar::Bool), _) => RequiredRange::ANY,
             // Conversion truncates towards zero.
             (Some(Scalar::Float), Some(_)) => {
                 let lo = if self.lo > 0.0 {
@@ -161,32 +161,34 @@ impl WantedRange {
                 } else {
                     self.hi + 1.0
                 };
-                WantedRange::between(lo, hi)
+                RequiredRange::between(lo, hi)
             }
             (Some(Scalar::Uint), Some(Scalar::Int)) | (Some(Scalar::Int), Some(Scalar::Uint)) => {
-                WantedRange::ANY
+                RequiredRange::ANY
             }
             _ => self,
         }
     }
 
     /// The values permitted for one operand, given the range of the other.
-    fn operand(self, kind: Binary, choice: u8, other: Interval) -> WantedRange {
+    fn operand(self, kind: Binary, choice: u8, other: Interval) -> RequiredRange {
         let (lo, hi) = (other.lo.value, other.hi.value);
         match (kind, choice) {
-            (Binary::Add, _) => WantedRange::between(self.lo - hi, self.hi - lo),
-            (Binary::Subtract, 0) => WantedRange::between(self.lo + lo, self.hi + hi),
-            (Binary::Subtract, _) => WantedRange::between(lo - self.hi, hi - self.lo),
-            (Binary::Multiply, _) if other.lo.value < 0.0 && other.hi.value > 0.0 => WantedRange {
-                not: self.is_nonzero().then_some((0.0, 0.0)),
-                ..WantedRange::ANY
-            },
+            (Binary::Add, _) => RequiredRange::between(self.lo - hi, self.hi - lo),
+            (Binary::Subtract, 0) => RequiredRange::between(self.lo + lo, self.hi + hi),
+            (Binary::Subtract, _) => RequiredRange::between(lo - self.hi, hi - self.lo),
+            (Binary::Multiply, _) if other.lo.value < 0.0 && other.hi.value > 0.0 => {
+                RequiredRange {
+                    not: self.is_nonzero().then_some((0.0, 0.0)),
+                    ..RequiredRange::ANY
+                }
+            }
             (Binary::Multiply, _) => self.factor(other),
             (Binary::Divide, 0) if lo >= 0.0 && self.lo > 0.0 => {
-                WantedRange::between(above(0.0), f64::INFINITY)
+                RequiredRange::between(above(0.0), f64::INFINITY)
             }
             // The quotient times the divisor.
-            (Binary::Divide, 0) if lo > 0.0 => WantedRange::between(
+            (Binary::Divide, 0) if lo > 0.0 => RequiredRange::between(
                 if self.lo < 0.0 {
                     self.lo * hi
                 } else {
@@ -199,29 +201,29 @@ impl WantedRange {
                 },
             ),
             (Binary::Divide, 0) if hi < 0.0 => {
-                let flipped = WantedRange::between(-self.hi, -self.lo);
+                let flipped = RequiredRange::between(-self.hi, -self.lo);
                 flipped.operand(Binary::Divide, 0, -other)
             }
-            _ => WantedRange::ANY,
+            _ => RequiredRange::ANY,
         }
     }
 
     /// The values permitted for a factor, given the range of the other.
-    fn factor(self, other: Interval) -> WantedRange {
+    fn factor(self, other: Interval) -> RequiredRange {
         let (lo, hi) = (other.lo.value, other.hi.value);
         if hi < 0.0 {
-            return WantedRange::between(-self.hi, -self.lo).factor(-other);
+            return RequiredRange::between(-self.hi, -self.lo).factor(-other);
         }
         if lo <= 0.0 {
             return match self.lo > 0.0 {
-                true => WantedRange::between(above(0.0), f64::INFINITY),
-                false => WantedRange {
+                true => RequiredRange::between(above(0.0), f64::INFINITY),
+                false => RequiredRange {
                     not: self.is_nonzero().then_some((0.0, 0.0)),
-                    ..WantedRange::ANY
+                    ..RequiredRange::ANY
                 },
             };
         }
-        WantedRange::between(
+        RequiredRange::between(
             if self.lo < 0.0 {
                 self.lo / lo
             } else {
@@ -237,52 +239,56 @@ impl WantedRange {
 
     /// The values permitted for an argument of a built-in function, given the range of another
     /// argument.
-    fn argument(self, function: BuiltinId, is_scalar: bool, other: Interval) -> WantedRange {
+    fn argument(self, function: BuiltinId, is_scalar: bool, other: Interval) -> RequiredRange {
         match function.transfer() {
             Transfer::Magnitude => self.magnitude(),
             // The length of a scalar is its absolute value.
             Transfer::Norm if is_scalar => self.magnitude(),
             Transfer::Product if is_scalar => self.sqrt().magnitude(),
-            Transfer::Norm => WantedRange {
+            Transfer::Norm => RequiredRange {
                 not: self.not,
-                ..WantedRange::between(self.lo.max(0.0), self.hi)
+                ..RequiredRange::between(self.lo.max(0.0), self.hi)
             },
             // The dot product of a vector with itself is its squared length.
             Transfer::Product => self.sqrt(),
-            Transfer::Minimum if other.lo.value > self.hi => WantedRange::between(self.lo, self.hi),
-            Transfer::Minimum => WantedRange::between(self.lo, f64::INFINITY),
-            Transfer::Maximum if other.hi.value < self.lo => WantedRange::between(self.lo, self.hi),
-            Transfer::Maximum => WantedRange::between(f64::NEG_INFINITY, self.hi),
-            Transfer::Rounded(_) => WantedRange::between(self.lo - 1.0, self.hi + 1.0),
+            Transfer::Minimum if other.lo.value > self.hi => {
+                RequiredRange::between(self.lo, self.hi)
+            }
+            Transfer::Minimum => RequiredRange::between(self.lo, f64::INFINITY),
+            Transfer::Maximum if other.hi.value < self.lo => {
+                RequiredRange::between(self.lo, self.hi)
+            }
+            Transfer::Maximum => RequiredRange::between(f64::NEG_INFINITY, self.hi),
+            Transfer::Rounded(_) => RequiredRange::between(self.lo - 1.0, self.hi + 1.0),
             _ if function == BuiltinId::Sqrt => {
                 let lo = if self.lo > 0.0 {
                     self.lo * self.lo
                 } else {
                     f64::NEG_INFINITY
                 };
-                WantedRange::between(lo, self.hi.max(0.0) * self.hi.max(0.0))
+                RequiredRange::between(lo, self.hi.max(0.0) * self.hi.max(0.0))
             }
-            _ => WantedRange::ANY,
+            _ => RequiredRange::ANY,
         }
     }
 
     /// The values permitted for `abs(x)`, given those permitted for `x * x`.
-    fn sqrt(self) -> WantedRange {
-        WantedRange {
+    fn sqrt(self) -> RequiredRange {
+        RequiredRange {
             not: self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
-            ..WantedRange::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
+            ..RequiredRange::between(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt())
         }
     }
 
     /// The values permitted for `x`, given those permitted for `abs(x)`.
-    pub(super) fn magnitude(self) -> WantedRange {
+    pub(super) fn magnitude(self) -> RequiredRange {
         let hole = match self.lo > 0.0 {
             true => Some((-below(self.lo), below(self.lo))),
             false => self.not.filter(|_| self.is_nonzero()).map(|_| (0.0, 0.0)),
         };
-        WantedRange {
+        RequiredRange {
             not: hole,
-            ..WantedRange::between(-self.hi, self.hi)
+            ..RequiredRange::between(-self.hi, self.hi)
         }
     }
 

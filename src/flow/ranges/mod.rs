@@ -28,7 +28,7 @@ pub use reason::{Giver, Reason, Side};
 use super::reaching_definitions::condition::each_comparison;
 use super::reaching_definitions::{DefId, Guard, ReachingDefinitions};
 use super::same::is_same;
-use back::WantedRange;
+use back::RequiredRange;
 use node::Node;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, length_lane};
 use shaderlint_semantic::builtins::Transfer;
@@ -168,16 +168,16 @@ impl<'x> Query<'x> {
                 module.op(comparison).kind
             {
                 let mut range = self.lane(left, 0);
-                let wanted = self.wanted(comparison, truth, false);
-                wanted.narrow(&mut range, self.is_float(left));
+                let expected = self.expected(comparison, truth, false);
+                expected.narrow(&mut range, self.is_float(left));
                 is_met &= range.lo.value <= range.hi.value;
             }
         });
         is_met
     }
 
-    fn wanted(&self, comparison: OpId, truth: bool, is_right: bool) -> WantedRange {
-        WantedRange::of(self, comparison, truth, (is_right, 0), |node| {
+    fn expected(&self, comparison: OpId, truth: bool, is_right: bool) -> RequiredRange {
+        RequiredRange::of(self, comparison, truth, (is_right, 0), |node| {
             let known = self.ranges.known().solve(self, node);
             Some(known.unwrap_or(Interval::ANY))
         })
@@ -234,13 +234,13 @@ impl<'x> Query<'x> {
                 }
                 _ => None,
             };
-            let wanted = match magnitude.is_some_and(|inner| same(*inner)) {
-                true => self.wanted(comparison, truth, is_right).magnitude(),
-                false if same(side) => self.wanted(comparison, truth, is_right),
+            let expected = match magnitude.is_some_and(|inner| same(*inner)) {
+                true => self.expected(comparison, truth, is_right).magnitude(),
+                false if same(side) => self.expected(comparison, truth, is_right),
                 false => continue,
             };
             let before = *range;
-            wanted.narrow(range, self.is_float(op));
+            expected.narrow(range, self.is_float(op));
             if range.lo.value > range.hi.value {
                 *range = Interval::ANY.like(&before);
             }

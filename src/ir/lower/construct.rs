@@ -80,13 +80,13 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The first `wanted` components of a sequence of values.
-    fn components(&self, values: &[OpId], wanted: usize) -> Vec<Component> {
+    /// The first `expected` components of a sequence of values.
+    fn components(&self, values: &[OpId], expected: usize) -> Vec<Component> {
         let each = |of: &OpId| {
             let of = *of;
             (0..self.module.ty(of).components()).map(move |number| Component { of, number })
         };
-        values.iter().flat_map(each).take(wanted).collect()
+        values.iter().flat_map(each).take(expected).collect()
     }
 
     /// Composes a scalar or vector from components; adjacent components of one vector become one

@@ -107,9 +107,9 @@ impl Bindings {
     /// Adds a channel, with its own number if that is free.
     fn add(&mut self, input: Input) {
         let is_taken = |n: u8| self.inputs.iter().any(|i| i.channel == n);
-        let wanted = channel(input.uniform.as_deref().unwrap_or(""));
+        let requested = channel(input.uniform.as_deref().unwrap_or(""));
         let free = || (0..MAX_CHANNELS).find(|n| !is_taken(*n));
-        let channel = wanted.filter(|n| !is_taken(*n)).or_else(free);
+        let channel = requested.filter(|n| !is_taken(*n)).or_else(free);
         if let Some(channel) = channel {
             self.inputs.push(Input { channel, ..input });
         }
@@ -371,12 +371,12 @@ mod tests {
         let project = Project::from_shader("", code).unwrap();
         let uniforms = project.passes[0].bound.uniforms.iter();
         let found: Vec<_> = uniforms.map(|u| (u.source, u.of.as_deref())).collect();
-        let wanted = [
+        let requested = [
             (Feed::TextureSize, Some("u_tex0")),
             (Feed::TextureSize, Some("photo")),
             (Feed::Control, None),
         ];
-        assert_eq!(found, wanted);
+        assert_eq!(found, requested);
     }
 
     #[test]

@@ -207,9 +207,9 @@ impl<'t> Clues<'t> {
     }
 
     /// The undeclared words of the text that satisfy a predicate.
-    pub fn free_words(&self, wanted: impl Fn(&str) -> bool) -> Vec<&'t str> {
+    pub fn free_words(&self, requested: impl Fn(&str) -> bool) -> Vec<&'t str> {
         let all = self.words.iter().copied();
-        let mut found: Vec<&str> = all.filter(|w| wanted(w) && !self.declares(w)).collect();
+        let mut found: Vec<&str> = all.filter(|w| requested(w) && !self.declares(w)).collect();
         found.sort_unstable();
         found
     }

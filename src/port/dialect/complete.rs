@@ -155,9 +155,9 @@ pub(super) fn completions_of(clues: &Clues) -> Vec<Completion> {
     completions_after(clues, "", true)
 }
 
-/// Candidates for a text after the declarations of a host. `as_it_stands` is false if the host
+/// Candidates for a text after the declarations of a host. `as_it_is` is false if the host
 /// always adds text.
-pub(super) fn completions_after(clues: &Clues, host: &str, as_it_stands: bool) -> Vec<Completion> {
+pub(super) fn completions_after(clues: &Clues, host: &str, as_it_is: bool) -> Vec<Completion> {
     let text = clues.text;
     let old = || Completion::after(defaults(Version::Es100) + host, text);
     let new = || Completion::after(modern(clues) + host, text);
@@ -187,7 +187,7 @@ pub(super) fn completions_after(clues: &Clues, host: &str, as_it_stands: bool) -
         ],
         VersionAsked::Desktop(number) => vec![desktop(number)],
     };
-    let bare = as_it_stands && !matches!(clues.asked, VersionAsked::Desktop(_));
+    let bare = as_it_is && !matches!(clues.asked, VersionAsked::Desktop(_));
     let bare = bare.then(|| Completion::bare(text));
     bare.into_iter().chain(rest).collect()
 }
@@ -392,7 +392,7 @@ pub(super) struct Directive<'t> {
 }
 
 /// The lines of a text with the given directives.
-pub(super) fn directives(text: &str, is_wanted: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
+pub(super) fn directives(text: &str, is_requested: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
     let mut lexer = Lexer::new(text, 0);
     let mut found: Vec<Directive> = Vec::new();
     let mut hash = None;
@@ -405,7 +405,7 @@ pub(super) fn directives(text: &str, is_wanted: impl Fn(&str) -> bool) -> Vec<Di
             RawKind::Hash => hash = Some(start),
             RawKind::Word => {
                 let word = text.get(start..end).unwrap_or("");
-                if let Some(at) = hash.take().filter(|_| is_wanted(word)) {
+                if let Some(at) = hash.take().filter(|_| is_requested(word)) {
                     let rest = text.get(end..).and_then(|t| t.lines().next()).unwrap_or("");
                     found.push(Directive {
                         start: at,

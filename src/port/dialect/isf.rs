@@ -176,7 +176,7 @@ fn sibling_vertex<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
     match clues.siblings.get(&path) {
         Some(text) => text.as_deref(),
         None => {
-            plan.wanted.push(path);
+            plan.requested.push(path);
             None
         }
     }
@@ -599,7 +599,7 @@ mod tests {
             {"NAME": "sound", "TYPE": "audioFFT"}, {"NAME": "i", "TYPE": "image"}]}*/
             void main() { gl_FragColor = IMG_NORM_PIXEL(i, p) + IMG_PIXEL(sound, vec2(a)); }"#,
         );
-        let said: Vec<String> = project
+        let message: Vec<String> = project
             .controls
             .iter()
             .map(|c| {
@@ -610,7 +610,7 @@ mod tests {
             })
             .collect();
         assert_eq!(
-            said,
+            message,
             [
                 "a Float [-1.0] [1.0] [3.0]",
                 "b Choice [0.0] [9.0] [10.0]",
@@ -620,9 +620,9 @@ mod tests {
             ]
         );
         let inputs = &project.passes[0].inputs;
-        let said: Vec<_> = inputs.iter().map(|i| (i.kind, i.signal)).collect();
+        let message: Vec<_> = inputs.iter().map(|i| (i.kind, i.signal)).collect();
         assert_eq!(
-            said,
+            message,
             [
                 (InputKind::Music, SignalForm::Spectrum),
                 (InputKind::Texture, SignalForm::Both)
@@ -638,7 +638,7 @@ mod tests {
             {"TARGET": "b", "PERSISTENT": true}]}*/
             void main() { gl_FragColor = IMG_THIS_PIXEL(a) + IMG_THIS_PIXEL(b) + float(PASSINDEX); }"#,
         );
-        let said: Vec<_> = project
+        let message: Vec<_> = project
             .passes
             .iter()
             .map(|p| {
@@ -651,7 +651,7 @@ mod tests {
             })
             .collect();
         assert_eq!(
-            said,
+            message,
             [
                 ("a", Pass::Buffer, true, true),
                 ("b", Pass::Buffer, false, false),

@@ -90,7 +90,7 @@ pub struct Plan {
     /// Notes for the user.
     pub notes: Vec<String>,
     /// Companion files that it refers to and that have not been read yet.
-    pub wanted: Vec<String>,
+    pub requested: Vec<String>,
     /// Author and description in the header.
     pub credit: Option<Credit>,
     /// Whether the text is the description of a project and not a shader.
@@ -335,7 +335,7 @@ pub struct Hosted {
     /// The completed text.
     pub completion: Completion,
     /// Companion files that it refers to and that have not been read yet.
-    pub wanted: Vec<String>,
+    pub requested: Vec<String>,
 }
 
 impl Hosted {
@@ -387,7 +387,7 @@ pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
     (is_text || !host.directives.is_empty()).then_some(Hosted {
         recognised,
         completion,
-        wanted: plan.wanted,
+        requested: plan.requested,
     })
 }
 

@@ -195,7 +195,7 @@ impl<'d> ShaderedReader<'_, '_, 'd> {
                 return None;
             }
             None => {
-                self.plan.wanted.push(path.to_string());
+                self.plan.requested.push(path.to_string());
                 return None;
             }
         };

@@ -172,10 +172,10 @@ mod tests {
     #[track_caller]
     fn check(line: &str, expected: &str) {
         let read = commands(line).next().and_then(|c| control(&c));
-        let said = read.map_or("none".to_string(), |c| {
+        let message = read.map_or("none".to_string(), |c| {
             format!("{:?} {:?} {:?} {:?}", c.kind, c.min, c.value, c.max)
         });
-        assert_eq!(said, expected, "{line}");
+        assert_eq!(message, expected, "{line}");
     }
 
     #[test]

@@ -215,7 +215,7 @@ impl VscodeReader<'_, '_> {
                 Some(Some(text)) => return Some((file, text.clone())),
                 Some(None) => {}
                 None => {
-                    self.plan.wanted.push(file);
+                    self.plan.requested.push(file);
                     return None;
                 }
             }
@@ -675,7 +675,7 @@ mod tests {
         let text = "#iChannel0 \"file://./a/b.glsl\"\n#iChannel1 \"self\"\nvoid mainImage(out vec4 c, in vec2 p) \
             { c = texture(iChannel0, p) + texture(iChannel1, p); }";
         let mut siblings = super::super::SiblingTexts::new();
-        let asked = plan(&Clues::with_siblings(text, "x", &siblings)).wanted;
+        let asked = plan(&Clues::with_siblings(text, "x", &siblings)).requested;
         assert_eq!(asked, ["a/b.glsl"]);
         let buffer =
             "#include \"c.glsl\"\nvoid main() { gl_FragColor = vec4(C, iTime, 0.0, 1.0); }";
@@ -683,7 +683,7 @@ mod tests {
         siblings.insert("a/c.glsl".to_string(), Some("const float C = 0.5;".into()));
         let plan = plan(&Clues::with_siblings(text, "x", &siblings));
         assert!(
-            plan.wanted.is_empty() && plan.notes.is_empty(),
+            plan.requested.is_empty() && plan.notes.is_empty(),
             "{:?}",
             plan.notes
         );

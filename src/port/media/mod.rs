@@ -74,10 +74,10 @@ mod tests {
         let mut input = Input::empty(0, kind);
         (input.id, input.src) = (id.to_string(), src.to_string());
         let found = stand_in(&input);
-        let said = found.map_or(String::new(), |s| {
+        let message = found.map_or(String::new(), |s| {
             format!("{} {} {:?}", s.generator.name, s.title, s.size)
         });
-        assert_eq!(said, expected, "{id} {src}");
+        assert_eq!(message, expected, "{id} {src}");
     }
 
     #[test]

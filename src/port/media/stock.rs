@@ -106,7 +106,7 @@ static STOCK: [Stock; 30] = {
 /// The stand-in for an unknown file, by kind.
 pub(super) fn of_kind(kind: InputKind) -> Option<StandIn> {
     let (generator, size) = match kind {
-        InputKind::Texture => (PICTURE, square(512)),
+        InputKind::Texture => (PHOTO, square(512)),
         InputKind::Cubemap => (SKY, square(256)),
         InputKind::Volume => (NOISE_VOLUME, [32; 3]),
         // ShaderToy's videos have about this size.
@@ -167,7 +167,7 @@ generators! {
     ORGANIC_3: "organic_3", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "lib/cells", "organic_3"];
     ORGANIC_4: "organic_4", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "lib/cells", "organic_4"];
     PEBBLES: "pebbles", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "lib/cells", "pebbles"];
-    PICTURE: "picture", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "picture"];
+    PHOTO: "picture", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "picture"];
     ROCK_TILES: "rock_tiles", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "rock_tiles"];
     RUSTY_METAL: "rusty_metal", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "rusty_metal"];
     STARS: "stars", "flat", ["lib/hash", "lib/tile", "lib/noise", "lib/fbm", "lib/warp", "lib/cells", "stars"];

@@ -214,9 +214,9 @@ impl PrototypeWords {
 
     /// Consumes a punctuation character if it is next.
     const fn eat(&mut self, mark: u8) -> bool {
-        let stands = self.skip() && self.rest.as_bytes()[0] == mark;
-        self.take(stands as usize);
-        stands
+        let is_next = self.skip() && self.rest.as_bytes()[0] == mark;
+        self.take(is_next as usize);
+        is_next
     }
 
     /// Consumes a punctuation character that must be next.

@@ -1,7 +1,7 @@
 //! Arrays: their sizes, and where they are not allowed (GLSL ES 3.00 section 4.1.9).
 
 use super::super::constant::Value;
-use super::qualifier::WantedStorage;
+use super::qualifier::StorageRequest;
 use super::*;
 
 /// An error in an array type or declaration.
@@ -41,7 +41,12 @@ pub(crate) enum ArrayError {
 
 impl Checker<'_> {
     /// The type with its array sizes. `storage` is that of the declaration, if there is one.
-    pub(super) fn with_arrays(&mut self, base: Type, arrays: List, storage: WantedStorage) -> Type {
+    pub(super) fn with_arrays(
+        &mut self,
+        base: Type,
+        arrays: List,
+        storage: StorageRequest,
+    ) -> Type {
         let tree = self.tree;
         let sizes = tree.arrays(arrays);
         let Some(first) = sizes.first() else {
@@ -64,12 +69,12 @@ impl Checker<'_> {
         ty
     }
 
-    fn check_array_qualifier(&mut self, base: Type, storage: WantedStorage, extent: Extent) {
-        let vertex_in = self.stage == Stage::Vertex && storage == WantedStorage::In;
+    fn check_array_qualifier(&mut self, base: Type, storage: StorageRequest, extent: Extent) {
+        let vertex_in = self.stage == Stage::Vertex && storage == StorageRequest::In;
         let varying = !vertex_in && (storage.is_input() || storage.is_output());
         let problem = match storage {
-            WantedStorage::Attribute => ArrayError::Attribute,
-            WantedStorage::Const if !self.has(Feature::ArrayValues) => ArrayError::Constant,
+            StorageRequest::Attribute => ArrayError::Attribute,
+            StorageRequest::Const if !self.has(Feature::ArrayValues) => ArrayError::Constant,
             _ if vertex_in => ArrayError::Input,
             _ if varying && matches!(base.base, Base::Struct(_)) => ArrayError::OfPassedStructs,
             _ => return,

@@ -1,6 +1,6 @@
 //! Assignments and initializers (GLSL ES 3.00 sections 5.8 and 4.3).
 
-use super::qualifier::{Qualified, WantedStorage};
+use super::qualifier::{Qualified, StorageRequest};
 use super::*;
 
 /// An error in the initializer of a declaration.
@@ -13,7 +13,7 @@ pub(crate) enum ValueError {
     /// variable.
     Retyped(Declarator, Extent, Type, ExprId, TypeMismatch),
     /// A value that must be a constant expression.
-    NotConstant(Declarator, ExprId, WantedStorage),
+    NotConstant(Declarator, ExprId, StorageRequest),
 }
 
 impl Checker<'_> {
@@ -77,7 +77,7 @@ impl Checker<'_> {
         }
         if !matches!(
             qualified.storage,
-            WantedStorage::None | WantedStorage::Const
+            StorageRequest::None | StorageRequest::Const
         ) {
             let problem = DeclarationError::Value(qualified.storage);
             self.reject(declarator.extent, problem);
@@ -100,7 +100,7 @@ impl Checker<'_> {
         init: ExprId,
     ) {
         let info = self.info(init);
-        let is_const = qualified.storage == WantedStorage::Const;
+        let is_const = qualified.storage == StorageRequest::Const;
         let is_global = self.at_global_scope() && !self.is_global_initializer(init);
         if is_const && !info.is_const || !is_const && is_global {
             let problem = ValueError::NotConstant(*declarator, init, qualified.storage);

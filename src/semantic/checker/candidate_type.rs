@@ -71,11 +71,12 @@ impl Checker<'_> {
         };
         let found = self.ty(init);
         let is_plain = !ty.is_array() && !found.is_array() && declarator.arrays.len == 0;
-        let (Some((wanted, ..)), Some(_), true) = (ty.numeric(), found.numeric(), is_plain) else {
+        let (Some((expected, ..)), Some(_), true) = (ty.numeric(), found.numeric(), is_plain)
+        else {
             return ty;
         };
         // `float a = 0;` always means a float.
-        if wanted == Scalar::Float && self.literal_token(init).is_some() {
+        if expected == Scalar::Float && self.literal_token(init).is_some() {
             return ty;
         }
         self.candidates.met.push(index);

@@ -1,7 +1,7 @@
 //! Declarations of variables, structs and interface blocks (GLSL ES 3.00 section 4).
 
 use super::super::host::channel;
-use super::qualifier::{Qualified, WantedStorage};
+use super::qualifier::{Qualified, StorageRequest};
 use super::*;
 
 /// An error in the declaration of a variable.
@@ -14,7 +14,7 @@ pub(crate) enum DeclarationError {
     /// A constant without an initializer.
     NoValue(Name),
     /// An initializer of a variable with a storage that has none, such as `uniform`.
-    Value(WantedStorage),
+    Value(StorageRequest),
 }
 
 impl<'a> Checker<'a> {
@@ -98,7 +98,7 @@ impl<'a> Checker<'a> {
     fn check_interpolation(&mut self, qualified: &Qualified, extent: Extent) {
         let alone = matches!(
             qualified.storage,
-            WantedStorage::Flat | WantedStorage::Smooth | WantedStorage::Centroid
+            StorageRequest::Flat | StorageRequest::Smooth | StorageRequest::Centroid
         );
         if alone && self.at_global_scope() {
             let at = qualified.extent.unwrap_or(extent);
@@ -108,7 +108,7 @@ impl<'a> Checker<'a> {
 
     fn check_invariant(&mut self, qualified: &Qualified, extent: Extent) {
         let is_output =
-            qualified.storage == WantedStorage::Varying || qualified.storage.is_output();
+            qualified.storage == StorageRequest::Varying || qualified.storage.is_output();
         if qualified.invariant && !is_output {
             let at = qualified.extent.unwrap_or(extent);
             self.reject(at, QualifierError::Invariant);
@@ -134,9 +134,9 @@ impl<'a> Checker<'a> {
         let mut ty = self.with_arrays(base, declarator.arrays, qualified.storage);
         let mut initial = None;
         if let Some(init) = declarator.init {
-            self.wanted = Some(ty);
+            self.expected = Some(ty);
             self.eval(init);
-            self.wanted = None;
+            self.expected = None;
             initial = Some(self.info(init));
             if ty.array == Type::UNSIZED {
                 let found = self.ty(init);
@@ -149,7 +149,7 @@ impl<'a> Checker<'a> {
         if !ok {
             ty = Type::ERROR;
         }
-        let mut is_const = qualified.storage == WantedStorage::Const;
+        let mut is_const = qualified.storage == StorageRequest::Const;
         let mut constant = Constant::NONE;
         if is_const && declarator.init.is_none() {
             let name = declarator.ident.name;
@@ -199,7 +199,7 @@ impl<'a> Checker<'a> {
             self.reject(name, DeclarationError::Void);
         } else if let Err(problem) = self.passed_as(qualified.storage, base) {
             self.reject(name, problem);
-        } else if self.inside(base).sampler && qualified.storage != WantedStorage::Uniform {
+        } else if self.inside(base).sampler && qualified.storage != StorageRequest::Uniform {
             self.reject(name, DeclarationError::Sampler);
         } else {
             return true;
@@ -207,14 +207,14 @@ impl<'a> Checker<'a> {
         false
     }
 
-    fn storage_of(&self, wanted: WantedStorage) -> Storage {
-        match wanted {
-            WantedStorage::Uniform => Storage::Uniform,
-            WantedStorage::Attribute => Storage::Input,
-            WantedStorage::Varying if self.stage == Stage::Vertex => Storage::Output,
-            WantedStorage::Varying => Storage::Input,
-            wanted if wanted.is_input() => Storage::Input,
-            wanted if wanted.is_output() => Storage::Output,
+    fn storage_of(&self, expected: StorageRequest) -> Storage {
+        match expected {
+            StorageRequest::Uniform => Storage::Uniform,
+            StorageRequest::Attribute => Storage::Input,
+            StorageRequest::Varying if self.stage == Stage::Vertex => Storage::Output,
+            StorageRequest::Varying => Storage::Input,
+            expected if expected.is_input() => Storage::Input,
+            expected if expected.is_output() => Storage::Output,
             _ if self.at_global_scope() => Storage::Global,
             _ => Storage::Local,
         }
@@ -290,7 +290,7 @@ impl<'a> Checker<'a> {
         if spec.arrays.len == 0 {
             return base;
         }
-        self.with_arrays(base, spec.arrays, WantedStorage::None)
+        self.with_arrays(base, spec.arrays, StorageRequest::None)
     }
 
     fn named_type(&mut self, name: Name, token: TokenId) -> Type {

@@ -1,6 +1,6 @@
 //! Undeclared names of other languages, and the types of their GLSL equivalents.
 
-use super::qualifier::WantedStorage;
+use super::qualifier::StorageRequest;
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 
@@ -69,7 +69,7 @@ impl Checker<'_> {
         qualifiers: List,
         ty: TypeId,
         declarators: List,
-    ) -> Option<(Type, WantedStorage)> {
+    ) -> Option<(Type, StorageRequest)> {
         let tree = self.tree;
         let spec = tree.ty(ty);
         let token = spec.extent.first;
@@ -95,15 +95,17 @@ impl Checker<'_> {
         let is_known = values
             .iter()
             .all(|d| d.init.is_some_and(|i| self.info(i).is_const));
-        let (from, wanted) = match all {
+        let (from, expected) = match all {
             [only] if only.kind == QualifierKind::Const && is_known => {
-                (token, WantedStorage::Const)
+                (token, StorageRequest::Const)
             }
-            [only] if only.kind == QualifierKind::Const => (only.extent.first, WantedStorage::None),
-            _ => (token, WantedStorage::None),
+            [only] if only.kind == QualifierKind::Const => {
+                (only.extent.first, StorageRequest::None)
+            }
+            _ => (token, StorageRequest::None),
         };
         self.reject(Extent::token(token), ForeignError::Inferred(from, found));
-        Some((found, wanted))
+        Some((found, expected))
     }
 
     /// Reports a call of a function of another language, and returns its result.

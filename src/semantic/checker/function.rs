@@ -1,7 +1,7 @@
 //! Functions: headers, prototypes and bodies (GLSL ES 3.00 section 6.1).
 
 use super::super::builtins::Overload;
-use super::qualifier::WantedStorage;
+use super::qualifier::StorageRequest;
 use super::*;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
@@ -218,7 +218,7 @@ impl Checker<'_> {
         if let TypeBase::Struct(_) = tree.ty(param.ty).base {
             self.reject(param.extent, FunctionError::StructParameter);
         }
-        let ty = self.with_arrays(base, param.arrays, WantedStorage::None);
+        let ty = self.with_arrays(base, param.arrays, StorageRequest::None);
         let problem = if ty.array == Type::UNSIZED {
             FunctionError::UnsizedParameter
         } else if ty.is_sampler() && direction.writes() {

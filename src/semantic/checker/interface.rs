@@ -1,24 +1,24 @@
 //! Types that can be passed between stages, and to and from the shader (GLSL ES 3.00 sections 4.3.4
 //! and 4.3.6).
 
-use super::qualifier::WantedStorage;
+use super::qualifier::StorageRequest;
 use super::*;
 
 /// An error in the type of an input or output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum InterfaceError {
     /// A type that is not allowed with this storage.
-    Type(WantedStorage, Type),
+    Type(StorageRequest, Type),
     /// A `bool` or vector of them.
-    Bool(WantedStorage),
+    Bool(StorageRequest),
     /// A struct, which is not allowed with this storage.
-    Struct(WantedStorage),
+    Struct(StorageRequest),
     /// A vertex shader input that is an array.
     InputArray,
     /// A fragment shader output that is a matrix.
     OutputMatrix,
     /// An integer without `flat`.
-    NotFlat(WantedStorage),
+    NotFlat(StorageRequest),
     /// An array of structs.
     ArrayOfStructs,
     /// A struct containing an array.
@@ -31,13 +31,13 @@ pub(crate) enum InterfaceError {
 
 impl Checker<'_> {
     /// Checks that values of a type can be passed with these qualifiers.
-    pub(super) fn passed(&self, storage: WantedStorage, ty: Type) -> Result<(), InterfaceError> {
+    pub(super) fn passed(&self, storage: StorageRequest, ty: Type) -> Result<(), InterfaceError> {
         use InterfaceError as E;
         let scalar = match ty.base {
             Base::Numeric { scalar, .. } => Some(scalar),
             _ => None,
         };
-        let is_legacy = matches!(storage, WantedStorage::Attribute | WantedStorage::Varying);
+        let is_legacy = matches!(storage, StorageRequest::Attribute | StorageRequest::Varying);
         if !self.has(Feature::InOut) {
             return match scalar {
                 Some(Scalar::Bool | Scalar::Int) if is_legacy => Err(E::Type(storage, ty)),
@@ -55,7 +55,7 @@ impl Checker<'_> {
             Some(Stage::Fragment) if ty.element().is_matrix() => Err(E::OutputMatrix),
             Some(_) => Ok(()),
             None if self.inside(ty).integer
-                && !matches!(storage, WantedStorage::FlatIn | WantedStorage::FlatOut) =>
+                && !matches!(storage, StorageRequest::FlatIn | StorageRequest::FlatOut) =>
             {
                 Err(E::NotFlat(storage))
             }
@@ -65,9 +65,9 @@ impl Checker<'_> {
 
     /// The stage, if variables of this storage are at an end of the pipeline: vertex shader inputs
     /// and fragment shader outputs.
-    fn end_of(&self, storage: WantedStorage) -> Option<Stage> {
+    fn end_of(&self, storage: StorageRequest) -> Option<Stage> {
         match (self.stage, storage) {
-            (Stage::Vertex, WantedStorage::In) | (Stage::Fragment, WantedStorage::Out) => {
+            (Stage::Vertex, StorageRequest::In) | (Stage::Fragment, StorageRequest::Out) => {
                 Some(self.stage)
             }
             _ => None,
@@ -99,8 +99,12 @@ impl Checker<'_> {
 
     /// Checks that variables of a type can have this storage: no structs at the ends of the
     /// pipeline.
-    pub(super) fn passed_as(&self, storage: WantedStorage, ty: Type) -> Result<(), InterfaceError> {
-        let is_legacy = matches!(storage, WantedStorage::Attribute | WantedStorage::Varying);
+    pub(super) fn passed_as(
+        &self,
+        storage: StorageRequest,
+        ty: Type,
+    ) -> Result<(), InterfaceError> {
+        let is_legacy = matches!(storage, StorageRequest::Attribute | StorageRequest::Varying);
         let takes_none = is_legacy || self.end_of(storage).is_some();
         match ty.base {
             Base::Struct(_) if takes_none => Err(InterfaceError::Struct(storage)),

@@ -1,6 +1,6 @@
 //! `layout(...)` (GLSL ES 3.00 section 4.3.8).
 
-use super::qualifier::{Qualified, WantedStorage};
+use super::qualifier::{Qualified, StorageRequest};
 use super::*;
 
 /// The minimum that WebGL2 guarantees, and the limit that Chromium compiles with.
@@ -118,8 +118,9 @@ impl Checker<'_> {
         let Some(location) = layout.location else {
             return;
         };
-        let vertex_in = self.stage == Stage::Vertex && qualified.storage == WantedStorage::In;
-        let fragment_out = self.stage == Stage::Fragment && qualified.storage == WantedStorage::Out;
+        let vertex_in = self.stage == Stage::Vertex && qualified.storage == StorageRequest::In;
+        let fragment_out =
+            self.stage == Stage::Fragment && qualified.storage == StorageRequest::Out;
         if !vertex_in && !fragment_out {
             self.reject(at, LayoutError::NoLocationHere);
         } else if layout.locations > 1 && fragment_out {
@@ -134,7 +135,7 @@ impl Checker<'_> {
         let qualified = self.qualifiers(qualifiers);
         let problem = if qualified.layout.is_empty() {
             LayoutError::OfNothing
-        } else if qualified.storage != WantedStorage::Uniform {
+        } else if qualified.storage != StorageRequest::Uniform {
             LayoutError::NotUniform
         } else if qualified.layout.location.is_some() {
             LayoutError::Shared

@@ -64,7 +64,7 @@ pub(super) use output::OutputError;
 pub(super) use place::{PlaceError, Writer};
 pub(super) use problem::{Aside, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration};
 use qualifier::Precisions;
-pub(super) use qualifier::{QualifierError, WantedStorage};
+pub(super) use qualifier::{QualifierError, StorageRequest};
 pub(super) use record::{RecordError, RecordKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
@@ -212,7 +212,7 @@ fn look(
         builtin_variables: FxHashMap::default(),
         current: None,
         root_expr: ExprId(0),
-        wanted: None,
+        expected: None,
         level: 0,
         flow: Vec::new(),
         undeclared: FxHashMap::default(),
@@ -284,7 +284,7 @@ struct Checker<'a> {
     current: Option<FunctionRef>,
     /// The root of the expression being checked, and the type that its context expects.
     root_expr: ExprId,
-    wanted: Option<Type>,
+    expected: Option<Type>,
     /// Depth of the current statement in the browser's tree.
     level: u32,
     flow: Vec<Flow>,
@@ -369,7 +369,7 @@ impl<'a> Checker<'a> {
             scopes: self.scopes.mark(),
             current: self.current,
             root_expr: self.root_expr,
-            wanted: self.wanted,
+            expected: self.expected,
         };
         self.problems.push(Problem {
             at,

@@ -1,6 +1,6 @@
 //! The outputs of a fragment shader, and their locations (GLSL ES 3.00 section 4.3.8.2).
 
-use super::qualifier::{Qualified, WantedStorage};
+use super::qualifier::{Qualified, StorageRequest};
 use super::*;
 
 /// Most outputs of a fragment shader.
@@ -14,7 +14,7 @@ pub(crate) enum OutputError {
     /// An output, and another one at the same location.
     Shared(Name, Ident, u64),
     /// An output of the user in addition to that of the host.
-    BesideHosts(Name),
+    NextToHostOutputs(Name),
     /// One of several outputs, without a location.
     NoLocation(Name),
     /// `gl_FragColor` and `gl_FragData` in one shader; the first use of the earlier one.
@@ -33,7 +33,7 @@ impl Checker<'_> {
     /// Records an output for the check of locations.
     pub(super) fn note_output(&mut self, declarator: &Declarator, qualified: &Qualified, ty: Type) {
         if self.stage == Stage::Fragment
-            && qualified.storage == WantedStorage::Out
+            && qualified.storage == StorageRequest::Out
             && self.has(Feature::InOut)
             && !ty.is_error()
         {
@@ -84,7 +84,7 @@ impl Checker<'_> {
         let users = outputs.iter().find(|o| !self.is_prelude(o.ident.token));
         if let (true, Some(output)) = (self.is_prelude(without.ident.token), users) {
             let at = Extent::token(output.ident.token);
-            return self.reject(at, OutputError::BesideHosts(output.ident.name));
+            return self.reject(at, OutputError::NextToHostOutputs(output.ident.name));
         }
         let at = Extent::token(without.ident.token);
         self.reject(at, OutputError::NoLocation(without.ident.name));

@@ -23,7 +23,7 @@ pub(crate) struct ProblemMoment {
     pub current: Option<FunctionRef>,
     /// The root of the expression being checked, and the type that its context expects.
     pub root_expr: ExprId,
-    pub wanted: Option<Type>,
+    pub expected: Option<Type>,
 }
 
 /// Information about a problem that was found later.

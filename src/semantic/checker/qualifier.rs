@@ -28,7 +28,7 @@ pub(crate) enum QualifierError {
     /// A qualifier that is not allowed on a return type.
     Returned,
     /// An interpolation qualifier without `in` or `out`.
-    Alone(WantedStorage),
+    Alone(StorageRequest),
     /// `invariant` on anything but an output.
     Invariant,
     /// The same, on a variable that was declared before.
@@ -99,20 +99,20 @@ impl Precisions {
 /// The storage that qualifiers request, before it is known what they qualify.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[rustfmt::skip]
-pub(crate) enum WantedStorage {
+pub(crate) enum StorageRequest {
     None, Const, In, Out, Inout, Uniform, Attribute, Varying, Centroid, Flat, Smooth,
     FlatIn, FlatOut, SmoothIn, SmoothOut, CentroidIn, CentroidOut,
 }
 
-impl WantedStorage {
+impl StorageRequest {
     /// Whether this is an input of the stage.
     pub fn is_input(self) -> bool {
         matches!(
             self,
-            WantedStorage::In
-                | WantedStorage::FlatIn
-                | WantedStorage::SmoothIn
-                | WantedStorage::CentroidIn
+            StorageRequest::In
+                | StorageRequest::FlatIn
+                | StorageRequest::SmoothIn
+                | StorageRequest::CentroidIn
         )
     }
 
@@ -120,33 +120,33 @@ impl WantedStorage {
     pub fn is_output(self) -> bool {
         matches!(
             self,
-            WantedStorage::Out
-                | WantedStorage::FlatOut
-                | WantedStorage::SmoothOut
-                | WantedStorage::CentroidOut
+            StorageRequest::Out
+                | StorageRequest::FlatOut
+                | StorageRequest::SmoothOut
+                | StorageRequest::CentroidOut
         )
     }
 
     /// The qualifiers as they are written in GLSL.
     pub fn name(self) -> &'static str {
         match self {
-            WantedStorage::None => "",
-            WantedStorage::Const => "const",
-            WantedStorage::In => "in",
-            WantedStorage::Out => "out",
-            WantedStorage::Inout => "inout",
-            WantedStorage::Uniform => "uniform",
-            WantedStorage::Attribute => "attribute",
-            WantedStorage::Varying => "varying",
-            WantedStorage::Centroid => "centroid",
-            WantedStorage::Flat => "flat",
-            WantedStorage::Smooth => "smooth",
-            WantedStorage::FlatIn => "flat in",
-            WantedStorage::FlatOut => "flat out",
-            WantedStorage::SmoothIn => "smooth in",
-            WantedStorage::SmoothOut => "smooth out",
-            WantedStorage::CentroidIn => "centroid in",
-            WantedStorage::CentroidOut => "centroid out",
+            StorageRequest::None => "",
+            StorageRequest::Const => "const",
+            StorageRequest::In => "in",
+            StorageRequest::Out => "out",
+            StorageRequest::Inout => "inout",
+            StorageRequest::Uniform => "uniform",
+            StorageRequest::Attribute => "attribute",
+            StorageRequest::Varying => "varying",
+            StorageRequest::Centroid => "centroid",
+            StorageRequest::Flat => "flat",
+            StorageRequest::Smooth => "smooth",
+            StorageRequest::FlatIn => "flat in",
+            StorageRequest::FlatOut => "flat out",
+            StorageRequest::SmoothIn => "smooth in",
+            StorageRequest::SmoothOut => "smooth out",
+            StorageRequest::CentroidIn => "centroid in",
+            StorageRequest::CentroidOut => "centroid out",
         }
     }
 }
@@ -154,7 +154,7 @@ impl WantedStorage {
 /// The qualifiers of a declaration, combined.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Qualified {
-    pub storage: WantedStorage,
+    pub storage: StorageRequest,
     pub invariant: bool,
     /// Whether a precision was given.
     pub precision: bool,
@@ -190,7 +190,7 @@ impl Checker<'_> {
         let tree = self.tree;
         let all = tree.qualifiers(list);
         let mut result = Qualified {
-            storage: WantedStorage::None,
+            storage: StorageRequest::None,
             invariant: false,
             precision: false,
             layout: layout::LayoutQualifier::default(),
@@ -258,9 +258,9 @@ impl Checker<'_> {
     }
 
     /// Adds a qualifier to the storage so far; `None` if they exclude each other.
-    fn join(&self, storage: WantedStorage, kind: QualifierKind) -> Option<WantedStorage> {
+    fn join(&self, storage: StorageRequest, kind: QualifierKind) -> Option<StorageRequest> {
         use QualifierKind as Q;
-        use WantedStorage as W;
+        use StorageRequest as W;
         let vertex = self.stage == Stage::Vertex;
         let has_in_out = self.has(Feature::InOut);
         // `attribute` and `varying` have already been reported in a version without them.
@@ -404,7 +404,7 @@ impl Checker<'_> {
             // `uniform Foo;`: a declaration without a type or without a name.
             return self.reject(at, QualifierError::Incomplete(ident.name));
         }
-        if qualified.storage != WantedStorage::None || qualified.precision {
+        if qualified.storage != StorageRequest::None || qualified.precision {
             self.reject(at, QualifierError::Afterwards);
         }
         let Some(id) = self.find_variable(ident.name) else {

@@ -1,6 +1,6 @@
 //! Structs and interface blocks (GLSL ES 3.00 sections 4.1.8 and 4.3.7).
 
-use super::qualifier::WantedStorage;
+use super::qualifier::StorageRequest;
 use super::*;
 
 /// An error in a struct or an interface block.
@@ -167,7 +167,7 @@ impl Checker<'_> {
             self.reject(at, RecordError::VoidMember);
             return Type::ERROR;
         }
-        let mut ty = self.with_arrays(base, declarator.arrays, WantedStorage::None);
+        let mut ty = self.with_arrays(base, declarator.arrays, StorageRequest::None);
         if ty.array == Type::UNSIZED {
             self.reject(declarator.extent, ArrayError::NoSize);
             ty.array = 1;
@@ -263,7 +263,7 @@ impl Checker<'_> {
         header: Extent,
     ) {
         let base = Type::block(index);
-        let mut ty = self.with_arrays(base, declarator.arrays, WantedStorage::Uniform);
+        let mut ty = self.with_arrays(base, declarator.arrays, StorageRequest::Uniform);
         if ty.array == Type::UNSIZED {
             self.reject(declarator.extent, RecordError::BlocksUnsized);
             ty.array = 1;
@@ -282,7 +282,7 @@ impl Checker<'_> {
         if let Some(ident) = decl.name {
             self.check_not_reserved(ident);
         }
-        let problem = if qualified.storage != WantedStorage::Uniform {
+        let problem = if qualified.storage != StorageRequest::Uniform {
             RecordError::BlockStorage
         } else if qualified.invariant {
             RecordError::BlockInvariant

@@ -409,19 +409,19 @@ impl Checker<'_> {
         if let Some(flow) = self.flow.last_mut() {
             flow.has_return = true;
         }
-        let wanted = self.returned;
+        let expected = self.returned;
         let Some(value) = value else {
-            if let Err(mismatch) = typing::returned(wanted, None) {
+            if let Err(mismatch) = typing::returned(expected, None) {
                 self.reject(extent, StatementError::Return(None, mismatch));
                 self.returns_value = true;
             }
             return;
         };
         self.returns_value = true;
-        self.wanted = Some(wanted);
+        self.expected = Some(expected);
         self.root(value, self.level + 1);
-        self.wanted = None;
-        if let Err(mismatch) = typing::returned(wanted, Some(self.ty(value))) {
+        self.expected = None;
+        if let Err(mismatch) = typing::returned(expected, Some(self.ty(value))) {
             self.reject(extent, StatementError::Return(Some(value), mismatch));
         }
     }

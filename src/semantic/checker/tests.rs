@@ -15,19 +15,19 @@ use shaderlint_syntax::{ParseOptions, Search, parse, preprocess};
 pub(super) fn finds(source: &str, name: &str, table: &str) {
     let mut all = Vec::new();
     for row in table.lines().map(str::trim).filter(|row| !row.is_empty()) {
-        let (code, wanted) = row.rsplit_once(" => ").expect(row);
+        let (code, expected) = row.rsplit_once(" => ").expect(row);
         let (stage, code) = match code.split_once(": ") {
             Some((stage, code)) if STAGES.contains(&stage) => (stage, code),
             _ => ("fragment", code),
         };
         let (found, diagnostics) = check(stage, code);
         let first = found.first().map(|f| variant(f));
-        assert_eq!(first, Some(wanted), "{code}: {found:?}");
+        assert_eq!(first, Some(expected), "{code}: {found:?}");
         for d in diagnostics {
             let ends_well = !d.message.is_empty() && !d.message.ends_with('.');
             assert!(ends_well && !d.message.contains('\n'), "{d:?}");
         }
-        all.push(wanted);
+        all.push(expected);
     }
     for one in variants(source, name) {
         assert!(all.contains(&one), "no code for `{name}::{one}`");

@@ -44,10 +44,10 @@ impl ExplainContext<'_> {
             }
         }
         let (first, extra) = found?;
-        let gone = args.get(first..first + extra)?;
+        let removed = args.get(first..first + extra)?;
         let (start, end) = (
-            self.expr_span(*gone.first()?),
-            self.expr_span(*gone.last()?),
+            self.expr_span(*removed.first()?),
+            self.expr_span(*removed.last()?),
         );
         let span = match (args.get(first + extra), first.checked_sub(1)) {
             (Some(&next), _) => Span::new(start.start, self.expr_span(next).start),
@@ -238,11 +238,11 @@ impl ExplainContext<'_> {
     ) -> Option<Fix> {
         let mut edits = Vec::new();
         let mut titles = Vec::new();
-        for (&arg, &wanted) in args.iter().zip(&candidate.params) {
-            if self.ty(arg) == wanted {
+        for (&arg, &expected) in args.iter().zip(&candidate.params) {
+            if self.ty(arg) == expected {
                 continue;
             }
-            let fix = self.become_type(arg, wanted)?;
+            let fix = self.become_type(arg, expected)?;
             titles.push(fix.title);
             edits.extend(fix.edits);
         }

@@ -80,22 +80,22 @@ impl ExplainContext<'_> {
             TypeMismatch::Value(clash) => self.rule_for(ty, self.ty(init), clash),
             _ => error::VOID_VALUE,
         };
-        let (wanted, found) = (self.name_of(ty), self.name_of(self.ty(init)));
+        let (expected, found) = (self.name_of(ty), self.name_of(self.ty(init)));
         let ident = declarator.ident;
         let text = self.text(ident.name);
         let message =
-            format!("`{text}` is declared as `{wanted}`, but its value and uses are `{found}`");
+            format!("`{text}` is declared as `{expected}`, but its value and uses are `{found}`");
         let edit = Edit::replace(self.span(spec), found.clone());
         self.error(rule, spec.to(Extent::token(ident.token)), message)
             .label(self.expr_span(init), format!("`{found}`"))
             .fix(Fix::safe(format!("declare it as `{found}`"), vec![edit]))
     }
 
-    fn rule_for(&self, wanted: Type, found: Type, clash: Clash) -> ErrorKind {
+    fn rule_for(&self, expected: Type, found: Type, clash: Clash) -> ErrorKind {
         let has_bool = |t: Type| t.element().scalar_kind() == Some(Scalar::Bool);
         match clash {
-            Clash::Scalars if has_bool(wanted) || has_bool(found) => error::TYPE_MISMATCH,
-            Clash::Scalars if wanted.components() == found.components() => error::INT_FLOAT_MIX,
+            Clash::Scalars if has_bool(expected) || has_bool(found) => error::TYPE_MISMATCH,
+            Clash::Scalars if expected.components() == found.components() => error::INT_FLOAT_MIX,
             Clash::Scalars => error::TYPE_MISMATCH,
             Clash::Shape => error::VECTOR_SIZE,
             Clash::Sampler => error::SAMPLER_RESTRICTION,
@@ -105,19 +105,19 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// A value that cannot be assigned to `wanted`: reported at the value if it is a literal that
+    /// A value that cannot be assigned to `expected`: reported at the value if it is a literal that
     /// is easily converted, else at all of `extent`.
     pub(crate) fn mismatch_at(
         &self,
         extent: Extent,
-        wanted: Type,
+        expected: Type,
         value: ExprId,
         rule: ErrorKind,
     ) -> Diagnostic {
         let found = self.ty(value);
-        let (wn, fname) = (self.name_of(wanted), self.name_of(found));
+        let (wn, fname) = (self.name_of(expected), self.name_of(found));
         let message = format!("cannot assign `{fname}` to `{wn}`");
-        let fix = self.become_type(value, wanted);
+        let fix = self.become_type(value, expected);
         let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
         let d = if at_value {
             self.error_expr(rule, value, message)
@@ -129,24 +129,24 @@ impl ExplainContext<'_> {
     }
 
     /// Converts a number, vector or matrix to another type.
-    pub(super) fn become_type(&self, value: ExprId, wanted: Type) -> Option<Fix> {
-        let (ws, wc, wr) = wanted.numeric()?;
+    pub(super) fn become_type(&self, value: ExprId, expected: Type) -> Option<Fix> {
+        let (ws, wc, wr) = expected.numeric()?;
         let (fs, fc, fr) = self.ty(value).numeric()?;
         if (wc, wr) == (fc, fr) {
             return self.convert(value, ws);
         }
-        if let Some(fix) = self.component_list(value, wanted) {
+        if let Some(fix) = self.component_list(value, expected) {
             return Some(fix);
         }
         if ws == fs && wc == 1 && fc == 1 {
-            return self.resize(value, wanted);
+            return self.resize(value, expected);
         }
         let fills = (fc, fr) == (1, 1);
         let is_direct = self.is_direct(self.tree.expr(value).extent);
         if !is_direct || !(fills || (fc > 1 && wc > 1)) {
             return None;
         }
-        let name = self.name_of(wanted);
+        let name = self.name_of(expected);
         let title = format!("convert it with `{name}(...)`");
         Some(Fix::suggestion(
             title,
@@ -155,7 +155,7 @@ impl ExplainContext<'_> {
     }
 
     /// `(1.0, 2.0, 3.0)` instead of a vector.
-    fn component_list(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+    fn component_list(&self, value: ExprId, expected: Type) -> Option<Fix> {
         let ExprKind::Paren(inner) = self.tree.expr(value).kind else {
             return None;
         };
@@ -171,8 +171,8 @@ impl ExplainContext<'_> {
                 None => break,
             }
         }
-        let is_list = at != inner && components == wanted.components() && wanted.is_vector();
-        let name = self.name_of(wanted);
+        let is_list = at != inner && components == expected.components() && expected.is_vector();
+        let name = self.name_of(expected);
         let edit = Edit::insert(self.expr_span(value).start, name.clone());
         (is_list && self.is_direct(self.tree.expr(value).extent))
             .then(|| Fix::safe(format!("use `{name}(...)`"), vec![edit]))

@@ -20,11 +20,11 @@ pub(super) struct OverloadCandidate {
 }
 
 /// Cost of converting an argument to the type of a parameter; 0 where they are equal.
-fn distance(wanted: Type, found: Type, is_literal: bool) -> u32 {
-    if wanted == found {
+fn distance(expected: Type, found: Type, is_literal: bool) -> u32 {
+    if expected == found {
         return 0;
     }
-    match (wanted.numeric(), found.numeric()) {
+    match (expected.numeric(), found.numeric()) {
         (Some((ws, wc, wr)), Some((fs, fc, fr))) => {
             let shape = if (wc, wr) == (fc, fr) { 0 } else { 6 };
             let scalar = match (ws, fs) {
@@ -196,7 +196,7 @@ impl ExplainContext<'_> {
         let mut counts: Vec<usize> = candidates.iter().map(|c| c.params.len()).collect();
         counts.sort_unstable();
         counts.dedup();
-        let wanted = match counts.as_slice() {
+        let expected = match counts.as_slice() {
             [1] => "1 argument".to_string(),
             [n] => format!("{n} arguments"),
             [rest @ .., last] => {
@@ -205,7 +205,7 @@ impl ExplainContext<'_> {
             }
             [] => "other arguments".to_string(),
         };
-        let message = format!("`{text}` expects {wanted}, found {}", args.len());
+        let message = format!("`{text}` expects {expected}, found {}", args.len());
         let d = self.error_expr(error::ARGUMENT_MISMATCH, id, message);
         let d = match self.drop_arguments(args, candidates) {
             Some(fix) => d.fix(fix),
@@ -265,8 +265,8 @@ impl ExplainContext<'_> {
         let mixed = wrong.iter().all(|(_, a, p)| is_mix(*p, self.ty(*a)));
         let d = if mixed && is_alone {
             self.mixed_arguments(name, &wrong)
-        } else if let (&[(index, arg, wanted)], true) = (wrong.as_slice(), is_alone) {
-            self.wrong_argument(name, index, arg, wanted)
+        } else if let (&[(index, arg, expected)], true) = (wrong.as_slice(), is_alone) {
+            self.wrong_argument(name, index, arg, expected)
         } else {
             self.no_form(id, name, args)
         };
@@ -275,8 +275,8 @@ impl ExplainContext<'_> {
         let d = match (fix, &d.fix) {
             (Some(fix), _) => d.fix(fix),
             (None, None) => {
-                let mended = ranked.iter().find_map(|(_, c)| self.fix_arguments(args, c));
-                d.fix(mended)
+                let fixed_call = ranked.iter().find_map(|(_, c)| self.fix_arguments(args, c));
+                d.fix(fixed_call)
             }
             _ => d,
         };
@@ -294,7 +294,7 @@ impl ExplainContext<'_> {
     /// Arguments that only mix up `int` and `float`.
     fn mixed_arguments(&self, name: Name, wrong: &[(usize, ExprId, Type)]) -> Diagnostic {
         let text = self.text(name);
-        let Some(&(_, first, wanted)) = wrong.first() else {
+        let Some(&(_, first, expected)) = wrong.first() else {
             return self.error_expr(error::INT_FLOAT_MIX, ExprId(0), "");
         };
         let found = self.ty(first);
@@ -303,7 +303,7 @@ impl ExplainContext<'_> {
             Some((Scalar::Int | Scalar::Uint, 1, 2..)) if is_builtin => error::INTEGER_LENGTH,
             _ => error::INT_FLOAT_MIX,
         };
-        let (wn, fname) = (self.name_of(wanted), self.name_of(found));
+        let (wn, fname) = (self.name_of(expected), self.name_of(found));
         let message = match rule {
             error::INTEGER_LENGTH => format!("no overload of `{text}` accepts `{fname}`"),
             _ => format!("`{text}` expects `{wn}`, found `{fname}`"),
@@ -314,8 +314,8 @@ impl ExplainContext<'_> {
         let mut edits = Vec::new();
         let mut titles = Vec::new();
         let mut safe = true;
-        for &(_, arg, wanted) in wrong {
-            let fix = wanted.scalar_kind().and_then(|s| self.convert(arg, s));
+        for &(_, arg, expected) in wrong {
+            let fix = expected.scalar_kind().and_then(|s| self.convert(arg, s));
             let Some(fix) = fix else { return d };
             safe &= fix.applicability == shaderlint_diagnostic::Applicability::Safe;
             titles.push(fix.title.trim_start_matches("use ").to_string());
@@ -336,21 +336,21 @@ impl ExplainContext<'_> {
     }
 
     /// One argument of another type than the parameter.
-    fn wrong_argument(&self, name: Name, index: usize, arg: ExprId, wanted: Type) -> Diagnostic {
+    fn wrong_argument(&self, name: Name, index: usize, arg: ExprId, expected: Type) -> Diagnostic {
         let text = self.text(name);
         let found = self.ty(arg);
-        let rule = match (wanted.scalar_kind(), found.scalar_kind()) {
+        let rule = match (expected.scalar_kind(), found.scalar_kind()) {
             (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
             _ => error::ARGUMENT_MISMATCH,
         };
         let message = format!(
             "expected `{}` as argument {} of `{text}`, found `{}`",
-            self.name_of(wanted),
+            self.name_of(expected),
             index + 1,
             self.name_of(found)
         );
         self.error_expr(rule, arg, message)
-            .fix(self.become_type(arg, wanted))
+            .fix(self.become_type(arg, expected))
     }
 
     /// `not (a > b)` on a single `bool`, as in other languages.
@@ -420,8 +420,8 @@ impl ExplainContext<'_> {
 }
 
 /// Whether two types differ only in `int`, `uint` and `float`.
-fn is_mix(wanted: Type, found: Type) -> bool {
-    match (wanted.numeric(), found.numeric()) {
+fn is_mix(expected: Type, found: Type) -> bool {
+    match (expected.numeric(), found.numeric()) {
         (Some((ws, wc, wr)), Some((fs, fc, fr))) => {
             (wc, wr) == (fc, fr) && ws != fs && ws != Scalar::Bool && fs != Scalar::Bool
         }

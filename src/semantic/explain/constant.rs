@@ -1,7 +1,7 @@
 //! Messages for values that must be constant expressions.
 
 use super::*;
-use crate::checker::WantedStorage;
+use crate::checker::StorageRequest;
 
 impl ExplainContext<'_> {
     /// An initializer of a constant or a global variable that is not a constant expression.
@@ -9,10 +9,10 @@ impl ExplainContext<'_> {
         &self,
         declarator: &Declarator,
         init: ExprId,
-        storage: WantedStorage,
+        storage: StorageRequest,
     ) -> Diagnostic {
         let name = self.text(declarator.ident.name);
-        if storage == WantedStorage::Const {
+        if storage == StorageRequest::Const {
             let message = format!("initializer of constant `{name}` is not a constant expression");
             let d = self.error_expr(error::NOT_CONSTANT, init, message);
             let fix = match self.at_global_scope() {

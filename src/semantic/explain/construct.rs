@@ -21,9 +21,9 @@ impl ExplainContext<'_> {
             TypeMismatch::NoArguments(ty) => self.no_arguments(id, ty),
             TypeMismatch::SamplerArgument(number) => self.sampler_argument(arg(number)),
             TypeMismatch::Count(ty) => self.wrong_component_count(id, ty, args.len()),
-            TypeMismatch::Part(number, wanted) => {
+            TypeMismatch::Part(number, expected) => {
                 let what = self.component_in_words(id, number);
-                self.bad_component(arg(number), wanted, &what)
+                self.bad_component(arg(number), expected, &what)
             }
             TypeMismatch::NoNumber(number, ty) => {
                 let (name, what) = (self.name_of(ty), self.name_of(self.ty(arg(number))));
@@ -33,19 +33,19 @@ impl ExplainContext<'_> {
                 )
             }
             TypeMismatch::TooFew(ty, given) => {
-                let (name, wanted) = (self.name_of(ty), ty.components());
-                let message = format!("`{name}` expects {wanted} components, found {given}");
+                let (name, expected) = (self.name_of(ty), ty.components());
+                let message = format!("`{name}` expects {expected} components, found {given}");
                 let fix = self.add_components(ty, args, given);
                 self.label_arguments(error(id, message), args).fix(fix)
             }
             TypeMismatch::TooMany(ty, given, surplus) => {
-                let (name, wanted) = (self.name_of(ty), ty.components());
-                let plural = if wanted == 1 {
+                let (name, expected) = (self.name_of(ty), ty.components());
+                let plural = if expected == 1 {
                     "component"
                 } else {
                     "components"
                 };
-                let message = format!("`{name}` expects {wanted} {plural}, found {given}");
+                let message = format!("`{name}` expects {expected} {plural}, found {given}");
                 error(id, message)
                     .label(self.expr_span(arg(surplus)), "extra argument")
                     .fix(self.drop_from(args, arg(surplus)))
@@ -128,10 +128,10 @@ impl ExplainContext<'_> {
     }
 
     /// An argument of another type than its member or element.
-    fn bad_component(&self, arg: ExprId, wanted: Type, what: &str) -> Diagnostic {
+    fn bad_component(&self, arg: ExprId, expected: Type, what: &str) -> Diagnostic {
         let found = self.ty(arg);
-        let scalars = (wanted.scalar_kind(), found.scalar_kind());
-        let same_size = wanted.components() == found.components();
+        let scalars = (expected.scalar_kind(), found.scalar_kind());
+        let same_size = expected.components() == found.components();
         let rule = match scalars {
             (Some(a), Some(b)) if a != b && a != Scalar::Bool && b != Scalar::Bool && same_size => {
                 error::INT_FLOAT_MIX
@@ -139,10 +139,10 @@ impl ExplainContext<'_> {
             (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
             _ => error::CONSTRUCTOR_ARGUMENTS,
         };
-        let mut d = self.mismatch_at(self.tree.expr(arg).extent, wanted, arg, rule);
+        let mut d = self.mismatch_at(self.tree.expr(arg).extent, expected, arg, rule);
         d.message = format!(
             "{what} must be `{}`, found `{}`",
-            self.name_of(wanted),
+            self.name_of(expected),
             self.name_of(found)
         );
         d

@@ -25,7 +25,7 @@ pub(super) struct ExplainContext<'a> {
     disputed: Vec<(FunctionId, Type)>,
     pub current: Option<FunctionRef>,
     pub root_expr: ExprId,
-    pub wanted: Option<Type>,
+    pub expected: Option<Type>,
     /// Names and tokens that may still be searched for suggestions; starts at [`MAX_ADVICE`].
     advice: Cell<usize>,
 }
@@ -76,7 +76,7 @@ impl<'a> ExplainContext<'a> {
             functions: &[],
             current: None,
             root_expr: ExprId(0),
-            wanted: None,
+            expected: None,
             advice: Cell::new(MAX_ADVICE),
         }
     }
@@ -93,7 +93,7 @@ impl<'a> ExplainContext<'a> {
         self.functions = first(&program.functions, moment.functions);
         self.current = moment.current;
         self.root_expr = moment.root_expr;
-        self.wanted = moment.wanted;
+        self.expected = moment.expected;
         self.scopes.go_to(moment.scopes);
     }
 

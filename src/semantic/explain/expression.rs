@@ -46,7 +46,7 @@ impl ExplainContext<'_> {
             | M::Count(_)
             | M::Part(..)
             | M::NoNumber(..)
-            | M::MatrixBeside
+            | M::MatrixWithOthers
             | M::TooFew(..)
             | M::TooMany(..) => self.explain_construction(id, parts, mismatch),
             M::NothingReturned(_) | M::ValueReturned | M::Returned(_) => {

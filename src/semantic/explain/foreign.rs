@@ -194,13 +194,13 @@ impl ExplainContext<'_> {
                 format!("GLSL has no `{text}`"),
             )
             .note("every variable holds a value of its type");
-        let wanted = self.wanted.or_else(|| {
+        let expected = self.expected.or_else(|| {
             let before = self.tree.exprs.get(self.exprs.len().checked_sub(1)?)?;
             let ty = self.exprs.last()?.ty;
             let assigns = self.token(before.extent.last + 1).kind == TokenKind::Equal;
             (assigns && before.extent.last + 2 == token).then_some(ty)
         });
-        match wanted.and_then(|ty| self.zero_of(ty)) {
+        match expected.and_then(|ty| self.zero_of(ty)) {
             Some(zero) => d.fix(Fix::suggestion(
                 format!("use `{zero}`"),
                 vec![Edit::replace(self.token_span(token), zero)],

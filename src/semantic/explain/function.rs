@@ -23,10 +23,10 @@ impl Explain for FunctionError {
                 let d = c.error(error::REDEFINITION, at, message);
                 c.with_declaration(d, first, "first defined here")
             }
-            E::NoReturn(name, wanted) => {
-                let (name, wanted) = (c.text(name), c.name_of(wanted));
+            E::NoReturn(name, expected) => {
+                let (name, expected) = (c.text(name), c.name_of(expected));
                 let message =
-                    format!("`{name}` must return `{wanted}`, but no path returns a value");
+                    format!("`{name}` must return `{expected}`, but no path returns a value");
                 c.error(error::MISSING_RETURN, at, message).note(
                     "a function that is not `void` needs a `return` with a value (section 6.1)",
                 )

@@ -91,9 +91,12 @@ impl ExplainContext<'_> {
         let is_complete = SWIZZLES.iter().any(|set| set.starts_with(text));
         let is_written = self.token(self.tree.expr(id).extent.last + 1).kind == TokenKind::Equal;
         let scalar = self.ty(object).scalar_kind()?;
-        let is_wanted = self.wanted_size(id).is_none_or(|wanted| wanted == size);
+        let is_requested = self
+            .expected_size(id)
+            .is_none_or(|expected| expected == size);
         let is_direct = self.is_direct(self.tree.expr(id).extent);
-        if !is_complete || size < rows + 1 || size < 2 || is_written || !is_wanted || !is_direct {
+        if !is_complete || size < rows + 1 || size < 2 || is_written || !is_requested || !is_direct
+        {
             return None;
         }
         let name = self.name_of(Type::vector(scalar, size));

@@ -154,10 +154,10 @@ impl ExplainContext<'_> {
         let (l, r) = (self.ty(left), self.ty(right));
         let ls = l.scalar_kind().unwrap_or(Scalar::Float);
         let rs = r.scalar_kind().unwrap_or(Scalar::Float);
-        let (culprit, wanted) = self.culprit(left, ls, right, rs, prefer_int);
+        let (culprit, expected) = self.culprit(left, ls, right, rs, prefer_int);
         let other = if culprit == left { right } else { left };
         let message = cannot_combine(symbol, &self.name_of(l), &self.name_of(r));
-        let fix = self.convert(culprit, wanted);
+        let fix = self.convert(culprit, expected);
         let is_literal = self.literal_token(culprit).is_some();
         let d = if is_literal || !matches!(symbol, "=" | "+=" | "-=" | "*=" | "/=") {
             self.error_expr(error::INT_FLOAT_MIX, culprit, message)

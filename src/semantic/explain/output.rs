@@ -20,7 +20,7 @@ impl Explain for OutputError {
                 ))
                 .label(c.token_span(other.token), "other output")
             }
-            E::BesideHosts(name) => {
+            E::NextToHostOutputs(name) => {
                 let name = c.text(name);
                 report(&format!(
                     "output `{name}` conflicts with ShaderToy's own output"

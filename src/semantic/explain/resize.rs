@@ -13,8 +13,10 @@ impl ExplainContext<'_> {
     pub(super) fn match_sizes(&self, id: ExprId, left: ExprId, right: ExprId) -> Option<Fix> {
         let (l, r) = (self.vector_size(left)?, self.vector_size(right)?);
         let (small, large) = if l < r { (left, right) } else { (right, left) };
-        let wanted = self.wanted_size(id).filter(|&size| size == l || size == r);
-        let size = wanted.unwrap_or_else(|| {
+        let expected = self
+            .expected_size(id)
+            .filter(|&size| size == l || size == r);
+        let size = expected.unwrap_or_else(|| {
             if self.gives_way(large) {
                 l.min(r)
             } else {
@@ -29,11 +31,11 @@ impl ExplainContext<'_> {
     }
 
     /// Resizes a value to the size of the expected vector.
-    pub(crate) fn resize(&self, value: ExprId, wanted: Type) -> Option<Fix> {
+    pub(crate) fn resize(&self, value: ExprId, expected: Type) -> Option<Fix> {
         let (_, 1, have) = self.ty(value).numeric()? else {
             return None;
         };
-        let (_, 1, size) = wanted.numeric()? else {
+        let (_, 1, size) = expected.numeric()? else {
             return None;
         };
         if have > size {
@@ -45,8 +47,8 @@ impl ExplainContext<'_> {
         if !self.is_direct(self.tree.expr(value).extent) {
             return None;
         }
-        let name = self.name_of(wanted);
-        let scalar = wanted.scalar_kind()?;
+        let name = self.name_of(expected);
+        let scalar = expected.scalar_kind()?;
         if size == 4 && scalar == Scalar::Float && self.literal_token(value).is_none() {
             let edits = self.wrap(value, "vec4(vec3(", "), 1.0)");
             let text = self.expr_text(value);
@@ -81,8 +83,8 @@ impl ExplainContext<'_> {
         };
         let mut fix = self.resize(vector, Type::vector(Scalar::Float, size))?;
         let (_, _, have) = self.ty(vector).numeric()?;
-        let is_wanted = self.wanted_size(id) == Some(have) && have < size;
-        if let Some(letters) = "xyzw".get(..have as usize).filter(|_| is_wanted) {
+        let is_requested = self.expected_size(id) == Some(have) && have < size;
+        if let Some(letters) = "xyzw".get(..have as usize).filter(|_| is_requested) {
             let [open, close] = self
                 .wrap(id, "(", &format!(").{letters}"))
                 .try_into()
@@ -148,16 +150,16 @@ impl ExplainContext<'_> {
     }
 
     /// The vector size that the statement around `id` expects of it, if known.
-    pub(crate) fn wanted_size(&self, id: ExprId) -> Option<u8> {
+    pub(crate) fn expected_size(&self, id: ExprId) -> Option<u8> {
         let target = self.tree.expr(id).extent;
         let holds = |e: ExprId| self.tree.expr(e).extent.contains(target);
-        let mut wanted = self.wanted;
+        let mut expected = self.expected;
         let mut at = self.root_expr;
         while at != id {
             at = match self.tree.expr(at).kind {
                 ExprKind::Paren(inner) | ExprKind::Unary(_, inner) => inner,
                 ExprKind::Assign(_, left, right) if holds(right) => {
-                    wanted = Some(self.ty(left));
+                    expected = Some(self.ty(left));
                     right
                 }
                 ExprKind::Binary(op, left, _) if !op.compares() && holds(left) => left,
@@ -167,7 +169,7 @@ impl ExplainContext<'_> {
                 _ => return None,
             };
         }
-        match wanted?.numeric()? {
+        match expected?.numeric()? {
             (_, 1, rows @ 2..) => Some(rows),
             _ => None,
         }

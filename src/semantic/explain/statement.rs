@@ -65,22 +65,24 @@ impl ExplainContext<'_> {
     ) -> Diagnostic {
         match (mismatch, value) {
             (TypeMismatch::ValueReturned, Some(value)) => self.return_of_void(value, extent),
-            (TypeMismatch::Returned(wanted), Some(value)) => {
-                self.return_mismatch(value, wanted, extent)
+            (TypeMismatch::Returned(expected), Some(value)) => {
+                self.return_mismatch(value, expected, extent)
             }
-            (TypeMismatch::NothingReturned(wanted), _) => self.return_of_nothing(wanted, extent),
+            (TypeMismatch::NothingReturned(expected), _) => {
+                self.return_of_nothing(expected, extent)
+            }
             (_, value) => self.explain_void(value.unwrap_or(self.root_expr)),
         }
     }
 
-    fn return_of_nothing(&self, wanted: Type, extent: Extent) -> Diagnostic {
-        let name = self.name_of(wanted);
+    fn return_of_nothing(&self, expected: Type, extent: Extent) -> Diagnostic {
+        let name = self.name_of(expected);
         let d = self.error(
             error::RETURN_TYPE,
             extent,
             format!("`return` without a value in a function returning `{name}`"),
         );
-        let zero = self.zero_of(wanted);
+        let zero = self.zero_of(expected);
         let place = self.token_span(extent.first);
         d.fix(zero.filter(|_| self.is_direct(extent)).map(|zero| {
             let edit = Edit::insert(place.end, format!(" {zero}"));
@@ -118,20 +120,20 @@ impl ExplainContext<'_> {
         d.fix(fix)
     }
 
-    fn return_mismatch(&self, value: ExprId, wanted: Type, extent: Extent) -> Diagnostic {
+    fn return_mismatch(&self, value: ExprId, expected: Type, extent: Extent) -> Diagnostic {
         let found = self.ty(value);
         let numbers = |t: Type| t.scalar_kind().filter(|s| *s != Scalar::Bool);
-        let rule = match (numbers(wanted), numbers(found)) {
-            (Some(a), Some(b)) if a != b && wanted.components() == found.components() => {
+        let rule = match (numbers(expected), numbers(found)) {
+            (Some(a), Some(b)) if a != b && expected.components() == found.components() => {
                 error::INT_FLOAT_MIX
             }
             (Some(a), Some(b)) if a == b => error::VECTOR_SIZE,
             _ => error::RETURN_TYPE,
         };
-        let mut d = self.mismatch_at(extent, wanted, value, rule);
+        let mut d = self.mismatch_at(extent, expected, value, rule);
         d.message = format!(
             "expected return value of type `{}`, found `{}`",
-            self.name_of(wanted),
+            self.name_of(expected),
             self.name_of(found)
         );
         self.label_return_type(d, "expected because of this return type")

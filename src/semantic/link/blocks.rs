@@ -53,13 +53,13 @@ fn fields<'a>(interface: &Interface<'a>, block: &Block) -> &'a [Field] {
 
 /// Descriptions of the instances of two blocks, the fragment shader's first, if they differ.
 fn heads(vertex: &Block, fragment: &Block) -> Option<(String, String)> {
-    let say = |block: &Block| match block.instance {
+    let description = |block: &Block| match block.instance {
         None => "no instance name".to_string(),
         Some((_, 0)) => "instance name".to_string(),
         Some((_, n)) => format!("array of {n}"),
     };
     let array = |b: &Block| b.instance.map(|(_, n)| n);
-    (array(vertex) != array(fragment)).then(|| (say(fragment), say(vertex)))
+    (array(vertex) != array(fragment)).then(|| (description(fragment), description(vertex)))
 }
 
 /// Matrix layouts (row- or column-major) must match.

@@ -34,7 +34,7 @@ fn lone(body: &[Piece]) -> (Vec<usize>, Vec<usize>) {
             TokenKind::RightParen | TokenKind::RightBracket | TokenKind::RightBrace
         ) {
             match open.last() {
-                Some((_, wanted)) if *wanted == kind => {
+                Some((_, expected)) if *expected == kind => {
                     open.pop();
                 }
                 _ => closing.push(i),

@@ -120,12 +120,12 @@ impl FaultyShader<'_> {
     /// Candidates that remove extra arguments or add missing ones.
     fn wrong_count(&self, d: &Diagnostic, call: &CallTokens, all: &mut Vec<RepairCandidate>) {
         let Some(close) = call.close else { return };
-        let wanted = self.program.tokens.macros.iter().find_map(|m| {
+        let expected = self.program.tokens.macros.iter().find_map(|m| {
             let is_it = d.labels.iter().any(|l| l.span == m.name_span);
             m.params.as_ref().filter(|_| is_it).map(Vec::len)
         });
-        let Some(wanted) = wanted else { return };
-        if let Some(first) = wanted.checked_sub(1).and_then(|i| call.commas.get(i)) {
+        let Some(expected) = expected else { return };
+        if let Some(first) = expected.checked_sub(1).and_then(|i| call.commas.get(i)) {
             let surplus = Span::new(first.start, close.start);
             let fix = Fix::suggestion("remove the extra arguments", vec![Edit::delete(surplus)]);
             all.push(candidate(d.clone(), fix));
@@ -134,7 +134,7 @@ impl FaultyShader<'_> {
         let is_empty = call.open.end == close.start;
         let have = if is_empty { 0 } else { call.commas.len() + 1 };
         for value in ["0.0", "0", "vec2(0.0)", "vec3(0.0)"] {
-            let mut more = vec![value; wanted.saturating_sub(have)].join(", ");
+            let mut more = vec![value; expected.saturating_sub(have)].join(", ");
             if have > 0 {
                 more = format!(", {more}");
             }

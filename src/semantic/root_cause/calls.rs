@@ -67,7 +67,7 @@ impl MacroCalls {
     }
 
     /// The diagnostic for a repair that removes these errors, with labels at the affected calls.
-    pub fn report(&self, candidate: RepairCandidate, gone: &[&Diagnostic]) -> Diagnostic {
+    pub fn report(&self, candidate: RepairCandidate, removed: &[&Diagnostic]) -> Diagnostic {
         let mut d = candidate.diagnostic;
         let Some(of) = candidate.of else {
             return d;
@@ -76,7 +76,7 @@ impl MacroCalls {
             return d;
         }
         let mut places: Vec<Span> = Vec::new();
-        for e in gone {
+        for e in removed {
             let through = e.macros.iter().any(|m| m.definition == of);
             let call = match e.macros.last().filter(|_| through) {
                 Some(outermost) => Some(outermost.call),

@@ -1,4 +1,4 @@
-//! Positions for a missing `#endif` or `#if`, and misspelt directives.
+//! Positions for a missing `#endif` or `#if`, and misspelled directives.
 
 use super::FaultyShader;
 use super::candidate::RepairCandidate;

@@ -150,11 +150,11 @@ impl FaultyShader<'_> {
         if kinds.next() != Some(TokenKind::LeftParen) {
             return;
         }
-        let mut wants_name = true;
+        let mut expects_name = true;
         for kind in kinds {
-            match (kind, wants_name) {
+            match (kind, expects_name) {
                 (TokenKind::Identifier, true) | (TokenKind::Comma, false) => {
-                    wants_name = !wants_name
+                    expects_name = !expects_name
                 }
                 (TokenKind::RightParen, _) => break,
                 _ => return,

@@ -1,4 +1,4 @@
-//! Macro definitions with numbers of the wrong type, without a value, or with a misspelt parameter.
+//! Macro definitions with numbers of the wrong type, without a value, or with a misspelled parameter.
 
 use super::FaultyShader;
 use super::candidate::RepairCandidate;
@@ -67,7 +67,7 @@ impl FaultyShader<'_> {
         all.push(d.candidate(found, Fix::safe("add `.0` to each of them", ints)));
     }
 
-    /// An undeclared name in the body that is probably a misspelt parameter.
+    /// An undeclared name in the body that is probably a misspelled parameter.
     pub(super) fn misspelled_params(&self, d: &Definition, all: &mut Vec<RepairCandidate>) {
         let Some(params) = &d.of.params else { return };
         let is_used = |index: usize| d.of.body.iter().any(|p| p.token.expansion == index as u32);
@@ -76,9 +76,9 @@ impl FaultyShader<'_> {
         };
         for e in self.errors.iter().filter(undeclared).take(4) {
             let word = self.text(e.span);
-            let stands = |p: &&shaderlint_syntax::Piece| self.text(p.token.span) == word;
+            let is_name = |p: &&shaderlint_syntax::Piece| self.text(p.token.span) == word;
             let edits = |name: &str| -> Vec<Edit> {
-                let places = d.of.body.iter().filter(stands);
+                let places = d.of.body.iter().filter(is_name);
                 places.map(|p| Edit::replace(p.token.span, name)).collect()
             };
             let mut order: Vec<(usize, usize)> = (0..params.len())

@@ -88,12 +88,12 @@ fn repair(
     let repaired = copy.unit(unit);
     let analysis = analyze_single_pass(&repaired, search);
     let after = analysis.diagnostics.clone();
-    let gone: Vec<&Diagnostic> = {
+    let removed: Vec<&Diagnostic> = {
         let after: Vec<Diagnostic> = after.iter().map(|d| copy.back(d.clone())).collect();
-        let is_gone = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
-        errors.iter().filter(is_gone).collect()
+        let is_fixed = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
+        errors.iter().filter(is_fixed).collect()
     };
-    let reported = case.calls.report(chosen, &gone);
+    let reported = case.calls.report(chosen, &removed);
     let rest = repair(&repaired, &analysis.program, after, search, left - 1);
     let mut all: Vec<Diagnostic> = rest.into_iter().map(|d| copy.back(d)).collect();
     all.retain(|d| d.span != reported.span);
@@ -149,8 +149,8 @@ impl FaultyShader<'_> {
 
     /// Whether an error disappears and none appears that the repair may have caused.
     fn is_repair(&self, candidate: &RepairCandidate, after: &[Diagnostic]) -> bool {
-        let is_gone = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
-        if self.errors.iter().filter(is_gone).count() == 0 {
+        let is_fixed = |d: &&Diagnostic| !after.iter().any(|a| same(a, d));
+        if self.errors.iter().filter(is_fixed).count() == 0 {
             return false;
         }
         let is_new = |d: &&Diagnostic| !self.errors.iter().any(|e| same(e, d));

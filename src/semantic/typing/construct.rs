@@ -68,7 +68,7 @@ fn each(
 /// The components of all arguments in sequence form the value and must suffice for it; a single
 /// scalar fills it, and a matrix can be built from another of any size.
 fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(), TypeMismatch> {
-    let wanted = ty.components();
+    let expected = ty.components();
     let count = arguments.len();
     let mut given = 0;
     let mut surplus = None;
@@ -77,7 +77,7 @@ fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(
         if argument.numeric().is_none() {
             return Err(TypeMismatch::NoNumber(i, ty));
         }
-        if given >= wanted && surplus.is_none() {
+        if given >= expected && surplus.is_none() {
             surplus = Some(i);
         }
         given += argument.components();
@@ -86,12 +86,12 @@ fn numbers(ty: Type, arguments: impl ExactSizeIterator<Item = Type>) -> Result<(
     if ty.is_matrix() && has_matrix {
         return match count {
             1 => Ok(()),
-            _ => Err(TypeMismatch::MatrixBeside),
+            _ => Err(TypeMismatch::MatrixWithOthers),
         };
     }
     match surplus {
         Some(first) => Err(TypeMismatch::TooMany(ty, given, first)),
-        None if given != 1 && given < wanted => Err(TypeMismatch::TooFew(ty, given)),
+        None if given != 1 && given < expected => Err(TypeMismatch::TooFew(ty, given)),
         None => Ok(()),
     }
 }

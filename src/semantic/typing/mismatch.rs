@@ -48,7 +48,7 @@ pub enum TypeMismatch {
     /// The argument with this index is not numeric.
     NoNumber(usize, Type),
     /// A matrix constructor with a matrix and other arguments.
-    MatrixBeside,
+    MatrixWithOthers,
     /// The arguments have fewer components than the type; the number is given.
     TooFew(Type, u32),
     /// The arguments have more components than the type, with their number; the argument with this

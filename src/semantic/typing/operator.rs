@@ -108,19 +108,19 @@ pub fn sequence(types: Types, l: Type, r: Type) -> Result<Type, TypeMismatch> {
     }
 }
 
-/// `return` with or without a value, in a function with return type `wanted`.
-pub fn returned(wanted: Type, value: Option<Type>) -> Result<(), TypeMismatch> {
-    let is_unknown = wanted.is_error() || value.is_some_and(Type::is_error);
+/// `return` with or without a value, in a function with return type `expected`.
+pub fn returned(expected: Type, value: Option<Type>) -> Result<(), TypeMismatch> {
+    let is_unknown = expected.is_error() || value.is_some_and(Type::is_error);
     match value {
-        None if wanted.is_void() || wanted.is_error() => Ok(()),
-        None => Err(TypeMismatch::NothingReturned(wanted)),
-        Some(found) if found.is_void() && (wanted.is_void() || wanted.is_error()) => {
+        None if expected.is_void() || expected.is_error() => Ok(()),
+        None => Err(TypeMismatch::NothingReturned(expected)),
+        Some(found) if found.is_void() && (expected.is_void() || expected.is_error()) => {
             Err(TypeMismatch::ValueReturned)
         }
-        Some(found) if is_unknown || found == wanted => Ok(()),
-        Some(_) if wanted.is_void() => Err(TypeMismatch::ValueReturned),
+        Some(found) if is_unknown || found == expected => Ok(()),
+        Some(_) if expected.is_void() => Err(TypeMismatch::ValueReturned),
         Some(found) if found.is_void() => Err(TypeMismatch::Void(0)),
-        Some(_) => Err(TypeMismatch::Returned(wanted)),
+        Some(_) => Err(TypeMismatch::Returned(expected)),
     }
 }
 

@@ -264,15 +264,15 @@ fn one_operand() {
     check(UnaryOp::BitNot, "float", "! Operand float");
     check(UnaryOp::Plus, "void", "! Void(0)");
     assert_eq!(shown(step(read("bool"))), "! Operand bool");
-    let told = |ty| shown(condition(read(ty)).map(|()| Type::BOOL));
-    assert_eq!(told("int"), "! Condition int");
-    assert_eq!(told("void"), "! Void(0)");
+    let reported = |ty| shown(condition(read(ty)).map(|()| Type::BOOL));
+    assert_eq!(reported("int"), "! Condition int");
+    assert_eq!(reported("void"), "! Void(0)");
 }
 
 #[test]
 fn what_a_function_returns() {
-    let check = |wanted, value: Option<&str>, expected: &str| {
-        let result = returned(read(wanted), value.map(read));
+    let check = |declared, value: Option<&str>, expected: &str| {
+        let result = returned(read(declared), value.map(read));
         assert_eq!(shown(result.map(|()| Type::VOID)), expected);
     };
     check("void", None, "void");

@@ -2,7 +2,7 @@
 //!
 //! A shader with syntax errors is parsed a second time. Where parsing fails, the one-token edits
 //! that a typo could explain are tried, and those that let the following code parse are kept. If
-//! several remain, the checker decides; see `semantic::settle`.
+//! several remain, the checker decides; see `semantic::corrections`.
 
 use super::Parser;
 use crate::Search;
@@ -26,7 +26,7 @@ pub(super) const VALUE_TYPES: &[(&str, TypeWord)] = &[
     ("uint", TypeWord::Uint),
 ];
 
-/// Keywords that a misspelt name is compared with.
+/// Keywords that a misspelled name is compared with.
 pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
     ("return", TokenKind::Return),
     ("while", TokenKind::While),

@@ -99,7 +99,7 @@ impl Parser<'_> {
         self.unexpected(&format!("`(` after type `{name}`"))
     }
 
-    /// Reports the current word as a misspelt keyword.
+    /// Reports the current word as a misspelled keyword.
     pub(super) fn misspelled_keyword(&mut self) -> Reported {
         let word = self.next();
         let keyword = self

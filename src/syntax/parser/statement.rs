@@ -189,7 +189,7 @@ impl Parser<'_> {
         Ok(self.push_stmt(kind, first))
     }
 
-    /// Whether a misspelt keyword would parse as the type of a declaration, `retrun x;`, or as a
+    /// Whether a misspelled keyword would parse as the type of a declaration, `retrun x;`, or as a
     /// value before a block, `esle {`.
     fn at_misspelled_keyword(&self) -> bool {
         use TokenKind as T;

@@ -472,8 +472,8 @@ mod tests {
             &mut Search::for_text(),
         )
         .diagnostics;
-        let said: Vec<&str> = found.iter().map(|d| d.message.as_str()).collect();
-        assert_eq!(said, messages, "{text}");
+        let stderr: Vec<&str> = found.iter().map(|d| d.message.as_str()).collect();
+        assert_eq!(stderr, messages, "{text}");
         let fixes = found.iter().filter_map(|d| d.fix.as_ref());
         let edits: Vec<_> = fixes.flat_map(|f| f.edits.clone()).collect();
         let base = sources.files().last().map_or(0, |f| f.base);

@@ -438,13 +438,16 @@ impl Preprocessor<'_> {
             return self.report(d);
         }
         let line = Span::new(span.start, span.end + 1);
-        let gone = match self.sources.text(line).ends_with('\n') {
+        let removed = match self.sources.text(line).ends_with('\n') {
             true => line,
             false => span,
         };
         self.report(
             d.note("its features are built into GLSL ES 3.00")
-                .fix(Fix::safe("remove the directive", vec![Edit::delete(gone)])),
+                .fix(Fix::safe(
+                    "remove the directive",
+                    vec![Edit::delete(removed)],
+                )),
         );
     }
 

@@ -38,7 +38,7 @@ const FOREIGN: [(&str, &str); 10] = [
     ("not", "!"),
 ];
 
-/// The directive that a misspelt or foreign word probably stands for.
+/// The directive that a misspelled or foreign word probably stands for.
 pub(super) fn meant(word: &str) -> Option<&'static str> {
     let lower = word.to_ascii_lowercase();
     if let Some((_, known)) = FOREIGN.iter().find(|(foreign, _)| *foreign == lower) {
@@ -74,22 +74,22 @@ impl Preprocessor<'_> {
         if !matches!(first, TokenKind::AndAnd | TokenKind::OrOr) {
             return None;
         }
-        let mut wants_name = false;
+        let mut expects_name = false;
         for piece in rest {
             match piece.token.kind {
-                TokenKind::AndAnd if !wants_name => out.push_str(" && "),
-                TokenKind::OrOr if !wants_name => out.push_str(" || "),
-                TokenKind::Not if wants_name => {
+                TokenKind::AndAnd if !expects_name => out.push_str(" && "),
+                TokenKind::OrOr if !expects_name => out.push_str(" || "),
+                TokenKind::Not if expects_name => {
                     out.push('!');
                     continue;
                 }
-                TokenKind::Identifier if wants_name => out.push_str(&ask(piece)),
+                TokenKind::Identifier if expects_name => out.push_str(&ask(piece)),
                 _ => return None,
             }
-            wants_name = !wants_name;
+            expects_name = !expects_name;
         }
         let title = format!("use `{out}`");
-        (!wants_name).then(|| Fix::safe(title, vec![Edit::replace(span, out)]))
+        (!expects_name).then(|| Fix::safe(title, vec![Edit::replace(span, out)]))
     }
 
     /// A fix for a condition that has an unexpected token at `at`.

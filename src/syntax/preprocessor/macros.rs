@@ -407,18 +407,18 @@ impl Expander {
         args: &mut Vec<Range<usize>>,
     ) -> Option<()> {
         let definition = pp.macros.get(id.0 as usize)?;
-        let wanted = definition.params.as_ref().map_or(0, Vec::len);
-        if wanted == 0 && args.len() == 1 && args.first().is_some_and(Range::is_empty) {
+        let expected = definition.params.as_ref().map_or(0, Vec::len);
+        if expected == 0 && args.len() == 1 && args.first().is_some_and(Range::is_empty) {
             args.clear();
         }
-        if args.len() == wanted {
+        if args.len() == expected {
             return Some(());
         }
         let name = pp.names.text(definition.name).to_string();
         let plural = |n: usize| if n == 1 { "argument" } else { "arguments" };
         let message = format!(
-            "macro `{name}` expects {wanted} {}, found {}",
-            plural(wanted),
+            "macro `{name}` expects {expected} {}, found {}",
+            plural(expected),
             args.len()
         );
         let defined = definition.name_span;

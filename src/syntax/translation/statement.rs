@@ -10,7 +10,7 @@ const ENDS: &[&str] = &[
     "end", "endif", "fi", "endfor", "endwhile", "done", "End", "END",
 ];
 /// Statements that consist of a keyword and a value.
-const GONE: &[&str] = &[
+const REMOVED: &[&str] = &[
     "throw", "raise", "delete", "del", "goto", "yield", "await", "defer",
 ];
 /// Keywords of loops over collections.
@@ -35,7 +35,7 @@ impl Translator<'_> {
     fn removed(&mut self) -> bool {
         use TokenKind as T;
         let is_word = matches!(self.kind(0), T::Identifier | T::Reserved);
-        if !is_word || !self.starts_statement() || !GONE.contains(&self.text(0)) {
+        if !is_word || !self.starts_statement() || !REMOVED.contains(&self.text(0)) {
             return false;
         }
         let is_plain = matches!(self.kind(1), T::Identifier | T::Int | T::Float | T::Bad);

@@ -250,15 +250,15 @@ mod tests {
         let all = tokens(text);
         let literal = all.iter().rposition(is_literal).unwrap();
         let context = LiteralContext::of(text, &all, literal);
-        let told = [
+        let reported = [
             (context.is_introduced, "introduced"),
             (context.names_shader, "named"),
             (context.is_vertex, "vertex"),
             (context.is_pattern, "pattern"),
             (context.is_message, "message"),
         ];
-        let told: Vec<&str> = told.iter().filter(|t| t.0).map(|t| t.1).collect();
-        assert_eq!(told.join(" "), expected, "{text}");
+        let reported: Vec<&str> = reported.iter().filter(|t| t.0).map(|t| t.1).collect();
+        assert_eq!(reported.join(" "), expected, "{text}");
     }
 
     #[test]

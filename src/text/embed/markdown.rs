@@ -174,8 +174,8 @@ fn mask(content: &str) -> String {
             let is_left_out = after.starts_with("...") || after.starts_with('\u{2026}');
             let length = if is_left_out { 3 } else { 1 };
             let (dots, more) = after.split_at_checked(length).unwrap_or((after, ""));
-            let told = if is_left_out { left_out(&code) } else { dots };
-            code.push_str(told);
+            let reported = if is_left_out { left_out(&code) } else { dots };
+            code.push_str(reported);
             rest = more;
         }
         code.push_str(rest);

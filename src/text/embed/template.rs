@@ -387,11 +387,11 @@ mod tests {
     #[track_caller]
     fn check(text: &str, expected: &str) {
         let all = holes(text);
-        let told = all.iter().map(|h| match &h.content {
+        let reported = all.iter().map(|h| match &h.content {
             HoleContent::Expression(key) => format!("{}={key}", &text[h.range.clone()]),
             _ => text[h.range.clone()].to_string(),
         });
-        assert_eq!(told.collect::<Vec<_>>().join(" | "), expected, "{text}");
+        assert_eq!(reported.collect::<Vec<_>>().join(" | "), expected, "{text}");
     }
 
     #[test]

@@ -272,10 +272,10 @@ impl<'a> Evidence<'a> {
         self.seen.iter().filter(|s| s.language == language).count()
     }
 
-    /// Whether there are `wanted` sequences of a language; strong ones count as three.
-    fn has_enough(&self, language: ShaderLanguage, wanted: usize) -> bool {
+    /// Whether there are `required` sequences of a language; strong ones count as three.
+    fn has_enough(&self, language: ShaderLanguage, required: usize) -> bool {
         let of = self.seen.iter().filter(|s| s.language == language);
-        of.map(|s| if s.is_enough { 3 } else { 1 }).sum::<usize>() >= wanted
+        of.map(|s| if s.is_enough { 3 } else { 1 }).sum::<usize>() >= required
     }
 
     /// Whether it contains something that only GLSL has.
@@ -326,8 +326,8 @@ impl<'a> Evidence<'a> {
         use ShaderLanguage::{C, FSharp, Python, Rust, Script};
         let all = [Script, C, FSharp, Rust, Python];
         // Words of another language next to GLSL declarations are mistakes.
-        let wanted = if self.has_types { 4 } else { 2 };
-        let named = all.into_iter().filter(|t| self.has_enough(*t, wanted));
+        let required = if self.has_types { 4 } else { 2 };
+        let named = all.into_iter().filter(|t| self.has_enough(*t, required));
         let prose = (self.sentences >= 2 && !self.has_types).then_some(ShaderLanguage::Prose);
         named.max_by_key(|t| self.count(*t)).or(prose)
     }
@@ -369,7 +369,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// The first typical code of a language, as written.
-    pub fn told(&self, language: ShaderLanguage) -> Vec<&'a str> {
+    pub fn reported(&self, language: ShaderLanguage) -> Vec<&'a str> {
         const MOST: usize = 3;
         let of = self.seen.iter().filter(|s| s.language == language);
         let mut texts: Vec<&str> = Vec::new();

@@ -167,8 +167,8 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         }
         kind => kind,
     };
-    let says_glsl = matches!(kind, Extension::Shader | Extension::Stage);
-    if says_glsl && starts_as_web(text) && own_directive(text).is_none() {
+    let is_for_glsl = matches!(kind, Extension::Shader | Extension::Stage);
+    if is_for_glsl && starts_as_web(text) && own_directive(text).is_none() {
         return Decision::new(FileKind::Shader, "the extension indicates GLSL");
     }
     let evidence = Evidence::of(text);
@@ -213,12 +213,12 @@ pub fn reason(evidence: &Evidence, language: ShaderLanguage) -> String {
             format!("detected {language} by `#version {}{es}`", version.number)
         }
         None => {
-            let told: Vec<String> = evidence
-                .told(language)
+            let reported: Vec<String> = evidence
+                .reported(language)
                 .iter()
                 .map(|t| format!("`{t}`"))
                 .collect();
-            format!("detected {language} by {}", told.join(", "))
+            format!("detected {language} by {}", reported.join(", "))
         }
     }
 }

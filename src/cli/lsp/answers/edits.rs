@@ -29,7 +29,7 @@ pub fn actions(
     let buffer = snapshot.buffer(&params.text_document.uri)?;
     let document = snapshot.best(buffer);
     let only = params.context.only.as_deref();
-    let is_wanted = |kind: &CodeActionKind| {
+    let is_requested = |kind: &CodeActionKind| {
         let of = |asked: &CodeActionKind| {
             let (asked, kind) = (asked.to_string(), kind.to_string());
             asked.is_empty() || kind == asked || kind.starts_with(&format!("{asked}."))
@@ -37,7 +37,7 @@ pub fn actions(
         only.is_none_or(|only| only.iter().any(of))
     };
     let mut found = Vec::new();
-    if is_wanted(&CodeActionKind::QuickFix) {
+    if is_requested(&CodeActionKind::QuickFix) {
         let span = snapshot.span(buffer, params.range);
         let actions = ide::actions(&document, span);
         let items = actions
@@ -47,7 +47,7 @@ pub fn actions(
     }
     // All safe fixes together, only on request: verifying them draws the shader.
     let asks = only.is_some_and(|only| only.iter().any(|k| k.to_string().starts_with("source")));
-    if asks && is_wanted(&FIX_ALL_KIND) {
+    if asks && is_requested(&FIX_ALL_KIND) {
         found.extend(fix_all(snapshot, buffer).map(CodeActionResponse::CodeAction));
     }
     Ok(Some(found))

@@ -115,7 +115,7 @@ fn is_like(name: &str, query: &str) -> bool {
     let mut letters = name.chars();
     query
         .chars()
-        .all(|wanted| letters.any(|letter| letter == wanted))
+        .all(|requested| letters.any(|letter| letter == requested))
 }
 
 /// The findings of an open document.

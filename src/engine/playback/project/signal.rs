@@ -13,7 +13,7 @@ const COUNT: usize = 1024;
 const HISTORY_ROWS: usize = 240;
 
 /// 2 pi, with the digits that the player uses.
-const FULL_TURN: f64 = 62_831.0 / 10_000.0;
+const PAGE_TAU: f64 = 62_831.0 / 10_000.0;
 
 /// Audio of a channel.
 pub(super) struct Signal {
@@ -98,7 +98,7 @@ fn spectrum(time: f64) -> [u8; WIDTH] {
         let j = f64::from(j);
         let mut part = (0.75 + 0.25 * sine(10.0 * j + 13.0 * time)) * fade;
         if j < 3.0 {
-            let beat = 0.5 + 0.5 * sine(FULL_TURN * time);
+            let beat = 0.5 + 0.5 * sine(PAGE_TAU * time);
             part = beat * beat * beat * beat * (1.0 - j / 3.0);
         }
         *value = byte(part);

@@ -123,7 +123,7 @@ fn half(number: f32) -> f32 {
 
 /// Creates the render targets of all passes, and of outputs that are read but not drawn.
 pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), PlaybackProblem> {
-    let mut wanted: Vec<(OutputId, ImageShape, [u32; 2], Depth)> = Vec::new();
+    let mut requested: Vec<(OutputId, ImageShape, [u32; 2], Depth)> = Vec::new();
     let reads = |id: &OutputId| {
         let mut inputs = project.passes.iter().flat_map(|p| &p.inputs);
         inputs.any(|i| i.kind == InputKind::Buffer && i.id == id.0)
@@ -145,15 +145,15 @@ pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), Playbac
             Pass::Image | Pass::Common | Pass::Sound => continue,
         };
         // Passes with the same name share a target; a pass without a name has its own.
-        let known = wanted
+        let known = requested
             .iter()
             .position(|w| w.0 == spot.0 && !spot.0.0.is_empty());
-        pass.target = Some(known.unwrap_or(wanted.len()));
+        pass.target = Some(known.unwrap_or(requested.len()));
         if known.is_none() {
-            wanted.push(spot);
+            requested.push(spot);
         }
     }
-    let texels = wanted.iter().map(|(_, shape, [width, height], _)| {
+    let texels = requested.iter().map(|(_, shape, [width, height], _)| {
         2 * u64::from(*width) * u64::from(*height) * u64::from(layers(*shape))
     });
     let texels: u64 = texels.sum();
@@ -163,7 +163,7 @@ pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), Playbac
             most: MAX_TEXELS,
         });
     }
-    for (id, shape, side, depth) in wanted {
+    for (id, shape, side, depth) in requested {
         let count = side.iter().map(|s| *s as usize).product::<usize>() * layers(shape) as usize;
         let texels = match depth {
             Depth::Bytes => Texels::Unorm8(vec![[0; 4]; count]),
