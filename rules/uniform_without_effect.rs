@@ -60,7 +60,6 @@ fn check(cx: &mut Context) {
 /// How a uniform is varied.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
-    /// By moving the mouse.
     Mouse,
     /// By setting it.
     Values,

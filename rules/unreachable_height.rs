@@ -25,7 +25,6 @@ const MOST: usize = 200;
 
 /// Comparisons of one value with several constants, such as the height bands of a mountain.
 struct Bands {
-    /// The compared value.
     value: OpId,
     /// The comparison with the largest constant.
     last: OpId,
@@ -130,7 +129,6 @@ impl Bands {
 
 /// The sampled maximum of the value of some bands.
 struct Reached {
-    /// The largest value.
     most: f64,
     /// The largest threshold.
     limit: f32,

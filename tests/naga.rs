@@ -442,7 +442,6 @@ fn checked(stage: Stage, code: &str) -> Checked {
     checked
 }
 
-/// Translates a complete shader.
 fn translate_complete(
     checked: &Checked,
     language: TargetLanguage,

@@ -76,7 +76,6 @@ enum WordUse {
     None,
     /// A function or a member.
     Other,
-    /// A variable or type.
     Variable,
 }
 

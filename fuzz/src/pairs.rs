@@ -151,7 +151,6 @@ impl Words {
         self
     }
 
-    /// Changes one aspect.
     fn change(&mut self, random: &mut Random, types: &[&str]) {
         match (random.below(8), &mut self.record) {
             (0 | 1, None) => self.ty = types[random.below(types.len())].to_string(),

@@ -40,7 +40,6 @@ pub enum Texts {
     Computing,
 }
 
-/// All targets.
 pub const TARGETS: [Target; 12] = [
     Target {
         name: "lex",

@@ -199,7 +199,6 @@ fn shown(path: &Path) -> String {
     text.strip_prefix("./").map(str::to_string).unwrap_or(text)
 }
 
-/// Reads an input.
 pub fn read(input: &InputFile) -> Result<Content, String> {
     let bytes = match &input.path {
         Some(path) => {

@@ -29,7 +29,6 @@ use std::sync::Arc;
 /// The findings about the shaders of a file.
 #[derive(Default)]
 pub struct ShaderFindings {
-    /// The findings.
     pub diagnostics: Vec<Diagnostic>,
     /// The suppression comments.
     pub allows: Allows,

@@ -220,7 +220,6 @@ impl ChapterVariables {
         }
     }
 
-    /// Records a declaration.
     fn declare(&mut self, code: &str) {
         let Some((ty, rest)) = code.split_once(char::is_whitespace) else {
             return;

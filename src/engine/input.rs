@@ -13,7 +13,6 @@ use std::sync::Arc;
 pub struct SplitInput {
     /// The source texts.
     pub sources: Arc<Sources>,
-    /// The shaders.
     pub parts: Vec<ShaderInput>,
     /// The input file; `None` for an export.
     pub file: Option<FileId>,

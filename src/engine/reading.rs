@@ -33,7 +33,6 @@ pub struct Reading {
 /// How complete a text is, before it is checked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PresumedCompleteness {
-    /// Complete.
     Complete,
     /// Complete, unless it uses names that it does not declare.
     CompleteIfDeclared,

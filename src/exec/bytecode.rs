@@ -8,7 +8,6 @@ use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
 /// Index of a register.
 pub(super) type Reg = u16;
 
-/// Maximum number of registers.
 pub(super) const MAX_REGISTERS: usize = 1 << 16;
 
 /// Index of a saved execution mask.
@@ -17,7 +16,6 @@ pub(super) type MaskSlot = u16;
 /// The mask slot that is always empty.
 pub(super) const EMPTY: MaskSlot = 0;
 
-/// Index of an instruction.
 pub(super) type InstrIndex = u32;
 
 /// A compiled shader, with its interface.
@@ -37,7 +35,6 @@ pub struct Bytecode {
     pub(super) uniform_prologue: Vec<Instr>,
     /// The code that runs for each group of 32 pixels.
     pub(super) body: Vec<Instr>,
-    /// The number of registers.
     pub(super) registers: usize,
     /// Registers with constant bits.
     pub(super) constants: Vec<(Reg, u32)>,
@@ -177,9 +174,7 @@ pub(super) struct LookupSite {
 pub(super) enum LookupQuery {
     /// The level is computed from implicit derivatives.
     Implicit,
-    /// The level is explicit.
     Explicit,
-    /// The gradients are explicit.
     Gradient,
     /// `texelFetch`
     Fetch,
@@ -203,7 +198,6 @@ pub(super) struct OperandCheck {
     pub site: u32,
     /// The result of the operation.
     pub result: Reg,
-    /// Its operands.
     pub operands: Vec<Reg>,
 }
 
@@ -289,7 +283,6 @@ pub(super) enum Instr {
         index: Reg,
         site: u32,
     },
-    /// Texture lookup.
     Lookup(u32),
 
     /// Saves the active lanes where the condition is false and disables them. Jumps if no lane is
@@ -310,7 +303,6 @@ pub(super) enum Instr {
     },
     /// Saves the execution mask.
     Keep(MaskSlot),
-    /// Clears a mask slot.
     Clear(MaskSlot),
     /// Sets a mask slot to the lanes, active or not, where the register is true.
     Mark(MaskSlot, Reg),

@@ -8,7 +8,6 @@ use super::row::{floats, of_floats};
 use std::f32::consts::PI;
 use wide::{f32x8, i32x8};
 
-/// All bits set.
 const ALL: f32x8 = f32x8::new([f32::from_bits(u32::MAX); 8]);
 
 /// One ULP (unit in the last place) of a number between 1 and 2.

@@ -69,7 +69,6 @@ pub struct Uniformity {
     divergences: Vec<Divergence>,
     /// By operation.
     control_of: Vec<ControlId>,
-    /// By loop.
     loops: Vec<LoopControls>,
 }
 

@@ -100,16 +100,18 @@ struct OpenBlock {
 
 #[derive(Clone, Copy)]
 enum StatementPoint {
-    /// Between statements.
     Between,
     /// In a statement; `declares` if its braces contain declarations and belong to it.
-    Inside { declares: bool },
+    Inside {
+        declares: bool,
+    },
     /// After a keyword that is followed by parentheses.
     Header(StatementHead),
     /// Where the body of the innermost header is expected.
     Body,
-    /// In a label.
-    Label { questions: u32 },
+    Label {
+        questions: u32,
+    },
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -157,7 +159,6 @@ impl OpenBlock {
 
 /// An open preprocessor conditional.
 struct Branches {
-    /// The state before it.
     before: FrameState,
     /// The state at the end of its first branch.
     after_first: Option<FrameState>,
@@ -170,7 +171,6 @@ struct StructureReader<'a> {
     branches: Vec<Branches>,
     /// Comments between statements, indented like the code that follows.
     comments: Vec<u32>,
-    /// The last token.
     last: u32,
 }
 

@@ -148,7 +148,6 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Number of variants.
     pub(super) const COUNT: usize = 8;
 
     /// The shape of an expression; `None` for kinds that rules cannot check.

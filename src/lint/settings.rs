@@ -41,7 +41,6 @@ pub struct Settings {
     failing: FxHashSet<&'static str>,
     /// The only names that are reported, if `--only` chose some.
     chosen: Option<FxHashSet<&'static str>>,
-    /// The renderer.
     target: Renderer,
     /// How much of the shader is sampled.
     sample_run: SampleLimit,

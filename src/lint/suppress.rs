@@ -27,7 +27,6 @@ pub struct Allows {
 }
 
 struct AllowComment {
-    /// Removes the comment.
     removal: Edit,
     /// Span in which the findings start.
     target: Span,

@@ -133,7 +133,6 @@ const SAMPLING: [&str; 7] = [
     "nearest", "linear", "mipmap", "clamp", "repeat", "flip", "noflip",
 ];
 
-/// The words for devices.
 const DEVICES: [(&str, InputKind); 3] = [
     ("keyboard", InputKind::Keyboard),
     ("webcam", InputKind::Webcam),

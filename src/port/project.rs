@@ -176,7 +176,6 @@ impl SignalForm {
     }
 }
 
-/// The kinds of input.
 #[expect(missing_docs, reason = "the variants are words of the field")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]

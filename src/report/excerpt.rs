@@ -20,7 +20,6 @@ struct ExcerptLine {
     from: u32,
     /// Address after the last byte shown.
     to: u32,
-    /// Start in the excerpt.
     start: usize,
     /// Length in bytes of the mark that replaces the removed beginning.
     prefix: usize,

@@ -249,7 +249,6 @@ impl<W: Write> Reporter<W> {
         Ok(())
     }
 
-    /// Writes the summary.
     fn sum_up(&mut self) -> io::Result<()> {
         let summary = &self.summary;
         let lines = match self.end {

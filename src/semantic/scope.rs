@@ -7,7 +7,6 @@ use std::ops::Deref;
 /// What a name refers to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Binding {
-    /// A variable.
     Variable(VariableId),
     /// One or more user-defined functions.
     Function,
@@ -132,7 +131,6 @@ impl Deref for Scopes {
 /// The current bindings of all names and the open scopes.
 #[derive(Default)]
 pub struct NameBindings {
-    /// Current binding, by name.
     entries: Vec<Option<ScopeEntry>>,
     /// Shadowed bindings, restored when their scope ends.
     hidden: Vec<(Name, Option<ScopeEntry>)>,

@@ -65,7 +65,6 @@ const PIECE: u32 = 1 << 31;
 /// An embedded piece of a file: a shader in a page, script or document.
 #[derive(Clone, Debug)]
 struct SourcePiece {
-    /// File that contains it.
     file: FileId,
     /// Address of its first byte.
     base: u32,

@@ -44,7 +44,6 @@ const MESH: [(&str, &str); 2] = [
     ),
 ];
 
-/// An export that compiles.
 const EXPORT: &str = r#"{"info": {"name": "x"}, "renderpass": [{"type": "image", "name": "Image",
     "code": "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0.0, 1.0); }",
     "inputs": [], "outputs": []}]}"#;

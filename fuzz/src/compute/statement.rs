@@ -27,7 +27,6 @@ void mixIn(uint x) { sum = (sum ^ x) * 16777619u + (sum >> 13); }
 ";
 
 impl Writer {
-    /// A complete program.
     pub(super) fn program(&mut self) -> String {
         let mut text = HEAD.to_string();
         self.declare("seeds", Type::vector(Kind::Int, 4), false);

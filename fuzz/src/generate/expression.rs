@@ -124,7 +124,6 @@ impl Writer {
         fitting.swap_remove(at).text
     }
 
-    /// An assignable place.
     pub(super) fn place(&mut self, ty: Type) -> Option<String> {
         let mut fitting: Vec<Path> = self.paths(true);
         fitting.retain(|p| p.ty == ty);

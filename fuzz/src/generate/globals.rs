@@ -4,7 +4,6 @@ use super::{Record, Use, Variable, Writer};
 use shaderlint::semantic::{Base, Scalar, Type};
 
 impl Writer {
-    /// A complete program.
     pub(super) fn program(&mut self) -> String {
         let mut text = String::new();
         if self.is_300 {

@@ -79,7 +79,6 @@ enum Use {
     Constant,
     /// Readable and writable.
     Free,
-    /// Read only.
     Read,
     /// The index of a loop in GLSL ES 1.00: usable as an index everywhere, never written.
     Index,
@@ -116,7 +115,6 @@ struct Function {
 #[derive(Default)]
 struct Scope {
     variables: Vec<Variable>,
-    /// Indices of structs.
     structs: Vec<usize>,
     /// All names declared in this scope.
     taken: Vec<String>,
@@ -237,7 +235,6 @@ impl Writer {
         self.scopes.iter().rposition(holds)
     }
 
-    /// All variables visible here.
     fn visible(&self) -> Vec<Variable> {
         let mut found = Vec::new();
         for (depth, scope) in self.scopes.iter().enumerate() {

@@ -298,7 +298,6 @@ impl Writer {
         format!("return {};\n", self.expression(ty, 2))
     }
 
-    /// A function definition.
     pub(super) fn function(&mut self) -> String {
         let returns = if self.one_in(3) {
             Type::VOID

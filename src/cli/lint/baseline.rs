@@ -25,7 +25,6 @@ pub struct Baseline {
     stale: BTreeMap<(String, String), usize>,
 }
 
-/// One known finding.
 struct KnownFinding {
     rule: String,
     fingerprint: String,

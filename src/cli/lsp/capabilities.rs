@@ -116,7 +116,6 @@ pub fn capabilities(client: &Client) -> ServerCapabilities {
     }
 }
 
-/// The semantic token options.
 fn tokens() -> SemanticTokensProvider {
     SemanticTokensProvider::SemanticTokensOptions(SemanticTokensOptions {
         legend: SemanticTokensLegend {

@@ -56,7 +56,6 @@ pub type SentTokens = Mutex<HashMap<String, (String, Vec<u32>)>>;
 pub struct Snapshot {
     /// Capabilities of the client.
     pub client: Arc<Client>,
-    /// Settings of the user.
     pub settings: Arc<UserSettings>,
     /// The open documents and the files on disk.
     pub files: OpenFiles,

@@ -21,7 +21,6 @@ pub(super) struct MadeFiles {
     pub(super) files: Vec<File>,
     /// The files that were read.
     pub(super) read: Vec<PathBuf>,
-    /// The exit code.
     pub(super) code: u8,
 }
 

@@ -17,10 +17,8 @@ use crate::text::kind::{Claim, FileKind, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A loaded project.
 pub(super) struct LoadedProject {
     pub(super) project: Project,
-    /// Its composed passes.
     pub(super) composed: Composed,
     /// The repairs that were applied.
     pub(super) repairs: Repairs,
@@ -179,7 +177,6 @@ pub(in crate::cli) fn put_channels(
     Ok((read, carried.remarks().to_vec()))
 }
 
-/// Applies the orders.
 fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> Result<(), String> {
     for GivenOrder { by, order } in orders {
         let wrong = |e| format!("{by}: {e}");
@@ -235,7 +232,6 @@ fn stem(path: &Path) -> String {
         .map_or(String::new(), |s| s.to_string_lossy().into_owned())
 }
 
-/// A drafted project.
 struct Drafted {
     project: Project,
     /// Repairs that were already applied.

@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 
 /// The output path of the command line, as a file or a folder.
 pub(super) enum OutputPlace {
-    /// Standard output.
     Standard,
     /// One file; further files are written next to it.
     File(PathBuf),

@@ -21,7 +21,6 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// How often an idle event stream is checked for a closed connection.
 const PULSE: Duration = Duration::from_secs(10);
 
-/// A running server.
 pub(super) struct PageServer {
     address: SocketAddr,
     shown: Arc<ShownPage>,

@@ -52,7 +52,6 @@ pub fn of_png(bytes: &[u8], most: u64) -> Result<Decoded, String> {
     })
 }
 
-/// Decodes a JPEG file.
 fn of_jpeg(bytes: &[u8]) -> Result<Decoded, String> {
     let options = DecoderOptions::new_safe().jpeg_set_out_colorspace(ColorSpace::RGBA);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);

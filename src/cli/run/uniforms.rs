@@ -3,7 +3,6 @@
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 
-/// Maximum nesting depth.
 const MAX_DEPTH: usize = 16;
 
 /// A uniform and its value.

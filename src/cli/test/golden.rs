@@ -175,7 +175,6 @@ fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String>
     })
 }
 
-/// The path in messages.
 fn shown(path: &Path) -> String {
     port::shown(path.strip_prefix(".").unwrap_or(path))
 }

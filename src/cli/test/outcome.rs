@@ -37,6 +37,7 @@ pub enum Status {
     /// The test passed.
     Passed,
     /// The golden image was written.
+    #[serde(rename = "blessed")]
     Recorded,
     /// The test failed.
     Failed,
@@ -82,7 +83,6 @@ pub struct Tally {
 }
 
 impl TestRow {
-    /// A test that passed.
     pub fn passed(file: &str, name: &str) -> TestRow {
         TestRow {
             file: file.to_string(),

@@ -148,7 +148,6 @@ pub fn is_of_package(path: &Path) -> bool {
     parts.any(|c| c.as_os_str() == PACKAGES)
 }
 
-/// A folder in messages.
 fn shown(folder: &Path) -> String {
     let text = folder.to_string_lossy().replace('\\', "/");
     if text.is_empty() { ".".into() } else { text }

@@ -189,7 +189,6 @@ struct OpenFile {
 struct SeenFile {
     is_conditional: bool,
     is_inside: bool,
-    /// Number of its guard.
     number: usize,
 }
 

@@ -46,14 +46,12 @@ pub enum Form {
     Require(String, Vec<(String, String)>),
 }
 
-/// An include directive.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct IncludeDirective {
     /// Start offset in the text.
     pub start: usize,
     /// End offset, without a trailing comment.
     pub end: usize,
-    /// The file.
     pub requested: RequestedFile,
     /// What the directive does.
     pub form: Form,
@@ -82,7 +80,6 @@ pub struct Scan {
     pub export: Option<String>,
 }
 
-/// Scans a text.
 pub fn scan(text: &str) -> Scan {
     let mut scanner = Scanner {
         text,
@@ -121,7 +118,6 @@ struct Scanner<'a> {
     depth: u32,
     /// Number of open parentheses.
     brackets: u32,
-    /// The last word.
     last: &'a str,
     /// The word before the outermost parenthesis.
     head: &'a str,

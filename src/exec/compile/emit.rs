@@ -39,12 +39,10 @@ pub(super) struct Probed {
 /// The location of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(super) enum Value {
-    /// No value.
     #[default]
     Nothing,
     /// One register per scalar.
     Regs(Regs),
-    /// Words of memory.
     Memory {
         /// The first word.
         at: u32,
@@ -74,7 +72,6 @@ pub(super) struct CallFrame {
     pub waiting: Vec<MaskSlot>,
 }
 
-/// The compiler state.
 pub(super) struct Compiler<'p> {
     pub program: &'p Program,
     pub layout: Layout,
@@ -86,7 +83,6 @@ pub(super) struct Compiler<'p> {
     pub lists: Vec<Reg>,
     /// By operation.
     pub values: Vec<Value>,
-    /// By variable.
     pub variables: Vec<Value>,
     pub frames: Vec<CallFrame>,
     /// Values that calls write back to `out` parameters, until they are stored.
@@ -241,7 +237,6 @@ impl<'p> Compiler<'p> {
         }
     }
 
-    /// Releases a variable.
     fn forget(&mut self, variable: VariableId) {
         let slot = self.variables.get_mut(variable.0 as usize);
         let value = slot.map(std::mem::take).unwrap_or_default();

@@ -24,7 +24,6 @@ struct PlaceSpot {
 }
 
 impl Compiler<'_> {
-    /// Compiles a load.
     pub fn load(&mut self, id: OpId, place: PlaceId) -> Made<Value> {
         let place = *self.module.place(place);
         let variable = place.variable;
@@ -68,7 +67,6 @@ impl Compiler<'_> {
         Some(loaded)
     }
 
-    /// Compiles a store.
     pub fn store(&mut self, id: OpId, place: PlaceId, value: OpId) -> Made<()> {
         let place = *self.module.place(place);
         let variable = place.variable;
@@ -219,7 +217,6 @@ impl Compiler<'_> {
         }
     }
 
-    /// Resolves a place.
     fn spot(&mut self, variable: VariableId, path: &[Access]) -> Made<PlaceSpot> {
         let mut ty = self.module.variable(variable)?.ty;
         let mut spot = PlaceSpot {

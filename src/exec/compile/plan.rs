@@ -37,7 +37,6 @@ pub(super) struct CompilePlan {
     made: Vec<u32>,
     /// By store: whether it may write all lanes instead of the active ones.
     writes_all: Vec<bool>,
-    /// By variable.
     variables: Vec<About>,
     /// By function: what may be released, ordered by tick.
     ends: FxHashMap<FunctionRef, Vec<(u32, Releasable)>>,

@@ -7,7 +7,6 @@ use shaderlint_semantic::VariableId;
 /// The reference count of a permanent register.
 const FOREVER: u32 = u32::MAX;
 
-/// The register allocator.
 #[derive(Default)]
 pub(super) struct Registers {
     /// By register: the reference count.

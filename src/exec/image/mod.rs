@@ -50,7 +50,6 @@ pub(crate) enum LevelOf<'a> {
         /// A bias added to the level.
         bias: Option<&'a [f32; LANES]>,
     },
-    /// The level is explicit.
     Explicit(&'a [f32; LANES]),
     /// From explicit gradients of the coordinates.
     Gradient {

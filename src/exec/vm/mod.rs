@@ -21,7 +21,6 @@ type Bank = [[i32x8; PARTS]];
 /// The pixels executed together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
-    /// By lane.
     pub pixels: [[u32; 2]; LANES],
     /// The requested lanes; the others are helper lanes for derivatives.
     pub requested: u32,

@@ -571,7 +571,6 @@ impl Vm<'_> {
         }
     }
 
-    /// Starts a tile.
     pub(super) fn open(&mut self, tile: &Tile) {
         self.tile = *tile;
         self.requested = tile.requested;

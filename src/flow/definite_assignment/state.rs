@@ -36,7 +36,6 @@ pub struct AssignmentFindings {
 /// Other types use one bit; the last bit is shared by all further members.
 pub type PartMask = u32;
 
-/// All parts.
 pub(super) const ALL: PartMask = PartMask::MAX;
 
 /// The variables that differ from a point of the trail, with their assigned parts.

@@ -66,7 +66,6 @@ pub(super) struct AssignmentWalk<'x> {
     compared: Option<u64>,
     /// The last condition after which the function, a loop or a `switch` may have been left.
     exit: u32,
-    /// The next operation.
     next: u32,
     /// The current nesting of regions.
     depth: u32,
@@ -279,7 +278,6 @@ impl<'x> AssignmentWalk<'x> {
         found
     }
 
-    /// Walks a function once.
     fn follow(&mut self, id: FunctionRef, globals: &[VariableId]) -> Option<AssignmentFindings> {
         let module = self.module;
         let function = module.function(id)?;

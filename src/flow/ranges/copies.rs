@@ -12,7 +12,6 @@ const MAX_COPIES: usize = 600;
 /// The origin of a value, copies followed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 enum CopyOrigin {
-    /// A constant, as bits.
     Constant(u32),
     /// A definition.
     Def(DefId),

@@ -17,7 +17,6 @@ pub(super) enum NodeSubject {
 }
 
 impl Node {
-    /// The number of nodes.
     pub(super) fn count(defs: &ReachingDefinitions) -> usize {
         (defs.lane_count() + defs.len()) as usize
     }

@@ -10,7 +10,6 @@ use shaderlint_semantic::builtins::Transfer;
 
 /// Maximum number of factors of a term.
 const FACTORS: usize = 4;
-/// Maximum number of terms.
 const MAX_TERMS: usize = 12;
 /// Maximum number of operations expanded per query.
 const BUDGET: u32 = 40;

@@ -159,7 +159,6 @@ pub struct ReachingDefinitions {
     /// By definition: the same without refinements.
     pub(super) unrefined: Vec<DefId>,
     pub(super) lists: Vec<DefId>,
-    /// By function: its calls.
     pub(super) calls: Lists<OpId>,
     /// By function: its return values.
     pub(super) returns: Lists<OpId>,

@@ -51,7 +51,6 @@ pub fn lower(program: &Program) -> Module {
     lowerer.module
 }
 
-/// The state of lowering.
 struct Lowerer<'p> {
     program: &'p Program,
     module: Module,
@@ -181,7 +180,6 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Adds an operand list.
     fn operands(&mut self, operands: &[OpId]) -> List {
         let start = self.module.operand_lists.len() as u32;
         self.module.operand_lists.extend_from_slice(operands);

@@ -18,7 +18,6 @@ pub(super) struct PlacePath {
 /// The destination of an assignment.
 #[derive(Clone, Copy)]
 pub(super) enum AssignTarget {
-    /// A place.
     Place(PlaceId),
     /// A dynamically indexed component of a swizzle: `v.zx[i]`.
     Component {

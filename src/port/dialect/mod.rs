@@ -103,7 +103,6 @@ pub type SiblingTexts = BTreeMap<String, Option<Arc<str>>>;
 /// Credits in a header.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Credit {
-    /// The author.
     pub author: String,
     /// The author's description.
     pub description: String,
@@ -111,7 +110,6 @@ pub struct Credit {
 
 /// A pass of a text.
 pub struct PlannedPass {
-    /// The kind of pass.
     pub kind: Pass,
     /// The name; empty for a single pass.
     pub name: String,

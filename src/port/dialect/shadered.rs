@@ -100,7 +100,6 @@ struct ShaderedReader<'c, 't, 'd> {
     plan: Plan,
 }
 
-/// Maximum depth of includes.
 const MAX_DEPTH: usize = 16;
 
 impl<'d> ShaderedReader<'_, '_, 'd> {

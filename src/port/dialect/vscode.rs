@@ -230,7 +230,6 @@ impl VscodeReader<'_, '_> {
         }
     }
 
-    /// Applies a directive.
     fn obey(&mut self, directive: &Directive, facts: &mut DirectiveFacts) {
         match directive.word {
             "iUniform" => match uniform(directive.rest) {

@@ -9,7 +9,6 @@ use crate::{Input, InputKind};
 /// A media file of ShaderToy.
 pub(super) struct Stock {
     kind: InputKind,
-    /// The id in exports.
     id: &'static str,
     /// Prefix of its name in `/media/a/`.
     hash: &'static str,

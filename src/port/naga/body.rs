@@ -105,7 +105,6 @@ impl<'l, 'p> Body<'l, 'p> {
         }
     }
 
-    /// Finishes the function.
     pub(super) fn finish(mut self) -> ::naga::Function {
         self.flush();
         self.function.body = self.block;
@@ -135,7 +134,6 @@ impl<'l, 'p> Body<'l, 'p> {
         self.block.push(statement, span);
     }
 
-    /// Builds a nested block.
     pub(super) fn nested(&mut self, fill: impl FnOnce(&mut Self) -> Res<()>) -> Res<Block> {
         self.flush();
         let outer = std::mem::take(&mut self.block);
@@ -192,12 +190,10 @@ impl<'l, 'p> Body<'l, 'p> {
         Ok(pointer)
     }
 
-    /// Stores a value.
     pub(super) fn store(&mut self, pointer: Value, value: Value) {
         self.push(Statement::Store { pointer, value });
     }
 
-    /// Loads a value.
     pub(super) fn load(&mut self, pointer: Value) -> Value {
         self.add(Expression::Load { pointer })
     }
@@ -207,7 +203,6 @@ impl<'l, 'p> Body<'l, 'p> {
         self.add(Expression::AccessIndex { base, index })
     }
 
-    /// A float literal.
     pub(super) fn float(&mut self, value: f32) -> Value {
         self.add(Expression::Literal(Literal::F32(value)))
     }

@@ -203,7 +203,6 @@ enum Lowering {
     Bits(ScalarKind),
     /// To a comparison of the bits with those of infinity.
     Unusual(Op),
-    /// To a derivative.
     Derivative(Axis),
     /// To an operator on each column.
     ByColumns(Op),

@@ -12,9 +12,7 @@ use shaderlint_semantic::{Constant as Known, Stage, Storage, Type, VariableId};
 /// A global variable in the naga module.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Global {
-    /// A private variable.
     Variable(Handle<GlobalVariable>),
-    /// A named constant.
     Constant(Handle<Constant>),
     /// A member of a uniform buffer, with the layout of its matrices.
     Stored(Handle<GlobalVariable>, u32, Major),

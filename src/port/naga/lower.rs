@@ -24,7 +24,6 @@ pub struct Lowered {
     pub language: TargetLanguage,
     /// The resource interface.
     pub interface: HostInterface,
-    /// The naga module.
     pub(super) module: Module,
 }
 

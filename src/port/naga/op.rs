@@ -12,7 +12,6 @@ use shaderlint_semantic::{Scalar, Type, Value as Constant};
 use std::slice;
 
 impl Body<'_, '_> {
-    /// Lowers an operation.
     pub(super) fn operation(&mut self, id: OpId) -> Res<()> {
         self.check_limits()?;
         let form = self.lowerer.form;

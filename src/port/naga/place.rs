@@ -10,7 +10,6 @@ use shaderlint_semantic::{Type, VariableId};
 
 /// A resolved place.
 struct Spot {
-    /// The location.
     at: At,
     /// The selected components, if not all.
     lanes: Option<Lanes>,
@@ -19,9 +18,7 @@ struct Spot {
 /// The location of a place.
 #[derive(Clone, Copy)]
 enum At {
-    /// A value.
     Value(Value),
-    /// A pointer.
     Pointer(Value),
     /// A place in a uniform buffer.
     Stored(StoredPlace),
@@ -119,7 +116,6 @@ impl Body<'_, '_> {
         !(part.is_scalar() || part.is_vector())
     }
 
-    /// Loads a place.
     pub(super) fn read(&mut self, place: PlaceId) -> Res<Value> {
         let spot = self.spot(self.lowerer.form.place(place))?;
         let value = match spot.at {
@@ -133,7 +129,6 @@ impl Body<'_, '_> {
         })
     }
 
-    /// Stores to a place.
     pub(super) fn write(&mut self, place: PlaceId, value: OpId) -> Res<()> {
         let form = self.lowerer.form;
         let place = form.place(place);

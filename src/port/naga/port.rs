@@ -16,11 +16,9 @@ pub(super) struct Leaf {
     pub(super) variable: VariableId,
     /// The indexes of members, elements and columns that lead to it.
     pub(super) path: Vec<u32>,
-    /// The WebGL name.
     pub(super) name: String,
     /// A scalar or vector type.
     pub(super) ty: Type,
-    /// The location number.
     pub(super) location: u32,
     /// Whether it is `centroid`.
     is_centroid: bool,

@@ -14,7 +14,6 @@ use shaderlint_semantic::{Sampler, Scalar, Type, VariableId};
 pub(super) struct Looked {
     /// The texture.
     pub(super) image: Value,
-    /// The sampler.
     pub(super) sampler: Value,
     /// The sampler type in GLSL.
     pub(super) kind: Sampler,

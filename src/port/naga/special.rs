@@ -20,11 +20,8 @@ pub(super) struct Special {
 
 /// An output of the stage.
 pub(super) struct Leaving {
-    /// The name.
     pub(super) name: String,
-    /// The value.
     pub(super) value: Value,
-    /// The GLSL type.
     pub(super) ty: Type,
     /// The location or built-in.
     pub(super) binding: Binding,

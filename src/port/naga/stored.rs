@@ -13,9 +13,7 @@ use std::num::NonZeroU32;
 /// A type in its buffer layout.
 #[derive(Clone, Copy)]
 pub(super) struct Stored {
-    /// The naga type.
     pub(super) ty: Handle<::naga::Type>,
-    /// Size in bytes.
     pub(super) size: u32,
     /// Alignment in bytes.
     align: u32,
@@ -27,7 +25,6 @@ pub(super) struct Stored {
 /// The layout of the matrices of a member, at any depth.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Major {
-    /// Column-major.
     Columns,
     /// Row-major, as with `layout(row_major)`.
     Rows,
@@ -117,7 +114,6 @@ impl Packing {
         Ok(())
     }
 
-    /// Finishes the struct.
     pub(super) fn finish(mut self, lowerer: &mut NagaLowerer, name: Option<String>) -> Res<Stored> {
         self.pad(lowerer)?;
         let size = self.offset.max(ROW);

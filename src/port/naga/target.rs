@@ -22,7 +22,6 @@ impl Refused {
     }
 }
 
-/// A result of lowering.
 pub(super) type Res<T> = Result<T, Refused>;
 
 /// A value in the current function.

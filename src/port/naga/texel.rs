@@ -78,7 +78,6 @@ impl Body<'_, '_> {
         }))
     }
 
-    /// The nearest layer.
     fn nearest_layer(&mut self, image: Value, layer: Value) -> Res<Value> {
         let nearest = self.math(MathFunction::Round, &[layer]);
         let nearest = self.convert(nearest, Scalar::Int);

@@ -14,7 +14,6 @@ use shaderlint_semantic::{Sampler, Scalar, Type};
 
 /// The coordinates of a sampler type.
 pub(super) struct CoordinateShape {
-    /// Number of coordinates.
     pub(super) size: u8,
     /// Number of components of the size, without layers.
     pub(super) extent: u8,

@@ -14,7 +14,6 @@ use std::num::NonZeroU32;
 pub(super) trait Sink<'p> {
     /// The module under construction.
     fn lowerer(&mut self) -> &mut NagaLowerer<'p>;
-    /// Adds an expression.
     fn add(&mut self, expression: Expression) -> Value;
 }
 
@@ -90,7 +89,6 @@ pub(super) fn texel(sampler: Sampler) -> Option<ScalarKind> {
 }
 
 impl NagaLowerer<'_> {
-    /// Adds a type.
     pub(super) fn inner(&mut self, name: Option<String>, inner: TypeInner) -> Handle<::naga::Type> {
         let ty = ::naga::Type { name, inner };
         self.module.types.insert(ty, Span::UNDEFINED)

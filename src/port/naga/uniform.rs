@@ -40,7 +40,6 @@ pub(super) struct Uniforms {
 pub(super) struct Pair {
     /// The texture.
     pub(super) image: Handle<GlobalVariable>,
-    /// The sampler.
     pub(super) sampler: Handle<GlobalVariable>,
     /// The sampler type in GLSL.
     pub(super) kind: Sampler,

@@ -16,7 +16,6 @@ use shaderlint_syntax::ast::QualifierKind;
 const FUNCTIONS: usize = BuiltinId::ALL.len();
 /// Capacity for the overloads of all functions.
 const MAX_OVERLOADS: usize = 640;
-/// Capacity for the variables.
 const MAX_VARIABLES: usize = 24;
 
 /// Declarations of one or more texts, in their order.
@@ -28,7 +27,6 @@ pub(super) struct Declared {
     /// By function: index of its first overload, or the end.
     first: [usize; FUNCTIONS],
     variables: [(&'static str, BuiltinVariable); MAX_VARIABLES],
-    /// Number of variables.
     pub variable_count: usize,
 }
 
@@ -239,11 +237,9 @@ impl PrototypeWords {
 /// The types that a word of the notation stands for.
 #[derive(Clone, Copy)]
 enum GenericType {
-    /// A single type.
     One(Type),
     /// Vectors from this many components up to four; one component is a scalar.
     Vectors(Scalar, u8),
-    /// All matrix types.
     Matrices,
     /// One type each for `float`, `int` and `uint`.
     ByScalar([Type; 3]),
@@ -284,7 +280,6 @@ impl GenericType {
         }
     }
 
-    /// Number of types.
     const fn count(self) -> u8 {
         match self {
             GenericType::One(_) => 1,

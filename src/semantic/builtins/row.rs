@@ -86,7 +86,6 @@ pub enum Level {
     Fetch,
 }
 
-/// A plain lookup.
 pub(super) const fn lookup(level: Level) -> BuiltinKind {
     BuiltinKind::Lookup(Lookup {
         level,

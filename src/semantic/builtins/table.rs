@@ -20,7 +20,6 @@ use std::f64;
 const ONE: u8 = 1;
 /// A special function unit, or several instructions.
 const SPECIAL: u8 = 4;
-/// A texture access.
 const TEXTURE: u8 = 8;
 
 macro_rules! table {

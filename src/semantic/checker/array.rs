@@ -15,7 +15,6 @@ pub(crate) enum ArrayError {
     NoSizeYet,
     /// A size after the type, in a version that only allows it after the name.
     BehindType,
-    /// An array of arrays.
     OfArrays,
     /// An array of structs as an input or output between stages.
     OfPassedStructs,
@@ -35,7 +34,6 @@ pub(crate) enum ArrayError {
     SizeNotConstant(ExprId),
     /// A size below 0.
     NegativeSize,
-    /// A size of 0.
     ZeroSize,
 }
 

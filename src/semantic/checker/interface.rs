@@ -19,7 +19,6 @@ pub(crate) enum InterfaceError {
     OutputMatrix,
     /// An integer without `flat`.
     NotFlat(StorageRequest),
-    /// An array of structs.
     ArrayOfStructs,
     /// A struct containing an array.
     ArrayInside,

@@ -13,7 +13,6 @@ pub(crate) enum LayoutError {
     NotInWebgl(Name),
     /// `location` without a number.
     NoNumber,
-    /// An unknown layout qualifier.
     Unknown(Name),
     /// An unknown layout qualifier with a value.
     UnknownNumber(Name),

@@ -9,15 +9,11 @@ pub(crate) enum PlaceError {
     NoPlace(ExprId, Writer),
     /// A swizzle that repeats a component, and the size of its vector.
     Repeats(Name, u8),
-    /// A constant.
     Constant(VariableId),
-    /// A uniform.
     Uniform(VariableId),
-    /// A shader input.
     Input(VariableId),
     /// A `const` parameter.
     ConstParameter(VariableId),
-    /// A sampler.
     Sampler(VariableId),
     /// A struct or array containing a sampler.
     SamplerInside(VariableId),

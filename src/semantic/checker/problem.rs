@@ -71,7 +71,6 @@ impl Problems {
 
 macro_rules! kinds {
     ($($kind:ident($of:ident)),* $(,)?) => {
-        /// Every kind of problem.
         #[derive(Clone, Debug)]
         pub(crate) enum ProblemKind {
             $($kind($of)),*

@@ -21,7 +21,6 @@ pub struct DeclaredType {
 pub struct Difference {
     /// Path to the differing member: `.light.color`.
     pub path: String,
-    /// Kind of difference.
     pub kind: Differing,
     /// The token in the vertex shader, and its declaration as text.
     pub vertex: (TokenId, String),
@@ -34,7 +33,6 @@ pub struct Difference {
 pub enum Differing {
     /// The type or the array size.
     Type,
-    /// The precision.
     Precision,
     /// The names of the structs.
     StructName,

@@ -10,7 +10,6 @@ use shaderlint_syntax::Feature;
 
 /// Number of attribute locations.
 const MAX_ATTRIBUTES: usize = 16;
-/// Uniform vectors per stage.
 const MAX_UNIFORM_VECTORS: u64 = 4096;
 /// Samplers per stage.
 const MAX_SAMPLERS: u64 = 32;

@@ -22,7 +22,6 @@ struct Line<'t> {
     braces: i32,
 }
 
-/// Indentation of a line.
 fn indent_of(line: &str) -> usize {
     let blanks = line.chars().take_while(|c| matches!(c, ' ' | '\t'));
     blanks.map(|c| if c == '\t' { 4 } else { 1 }).sum()

@@ -65,7 +65,6 @@ pub enum TypeMismatch {
 /// Why two types are incompatible.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Clash {
-    /// One is a sampler.
     Sampler,
     /// One is a struct or block that the operator does not accept, or they are different ones.
     Struct,
@@ -94,12 +93,8 @@ pub enum Clash {
 pub enum NonNumber {
     /// `void`
     Void,
-    /// Samplers.
     Samplers,
-    /// Structs.
     Structs,
-    /// Blocks.
     Blocks,
-    /// Arrays.
     Arrays,
 }

@@ -354,7 +354,7 @@ fn constructors_take_components_elements_and_members() {
     check("vec3", &["void"], "! Void(0)");
     check("vec3", &["float", "sampler2D"], "! SamplerArgument(1)");
     check("mat3", &["mat2"], "mat3");
-    check("mat3", &["mat2", "float"], "! MatrixBeside");
+    check("mat3", &["mat2", "float"], "! MatrixWithOthers");
     check("float[]", &["float", "float"], "float[2]");
     check("float[2]", &["float"], "! Count float[2]");
     check("float[2]", &["float", "int"], "! Part 1 float");

@@ -497,7 +497,6 @@ fn indentation_mismatches(
     (layout.indentation_mismatches, layout.partner)
 }
 
-/// An open block.
 #[derive(Clone, Copy)]
 struct UnclosedBlock {
     /// Index of its `{`.

@@ -27,9 +27,7 @@ const MARGIN: u32 = 3;
 /// Context of the code that cannot be parsed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum FaultScope {
-    /// At global scope.
     Global,
-    /// Inside a block.
     Block,
     /// The single statement that is the body of an `if` or loop.
     Body,

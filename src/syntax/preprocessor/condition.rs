@@ -10,7 +10,6 @@ const MAX_DEPTH: u32 = 1_000;
 /// Why an expression cannot be evaluated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ConditionProblem {
-    /// The expression is empty.
     Empty,
     /// A name that is not defined as a macro, in an operand that is evaluated.
     Undefined(Span),

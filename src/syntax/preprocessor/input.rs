@@ -5,9 +5,7 @@ use crate::token::TokenKind;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// A source of tokens.
 pub(super) enum TokenInput {
-    /// The source files.
     Files,
     /// A range of a token list.
     Pieces(Rc<TokenList>, Range<usize>),

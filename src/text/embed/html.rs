@@ -80,7 +80,6 @@ pub fn id_of<'a>(text: &'a str, shader: &Embedded) -> Option<&'a str> {
 
 /// A script element of the page in lower case.
 pub(super) struct Element<'a> {
-    /// Attributes of the element.
     head: &'a str,
     /// Start of the content.
     pub start: usize,

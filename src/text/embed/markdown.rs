@@ -49,15 +49,11 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
     }
 }
 
-/// An open fence.
 struct OpenFence {
     mark: char,
     count: usize,
-    /// Language of the fence.
     label: String,
-    /// Start of the content.
     start: usize,
-    /// Number of the chapter.
     chapter: u32,
 }
 

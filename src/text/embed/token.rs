@@ -22,7 +22,6 @@ pub enum ScriptTokenKind {
 pub struct ScriptToken {
     /// Quoted string, template, comment, word or mark.
     pub kind: ScriptTokenKind,
-    /// Range in the script.
     pub range: Range<usize>,
 }
 

@@ -113,7 +113,6 @@ struct SeenSign {
     number: usize,
     language: ShaderLanguage,
     is_enough: bool,
-    /// Start offset.
     start: usize,
     end: usize,
 }

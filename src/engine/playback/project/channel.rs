@@ -29,7 +29,6 @@ pub(super) struct Channel {
 enum ChannelFeed {
     /// No texture is bound.
     Nothing,
-    /// A constant image.
     Still(Arc<Image>),
     /// A render target of passes.
     Target(usize),

@@ -43,7 +43,6 @@ pub struct Player {
 
 /// A pass that can be run.
 struct PlayedPass {
-    /// Index in the project.
     index: usize,
     kind: Pass,
     shader: PassShader,

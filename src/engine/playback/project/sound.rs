@@ -9,7 +9,6 @@ use shaderlint_semantic::Pass;
 pub const SOUND_RATE: u32 = 44_100;
 /// Samples in a row of a block.
 const ROW: u32 = 512;
-/// Samples in a block.
 const BLOCK: u32 = ROW * ROW;
 
 impl Player {

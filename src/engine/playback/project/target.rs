@@ -35,7 +35,6 @@ enum Depth {
     Float,
 }
 
-/// A pair of images.
 pub(super) struct ImagePair {
     shape: ImageShape,
     side: [u32; 2],
