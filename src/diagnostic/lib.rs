@@ -283,3 +283,21 @@ impl Diagnostic {
         }
     }
 }
+
+/// A number with its noun: `1 file`, `2 files`.
+pub fn count<N: std::fmt::Display + PartialEq + From<u8>>(n: N, one: &str) -> String {
+    let plural = if n == N::from(1) { "" } else { "s" };
+    format!("{n} {one}{plural}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::count;
+
+    #[test]
+    fn only_one_is_singular() {
+        assert_eq!(count(0_usize, "file"), "0 files");
+        assert_eq!(count(1_u8, "file"), "1 file");
+        assert_eq!(count(12_u64, "more finding"), "12 more findings");
+    }
+}

@@ -3,6 +3,7 @@
 use super::document::Document;
 use super::hover::operations;
 use super::run::RunObservations;
+use shaderlint_diagnostic::count;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::Span;
 
@@ -103,8 +104,7 @@ fn observed_cost(seen: &RunObservations) -> String {
         title.push_str(&format!(", {} at most", seen.most_cost));
     }
     if let Some(most) = seen.loops.values().map(|iterations| iterations.most).max() {
-        let plural = if most == 1 { "" } else { "s" };
-        title.push_str(&format!("; loops up to {most} iteration{plural}"));
+        title.push_str(&format!("; loops up to {}", count(most, "iteration")));
     }
     title
 }

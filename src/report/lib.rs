@@ -24,7 +24,7 @@ pub use sarif::{Pages, RulePage};
 pub use summary::{ReadAs, Scope, Summary};
 
 use place::clean;
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity, count};
 use shaderlint_text::{Sources, Span};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -185,8 +185,7 @@ impl<W: Write> Reporter<W> {
         if missing == 0 {
             return self.print((name, scope), sources, diagnostics);
         }
-        let noun = if missing == 1 { "finding" } else { "findings" };
-        let more = format!("and {missing} more {noun}");
+        let more = format!("and {}", count(missing, "more finding"));
         let mut printed = worst(diagnostics);
         match self.format {
             Format::Human | Format::Short | Format::Agent => {
@@ -255,7 +254,7 @@ impl<W: Write> Reporter<W> {
             ReportEnd::None => Vec::new(),
             ReportEnd::Counts if summary.findings() == 0 => Vec::new(),
             ReportEnd::Counts => {
-                let files = summary::count(summary.files, "file");
+                let files = count(summary.files, "file");
                 vec![format!("Found {} in {files}", summary.counts())]
             }
             ReportEnd::All => summary.lines(),

@@ -1,6 +1,6 @@
 //! The summary: what was checked, what was found, and where rules did not run.
 
-use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_diagnostic::{Diagnostic, Severity, count};
 use std::collections::BTreeSet;
 
 /// Maximum number of function names in one line.
@@ -227,22 +227,11 @@ impl Summary {
                 1 => "1 file is a shader fragment".to_string(),
                 n => format!("{n} files are shader fragments"),
             };
-            let names = match self.open_names.len() {
-                1 => "1 name".to_string(),
-                n => format!("{n} names"),
-            };
+            let names = count(self.open_names.len(), "name");
             lines.push(format!(
                 "{files} using {names} from a host; set `[host]` in shaderlint.toml to check them"
             ));
         }
         lines
-    }
-}
-
-/// `1 file`, `2 files`.
-pub fn count(n: usize, one: &str) -> String {
-    match n {
-        1 => format!("1 {one}"),
-        n => format!("{n} {one}s"),
     }
 }

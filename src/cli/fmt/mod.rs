@@ -9,6 +9,7 @@ use super::config::Configs;
 use super::input::{InputFile, collect, read};
 use super::output::{diff, replace};
 use super::parallel::in_order;
+use crate::diagnostic::count;
 use crate::engine::{Formatting, format};
 use crate::text::{Encoding, LineIndex, apply_edits};
 use std::io::{self, Write};
@@ -175,7 +176,7 @@ impl FormatTally {
     }
 
     fn sum_up(&self, args: &FormatArgs) {
-        let files = |n: usize| format!("{n} file{}", if n == 1 { "" } else { "s" });
+        let files = |n| count(n, "file");
         let would = match args.check || args.diff {
             true => "would be reformatted",
             false => "reformatted",

@@ -7,7 +7,7 @@ use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::args::{LintArgs, Talk};
 use super::inputs::{Outcome, check_all};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, count};
 use crate::report::fingerprints;
 use crate::text::Sources;
 use serde_json::{Value, json};
@@ -146,7 +146,7 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
     let mut files: BTreeMap<String, Vec<Value>> = BTreeMap::new();
     let folder = folder_of(path);
     let mut all_well = true;
-    let mut count = 0;
+    let mut written = 0;
     check_all(inputs, configs, None, &mut |input, outcome| {
         match outcome {
             Outcome::Checked(mut report, ..) => {
@@ -158,7 +158,7 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
                 let entries = found.iter().zip(prints);
                 let entries = entries.map(|(d, p)| entry(d.rule, &p));
                 let entries: Vec<Value> = entries.collect();
-                count += entries.len();
+                written += entries.len();
                 if !entries.is_empty() {
                     files.insert(named(&folder, &input.name), entries);
                 }
@@ -190,8 +190,8 @@ pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Re
         for ((file, rule), _) in old.iter().flat_map(|o| &o.stale) {
             print_message(&format!("{file}: removed `{rule}`"));
         }
-        let noun = if count == 1 { "finding" } else { "findings" };
-        print_message(&format!("wrote {count} {noun} to {}", path.display()));
+        let findings = count(written, "finding");
+        print_message(&format!("wrote {findings} to {}", path.display()));
     }
     Ok(if all_well { CLEAN } else { FAILED })
 }

@@ -3,6 +3,7 @@
 use super::super::command::complain;
 use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
+use crate::diagnostic::count;
 use crate::engine::{Completeness, Report, Shader};
 use crate::host::shadertoy;
 use crate::lint::{Proof, SkippedRules};
@@ -176,11 +177,10 @@ pub fn passed_over(passed: &PassedOver) {
         complain(&format!("{path}: skipped: {reason}"));
     }
     if passed.others > 0 {
-        let noun = if passed.others == 1 { "file" } else { "files" };
         let extensions: Vec<&str> = passed.extensions.iter().map(String::as_str).collect();
         complain(&format!(
-            "{} {noun} skipped because of the extension ({}); files in .gitignore are not counted",
-            passed.others,
+            "{} skipped because of the extension ({}); files in .gitignore are not counted",
+            count(passed.others, "file"),
             extensions.join(", ")
         ));
     }

@@ -4,6 +4,7 @@ use super::columns::{percent, seconds};
 use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
+use crate::diagnostic::count;
 use crate::engine::playback::{Button, ImageFacts, Moment};
 use crate::exec::Drawn;
 use serde::Serialize;
@@ -166,9 +167,8 @@ impl RunFacts {
                 shares.push(format!("{} {what}", percent(share)));
             }
             let colors = match output.colors {
-                1 => "1 colour".to_string(),
                 n if n >= 65_536 => "65536 or more colours".to_string(),
-                n => format!("{n} colours"),
+                n => count(n, "colour"),
             };
             text.push_str(&format!("  {:9} {}, {colors}\n", "", shares.join(", ")));
         }

@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::{image_file, show, uniforms};
 use crate::cli::disk::Disk;
 use crate::cli::port;
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Severity, count};
 use crate::engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
 use crate::exec::{Bytecode, CompileOptions, Drawn, Refusal, Stop, draw};
@@ -371,11 +371,8 @@ fn set_uniforms(shot: &mut Shot, program: &Program, path: &Path) -> Result<(), T
             }
             Unfit::Sampler => format!("`{name}` is a sampler and cannot be set to a number"),
             Unfit::Count { takes, .. } => {
-                let (count, noun) = (
-                    given.scalars.len(),
-                    if takes == 1 { "number" } else { "numbers" },
-                );
-                format!("`{name}` expects {takes} {noun}, found {count}")
+                let takes = count(takes, "number");
+                format!("`{name}` expects {takes}, found {}", given.scalars.len())
             }
         };
         return Err(wrong(given.at, reason));

@@ -1,6 +1,7 @@
 //! Messages for constructors with wrong arguments.
 
 use super::*;
+use shaderlint_diagnostic::count;
 
 impl ExplainContext<'_> {
     /// A constructor that its arguments do not match.
@@ -33,19 +34,14 @@ impl ExplainContext<'_> {
                 )
             }
             TypeMismatch::TooFew(ty, given) => {
-                let (name, expected) = (self.name_of(ty), ty.components());
-                let message = format!("`{name}` expects {expected} components, found {given}");
+                let (name, expected) = (self.name_of(ty), count(ty.components(), "component"));
+                let message = format!("`{name}` expects {expected}, found {given}");
                 let fix = self.add_components(ty, args, given);
                 self.label_arguments(error(id, message), args).fix(fix)
             }
             TypeMismatch::TooMany(ty, given, surplus) => {
-                let (name, expected) = (self.name_of(ty), ty.components());
-                let plural = if expected == 1 {
-                    "component"
-                } else {
-                    "components"
-                };
-                let message = format!("`{name}` expects {expected} {plural}, found {given}");
+                let (name, expected) = (self.name_of(ty), count(ty.components(), "component"));
+                let message = format!("`{name}` expects {expected}, found {given}");
                 error(id, message)
                     .label(self.expr_span(arg(surplus)), "extra argument")
                     .fix(self.drop_from(args, arg(surplus)))
@@ -89,14 +85,13 @@ impl ExplainContext<'_> {
             _ => None,
         };
         let Some(record) = record else {
-            let (name, size) = (self.name_of(ty), ty.array);
-            let message = format!("`{name}` expects {size} elements, found {given}");
+            let (name, expected) = (self.name_of(ty), count(ty.array, "element"));
+            let message = format!("`{name}` expects {expected}, found {given}");
             return self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
         };
         let name = record.name.map_or("struct", |n| self.text(n));
-        let count = record.fields.len();
-        let plural = if count == 1 { "argument" } else { "arguments" };
-        let message = format!("`{name}` expects {count} {plural}, found {given}");
+        let expected = count(record.fields.len(), "argument");
+        let message = format!("`{name}` expects {expected}, found {given}");
         let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
         self.with_declaration(d, Some(record.token), "declared here")
     }

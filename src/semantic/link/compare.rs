@@ -3,6 +3,7 @@
 use super::interface::{Interface, PrecisionWord};
 use crate::{Base, Field, Type};
 use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::count;
 use shaderlint_syntax::ast::TokenId;
 
 /// A declaration to compare.
@@ -141,16 +142,12 @@ impl<'a, 'p> InterfaceComparison<'a, 'p> {
     fn members(&mut self, v: u16, f: u16, precisions: PrecisionMatch) -> Option<Difference> {
         let of = |i: &'a Interface, id: u16| i.program.structs.get(id as usize);
         let (v, f) = (of(self.vertex, v)?, of(self.fragment, f)?);
-        let count = |n: usize| match n {
-            1 => "1 member".to_string(),
-            n => format!("{n} members"),
-        };
         if v.fields.len() != f.fields.len() {
             return Some(Difference {
                 path: String::new(),
                 kind: Differing::Members,
-                vertex: (v.token, count(v.fields.len())),
-                fragment: (f.token, count(f.fields.len())),
+                vertex: (v.token, count(v.fields.len(), "member")),
+                fragment: (f.token, count(f.fields.len(), "member")),
             });
         }
         for (v, f) in in_order(&v.fields).zip(in_order(&f.fields)) {

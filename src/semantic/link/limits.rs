@@ -5,7 +5,7 @@ use super::errors::{LinkErrors, LinkSite};
 use super::interface::{Block, Interface, InterfaceVariable};
 use crate::{Base, Stage, Type};
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::{Diagnostic, error};
+use shaderlint_diagnostic::{Diagnostic, count, error};
 use shaderlint_syntax::Feature;
 
 /// Number of attribute locations.
@@ -36,10 +36,7 @@ pub fn attributes(vertex: &Interface, found: &mut LinkErrors) {
         let name = vertex.text(item.name);
         if end > MAX_ATTRIBUTES {
             let message = format!("attribute `{name}` exceeds the last location, 15");
-            let label = match columns(item.ty) {
-                1 => "needs 1 location".to_string(),
-                n => format!("needs {n} locations"),
-            };
+            let label = format!("needs {}", count(columns(item.ty), "location"));
             let place = LinkSite::new(vertex, item.token, label);
             found.at(error::LINK_ATTRIBUTE, message, place);
             continue;

@@ -7,7 +7,7 @@
 use super::{MAX_GATHERED, Preprocessor, TokenInput, TokenList, bad, error_at};
 use crate::names::Name;
 use crate::token::{Token, TokenKind};
-use shaderlint_diagnostic::error;
+use shaderlint_diagnostic::{count, error};
 use shaderlint_text::{Sources, Span};
 use std::ops::Range;
 use std::rc::Rc;
@@ -415,10 +415,9 @@ impl Expander {
             return Some(());
         }
         let name = pp.names.text(definition.name).to_string();
-        let plural = |n: usize| if n == 1 { "argument" } else { "arguments" };
         let message = format!(
-            "macro `{name}` expects {expected} {}, found {}",
-            plural(expected),
+            "macro `{name}` expects {}, found {}",
+            count(expected, "argument"),
             args.len()
         );
         let defined = definition.name_span;
