@@ -4,7 +4,7 @@ use super::FaultyShader;
 use super::candidate::RepairCandidate;
 use super::definition::{Definition, is_operator};
 use crate::builtins::Builtins;
-use shaderlint_diagnostic::{Diagnostic, Fix, error};
+use shaderlint_diagnostic::{Diagnostic, Fix};
 use shaderlint_syntax::{Piece, TokenKind, WordClass, classify};
 use shaderlint_text::{Edit, Span};
 
@@ -65,7 +65,7 @@ impl FaultyShader<'_> {
     fn lacks(&self, d: &Definition, at: u32, symbol: &str) -> Diagnostic {
         let span = Span::at(at);
         let message = format!("missing `{symbol}` in the definition of macro `{}`", d.name);
-        Diagnostic::error(error::FAULTY_MACRO, span, message)
+        d.faulty(span, message)
             .mark(format!("expected `{symbol}` here"))
     }
 
@@ -97,8 +97,7 @@ impl FaultyShader<'_> {
             let fix = Fix::suggestion(format!("add `{right}`"), vec![Edit::insert(at, right)]);
             all.push(d.candidate(found, fix));
         }
-        let found = Diagnostic::error(
-            error::FAULTY_MACRO,
+        let found = d.faulty(
             opener.token.span,
             format!("unmatched `{left}` in the definition of macro `{}`", d.name),
         );
@@ -172,8 +171,7 @@ impl FaultyShader<'_> {
             let fix = Fix::suggestion(format!("add `{left}`"), vec![Edit::insert(at, left)]);
             all.push(d.candidate(found, fix));
         }
-        let found = Diagnostic::error(
-            error::FAULTY_MACRO,
+        let found = d.faulty(
             closer.token.span,
             format!(
                 "unmatched `{right}` in the definition of macro `{}`",

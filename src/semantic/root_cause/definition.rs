@@ -232,35 +232,29 @@ impl FaultyShader<'_> {
 
     /// `#define X * 2.0`, `#define X a +`
     fn edge_operators(&self, d: &Definition, all: &mut Vec<RepairCandidate>) {
-        let body = &d.of.body;
-        if body.len() < 2 {
+        let body = d.of.body.as_slice();
+        let ([first, next, ..], [.., before, last]) = (body, body) else {
             return;
-        }
-        if let (Some(last), Some(before)) = (d.last(), body.get(body.len() - 2))
-            && is_operator(last.token.kind)
-        {
-            let what = self.text(last.token.span);
-            let found = d
-                .faulty(
-                    last.token.span,
-                    format!("the definition of macro `{}` ends with `{what}`", d.name),
-                )
-                .mark("missing operand after it");
-            let gap = Span::new(before.token.span.end, last.token.span.end);
-            let fix = Fix::suggestion(format!("remove `{what}`"), vec![Edit::delete(gap)]);
-            all.push(d.candidate(found, fix));
-        }
-        if let (Some(first), Some(next)) = (d.first(), body.get(1))
-            && is_operator(first.token.kind)
-        {
-            let what = self.text(first.token.span);
-            let found = d
-                .faulty(
-                    first.token.span,
-                    format!("the definition of macro `{}` starts with `{what}`", d.name),
-                )
-                .mark("missing operand before it");
-            let gap = Span::new(first.token.span.start, next.token.span.start);
+        };
+        let (start, end) = (first.token.span, last.token.span);
+        let until_end = Span::new(before.token.span.end, end.end);
+        let from_start = Span::new(start.start, next.token.span.start);
+        let edges = [
+            (last.token, until_end, "ends", "missing operand after it"),
+            (
+                first.token,
+                from_start,
+                "starts",
+                "missing operand before it",
+            ),
+        ];
+        for (edge, gap, verb, missing) in edges {
+            if !is_operator(edge.kind) {
+                continue;
+            }
+            let what = self.text(edge.span);
+            let message = format!("the definition of macro `{}` {verb} with `{what}`", d.name);
+            let found = d.faulty(edge.span, message).mark(missing);
             let fix = Fix::suggestion(format!("remove `{what}`"), vec![Edit::delete(gap)]);
             all.push(d.candidate(found, fix));
         }
