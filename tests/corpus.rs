@@ -2,6 +2,7 @@
 //!
 //! `INSTA_UPDATE=always cargo test` accepts the current output.
 
+use super::recorded::stale;
 use shaderlint::engine::{NoFiles, Options, analyze, check};
 use shaderlint::ir::{print, verify};
 use shaderlint::port::{Project, compose, glsl};
@@ -113,7 +114,7 @@ fn mistakes_have_recorded_output() {
         "# Mistakes\n\nShaders with one typical mistake each, and the output of `shaderlint`.\n\n\
          | file | first line of the output |\n|---|---|\n",
     );
-    let mut stale = Vec::new();
+    let mut outdated = Vec::new();
     for path in shaders("mistakes", 40) {
         let name = path.file_name().unwrap().to_str().unwrap().to_string();
         let (code, text) = printed(&path);
@@ -122,25 +123,11 @@ fn mistakes_have_recorded_output() {
         table.push_str(&format!(
             "| [{name}]({name}), [output]({name}.txt) | {first} |\n"
         ));
-        stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
+        outdated.extend(stale(&path.with_file_name(format!("{name}.txt")), &text));
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/mistakes");
-    stale.extend(beside(&folder.join("README.md"), &table));
-    assert!(stale.is_empty(), "{}", stale.join("\n\n"));
-}
-
-/// Returns the expected content if a file differs from it; `INSTA_UPDATE=always` writes the file.
-fn beside(path: &Path, text: &str) -> Option<String> {
-    if fs::read_to_string(path).is_ok_and(|now| now == text) {
-        return None;
-    }
-    if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
-        fs::write(path, text).unwrap();
-    }
-    Some(format!(
-        "{} is out of date; expected\n{text}",
-        path.display()
-    ))
+    outdated.extend(stale(&folder.join("README.md"), &table));
+    assert!(outdated.is_empty(), "{}", outdated.join("\n\n"));
 }
 
 /// A rule reports each pitfall, the output is in a file next to it, and the fixed twin has no
@@ -153,7 +140,7 @@ fn pitfalls_have_recorded_output_and_a_fixed_twin() {
          | file | fixed | first line of the output |\n|---|---|---|\n",
     );
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/pitfalls");
-    let mut stale = Vec::new();
+    let mut outdated = Vec::new();
     for path in shaders("pitfalls", 20) {
         let name = path.file_name().unwrap().to_str().unwrap().to_string();
         let (code, text) = printed(&path);
@@ -169,8 +156,8 @@ fn pitfalls_have_recorded_output_and_a_fixed_twin() {
         table.push_str(&format!(
             "| [{name}]({name}), [output]({name}.txt) | [{fixed}]({fixed}) | {first} |\n"
         ));
-        stale.extend(beside(&path.with_file_name(format!("{name}.txt")), &text));
+        outdated.extend(stale(&path.with_file_name(format!("{name}.txt")), &text));
     }
-    stale.extend(beside(&folder.join("README.md"), &table));
-    assert!(stale.is_empty(), "{}", stale.join("\n\n"));
+    outdated.extend(stale(&folder.join("README.md"), &table));
+    assert!(outdated.is_empty(), "{}", outdated.join("\n\n"));
 }

@@ -11,6 +11,7 @@ mod other_languages;
 mod pages;
 mod port;
 mod properties;
+mod recorded;
 mod renaming;
 mod tidy;
 mod usage;

@@ -4,6 +4,7 @@
 //! `INSTA_UPDATE=always cargo test` writes the generated parts: heads, findings, fixed code, options,
 //! and the tables in `rules/README.md`.
 
+use super::recorded::stale;
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
 use shaderlint::host::{Feed, presets};
@@ -190,13 +191,18 @@ fn fix_of(name: &str, text: &str, page: &Page) -> &'static str {
     }
 }
 
+/// The value of a fact in the head of a page.
+fn fact<'a>(head: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = head.split_once(&format!("**{name}:** "))?;
+    rest.split(' ').next()
+}
+
 /// The line between title and summary. A page keeps the version that it names; a new one gets the
 /// version under development.
 fn head(name: &str, text: &str) -> String {
     let page = Page::new(text);
     let fix = fix_of(name, text, &page);
-    let since = page.head.rsplit_once("**Since:** ").map(|(_, since)| since);
-    let since = since.unwrap_or(env!("CARGO_PKG_VERSION"));
+    let since = fact(page.head, "Since").unwrap_or(env!("CARGO_PKG_VERSION"));
     match RULES.iter().find(|r| r.name == name) {
         None => {
             format!("**Compile error** \u{b7} **Fix:** {fix} \u{b7} **Since:** {since}")
@@ -259,8 +265,7 @@ fn check_page(name: &str, text: &str) -> (Vec<String>, String) {
     if page.summary.is_empty() || !page.summary.ends_with('.') {
         problems.push(format!("{name}: no summary"));
     }
-    // Pages are UTF-8 themselves.
-    let has_examples = name != "invalid-encoding";
+    let has_examples = sections(name).contains(&"## Example");
     problems.extend(missing_parts(name, text));
     let headed = with_head(name, text);
     if headed != text {
@@ -320,7 +325,6 @@ fn check_page(name: &str, text: &str) -> (Vec<String>, String) {
 }
 
 fn run(pages: impl Iterator<Item = (String, &'static str)>) {
-    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut problems = Vec::new();
     for (path, name) in pages {
@@ -329,19 +333,20 @@ fn run(pages: impl Iterator<Item = (String, &'static str)>) {
             continue;
         };
         let (found, fresh) = check_page(name, &text);
-        if accept && fresh != text {
-            fs::write(root.join(&path), fresh).unwrap();
-        }
         problems.extend(found);
+        problems.extend(stale(&root.join(&path), &fresh));
     }
     assert!(problems.is_empty(), "{}", problems.join("\n\n"));
 }
 
+/// The page of a rule in the repository.
+fn path_of(rule: &Rule) -> String {
+    format!("rules/{}.md", rule.name.replace('-', "_"))
+}
+
 #[test]
 fn pages_of_rules() {
-    run(RULES
-        .iter()
-        .map(|r| (format!("rules/{}.md", r.name.replace('-', "_")), r.name)));
+    run(RULES.iter().map(|r| (path_of(r), r.name)));
 }
 
 #[test]
@@ -354,7 +359,6 @@ fn pages_of_errors() {
 /// The list of the files of hosts, which names each.
 #[test]
 fn list_of_hosts() {
-    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/host");
     let files = fs::read_dir(folder.join("presets")).unwrap();
     let names = files.map(|f| f.unwrap().path().file_stem().unwrap().to_owned());
@@ -374,17 +378,11 @@ fn list_of_hosts() {
          /// The name and the text of each.\npub(super) const FILES: &[(&str, &str)] = &[\n{}];\n",
         rows.collect::<String>()
     );
-    let path = folder.join("list.rs");
-    let is_stale = fs::read_to_string(&path).unwrap() != list;
-    if is_stale && accept {
-        fs::write(path, list).unwrap();
-    }
-    assert!(!is_stale, "stale: src/host/list.rs");
+    assert_eq!(stale(&folder.join("list.rs"), &list), None);
 }
 
 #[test]
 fn pages_of_hosts() {
-    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/hosts");
     let words: String = Feed::ALL
         .iter()
@@ -421,18 +419,11 @@ fn pages_of_hosts() {
         expected.push((format!("{}.md", host.name), host.page()));
     }
     expected.push(("README.md".to_string(), list));
-    let mut stale = Vec::new();
-    for (name, text) in &expected {
-        let path = folder.join(name);
-        if fs::read_to_string(&path).ok().as_ref() != Some(text) {
-            stale.push(name);
-            if accept {
-                fs::create_dir_all(&folder).unwrap();
-                fs::write(path, text).unwrap();
-            }
-        }
-    }
-    assert!(stale.is_empty(), "stale: {stale:?}");
+    let outdated = expected
+        .iter()
+        .filter_map(|(name, text)| stale(&folder.join(name), text));
+    let outdated: Vec<String> = outdated.collect();
+    assert!(outdated.is_empty(), "{}", outdated.join("\n\n"));
     let count = fs::read_dir(folder).unwrap().count();
     assert_eq!(count, expected.len(), "pages of hosts that are not there");
 }
@@ -462,8 +453,7 @@ fn rules(folder: &str) -> String {
     );
     for rule in RULES {
         let page = Page::new(rule.page);
-        let fix = page.head.split("**Fix:** ").nth(1).unwrap_or("");
-        let fix = fix.split(' ').next().unwrap_or("").replace("none", "");
+        let fix = fact(page.head, "Fix").unwrap_or("").replace("none", "");
         let row = [
             format!(
                 "[{}]({folder}{}.md)",
@@ -509,16 +499,12 @@ fn with_table(text: &str, table: &Table, folder: &str) -> Option<String> {
 
 #[test]
 fn tables_of_rules_and_errors() {
-    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/README.md");
     let text = fs::read_to_string(&path).unwrap();
     let fresh = TABLES.iter().fold(text.clone(), |text, table| {
         with_table(&text, table, "").expect("rules/README.md has a place for each table")
     });
-    if accept && fresh != text {
-        fs::write(&path, &fresh).unwrap();
-    }
-    assert!(fresh == text, "a table in rules/README.md is stale");
+    assert_eq!(stale(&path, &fresh), None);
 }
 
 /// What a rule goes by, as the last section of its page; nothing where it has no options.
@@ -543,21 +529,13 @@ const OPTIONS: &str = "\n## Options\n\n";
 
 #[test]
 fn pages_end_with_the_options() {
-    let accept = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
-    let mut stale = Vec::new();
-    for rule in RULES {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let outdated = RULES.iter().filter_map(|rule| {
         let text = rule.page.split(OPTIONS).next().unwrap().to_string();
-        let fresh = text + &options_of(rule);
-        if fresh == rule.page {
-            continue;
-        }
-        stale.push(rule.name);
-        if accept {
-            let name = format!("rules/{}.md", rule.name.replace('-', "_"));
-            fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join(name), fresh).unwrap();
-        }
-    }
-    assert!(stale.is_empty(), "stale: {stale:?}");
+        stale(&root.join(path_of(rule)), &(text + &options_of(rule)))
+    });
+    let outdated: Vec<String> = outdated.collect();
+    assert!(outdated.is_empty(), "{}", outdated.join("\n\n"));
 }
 
 #[test]

@@ -199,14 +199,11 @@ fn of_help(path: &str, text: &str, found: &mut Vec<Text>) {
 
 /// The lines of a page outside its fences of code.
 fn of_page(path: &str, text: &str, found: &mut Vec<Text>) {
-    let mut fence: Option<&str> = None;
+    let mut is_code = false;
     for (number, line) in text.lines().enumerate() {
-        if let Some(info) = line.trim_start().strip_prefix("```") {
-            fence = match fence {
-                None => Some(info),
-                Some(_) => None,
-            };
-        } else if fence.is_none() {
+        if line.trim_start().starts_with("```") {
+            is_code = !is_code;
+        } else if !is_code {
             found.push(Text {
                 place: format!("{path}:{}", number + 1),
                 text: line.to_string(),

@@ -1,5 +1,6 @@
 //! `shaderlint.toml`.
 
+use super::super::recorded::accepts;
 use super::scratch::{CLEAN, Scratch, WARNED, root};
 use serde_json::Value;
 use std::fs;
@@ -325,7 +326,7 @@ fn an_invalid_configuration_is_reported_once_and_others_apply() {
 fn the_committed_schema_is_up_to_date() {
     let schema = Scratch::new(&[]).run(&["schema"]).out;
     let path = root().join("editors/shaderlint.schema.json");
-    if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") {
+    if accepts() {
         fs::write(&path, &schema).unwrap();
     }
     let committed = fs::read_to_string(path).unwrap_or_default();
