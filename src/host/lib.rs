@@ -430,29 +430,27 @@ pub fn read(text: &str) -> Result<Preset, HeadError> {
         }
         // The header becomes blank lines, so that line numbers are those of the file.
         preset.prelude.push('\n');
-        let reported = line.trim_start_matches("//").trim();
+        let header = line.trim_start_matches("//").trim();
         // Sentences may contain colons: the facts start at the first key.
-        let fact = reported
-            .split_once(": ")
-            .filter(|(key, _)| match has_facts {
-                true => is_key(key),
-                false => KEYS.contains(key),
-            });
+        let fact = header.split_once(": ").filter(|(key, _)| match has_facts {
+            true => is_key(key),
+            false => KEYS.contains(key),
+        });
         has_facts |= fact.is_some();
         match fact {
             Some((key, value)) => {
                 given.note(key);
                 preset.set(key, value.trim()).map_err(wrong)?;
             }
-            None if preset.title.is_empty() => preset.title = reported.to_string(),
-            None if reported.is_empty() => ends_paragraph = true,
+            None if preset.title.is_empty() => preset.title = header.to_string(),
+            None if header.is_empty() => ends_paragraph = true,
             None => {
                 if !preset.about.is_empty() {
                     let separator = if ends_paragraph { "\n\n" } else { " " };
                     preset.about.push_str(separator);
                 }
                 ends_paragraph = false;
-                preset.about.push_str(reported);
+                preset.about.push_str(header);
             }
         }
     }

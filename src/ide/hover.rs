@@ -5,6 +5,7 @@ use super::index::{NameUse, Occurrence};
 use super::library::entry;
 use super::run::RunObservations;
 use super::symbol::{Symbol, builtin_variable, declared_at};
+use shaderlint_diagnostic::count;
 use shaderlint_flow::Bound;
 use shaderlint_flow::ranges::Interval;
 use shaderlint_host::Feed;
@@ -68,8 +69,8 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         description.or_else(|| entry(own).filter(|_| is_given).map(|e| e.text.clone()));
     let is_uniform = matches!(name.symbol, Symbol::Variable(id)
         if program.variable(id).is_some_and(|v| v.storage == Storage::Uniform));
-    let reported = || is_uniform.then(|| given(spot, own)).flatten();
-    let description = description.or_else(|| reported().map(str::to_string));
+    let meaning = || is_uniform.then(|| given(spot, own)).flatten();
+    let description = description.or_else(|| meaning().map(str::to_string));
     if let Some(description) = description {
         text.push_str(&format!("\n{description}\n"));
     }
@@ -203,8 +204,7 @@ fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     let times = match calls {
         0 if facts.entry() == Some(id) => "runs once per pixel".to_string(),
         0 => "never called".to_string(),
-        1 => "1 call site".to_string(),
-        n => format!("{n} call sites"),
+        n => count(n, "call site"),
     };
     format!(
         "\nabout {} per call; {times}\n",
@@ -351,9 +351,9 @@ fn without_name(
 fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunObservations>) -> Option<String> {
     let known = facts.loops().get(stmt)?;
     let mut text = match known.bound {
-        Bound::Exact(n) if known.ends_early => format!("at most {}", iterations(n)),
-        Bound::Exact(n) => iterations(n),
-        Bound::AtMost(n) => format!("at most {}", iterations(n)),
+        Bound::Exact(n) if known.ends_early => format!("at most {}", count(n, "iteration")),
+        Bound::Exact(n) => count(n, "iteration"),
+        Bound::AtMost(n) => format!("at most {}", count(n, "iteration")),
         Bound::Ends => "finite; the number of iterations is unknown".to_string(),
         Bound::Open => "no bound on the number of iterations is known".to_string(),
     };
@@ -362,10 +362,6 @@ fn of_loop(facts: &Facts, stmt: StmtId, seen: Option<&RunObservations>) -> Optio
         text.push_str(&format!("\n{seen}\n"));
     }
     Some(text)
-}
-
-fn iterations(count: u64) -> String {
-    format!("{count} iteration{}", if count == 1 { "" } else { "s" })
 }
 
 /// The comment directly above a declaration, or after it on the same line.

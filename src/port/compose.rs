@@ -152,11 +152,11 @@ fn add(
     project: &Project,
     sources: &mut Sources,
     path: &str,
-    requested: impl Fn(&ProjectPass) -> bool,
+    is_composed: impl Fn(&ProjectPass) -> bool,
 ) -> Option<Vec<(usize, FileId)>> {
     let passes = project.passes.iter().enumerate();
     passes
-        .filter(|(_, pass)| requested(pass))
+        .filter(|(_, pass)| is_composed(pass))
         .map(|(i, pass)| {
             let part = project.is_export.then(|| pass.title(i));
             let (code, path) = (pass.code.clone(), pass.file.as_deref().unwrap_or(path));

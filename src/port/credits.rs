@@ -42,8 +42,8 @@ pub(super) fn link(info: &Info) -> String {
 
 /// The licence stated in the code; for an export without one, ShaderToy's default.
 pub(super) fn license(project: &Project) -> String {
-    let message = project.passes.iter().find_map(|p| license_words(&p.code));
-    match message {
+    let license = project.passes.iter().find_map(|p| license_words(&p.code));
+    match license {
         Some(words) => words,
         None if project.is_export => "The code states no licence; ShaderToy's default is \
              Creative Commons BY-NC-SA 3.0."

@@ -82,8 +82,11 @@ impl<'t> DrawReader<'t> {
         true
     }
 
-    fn take_while(&mut self, requested: impl Fn(char) -> bool) -> &'t str {
-        let end = self.rest.find(|c| !requested(c)).unwrap_or(self.rest.len());
+    fn take_while(&mut self, is_accepted: impl Fn(char) -> bool) -> &'t str {
+        let end = self
+            .rest
+            .find(|c| !is_accepted(c))
+            .unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at_checked(end).unwrap_or(("", self.rest));
         self.rest = rest.trim_start();
         word

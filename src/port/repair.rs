@@ -154,30 +154,30 @@ fn signature(program: &Program, header: Span) -> Option<Fix> {
         edits.push(Edit::insert(at, "in int, "));
     }
     for (i, param) in params.iter().enumerate() {
-        let requested = match (i, entry.result) {
+        let expected = match (i, entry.result) {
             (0, EntryResult::Parameter) => "out",
             _ => "in",
         };
-        edits.extend(direct(program, param, requested)?);
+        edits.extend(direct(program, param, expected)?);
     }
     let title = format!("declare it as `{}`", entry.signature);
     (!edits.is_empty()).then(|| Fix::safe(title, edits))
 }
 
 /// Gives a parameter a direction. The inner `None` means that it already has it.
-fn direct(program: &Program, param: &Param, requested: &str) -> Option<Option<Edit>> {
+fn direct(program: &Program, param: &Param, expected: &str) -> Option<Option<Edit>> {
     use QualifierKind::{In, Inout, Out};
     let mut qualifiers = program.tree.qualifiers(param.qualifiers).iter();
     let found = qualifiers.find(|q| matches!(q.kind, In | Inout | Out));
     Some(match found {
         Some(q) => {
             let span = span_of(program, q.extent.first)?;
-            (program.sources.text(span) != requested).then(|| Edit::replace(span, requested))
+            (program.sources.text(span) != expected).then(|| Edit::replace(span, expected))
         }
-        None if requested == "in" => None,
+        None if expected == "in" => None,
         None => {
             let at = span_of(program, param.extent.first)?.start;
-            Some(Edit::insert(at, format!("{requested} ")))
+            Some(Edit::insert(at, format!("{expected} ")))
         }
     })
 }

@@ -167,10 +167,10 @@ fn find_main<'a>(program: &'a Program) -> Result<Main<'a>, NotSafe> {
     if !program.is_direct(decl.header) || !is_direct {
         return Err(not_safe(header, "a macro defines `mainImage`"));
     }
-    let plain = |p: &Param, requested: &[QualifierKind]| {
+    let plain = |p: &Param, allowed: &[QualifierKind]| {
         tree.qualifiers(p.qualifiers)
             .iter()
-            .all(|q| requested.contains(&q.kind))
+            .all(|q| allowed.contains(&q.kind))
             && p.arrays.len == 0
             && matches!(tree.ty(p.ty).base, TypeBase::Word(_))
     };

@@ -391,9 +391,9 @@ impl ShaderPair<'_> {
             && ours.variable == coordinate
         {
             let both = [Access::Lanes(Lanes::new([0, 1]))];
-            let requested = if path.is_empty() { &both } else { path };
-            let is_known = matches!(requested, [Access::Lanes(_)]);
-            return holds(is_known && theirs.variable == fragment && path_b == requested);
+            let lanes = if path.is_empty() { &both } else { path };
+            let is_known = matches!(lanes, [Access::Lanes(_)]);
+            return holds(is_known && theirs.variable == fragment && path_b == lanes);
         }
         self.variable(ours.variable, theirs.variable)?;
         holds(path.len() == path_b.len())?;

@@ -38,7 +38,7 @@ pub fn kind_of_name(path: &str) -> Option<&'static str> {
 }
 
 fn image(head: &[u8]) -> Option<(InputKind, &'static str)> {
-    let is_brand = |requested: &[u8]| brands(head).any(|b| b == requested);
+    let is_brand = |brand: &[u8]| brands(head).any(|b| b == brand);
     let kind = match head {
         [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', ..] => "image/png",
         [0xff, 0xd8, 0xff, ..] => "image/jpeg",

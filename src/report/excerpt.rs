@@ -79,17 +79,17 @@ impl Excerpt {
 
 impl ExcerptPart {
     fn new(file: &SourceFile, name: String, spans: &[Span]) -> ExcerptPart {
-        let mut expected: Vec<(u32, Span)> = spans
+        let mut numbered: Vec<(u32, Span)> = spans
             .iter()
             .map(|s| (file.lines().line(s.start - file.base), *s))
             .collect();
-        expected.sort_unstable_by_key(|(number, span)| (*number, span.start));
+        numbered.sort_unstable_by_key(|(number, span)| (*number, span.start));
         let mut part = ExcerptPart {
             name,
             text: String::new(),
             lines: Vec::new(),
         };
-        for (number, span) in expected {
+        for (number, span) in numbered {
             let last = part.lines.last().map(|l| l.number);
             if last == Some(number) {
                 continue;

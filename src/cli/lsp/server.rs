@@ -355,8 +355,8 @@ impl Server {
         lock(&pending).insert(id.clone(), false);
         self.slow.give(move || {
             let is_cancelled = || lock(&pending).get(&id) == Some(&true);
-            let is_requested = !is_cancelled() && !snapshot.is_stale();
-            let answer = is_requested.then(|| guarded(|| job(&snapshot)));
+            let is_needed = !is_cancelled() && !snapshot.is_stale();
+            let answer = is_needed.then(|| guarded(|| job(&snapshot)));
             let was_cancelled = lock(&pending).remove(&id) == Some(true);
             let (response, request) = match answer {
                 _ if was_cancelled => (cancelled(id), None),

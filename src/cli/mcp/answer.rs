@@ -100,11 +100,11 @@ fn shortened(text: &str, max: usize) -> String {
     // Cut at a line break, unless there is only one line.
     let head = head.rsplit_once('\n').map_or(head, |(lines, _)| lines);
     let left_out = rest.get(head.len()..).unwrap_or_default();
-    let reported = match left_out.trim_matches('\n').lines().count() {
+    let omitted = match left_out.trim_matches('\n').lines().count() {
         0 | 1 => format!("[{} bytes omitted]", left_out.len()),
         lines => format!("[{lines} lines omitted; request less at a time]"),
     };
-    format!("{head}\n{reported}\n{last}")
+    format!("{head}\n{omitted}\n{last}")
 }
 
 #[cfg(test)]
@@ -118,9 +118,9 @@ mod tests {
         let short = shortened(&text, 200);
         assert!(short.starts_with("line 0\nline 1\n"), "{short}");
         assert!(short.ends_with("line 997\nline 998\nline 999"), "{short}");
-        let reported = "[974 lines omitted; request less at a time]";
-        assert!(short.contains(reported), "{short}");
-        assert!(short.len() < 200 + reported.len() + 2);
+        let omitted = "[974 lines omitted; request less at a time]";
+        assert!(short.contains(omitted), "{short}");
+        assert!(short.len() < 200 + omitted.len() + 2);
     }
 
     #[test]

@@ -122,8 +122,8 @@ fn apply_repairs(
         return Ok(None);
     }
     let renewed = fixed.resolve(name).map_err(wrong)?;
-    let is_requested = mode == Mode::Repair || !renewed.has_errors();
-    Ok(is_requested.then_some((fixed, renewed, repaired)))
+    let is_kept = mode == Mode::Repair || !renewed.has_errors();
+    Ok(is_kept.then_some((fixed, renewed, repaired)))
 }
 
 /// Loads a file as a project without repairs. Returns the project and the files that it was loaded

@@ -89,7 +89,7 @@ impl Carried {
         let bytes = read_media(path, self.limit, self.advice)?;
         let (kind, media_type) =
             kind_of_bytes(&bytes).ok_or_else(|| format!("{name}: {}", why_not(&bytes)))?;
-        if kind_of_name(&name).is_some_and(|reported| reported != media_type) {
+        if kind_of_name(&name).is_some_and(|by_name| by_name != media_type) {
             let note = format!("{name} contains {media_type}, despite its extension");
             self.notes.push(note);
         }
@@ -131,10 +131,10 @@ impl Carried {
             if input.kind.takes(found.kind) {
                 (input.name, input.urls) = (found.name, found.urls);
             } else {
-                let (kind, requested) = (found.kind.word(), input.kind.word());
+                let (kind, expected) = (found.kind.word(), input.kind.word());
                 let name = shown(&path);
                 self.notes.push(format!(
-                    "{name}: expected {requested}, found {kind}; skipped"
+                    "{name}: expected {expected}, found {kind}; skipped"
                 ));
             }
         }

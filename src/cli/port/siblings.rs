@@ -99,8 +99,8 @@ mod tests {
         )
         .unwrap();
         fs::write(folder.path().join("secret.glsl"), "no").unwrap();
-        let reported = draft(folder.path(), "deep/a.glsl").unwrap();
-        assert_eq!(reported.len(), 1, "{reported:?}");
+        let missing = draft(folder.path(), "deep/a.glsl").unwrap();
+        assert_eq!(missing.len(), 1, "{missing:?}");
         let missing = draft(folder.path(), "gone.glsl").unwrap();
         assert!(
             missing.contains(&"`gone.glsl` was not found".to_string()),

@@ -44,7 +44,7 @@ struct MomentCompared {
 
 /// The comparison of one frame, pixel by pixel.
 struct ComparedImages {
-    reported: MomentCompared,
+    compared: MomentCompared,
     /// By pixel: the largest difference of a channel; a tiny value if only bits differ that are not
     /// shown.
     by_pixel: Vec<f64>,
@@ -58,7 +58,7 @@ pub fn compare(
 ) -> Result<(Compared, Option<Bitmap>), String> {
     let moments = moments(args);
     let progress = Progress::new(moments.len() as u32);
-    let mut reported = Vec::new();
+    let mut compared = Vec::new();
     let mut worst: Option<(u64, Vec<f64>)> = None;
     for moment in moments {
         let drawn = shots.each_mut().map(|shot| shot.drawn(&moment, &progress));
@@ -69,11 +69,11 @@ pub fn compare(
             &moment,
         );
         progress.step();
-        let pixels = found.reported.pixels;
+        let pixels = found.compared.pixels;
         if pixels > 0 && worst.as_ref().is_none_or(|(most, _)| pixels > *most) {
             worst = Some((pixels, found.by_pixel));
         }
-        reported.push(found.reported);
+        compared.push(found.compared);
     }
     drop(progress);
     let image = worst.map(|(_, values)| heat::map(args.size, &values, "DIFFERENCE"));
@@ -82,8 +82,8 @@ pub fn compare(
         file: names[0].to_string(),
         other: names[1].to_string(),
         size: args.size,
-        same: reported.iter().all(|moment| moment.pixels == 0),
-        moments: reported,
+        same: compared.iter().all(|moment| moment.pixels == 0),
+        moments: compared,
         output: None,
     };
     Ok((compared, image))
@@ -118,7 +118,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
     let [code, other] = codes;
     let images = [(code, a), (other, b)].map(|(code, drawn)| RenderedImage::of(code, drawn, 0));
     let mut by_pixel = Vec::with_capacity(a.covered.len());
-    let mut reported = MomentCompared {
+    let mut compared = MomentCompared {
         time: moment.time,
         frame: moment.frame,
         mouse: super::facts::mouse(moment),
@@ -146,14 +146,14 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
             true => gap.max(most),
             false => f64::from(u8::from(one.map(f32::to_bits) != two.map(f32::to_bits))).max(most),
         });
-        reported.pixels += 1;
-        reported.shown += u64::from(RenderedImage::shown(*one) != RenderedImage::shown(*two));
-        reported.most = gap.max(reported.most);
+        compared.pixels += 1;
+        compared.shown += u64::from(RenderedImage::shown(*one) != RenderedImage::shown(*two));
+        compared.most = gap.max(compared.most);
         let place = || [at as u32 % width, at as u32 / width];
-        reported.first.get_or_insert_with(place);
+        compared.first.get_or_insert_with(place);
         by_pixel.push(gap.max(f64::from(f32::MIN_POSITIVE)));
     }
-    ComparedImages { reported, by_pixel }
+    ComparedImages { compared, by_pixel }
 }
 
 impl Compared {

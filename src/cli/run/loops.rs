@@ -73,11 +73,11 @@ pub fn rows(program: &Program, shot: &Shot, seen: &Observations) -> Vec<LoopRow>
 /// The smallest number that at least the given share of the counted values do not exceed.
 fn quantile(histogram: &[u32], share: f64) -> u32 {
     let all: u64 = histogram.iter().map(|n| u64::from(*n)).sum();
-    let requested = (all as f64 * share).ceil() as u64;
+    let needed = (all as f64 * share).ceil() as u64;
     let mut counted = 0;
     for (count, iterations) in histogram.iter().zip(0..) {
         counted += u64::from(*count);
-        if counted >= requested {
+        if counted >= needed {
             return iterations;
         }
     }

@@ -91,13 +91,13 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         (None, None) => bitmap(&own, &drawn),
     };
     let output = write(args, &bitmap, &loaded.read)?;
-    let mut found_text = facts_of(&loaded, &own, &drawn, args);
-    found_text.output.clone_from(&output);
-    found_text.notes = notes;
+    let mut facts = facts_of(&loaded, &own, &drawn, args);
+    facts.output.clone_from(&output);
+    facts.notes = notes;
     Ok((
         match args.format {
-            RunFormat::Human => show(args, &bitmap, output.as_deref()) + &found_text.text(),
-            RunFormat::Json => found_text.json(),
+            RunFormat::Human => show(args, &bitmap, output.as_deref()) + &facts.text(),
+            RunFormat::Json => facts.json(),
         },
         CLEAN,
     ))
@@ -166,13 +166,13 @@ fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunF
 fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
     let [(one, shot), (other, other_shot)] = both;
     let names = [&one.name, &other.name].map(String::as_str);
-    let (mut found_text, image) = compare::compare([shot, other_shot], names, args)?;
+    let (mut facts, image) = compare::compare([shot, other_shot], names, args)?;
     let read: Vec<PathBuf> = one.read.iter().chain(&other.read).cloned().collect();
     if let Some(image) = &image {
-        found_text.output = write(args, image, &read)?;
+        facts.output = write(args, image, &read)?;
     }
-    let code = if found_text.same { CLEAN } else { FINDINGS };
-    Ok((found_text.print(args.format), code))
+    let code = if facts.same { CLEAN } else { FINDINGS };
+    Ok((facts.print(args.format), code))
 }
 
 /// Writes the image if `-o` is given, and returns its name.
@@ -204,11 +204,11 @@ fn show(args: &RunArgs, bitmap: &Bitmap, written: Option<&str>) -> String {
     if written.is_some() || args.format == RunFormat::Json {
         return String::new();
     }
-    let is_requested = args.color.is_on();
-    if !io::stdout().is_terminal() && !is_requested {
+    let is_colored = args.color.is_on();
+    if !io::stdout().is_terminal() && !is_colored {
         return String::new();
     }
-    let palette = match is_requested {
+    let palette = match is_colored {
         true => Palette::of(|name| std::env::var(name).ok()),
         false => Palette::Mono,
     };

@@ -37,10 +37,10 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
         };
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&image.shrunk(small), left, top);
-        let reported = format!("{} S", super::heat::short(moment.time));
+        let caption = format!("{} S", super::heat::short(moment.time));
         font::write(
             &mut sheet,
-            &reported,
+            &caption,
             [left, top + small[1] + GAP],
             scale,
             TEXT,

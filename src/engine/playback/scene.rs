@@ -102,12 +102,7 @@ impl Scene {
     /// Why a uniform cannot be set; `Ok` if the shader declares it but does not use it.
     fn unfit(&self, name: &str) -> Result<(), Unfit> {
         let element = name.strip_suffix(']').and_then(|n| n.rsplit_once('['));
-        let by_name = |requested: &str| {
-            self.code
-                .uniforms
-                .iter()
-                .find(|slot| slot.name == requested)
-        };
+        let by_name = |name: &str| self.code.uniforms.iter().find(|slot| slot.name == name);
         let slot = by_name(name).map(|slot| slot.ty);
         let slot = slot.or_else(|| by_name(element?.0).map(|slot| slot.ty.element()));
         if let Some(ty) = slot {

@@ -90,13 +90,13 @@ impl RequiredRange {
         get: &mut impl FnMut(Node) -> Option<Interval>,
     ) -> RequiredRange {
         let side = (by.is_right, by.lane as u32);
-        let mut expected = RequiredRange::of(query, by.comparison, by.truth, side, &mut *get);
+        let mut required = RequiredRange::of(query, by.comparison, by.truth, side, &mut *get);
         for hop in by.way(query.module, query.defs) {
             if let Some(choice) = hop.choice {
-                expected = expected.through(query, hop.op, hop.lane, choice, get);
+                required = required.through(query, hop.op, hop.lane, choice, get);
             }
         }
-        expected
+        required
     }
 
     /// The values permitted for an operand, given those permitted for a component of the operation.
@@ -124,10 +124,10 @@ impl RequiredRange {
                 if kind == Binary::Multiply && is_same(module, query.defs, a, b) {
                     return self.sqrt().magnitude();
                 }
-                let expected = self.operand(kind, choice, other);
+                let required = self.operand(kind, choice, other);
                 match query.is_integer(op) && matches!(kind, Binary::Divide | Binary::Multiply) {
                     true => RequiredRange::ANY,
-                    false => expected,
+                    false => required,
                 }
             }
             OpKind::Builtin(function, list) => {

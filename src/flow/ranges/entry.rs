@@ -124,14 +124,14 @@ impl Query<'_> {
     ) -> Option<Interval> {
         let defs = self.defs;
         let known = get(Node::def(defs, before));
-        let expected = RequiredRange::at_end(self, by, get);
+        let required = RequiredRange::at_end(self, by, get);
         let end = by.way(self.module, defs).last();
         let is_float = end.is_none_or(|hop| self.is_float_lane(hop.op));
         let head = defs.unrefined(before);
         let counter = self.counter(head);
         let first = counter.map(|c| get(Node::def(defs, c.init)));
         let mut range = known?;
-        expected.narrow(&mut range, is_float);
+        required.narrow(&mut range, is_float);
         if let (Some(counter), Some(Some(first))) = (counter, first) {
             let is_counted = snap(&mut range, first, counter.step);
             if is_counted && by.truth && self.is_test(counter.of, by) {

@@ -168,15 +168,15 @@ impl<'x> Query<'x> {
                 module.op(comparison).kind
             {
                 let mut range = self.lane(left, 0);
-                let expected = self.expected(comparison, truth, false);
-                expected.narrow(&mut range, self.is_float(left));
+                let required = self.required(comparison, truth, false);
+                required.narrow(&mut range, self.is_float(left));
                 is_met &= range.lo.value <= range.hi.value;
             }
         });
         is_met
     }
 
-    fn expected(&self, comparison: OpId, truth: bool, is_right: bool) -> RequiredRange {
+    fn required(&self, comparison: OpId, truth: bool, is_right: bool) -> RequiredRange {
         RequiredRange::of(self, comparison, truth, (is_right, 0), |node| {
             let known = self.ranges.known().solve(self, node);
             Some(known.unwrap_or(Interval::ANY))
@@ -234,13 +234,13 @@ impl<'x> Query<'x> {
                 }
                 _ => None,
             };
-            let expected = match magnitude.is_some_and(|inner| same(*inner)) {
-                true => self.expected(comparison, truth, is_right).magnitude(),
-                false if same(side) => self.expected(comparison, truth, is_right),
+            let required = match magnitude.is_some_and(|inner| same(*inner)) {
+                true => self.required(comparison, truth, is_right).magnitude(),
+                false if same(side) => self.required(comparison, truth, is_right),
                 false => continue,
             };
             let before = *range;
-            expected.narrow(range, self.is_float(op));
+            required.narrow(range, self.is_float(op));
             if range.lo.value > range.hi.value {
                 *range = Interval::ANY.like(&before);
             }

@@ -207,9 +207,11 @@ impl<'t> Clues<'t> {
     }
 
     /// The undeclared words of the text that satisfy a predicate.
-    pub fn free_words(&self, requested: impl Fn(&str) -> bool) -> Vec<&'t str> {
+    pub fn free_words(&self, is_searched: impl Fn(&str) -> bool) -> Vec<&'t str> {
         let all = self.words.iter().copied();
-        let mut found: Vec<&str> = all.filter(|w| requested(w) && !self.declares(w)).collect();
+        let mut found: Vec<&str> = all
+            .filter(|w| is_searched(w) && !self.declares(w))
+            .collect();
         found.sort_unstable();
         found
     }

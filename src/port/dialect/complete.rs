@@ -392,7 +392,7 @@ pub(super) struct Directive<'t> {
 }
 
 /// The lines of a text with the given directives.
-pub(super) fn directives(text: &str, is_requested: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
+pub(super) fn directives(text: &str, is_searched: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
     let mut lexer = Lexer::new(text, 0);
     let mut found: Vec<Directive> = Vec::new();
     let mut hash = None;
@@ -405,7 +405,7 @@ pub(super) fn directives(text: &str, is_requested: impl Fn(&str) -> bool) -> Vec
             RawKind::Hash => hash = Some(start),
             RawKind::Word => {
                 let word = text.get(start..end).unwrap_or("");
-                if let Some(at) = hash.take().filter(|_| is_requested(word)) {
+                if let Some(at) = hash.take().filter(|_| is_searched(word)) {
                     let rest = text.get(end..).and_then(|t| t.lines().next()).unwrap_or("");
                     found.push(Directive {
                         start: at,

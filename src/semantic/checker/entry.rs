@@ -56,8 +56,8 @@ impl Checker<'_> {
     fn check_called_entry(&mut self, entry: EntryPoint) {
         let name = entry.name;
         let is_entry = |f: &&Function| self.text(f.name) == name;
-        let expected = self.functions.iter().find(is_entry);
-        if expected.is_none_or(|f| f.definition.is_some()) {
+        let entry_point = self.functions.iter().find(is_entry);
+        if entry_point.is_none_or(|f| f.definition.is_some()) {
             return;
         }
         let other = self

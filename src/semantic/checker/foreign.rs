@@ -95,7 +95,7 @@ impl Checker<'_> {
         let is_known = values
             .iter()
             .all(|d| d.init.is_some_and(|i| self.info(i).is_const));
-        let (from, expected) = match all {
+        let (from, storage) = match all {
             [only] if only.kind == QualifierKind::Const && is_known => {
                 (token, StorageRequest::Const)
             }
@@ -105,7 +105,7 @@ impl Checker<'_> {
             _ => (token, StorageRequest::None),
         };
         self.reject(Extent::token(token), ForeignError::Inferred(from, found));
-        Some((found, expected))
+        Some((found, storage))
     }
 
     /// Reports a call of a function of another language, and returns its result.

@@ -170,8 +170,8 @@ fn mask(content: &str) -> String {
             let is_left_out = after.starts_with("...") || after.starts_with('\u{2026}');
             let length = if is_left_out { 3 } else { 1 };
             let (dots, more) = after.split_at_checked(length).unwrap_or((after, ""));
-            let reported = if is_left_out { left_out(&code) } else { dots };
-            code.push_str(reported);
+            let shown = if is_left_out { left_out(&code) } else { dots };
+            code.push_str(shown);
             rest = more;
         }
         code.push_str(rest);

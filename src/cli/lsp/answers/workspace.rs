@@ -115,7 +115,7 @@ fn is_like(name: &str, query: &str) -> bool {
     let mut letters = name.chars();
     query
         .chars()
-        .all(|requested| letters.any(|letter| letter == requested))
+        .all(|typed| letters.any(|letter| letter == typed))
 }
 
 /// The findings of an open document.

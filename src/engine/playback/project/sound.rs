@@ -35,8 +35,8 @@ impl Player {
             let texels = drawn.outputs.first().into_iter().flatten();
             let texels = texels.map(|bits| bits.map(byte));
             let from = first.saturating_sub(block) as usize;
-            let requested = texels.take((end - block).min(BLOCK) as usize).skip(from);
-            samples.extend(requested.map(|[left, left_high, right, right_high]| {
+            let pixels = texels.take((end - block).min(BLOCK) as usize).skip(from);
+            samples.extend(pixels.map(|[left, left_high, right, right_high]| {
                 [sample(left, left_high), sample(right, right_high)]
             }));
             block += BLOCK;

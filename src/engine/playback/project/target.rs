@@ -122,7 +122,7 @@ fn half(number: f32) -> f32 {
 
 /// Creates the render targets of all passes, and of outputs that are read but not drawn.
 pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), PlaybackProblem> {
-    let mut requested: Vec<(OutputId, ImageShape, [u32; 2], Depth)> = Vec::new();
+    let mut targets: Vec<(OutputId, ImageShape, [u32; 2], Depth)> = Vec::new();
     let reads = |id: &OutputId| {
         let mut inputs = project.passes.iter().flat_map(|p| &p.inputs);
         inputs.any(|i| i.kind == InputKind::Buffer && i.id == id.0)
@@ -144,15 +144,15 @@ pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), Playbac
             Pass::Image | Pass::Common | Pass::Sound => continue,
         };
         // Passes with the same name share a target; a pass without a name has its own.
-        let known = requested
+        let known = targets
             .iter()
             .position(|w| w.0 == spot.0 && !spot.0.0.is_empty());
-        pass.target = Some(known.unwrap_or(requested.len()));
+        pass.target = Some(known.unwrap_or(targets.len()));
         if known.is_none() {
-            requested.push(spot);
+            targets.push(spot);
         }
     }
-    let texels = requested.iter().map(|(_, shape, [width, height], _)| {
+    let texels = targets.iter().map(|(_, shape, [width, height], _)| {
         2 * u64::from(*width) * u64::from(*height) * u64::from(layers(*shape))
     });
     let texels: u64 = texels.sum();
@@ -162,7 +162,7 @@ pub(super) fn make(player: &mut Player, project: &Project) -> Result<(), Playbac
             most: MAX_TEXELS,
         });
     }
-    for (id, shape, side, depth) in requested {
+    for (id, shape, side, depth) in targets {
         let count = side.iter().map(|s| *s as usize).product::<usize>() * layers(shape) as usize;
         let texels = match depth {
             Depth::Bytes => Texels::Unorm8(vec![[0; 4]; count]),
