@@ -2,7 +2,8 @@
 
 use super::super::command::{CLEAN, FAILED, complain};
 use super::super::output::{self, Overwrite};
-use crate::diagnostic::{ERRORS, Severity};
+use super::explain::page;
+use crate::diagnostic::Severity;
 use crate::engine::{DialectChoice, NoFiles, Options, check};
 use crate::lint::{Settings, rule_name};
 use crate::rules::RULES;
@@ -127,8 +128,7 @@ fn quoted(path: &Path) -> String {
 
 /// Keeps one finding of each named rule or, without names, the same set of errors.
 fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, String> {
-    let known = |n: &str| ERRORS.contains(&n) || RULES.iter().any(|r| r.name == rule_name(n));
-    if let Some(unknown) = args.rule.iter().find(|n| !known(n)) {
+    if let Some(unknown) = args.rule.iter().find(|n| page(n).is_none()) {
         return Err(format!("unknown rule or compile error `{unknown}`"));
     }
     let requested: BTreeSet<String> = args.rule.iter().map(|n| rule_name(n).to_string()).collect();
