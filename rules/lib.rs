@@ -131,9 +131,20 @@ mod washed_out;
 mod webgl1_context;
 mod zero_division;
 
-use shaderlint_lint::Rule;
+use shaderlint_lint::{Rule, rule_name};
 
 pub use errors::error_page;
+
+/// The rule with a name or alias.
+pub fn rule(name: &str) -> Option<&'static Rule> {
+    let name = rule_name(name);
+    RULES.iter().find(|rule| rule.name == name).copied()
+}
+
+/// The page of a rule or a compile error, in Markdown.
+pub fn page(name: &str) -> Option<&'static str> {
+    rule(name).map_or_else(|| error_page(name), |rule| Some(rule.page))
+}
 
 /// All rules, sorted by name.
 #[rustfmt::skip]

@@ -8,7 +8,7 @@ use super::shader::shader_part;
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
 use shaderlint_lint::Settings;
-use shaderlint_rules::RULES;
+use shaderlint_rules::rule;
 use shaderlint_semantic::link::link;
 use shaderlint_semantic::{Completeness, Function, Program, Stage, Storage, Unit, analyze};
 use shaderlint_text::embed::{Asked, DocumentLanguage, Embedded, asked, together};
@@ -346,7 +346,7 @@ fn lacking(vertex: &Program, fragment: &Program, asked: Vec<Asked>) -> Vec<Lacki
 }
 
 fn report_lacking(lacking: Lacking, base: u32, settings: &Settings) -> Option<Diagnostic> {
-    let rule = RULES.iter().find(|r| r.name == "unknown-uniform")?;
+    let rule = rule("unknown-uniform")?;
     let severity = settings.level(rule)?;
     let Lacking { asked, near } = lacking;
     let (start, end) = (asked.range.start as u32, asked.range.end as u32);

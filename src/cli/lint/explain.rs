@@ -4,9 +4,9 @@ use super::super::command::{CLEAN, FAILED, complain};
 use super::args::ListFormat;
 use crate::diagnostic::{ERRORS, Severity};
 use crate::host::{Preset, names as host_names, preset};
-use crate::lint::{OptionValue, Page, Renderer, rule_name};
+use crate::lint::{OptionValue, Page, Renderer};
 use crate::report::RulePage;
-use crate::rules::{RULES, error_page};
+use crate::rules::{RULES, error_page, page};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -34,12 +34,6 @@ pub fn explain(name: &str) -> io::Result<u8> {
     };
     io::stdout().lock().write_all(page.as_bytes())?;
     Ok(CLEAN)
-}
-
-/// The page of a rule or a compile error.
-pub fn page(name: &str) -> Option<&'static str> {
-    let rule = RULES.iter().find(|r| r.name == rule_name(name));
-    rule.map(|r| r.page).or_else(|| error_page(name))
 }
 
 /// The page as SARIF shows it.

@@ -2,11 +2,10 @@
 
 use super::super::command::{CLEAN, FAILED, complain};
 use super::super::output::{self, Overwrite};
-use super::explain::page;
 use crate::diagnostic::Severity;
 use crate::engine::{DialectChoice, NoFiles, Options, check};
 use crate::lint::{Settings, rule_name};
-use crate::rules::RULES;
+use crate::rules::{RULES, page};
 use crate::syntax::reduce;
 use std::collections::BTreeSet;
 use std::fs;

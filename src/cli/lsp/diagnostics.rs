@@ -5,7 +5,7 @@ use super::snapshot::Snapshot;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::ide::Document;
 use crate::lint::Check;
-use crate::rules::RULES;
+use crate::rules::rule;
 use crate::text::Span;
 use gen_lsp_types::{
     Code, CodeDescription, Diagnostic as LspDiagnostic, DiagnosticRelatedInformation,
@@ -173,9 +173,8 @@ fn carried(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<LspDiagnostic> {
     let Some(ran) = ran.get() else {
         return Vec::new();
     };
-    let is_of_run = |rule: &str| {
-        let rule = RULES.iter().find(|r| r.name == rule);
-        rule.is_some_and(|r| r.checks.iter().any(|c| matches!(c, Check::Run(_))))
+    let is_of_run = |name: &str| {
+        rule(name).is_some_and(|r| r.checks.iter().any(|c| matches!(c, Check::Run(_))))
     };
     let (before, after) = same_ends(text, &buffer.text);
     let document = &ran.document;
@@ -228,6 +227,7 @@ pub fn result_id(converted: &[LspDiagnostic]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rules::RULES;
 
     #[test]
     fn rules_with_tags_are_rules() {

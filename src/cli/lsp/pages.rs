@@ -1,7 +1,7 @@
 //! The documentation of rules and errors as files, which every editor can open.
 
 use super::uri::uri_of;
-use crate::cli::lint::explain::page;
+use crate::rules::page;
 use gen_lsp_types::Uri;
 use std::collections::HashMap;
 use std::fs;

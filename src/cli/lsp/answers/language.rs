@@ -1,11 +1,11 @@
 //! Hovers, completions and signature help.
 
 use super::super::snapshot::{Answer, Snapshot};
-use crate::cli::lint::explain::page;
 use crate::engine::Analysis;
 use crate::engine::playback::RenderedImage;
 use crate::ide::{self, CompletionKind, Proposal, Symbol, SymbolKind, image_of};
 use crate::lint::Page;
+use crate::rules::page;
 use crate::text::Span;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
