@@ -4,7 +4,7 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_lint::screen::{Along, along};
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "aspect-ellipse",
     group: Group::Look,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("aspect_ellipse.md"),
     checks: &[Check::Builtin(check_call), Check::Binary(check_comparison)],

@@ -1,7 +1,7 @@
 //! `if (a = b)`.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "assignment-in-condition",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("assignment_in_condition.md"),
     checks: &[Check::Stmt(check)],

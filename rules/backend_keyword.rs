@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredName, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, DeclaredName, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_syntax::ast::Extent;
 use std::sync::LazyLock;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "backend-keyword",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[RuleOption::Switch(&WGSL)],
     page: include_str!("backend_keyword.md"),
     checks: &[Check::Name(check)],

@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Observations;
 use shaderlint_lint::sample::{SampleRun, SampledPixel};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use std::collections::BTreeMap;
 
 pub static RULE: Rule = Rule {
     name: "black-silhouette",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("black_silhouette.md"),
     checks: &[Check::Run(check)],

@@ -1,7 +1,7 @@
 //! `clamp` with crossed bounds or misplaced arguments.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "clamp-bounds",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("clamp_bounds.md"),
     checks: &[Check::Builtin(check)],

@@ -1,14 +1,14 @@
 //! A `\` at the end of a `//` comment, which makes the next line part of the comment.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::Span;
 
 pub static RULE: Rule = Rule {
     name: "comment-continues",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("comment_continues.md"),
     checks: &[Check::Program(check)],

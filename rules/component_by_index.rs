@@ -1,7 +1,7 @@
 //! Vector components and elements of local arrays selected by a non-constant index.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "component-by-index",
     group: Group::Portability,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("component_by_index.md"),
     checks: &[Check::Expr(&[Shape::Index], check)],

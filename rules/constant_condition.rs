@@ -1,7 +1,7 @@
 //! Comparisons of literals, and of a `uint` with zero, that always give the same result.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::each_operand;
 use shaderlint_semantic::{Scalar, Value};
 use shaderlint_syntax::ast::*;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "constant-condition",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("constant_condition.md"),
     checks: &[Check::Binary(check)],

@@ -1,7 +1,7 @@
 //! `x > 0.5 && x < 0.2`, `k != 1 || k != 2`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, same_code};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, same_code};
 use shaderlint_semantic::{Program, Scalar, Value};
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "contradiction",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("contradiction.md"),
     checks: &[Check::Binary(check)],

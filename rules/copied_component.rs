@@ -1,7 +1,7 @@
 //! `p.x*p.x + p.x*p.x`: a component that was copied without being changed.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape, same_code};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape, same_code};
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Token, TokenKind};
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "copied-component",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("copied_component.md"),
     checks: &[

@@ -1,7 +1,7 @@
 //! Variables with a constant value that are never modified.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "could-be-const",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("could_be_const.md"),
     checks: &[Check::Declaration(check)],

@@ -1,14 +1,14 @@
 //! Statements that never run.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, remove_statement};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_statement};
 use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "dead-code",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("dead_code.md"),
     checks: &[Check::Stmt(check)],

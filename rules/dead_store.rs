@@ -1,7 +1,7 @@
 //! Values that are overwritten or dropped before they are read.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{Storage, VariableId};
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "dead-store",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("dead_store.md"),
     checks: &[

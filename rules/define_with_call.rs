@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Type;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_syntax::{Macro, TokenKind, Version};
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "define-with-call",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("define_with_call.md"),
     checks: &[Check::Program(check)],

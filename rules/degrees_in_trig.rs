@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::reaching_definitions::Def;
 use shaderlint_ir::OpKind;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "degrees-in-trig",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("degrees_in_trig.md"),
     checks: &[

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{ControlId, DivergenceCause, Varying};
 use shaderlint_ir::{OpId, Provenance};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Storage};
 use shaderlint_syntax::ast::StmtKind;
 use shaderlint_text::Span;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "derivative-in-divergent-flow",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("derivative_in_divergent_flow.md"),
     checks: &[Check::Program(check)],

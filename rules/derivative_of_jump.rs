@@ -1,14 +1,14 @@
 //! Derivatives of discontinuous values.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "derivative-of-jump",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("derivative_of_jump.md"),
     checks: &[Check::Builtin(check)],

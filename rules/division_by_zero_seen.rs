@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_lint::sample::{SampleRun, UnreportedFault};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 
 pub static RULE: Rule = Rule {
     name: "division-by-zero-seen",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("division_by_zero_seen.md"),
     checks: &[Check::Run(check)],

@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "double-gamma",
     group: Group::Look,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("double_gamma.md"),
     checks: &[Check::Builtin(check)],

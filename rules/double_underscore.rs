@@ -1,14 +1,14 @@
 //! Macro names with two consecutive underscores.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::Macro;
 
 pub static RULE: Rule = Rule {
     name: "double-underscore",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("double_underscore.md"),
     checks: &[Check::Macro(check)],

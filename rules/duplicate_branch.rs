@@ -2,14 +2,14 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, Shape, code_hash, same_code};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape, code_hash, same_code};
 use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "duplicate-branch",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("duplicate_branch.md"),
     checks: &[

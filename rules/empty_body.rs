@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "empty-body",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("empty_body.md"),
     checks: &[Check::Stmt(check)],

@@ -2,13 +2,13 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::sample::{Hit, SampleFrame, SampleRun, SampledPixel, is_too_bright};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "flat-frame",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("flat_frame.md"),
     checks: &[Check::Run(check)],

@@ -1,7 +1,7 @@
 //! Float counters where rounding changes the number of iterations.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Program, Scalar, Value, VariableId};
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "float-counter-drift",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("float_counter_drift.md"),
     checks: &[Check::Stmt(check)],

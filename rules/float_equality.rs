@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::{Interval, Rounding};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::BinaryOp;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "float-equality",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("float_equality.md"),
     checks: &[Check::Binary(check)],

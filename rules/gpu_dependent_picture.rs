@@ -4,14 +4,14 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile};
 use shaderlint_ir::OpKind;
 use shaderlint_lint::sample::percent;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "gpu-dependent-picture",
     group: Group::Runtime,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("gpu_dependent_picture.md"),
     checks: &[Check::Run(check)],

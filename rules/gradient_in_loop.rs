@@ -2,14 +2,14 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::DivergenceCause;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "gradient-in-loop",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("gradient_in_loop.md"),
     checks: &[Check::Program(check)],

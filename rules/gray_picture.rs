@@ -2,13 +2,13 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::sample::{SampleRun, SampledPixel, luminance, share};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "gray-picture",
     group: Group::Runtime,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::All,
     options: &[],
     page: include_str!("gray_picture.md"),
     checks: &[Check::Run(check)],

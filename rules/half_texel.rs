@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Scalar};
 
 pub static RULE: Rule = Rule {
     name: "half-texel",
     group: Group::Numeric,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("half_texel.md"),
     checks: &[Check::Builtin(check)],

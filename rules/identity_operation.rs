@@ -1,7 +1,7 @@
 //! `x * 1.0`, `x + 0.0`, `pow(x, 1.0)`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "identity-operation",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("identity_operation.md"),
     checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::Type;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "index-range",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("index_range.md"),
     checks: &[Check::Expr(&[Shape::Index], check)],

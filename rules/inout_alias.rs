@@ -1,7 +1,7 @@
 //! One variable passed to two output parameters, or passed and used as a global.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{Direction, FunctionRef, Resolution, Storage, VariableId, swizzled};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "inout-alias",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("inout_alias.md"),
     checks: &[Check::Expr(&[Shape::Call], check)],

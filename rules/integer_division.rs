@@ -1,7 +1,7 @@
 //! Integer divisions that discard the fractional part unintentionally.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Scalar, Value};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 use shaderlint_text::Edit;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "integer-division",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("integer_division.md"),
     checks: &[Check::Binary(check)],

@@ -1,14 +1,14 @@
 //! `isnan` and `isinf`, which compilers may optimise away.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "isnan-optimised",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("isnan_optimised.md"),
     checks: &[Check::Builtin(check)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::{Interval, Rounding};
 use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Scalar, Storage};
 use shaderlint_syntax::ast::*;
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "known-comparison",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("known_comparison.md"),
     checks: &[Check::Binary(check)],

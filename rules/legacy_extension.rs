@@ -1,14 +1,14 @@
 //! `#extension` for features that are built into GLSL ES 3.00.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, remove_lines};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_lines};
 use shaderlint_syntax::Version;
 
 pub static RULE: Rule = Rule {
     name: "legacy-extension",
     group: Group::Webgl2,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("legacy_extension.md"),
     checks: &[Check::Program(check)],

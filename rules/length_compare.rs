@@ -1,7 +1,7 @@
 //! `length(p) < r`: a square root that the comparison does not need.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "length-compare",
     group: Group::Budget,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Performance,
     options: &[],
     page: include_str!("length_compare.md"),
     checks: &[Check::Binary(check)],

@@ -2,14 +2,14 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::loop_invariant::{Places, is_loop_invariant, runs_each_iteration};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "loop-invariant-call",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Number(&OPERATIONS)],
     page: include_str!("loop_invariant_call.md"),
     checks: &[Check::Program(check)],

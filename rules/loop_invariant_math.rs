@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
 use shaderlint_lint::loop_invariant::{Places, is_loop_invariant, runs_each_iteration};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Program, Resolution, each_operand};
 use shaderlint_syntax::ast::*;
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "loop-invariant-math",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("loop_invariant_math.md"),
     checks: &[Check::Program(check)],

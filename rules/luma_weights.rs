@@ -1,7 +1,7 @@
 //! Luma weights that do not add up to 1.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "luma-weights",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("luma_weights.md"),
     checks: &[Check::Builtin(check)],

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::expansion::{Expanded, expanded, expanded_inside, spelling};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{Extent, TokenId};
 use shaderlint_syntax::{Macro, Token, TokenKind};
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     name: "macro-parentheses",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("macro_parentheses.md"),
     checks: &[Check::Program(check)],

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::expansion::{Expanded, expanded};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::*;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "macro-statements",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("macro_statements.md"),
     checks: &[Check::Program(check)],

@@ -1,7 +1,7 @@
 //! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches the caller.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
 use shaderlint_syntax::ast::{Extent, QualifierKind};
 use shaderlint_text::Edit;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "mainimage-qualifiers",
     group: Group::Webgl2,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("mainimage_qualifiers.md"),
     checks: &[Check::Function(check)],

@@ -4,7 +4,7 @@ use BinaryOp::{Add, Div, Mul, Sub};
 use Formula::{Binary, Call, Number, Operand, Unary};
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::formula::{Formula, operands};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar, Type};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     name: "manual-builtin",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("manual_builtin.md"),
     checks: &[Check::Expr(&[Shape::Binary, Shape::Call], check)],

@@ -1,7 +1,7 @@
 //! Large scene functions that one function calls many times.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::ExprId;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "map-inlining",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Count(&CALLS), RuleOption::Number(&SIZE)],
     page: include_str!("map_inlining.md"),
     checks: &[Check::Function(check)],

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Root};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::{BuiltinId, Stage};
 use shaderlint_syntax::TypeWord;
 use shaderlint_syntax::ast::*;
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "mediump-noise",
     group: Group::Portability,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Number(&FACTOR)],
     page: include_str!("mediump_noise.md"),
     checks: &[Check::Program(check)],

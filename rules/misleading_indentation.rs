@@ -2,14 +2,14 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 
 pub static RULE: Rule = Rule {
     name: "misleading-indentation",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("misleading_indentation.md"),
     checks: &[Check::Stmt(check)],

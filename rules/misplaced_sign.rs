@@ -1,7 +1,7 @@
 //! `x =- 1.0` where `x -= 1.0` is meant.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "misplaced-sign",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("misplaced_sign.md"),
     checks: &[Check::Expr(&[Shape::Assign], check)],

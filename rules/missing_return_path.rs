@@ -1,14 +1,14 @@
 //! Functions that may end without returning a value.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
 
 pub static RULE: Rule = Rule {
     name: "missing-return-path",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("missing_return_path.md"),
     checks: &[Check::Function(check)],

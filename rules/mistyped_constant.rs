@@ -1,7 +1,7 @@
 //! Well-known numbers with wrong digits.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 use std::f64::consts::{E, FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "mistyped-constant",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("mistyped_constant.md"),
     checks: &[Check::Expr(&[Shape::FloatLiteral], check)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "mouse-sign",
     group: Group::Webgl2,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("mouse_sign.md"),
     checks: &[

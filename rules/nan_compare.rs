@@ -1,7 +1,7 @@
 //! `x != x` as a test for NaN.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::Version;
 use shaderlint_syntax::ast::BinaryOp;
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "nan-compare",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("nan_compare.md"),
     checks: &[Check::Binary(check)],

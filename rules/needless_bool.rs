@@ -1,7 +1,7 @@
 //! `x == true`, `c ? true : false`, `!!a`.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "needless-bool",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("needless_bool.md"),
     checks: &[

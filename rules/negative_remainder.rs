@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "negative-remainder",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("negative_remainder.md"),
     checks: &[Check::Expr(&[Shape::Binary, Shape::Assign], check)],

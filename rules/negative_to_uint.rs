@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "negative-to-uint",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("negative_to_uint.md"),
     checks: &[Check::Expr(&[Shape::Construct], check)],

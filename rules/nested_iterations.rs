@@ -1,14 +1,14 @@
 //! Nested loops with too many iterations per pixel.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_syntax::ast::{Extent, StmtKind};
 
 pub static RULE: Rule = Rule {
     name: "nested-iterations",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Number(&ITERATIONS)],
     page: include_str!("nested_iterations.md"),
     checks: &[Check::Program(check)],

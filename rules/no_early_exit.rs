@@ -1,7 +1,7 @@
 //! Scene functions that evaluate every primitive at every step of a ray.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::{FunctionRef, Resolution};
 use shaderlint_semantic::{each_inner, each_operand};
 use shaderlint_syntax::ast::*;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "no-early-exit",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Performance,
     options: &[
         RuleOption::Count(&PRIMITIVES),
         RuleOption::Number(&OPERATIONS),

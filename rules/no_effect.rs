@@ -1,7 +1,7 @@
 //! Expressions with an unused value and no side effect.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape, remove_statement};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape, remove_statement};
 use shaderlint_semantic::Resolution;
 use shaderlint_semantic::is_dropped;
 use shaderlint_syntax::ast::*;
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "no-effect",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("no_effect.md"),
     checks: &[

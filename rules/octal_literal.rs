@@ -1,7 +1,7 @@
 //! `010`, which is eight.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::TokenKind;
 use shaderlint_text::Edit;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "octal-literal",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("octal_literal.md"),
     checks: &[Check::Program(check)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::reaching_definitions::{Def, DefId, ReachingDefinitions};
 use shaderlint_ir::{Binary, LoopId, Module, OpId, OpKind};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::tunable::range_after;
 use shaderlint_syntax::ast::StmtId;
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "octave-budget",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Performance,
     options: &[RuleOption::Count(&OCTAVES)],
     page: include_str!("octave_budget.md"),
     checks: &[Check::Stmt(check)],

@@ -3,13 +3,13 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_lint::sample::SampleRun;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "out-of-range-seen",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("out_of_range_seen.md"),
     checks: &[Check::Run(check)],

@@ -2,14 +2,14 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::PartMask;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
 
 pub static RULE: Rule = Rule {
     name: "output-not-written",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("output_not_written.md"),
     checks: &[Check::Function(check)],

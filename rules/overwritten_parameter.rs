@@ -1,7 +1,7 @@
 //! Parameters that the function overwrites before it reads them.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Direction, FunctionRef, Storage};
 use shaderlint_syntax::ast::Extent;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "overwritten-parameter",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("overwritten_parameter.md"),
     checks: &[Check::Function(check)],

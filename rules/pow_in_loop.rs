@@ -1,7 +1,7 @@
 //! `pow` with a small integer exponent in a loop.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Value};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "pow-in-loop",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("pow_in_loop.md"),
     checks: &[Check::Builtin(check)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "pow-negative-base",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("pow_negative_base.md"),
     checks: &[Check::Builtin(check)],

@@ -1,7 +1,7 @@
 //! Samplers of data that default to `lowp`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset};
 use shaderlint_semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "precision-missing-for-sampler",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("precision_missing_for_sampler.md"),
     checks: &[Check::Declaration(check)],

@@ -1,7 +1,7 @@
 //! Constructors that convert nothing: `vec3(v)` of a `vec3`, `float(1.0)`.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "redundant-constructor",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("redundant_constructor.md"),
     checks: &[Check::Expr(&[Shape::Construct], check)],

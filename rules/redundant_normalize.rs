@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::reaching_definitions::Def;
 use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Edit;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "redundant-normalize",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Performance,
     options: &[],
     page: include_str!("redundant_normalize.md"),
     checks: &[Check::Builtin(check)],

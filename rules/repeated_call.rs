@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::{FunctionRef, Program, each_expr, each_operand};
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::*;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "repeated-call",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Number(&OPERATIONS)],
     page: include_str!("repeated_call.md"),
     checks: &[Check::Program(check)],

@@ -1,7 +1,7 @@
 //! Numbers so close to another one, or so small, that rounding removes the difference.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "rounded-away",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("rounded_away.md"),
     checks: &[

@@ -2,7 +2,9 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, code_hash, same_code};
+use shaderlint_lint::{
+    BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset, code_hash, same_code,
+};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::*;
 
@@ -10,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "same-operands",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("same_operands.md"),
     checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],

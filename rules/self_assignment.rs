@@ -1,7 +1,9 @@
 //! `x = x`, and `y = x; x = y`.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape, remove_statement, same_code};
+use shaderlint_lint::{
+    Check, Context, Group, Rule, RulePreset, Shape, remove_statement, same_code,
+};
 use shaderlint_semantic::VariableId;
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "self-assignment",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("self_assignment.md"),
     checks: &[

@@ -2,14 +2,14 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::MarchGoal;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_syntax::ast::Extent;
 
 pub static RULE: Rule = Rule {
     name: "shadow-steps",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Count(&STEPS)],
     page: include_str!("shadow_steps.md"),
     checks: &[Check::Program(check)],

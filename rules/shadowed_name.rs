@@ -1,7 +1,7 @@
 //! Variables that shadow a variable of an outer scope.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule};
+use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule, RulePreset};
 use shaderlint_semantic::{Storage, Variable};
 use shaderlint_syntax::ast::Extent;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "shadowed-name",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("shadowed_name.md"),
     checks: &[Check::Name(check)],

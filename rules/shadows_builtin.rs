@@ -1,7 +1,7 @@
 //! Variables and functions that shadow a built-in function.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule};
+use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule, RulePreset};
 use shaderlint_semantic::Storage;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_syntax::ast::Extent;
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "shadows-builtin",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("shadows_builtin.md"),
     checks: &[Check::Name(check)],

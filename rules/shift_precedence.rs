@@ -1,7 +1,7 @@
 //! Sums next to a shift without parentheses: `1 << n - 1`.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "shift-precedence",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("shift_precedence.md"),
     checks: &[Check::Binary(check)],

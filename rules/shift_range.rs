@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "shift-range",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("shift_range.md"),
     checks: &[Check::Expr(&[Shape::Binary, Shape::Assign], check)],

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::formula::factors;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::{BuiltinId, Program, Scalar, Type};
 use shaderlint_syntax::Version;
 use shaderlint_syntax::ast::*;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "sin-hash",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[RuleOption::Number(&FACTOR)],
     page: include_str!("sin_hash.md"),
     checks: &[Check::Builtin(check)],

@@ -1,7 +1,7 @@
 //! Loops that run at most one iteration.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::each_inner;
 use shaderlint_syntax::ast::*;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "single-turn-loop",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("single_turn_loop.md"),
     checks: &[Check::Stmt(check)],

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting, same_code};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting, same_code};
 use shaderlint_semantic::{FunctionRef, Program, Resolution};
 use shaderlint_syntax::ast::*;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "six-sample-normal",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[RuleOption::Number(&OPERATIONS)],
     page: include_str!("six_sample_normal.md"),
     checks: &[Check::Program(check)],

@@ -1,7 +1,7 @@
 //! `smoothstep` with reversed or equal edges.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "smoothstep-edges",
     group: Group::Numeric,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("smoothstep_edges.md"),
     checks: &[Check::Builtin(check)],

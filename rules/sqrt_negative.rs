@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "sqrt-negative",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("sqrt_negative.md"),
     checks: &[Check::Builtin(check)],

@@ -3,13 +3,13 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Draw, quads_all_over};
 use shaderlint_lint::sample::{Instant, SIZE, grouped};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "static-picture",
     group: Group::Runtime,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("static_picture.md"),
     checks: &[Check::Run(check)],

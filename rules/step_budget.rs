@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::{March, MarchGoal, way};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::each_operand;
 use shaderlint_semantic::tunable::{TunableRange, range_after};
 use shaderlint_semantic::{FunctionRef, Resolution};
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
     name: "step-budget",
     group: Group::Budget,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[
         RuleOption::Count(&MAIN),
         RuleOption::Count(&SHADOW),

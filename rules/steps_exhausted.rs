@@ -3,13 +3,13 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::LoopFacts;
 use shaderlint_lint::sample::{SampleRun, percent};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "steps-exhausted",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("steps_exhausted.md"),
     checks: &[Check::Run(check)],

@@ -1,7 +1,7 @@
 //! `case` groups that fall through into the next one.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "switch-fallthrough",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("switch_fallthrough.md"),
     checks: &[Check::Stmt(check)],

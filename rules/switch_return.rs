@@ -1,7 +1,7 @@
 //! `return` inside `switch`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::each_inner;
 use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "switch-return",
     group: Group::Portability,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("switch_return.md"),
     checks: &[Check::Stmt(check)],

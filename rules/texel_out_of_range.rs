@@ -4,14 +4,14 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_flow::reaching_definitions::condition::{each_comparison, each_load};
 use shaderlint_ir::{OpId, OpKind, Provenance};
 use shaderlint_lint::screen::along;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "texel-out-of-range",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("texel_out_of_range.md"),
     checks: &[Check::Program(check)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Jump;
 use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Dialect, Pass, Stage};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "texture-seam",
     group: Group::Portability,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("texture_seam.md"),
     checks: &[Check::Program(check)],

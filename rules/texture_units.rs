@@ -4,7 +4,7 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Varying;
 use shaderlint_ir::OpKind;
 use shaderlint_lint::screen::along;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "texture-units",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("texture_units.md"),
     checks: &[Check::Builtin(check)],

@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, Setting};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::BuiltinId;
 
 pub static RULE: Rule = Rule {
     name: "time-precision",
     group: Group::Numeric,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[RuleOption::Number(&FACTOR)],
     page: include_str!("time_precision.md"),
     checks: &[Check::Builtin(check)],

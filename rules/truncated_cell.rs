@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::is_same;
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::{Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "truncated-cell",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("truncated_cell.md"),
     checks: &[Check::Expr(&[Shape::Construct], check)],

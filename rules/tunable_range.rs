@@ -1,14 +1,14 @@
 //! Numbers outside the range documented in their comment.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::tunable::tunables;
 
 pub static RULE: Rule = Rule {
     name: "tunable-range",
     group: Group::Budget,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("tunable_range.md"),
     checks: &[Check::Program(check)],

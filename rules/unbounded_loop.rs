@@ -2,14 +2,14 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
 
 pub static RULE: Rule = Rule {
     name: "unbounded-loop",
     group: Group::Budget,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unbounded_loop.md"),
     checks: &[Check::Stmt(check)],

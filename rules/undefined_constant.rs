@@ -1,7 +1,7 @@
 //! Constants with an undefined value, or too large for their type.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, Shape};
+use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar, Value};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "undefined-constant",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("undefined_constant.md"),
     checks: &[

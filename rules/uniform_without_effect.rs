@@ -3,14 +3,14 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Bytecode, UniformSlot, quads_all_over};
 use shaderlint_lint::sample::{Instant, Press, SIZE, grouped};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Storage, VariableId};
 
 pub static RULE: Rule = Rule {
     name: "uniform-without-effect",
     group: Group::Runtime,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("uniform_without_effect.md"),
     checks: &[Check::Run(check)],

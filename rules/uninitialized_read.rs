@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{PartMask, UnassignedVariable};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
 use shaderlint_text::Edit;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "uninitialized-read",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("uninitialized_read.md"),
     checks: &[Check::Function(check)],

@@ -4,14 +4,14 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_exec::CompileOptions;
 use shaderlint_flow::UnassignedVariable;
 use shaderlint_lint::sample::percent;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
 
 pub static RULE: Rule = Rule {
     name: "uninitialized-seen",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("uninitialized_seen.md"),
     checks: &[Check::Run(check)],

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::given::depends_on_callers;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Storage, Value};
 use shaderlint_syntax::ast::*;
 
@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "unreachable-case",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unreachable_case.md"),
     checks: &[Check::Stmt(check)],

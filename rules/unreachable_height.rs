@@ -4,14 +4,14 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{ComparisonObservation, Watch};
 use shaderlint_ir::{Module, Op, OpId, OpKind};
 use shaderlint_lint::sample::{SampleFrame, SampleRun, grouped};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Type;
 
 pub static RULE: Rule = Rule {
     name: "unreachable-height",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unreachable_height.md"),
     checks: &[Check::Run(check)],

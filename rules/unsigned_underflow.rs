@@ -1,7 +1,7 @@
 //! Subtractions of unsigned integers that underflow.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule};
+use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "unsigned-underflow",
     group: Group::Numeric,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unsigned_underflow.md"),
     checks: &[Check::Binary(check)],

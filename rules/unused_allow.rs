@@ -1,14 +1,14 @@
 //! `// shaderlint: allow(...)` comments without a finding to suppress.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Group, Rule};
+use shaderlint_lint::{Check, Group, Rule, RulePreset};
 
 /// Reports the comments that `suppress.rs` of the lint layer found to be unused.
 pub static RULE: Rule = Rule {
     name: "unused-allow",
     group: Group::Tidy,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unused_allow.md"),
     checks: &[Check::Allows],

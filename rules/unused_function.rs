@@ -1,7 +1,7 @@
 //! Functions that are never called.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, remove_statement};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_statement};
 use shaderlint_semantic::{FunctionRef, starts_a_shader};
 use shaderlint_syntax::ast::{DeclKind, Extent, FunctionDecl};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "unused-function",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("unused_function.md"),
     checks: &[Check::Function(check)],

@@ -1,7 +1,7 @@
 //! Macros that are never used.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, remove_lines};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_lines};
 use shaderlint_syntax::Macro;
 use shaderlint_text::{Edit, Span};
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "unused-macro",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("unused_macro.md"),
     checks: &[Check::Macro(check)],

@@ -1,7 +1,7 @@
 //! Parameters that the function never uses.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Direction, FunctionRef, Storage, starts_a_shader};
 use shaderlint_syntax::ast::Extent;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "unused-parameter",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::Strict,
     options: &[],
     page: include_str!("unused_parameter.md"),
     checks: &[Check::Function(check)],

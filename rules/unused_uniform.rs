@@ -1,7 +1,9 @@
 //! Uniforms that are declared but never read.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, remove_declaration};
+use shaderlint_lint::{
+    Check, Context, DeclaredVariable, Group, Rule, RulePreset, remove_declaration,
+};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::Extent;
 
@@ -9,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "unused-uniform",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unused_uniform.md"),
     checks: &[Check::Declaration(check)],

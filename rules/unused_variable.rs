@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{
-    Check, Context, DeclaredVariable, Group, Rule, remove_declaration, remove_statement,
+    Check, Context, DeclaredVariable, Group, Rule, RulePreset, remove_declaration, remove_statement,
 };
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::*;
@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
     name: "unused-variable",
     group: Group::Tidy,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("unused_variable.md"),
     checks: &[Check::Declaration(check)],

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::Interval;
 use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule};
+use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Storage};
 use shaderlint_syntax::ast::*;
 
@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "useless-clamp",
     group: Group::Numeric,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("useless_clamp.md"),
     checks: &[Check::Builtin(check)],

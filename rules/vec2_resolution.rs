@@ -1,7 +1,7 @@
 //! `uniform vec2 iResolution`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule};
+use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset};
 use shaderlint_semantic::{Scalar, Storage, Type};
 use shaderlint_syntax::ast::Extent;
 
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "vec2-resolution",
     group: Group::Webgl2,
     severity: Severity::Info,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("vec2_resolution.md"),
     checks: &[Check::Declaration(check)],

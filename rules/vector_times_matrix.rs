@@ -3,13 +3,13 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::is_same;
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "vector-times-matrix",
     group: Group::Numeric,
     severity: Severity::Info,
-    default: false,
+    preset: RulePreset::All,
     options: &[],
     page: include_str!("vector_times_matrix.md"),
     checks: &[Check::Program(check)],

@@ -2,13 +2,13 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::sample::{SampleRun, is_too_bright, share};
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
     name: "washed-out",
     group: Group::Runtime,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("washed_out.md"),
     checks: &[Check::Run(check)],

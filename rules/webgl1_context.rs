@@ -1,7 +1,7 @@
 //! `#version 300 es` in a page that requests a WebGL1 context.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::Version;
 
 /// Compares the version of the shader with the `getContext` call of its page.
@@ -9,7 +9,7 @@ pub static RULE: Rule = Rule {
     name: "webgl1-context",
     group: Group::Webgl2,
     severity: Severity::Warning,
-    default: true,
+    preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("webgl1_context.md"),
     checks: &[Check::Program(check)],

@@ -208,7 +208,7 @@ fn head(name: &str, text: &str) -> String {
             format!("**Compile error** \u{b7} **Fix:** {fix} \u{b7} **Since:** {since}")
         }
         Some(rule) => {
-            let default = if rule.default { "on" } else { "off" };
+            let default = if rule.is_default() { "on" } else { "off" };
             let (group, severity) = (rule.group.name(), rule.severity.name());
             let alias = rule.alias();
             let alias = alias.map_or(String::new(), |a| format!(" \u{b7} **Alias:** `{a}`"));
@@ -462,7 +462,7 @@ fn rules(folder: &str) -> String {
             ),
             rule.group.name().to_string(),
             rule.severity.name().to_string(),
-            if rule.default { "on" } else { "off" }.to_string(),
+            if rule.is_default() { "on" } else { "off" }.to_string(),
             fix,
             page.summary.replace('|', "\\|"),
         ];

@@ -1,7 +1,7 @@
 //! Runs the command that the arguments of `shaderlint` name.
 
 use super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::lint::{self, Command, LintArgs, explain, ir, reduce};
+use super::lint::{self, Command, LintArgs, explain, init, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
 use super::{fmt, run as draw, test};
@@ -15,8 +15,8 @@ use std::io::{self, Write};
 pub fn run(args: &LintArgs) -> u8 {
     let code = match (&args.command, &args.explain) {
         (Some(command), _) => run_command(command),
-        (None, Some(name)) => explain::explain(name),
-        (None, None) => lint::run(args),
+        (None, Some(name)) => explain::explain(std::slice::from_ref(name)),
+        (None, None) => lint::run(&args.check),
     };
     match code {
         Ok(code) => code,
@@ -33,7 +33,9 @@ fn run_command(command: &Command) -> io::Result<u8> {
     // Collected first, because the libraries that print panic on closed pipes.
     let mut text = Vec::new();
     match command {
-        Command::Explain { name } => return explain::explain(name),
+        Command::Check(args) => return lint::run(args),
+        Command::Init => return init::run(),
+        Command::Explain { words } => return explain::explain(words),
         Command::Fmt(args) => return fmt::run(args),
         Command::Run(args) => return draw::run(args),
         Command::Test(args) => return test::run(args),

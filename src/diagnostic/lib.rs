@@ -156,6 +156,10 @@ pub struct Diagnostic {
     pub label: String,
     /// Secondary spans with annotations.
     pub labels: Vec<Label>,
+    /// Other places of the same mistake, with the messages that they would have on their own.
+    pub others: Vec<Label>,
+    /// The function that contains the span, for findings of rules.
+    pub function: Option<Span>,
     /// Explanations: the rule of the language, or evidence.
     pub notes: Vec<String>,
     /// Suggestions, in words and code.
@@ -207,6 +211,8 @@ impl Diagnostic {
             span,
             label: String::new(),
             labels: Vec::new(),
+            others: Vec::new(),
+            function: None,
             notes: Vec::new(),
             help: Vec::new(),
             macros: Vec::new(),

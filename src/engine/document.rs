@@ -11,7 +11,7 @@ use super::shader::shader_part;
 use super::shader_input::{Shader, ShaderInput};
 use super::{embedded, foreign, hosted, partner};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_lint::CheckedSpans;
+use shaderlint_lint::{CheckedSpans, Settings};
 use shaderlint_port::{Project, ProjectError, compose};
 use shaderlint_rules::RULES;
 use shaderlint_text::embed::{DocumentLanguage, Embedded, extract_named};
@@ -33,6 +33,8 @@ pub struct Report {
     pub shaders: Vec<Shader>,
     /// Number of findings dropped because there are too many.
     pub left_out: usize,
+    /// Number of infos that were counted instead of reported.
+    pub counted_infos: usize,
     /// Why the file was not checked.
     pub unread: Option<Unread>,
     /// The analyses of the shaders, if [`analyze`](super::analyze) was called.
@@ -149,7 +151,9 @@ fn try_check(
     diagnostics.retain(|d| input.hushed.admits(&input.sources, d));
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
     diagnostics.dedup_by(|a, b| (a.span, a.rule, &a.message) == (b.span, b.rule, &b.message));
+    let counted_infos = count_infos(&options.settings, &mut diagnostics);
     let mut report = Report {
+        counted_infos,
         sources: input.sources,
         diagnostics: Vec::new(),
         file: input.file,
@@ -177,6 +181,17 @@ fn try_check(
     }
     report.diagnostics = diagnostics;
     Ok(report)
+}
+
+/// Drops the infos that are only counted, and counts them.
+fn count_infos(settings: &Settings, diagnostics: &mut Vec<Diagnostic>) -> usize {
+    let is_hidden = |d: &Diagnostic| !settings.shows(d.rule, d.severity);
+    let counted = diagnostics
+        .iter()
+        .filter(|d| is_hidden(d) && settings.reports(d.rule));
+    let counted = counted.count();
+    diagnostics.retain(|d| !is_hidden(d));
+    counted
 }
 
 /// The findings about the shaders of a file.

@@ -17,6 +17,7 @@ mod files;
 mod fix;
 mod foreign;
 mod format;
+mod group;
 mod host;
 mod hosted;
 mod include;

@@ -1,6 +1,7 @@
 //! Definition of lint rules, and the engine that runs them. The rules themselves are in `rules/`.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
+mod absorb;
 mod broken;
 mod change;
 mod checked_spans;
@@ -41,10 +42,12 @@ pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};
 pub use removal::{remove_declaration, remove_lines, remove_statement};
 pub use rule::{
-    ALIASES, BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule, Shape,
-    rule_name,
+    ALIASES, BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule,
+    RulePreset, Shape, rule_name,
 };
 pub use run::{SkippedRules, lint, lint_within};
 pub use same::{code_hash, same_code};
-pub use settings::{Failing, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule};
+pub use settings::{
+    Failing, Infos, Reach, Renderer, Settings, UnknownRule, nearest_name, nearest_rule,
+};
 pub use suppress::Allows;

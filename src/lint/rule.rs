@@ -54,6 +54,46 @@ impl Group {
     }
 }
 
+/// A set of rules that a configuration can choose.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
+pub enum RulePreset {
+    /// The default: what nearly every author wants to know.
+    Recommended,
+    /// Also clean code, and what differs between GPUs.
+    Strict,
+    /// Also all rules about the cost per pixel.
+    Performance,
+    /// Every rule.
+    All,
+}
+
+impl RulePreset {
+    /// All presets, in the order of listings.
+    pub const ALL: [RulePreset; 4] = [
+        RulePreset::Recommended,
+        RulePreset::Strict,
+        RulePreset::Performance,
+        RulePreset::All,
+    ];
+
+    /// The name in the configuration and in `--select`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            RulePreset::Recommended => "recommended",
+            RulePreset::Strict => "strict",
+            RulePreset::Performance => "performance",
+            RulePreset::All => "all",
+        }
+    }
+
+    /// Whether a rule belongs to it.
+    pub fn includes(self, rule: &Rule) -> bool {
+        self == RulePreset::All || rule.preset == RulePreset::Recommended || rule.preset == self
+    }
+}
+
 /// A binary expression, as passed to rules.
 #[derive(Clone, Copy, Debug)]
 pub struct BinaryExpr {
@@ -218,6 +258,11 @@ impl Rule {
         alias.map(|(alias, _)| *alias)
     }
 
+    /// Whether it is on by default.
+    pub fn is_default(&self) -> bool {
+        RulePreset::Recommended.includes(self)
+    }
+
     /// Whether it checks suppression comments.
     pub fn is_of_allows(&self) -> bool {
         self.checks.iter().any(|c| matches!(c, Check::Allows))
@@ -232,8 +277,8 @@ pub struct Rule {
     pub group: Group,
     /// Default severity of its findings.
     pub severity: Severity,
-    /// Whether it is on by default.
-    pub default: bool,
+    /// The smallest set of rules that it belongs to.
+    pub preset: RulePreset,
     /// Options that the configuration may change.
     pub options: &'static [RuleOption],
     /// Text of its page, in Markdown.

@@ -1,7 +1,7 @@
 //! Settings: which rules run, the severity of their findings, and their options.
 
 use super::option::{OptionType, OptionValue, Setting};
-use super::rule::{Group, Rule, rule_name};
+use super::rule::{Group, Rule, RulePreset, rule_name};
 use super::sample::SampleLimit;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{ERRORS, Severity};
@@ -39,6 +39,10 @@ pub struct Settings {
     options: FxHashMap<(&'static str, &'static str), OptionValue>,
     /// The rules whose findings fail the run.
     failing: FxHashSet<&'static str>,
+    /// The rules that the user turned on or gave a severity, by name, group or preset.
+    asked: FxHashSet<&'static str>,
+    /// Whether infos are reported that the user did not ask for.
+    infos: Infos,
     /// The only names that are reported, if `--only` chose some.
     chosen: Option<FxHashSet<&'static str>>,
     target: Renderer,
@@ -57,7 +61,7 @@ pub struct UnknownRule {
 
 impl Settings {
     /// The rules that run by default, plus those of `select`, minus those of `ignore`. Each word names a
-    /// rule or a group; `all` names every rule.
+    /// rule, a group or a preset, such as `all`.
     pub fn new(
         rules: &[&'static Rule],
         select: &[String],
@@ -74,14 +78,44 @@ impl Settings {
             levels: FxHashMap::with_capacity_and_hasher(rules.len(), FxBuildHasher),
             options: FxHashMap::default(),
             failing: FxHashSet::default(),
+            asked: FxHashSet::default(),
+            infos: Infos::Shown,
             chosen: None,
             target: Renderer::default(),
             sample_run: SampleLimit::default(),
         };
-        for rule in rules.iter().filter(|r| r.default) {
-            settings.set_level(rule, Some(rule.severity));
-        }
+        settings.set_preset(rules, RulePreset::Recommended);
         settings
+    }
+
+    /// Runs the rules of a preset and no others. Whoever chooses one beyond the default asks for its
+    /// infos.
+    pub fn set_preset(&mut self, rules: &[&'static Rule], preset: RulePreset) {
+        for rule in rules {
+            let level = self.target.level(rule);
+            self.set_level(rule, preset.includes(rule).then_some(level));
+        }
+        if preset > RulePreset::Recommended {
+            self.infos = Infos::Shown;
+        }
+    }
+
+    /// Sets whether infos are reported that the user did not ask for.
+    pub fn set_infos(&mut self, infos: Infos) {
+        self.infos = infos;
+    }
+
+    /// Whether a finding of this name and severity is reported, and not only counted.
+    pub fn shows(&self, name: &str, severity: Severity) -> bool {
+        severity > Severity::Info
+            || self.infos == Infos::Shown
+            || self.asked.contains(name)
+            || self.failing.contains(name)
+    }
+
+    /// Notes that the user asked for a rule.
+    pub fn ask_for(&mut self, rule: &Rule) {
+        self.asked.insert(rule.name);
     }
 
     /// Sets the renderer, and adapts severities that are not configured.
@@ -119,6 +153,7 @@ impl Settings {
             let best = |words: &[String]| words.iter().filter_map(|w| Reach::of(w, rule)).max();
             match (best(select), best(ignore)) {
                 (Some(selected), ignored) if Some(selected) > ignored => {
+                    self.ask_for(rule);
                     self.levels
                         .entry(rule.name)
                         .or_insert(self.target.level(rule));
@@ -140,6 +175,7 @@ impl Settings {
         }
         for rule in rules {
             if chosen.contains(rule.name) {
+                self.ask_for(rule);
                 self.levels
                     .entry(rule.name)
                     .or_insert(self.target.level(rule));
@@ -201,6 +237,16 @@ impl Settings {
     }
 }
 
+/// Whether infos are reported that the user did not ask for.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Infos {
+    /// They are reported.
+    #[default]
+    Shown,
+    /// They are only counted.
+    Counted,
+}
+
 /// Whether findings of a rule fail the run although they are not errors.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Failing {
@@ -213,7 +259,7 @@ pub enum Failing {
 /// How specific a word is, the least specific first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reach {
-    /// Every rule.
+    /// The rules of a preset, such as `all`.
     All,
     /// The rules of a group.
     Group,
@@ -227,8 +273,10 @@ impl Reach {
         match word {
             _ if rule_name(word) == rule.name => Some(Reach::Rule),
             _ if word == rule.group.name() => Some(Reach::Group),
-            "all" => Some(Reach::All),
-            _ => None,
+            _ => {
+                let preset = RulePreset::ALL.iter().find(|p| p.name() == word);
+                preset.filter(|p| p.includes(rule)).map(|_| Reach::All)
+            }
         }
     }
 }

@@ -6,6 +6,7 @@
 //! Places on the same line share its number. Labels and notes are printed for findings without a
 //! fix only, and each note once per run.
 
+use super::others::full_message;
 use super::place::{clean, location_name};
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Sources, Span};
@@ -43,7 +44,7 @@ pub fn write(
         place(sources, span.start),
         diagnostic.severity.name(),
         diagnostic.rule,
-        clean(&diagnostic.message)
+        full_message(sources, diagnostic)
     )?;
     if let Some(fix) = &diagnostic.fix {
         write!(out, "; {}", fix_in_words(sources, fix, span, notes))?;

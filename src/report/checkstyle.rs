@@ -1,6 +1,7 @@
 //! Checkstyle XML. Columns count characters.
 
-use super::place::{placed_message, region};
+use super::others::placed_message;
+use super::place::region;
 use super::xml::escape;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;

@@ -1,7 +1,8 @@
 //! Workflow commands of GitHub Actions, which become annotations. Columns count UTF-16 units, as
 //! the editor of GitHub does.
 
-use super::place::{path, placed_message, region};
+use super::others::placed_message;
+use super::place::{path, region};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
 use std::io::{self, Write};

@@ -1,7 +1,8 @@
 //! GitLab code quality report.
 
 use super::fingerprint::digest;
-use super::place::{path, placed_message, region};
+use super::others::placed_message;
+use super::place::{path, region};
 use serde_json::json;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;

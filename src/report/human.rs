@@ -1,6 +1,7 @@
 //! The format for people: the finding with a source excerpt, rendered by codespan-reporting.
 
 use super::excerpt::Excerpt;
+use super::others::others;
 use super::place::clean;
 use anstyle::{AnsiColor, Effects, Style};
 use codespan_reporting::diagnostic as cs;
@@ -17,7 +18,8 @@ pub fn write(
     color: bool,
 ) -> io::Result<()> {
     let excerpt = Excerpt::new(sources, diagnostic);
-    let shown = convert(diagnostic, &excerpt);
+    let mut shown = convert(diagnostic, &excerpt);
+    shown.notes.extend(others(sources, diagnostic));
     let config = Config::default();
     let mut text = Vec::new();
     let result = if color {

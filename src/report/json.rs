@@ -96,6 +96,9 @@ struct JsonDiagnostic<'a> {
     #[serde(flatten)]
     range: Range,
     labels: Vec<JsonLabel<'a>>,
+    /// Other places of the same mistake, with their messages.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    others: Vec<JsonLabel<'a>>,
     notes: Vec<&'a str>,
     macros: Vec<JsonMacro<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -144,6 +147,7 @@ fn convert<'a>(
         message: &d.message,
         range: Range::new(sources, d.span),
         labels: own.into_iter().chain(d.labels.iter().map(label)).collect(),
+        others: d.others.iter().map(label).collect(),
         notes: d.notes.iter().chain(&d.help).map(String::as_str).collect(),
         macros: d.macros.iter().map(used).collect(),
         fix: d.fix.as_ref().map(|f| JsonFix {

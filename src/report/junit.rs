@@ -2,7 +2,7 @@
 //! passes with output; a file without findings is one case that passes.
 
 use super::human::render;
-use super::place::placed_message;
+use super::others::placed_message;
 use super::xml::escape;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;

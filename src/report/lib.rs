@@ -12,6 +12,7 @@ mod gitlab;
 mod human;
 mod json;
 mod junit;
+mod others;
 mod place;
 mod sarif;
 mod short;
@@ -134,6 +135,11 @@ impl<W: Write> Reporter<W> {
     /// Whether the format prints how each input was interpreted.
     pub fn shows_readings(&self) -> bool {
         matches!(self.format, Format::Json | Format::Jsonl)
+    }
+
+    /// Whether the format identifies each finding for a service that tracks it.
+    pub fn has_fingerprints(&self) -> bool {
+        matches!(self.format, Format::Sarif | Format::Gitlab)
     }
 
     /// Counts findings that were fixed before they could be reported.

@@ -1,6 +1,5 @@
 //! Positions of findings, and text that is safe to show in a terminal.
 
-use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::{Position, Sources, Span};
 
 /// The start and end of a span in its file; `None` for a pass of an export, because its code is
@@ -14,20 +13,6 @@ pub(super) fn region(sources: &Sources, span: Span) -> Option<(Position, Positio
 pub(super) fn path<'a>(sources: &'a Sources, span: Span, root: &str) -> &'a str {
     let path = sources.file_at(span.start).map_or("", |f| &f.path);
     path.strip_prefix(root).unwrap_or(path)
-}
-
-/// The message, prefixed with the position in the pass if the file itself has no position for it.
-pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
-    let message = clean(&diagnostic.message);
-    let file = sources.file_at(diagnostic.span.start);
-    match file.and_then(|f| Some((f, f.part.as_ref()?))) {
-        Some((file, part)) => {
-            let at = file.position(diagnostic.span.start);
-            let part = clean(part);
-            format!("{message} ({part}, line {}, column {})", at.line, at.column)
-        }
-        None => message,
-    }
 }
 
 /// The path of the file that contains a span, with the pass if the file has several.

@@ -1,6 +1,7 @@
 //! SARIF 2.1.0. Columns count Unicode scalar values, as `columnKind` declares.
 
-use super::place::{path, placed_message, region};
+use super::others::placed_message;
+use super::place::{path, region};
 use serde_json::{Value, json};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{Edit, Sources, Span};
@@ -41,6 +42,7 @@ pub fn write(
     let related: Vec<Value> = d
         .labels
         .iter()
+        .chain(&d.others)
         .map(|l| {
             let mut place = location(sources, l.span, root);
             put(&mut place, "message", json!({"text": l.message}));

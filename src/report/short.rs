@@ -1,6 +1,7 @@
 //! One line per finding: `path:line:column: severity[rule]: message`.
 
-use super::place::{clean, location_name};
+use super::others::full_message;
+use super::place::location_name;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 use std::io::{self, Write};
@@ -16,6 +17,6 @@ pub fn write(out: &mut impl Write, sources: &Sources, diagnostic: &Diagnostic) -
         location_name(sources, span),
         diagnostic.severity.name(),
         diagnostic.rule,
-        clean(&diagnostic.message)
+        full_message(sources, diagnostic)
     )
 }

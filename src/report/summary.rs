@@ -32,6 +32,8 @@ pub struct Scope {
     pub left_out: usize,
     /// Number of errors that `--only` hides.
     pub hidden: usize,
+    /// Number of infos that are counted instead of printed.
+    pub counted_infos: usize,
     /// Number of findings in the baseline.
     pub known: usize,
     /// For each finding of a rule with `fail = true`, the name of the rule.
@@ -63,6 +65,8 @@ pub struct Summary {
     pub left_out: usize,
     /// Number of errors that `--only` hides.
     pub hidden: usize,
+    /// Number of infos that are counted instead of printed.
+    pub counted_infos: usize,
     /// Number of findings in the baseline.
     pub known: usize,
     /// Number of findings of rules with `fail = true`.
@@ -100,6 +104,7 @@ impl Summary {
         self.holding += usize::from(scope.shaders > 0);
         self.left_out += scope.left_out;
         self.hidden += scope.hidden;
+        self.counted_infos += scope.counted_infos;
         self.known += scope.known;
         self.skipped_shaders += scope.skipped_shaders;
         self.parts += usize::from(!scope.open_names.is_empty());
@@ -157,6 +162,11 @@ impl Summary {
         }
     }
 
+    /// Whether rules did not run somewhere, or names were not resolved.
+    fn is_incomplete(&self) -> bool {
+        self.parts > 0 || self.skipped_shaders > 0 || !self.skipped_functions.is_empty()
+    }
+
     /// The lines of the summary.
     pub fn lines(&self) -> Vec<String> {
         if self.files == 0 {
@@ -167,6 +177,12 @@ impl Summary {
             _ if self.shaders == 0 => {
                 format!("No shaders found in {}", count(self.files, "file"))
             }
+            _ if self.is_incomplete() => {
+                format!(
+                    "No findings in what could be checked ({})",
+                    self.looked_at()
+                )
+            }
             _ => format!("All checks passed ({})", self.looked_at()),
         };
         let known = (self.known > 0).then(|| format!("{} in the baseline", self.known));
@@ -175,7 +191,14 @@ impl Summary {
             format!("{hidden} hidden by --only")
         });
         let fixed = (self.fixed > 0).then(|| format!("fixed {}", count(self.fixed, "finding")));
-        let first: Vec<String> = [Some(found), fixed, known, hidden, self.fixes()]
+        let more = if self.findings() > 0 {
+            "more info"
+        } else {
+            "info"
+        };
+        let infos = self.counted_infos;
+        let infos = (infos > 0).then(|| format!("{}: --info", count(infos, more)));
+        let first: Vec<String> = [Some(found), fixed, known, hidden, self.fixes(), infos]
             .into_iter()
             .flatten()
             .collect();
@@ -210,8 +233,12 @@ impl Summary {
             if functions.len() > MAX_NAMES {
                 names.push(format!("{} more", functions.len() - MAX_NAMES));
             }
+            let cause = match self.errors + self.hidden + self.known {
+                0 => "unknown names",
+                _ => "errors",
+            };
             lines.push(format!(
-                "Rules skipped {} with errors: {}",
+                "Rules skipped {} with {cause}: {}",
                 count(functions.len(), "function"),
                 names.join(", ")
             ));
@@ -227,9 +254,14 @@ impl Summary {
                 1 => "1 file is a shader fragment".to_string(),
                 n => format!("{n} files are shader fragments"),
             };
-            let names = count(self.open_names.len(), "name");
+            let names = self.open_names.iter().map(|n| format!("`{n}`"));
+            let mut names: Vec<String> = names.take(MAX_NAMES).collect();
+            if self.open_names.len() > MAX_NAMES {
+                names.push(format!("{} more", self.open_names.len() - MAX_NAMES));
+            }
             lines.push(format!(
-                "{files} using {names} from a host; set `[host]` in shaderlint.toml to check them"
+                "{files} using names from a host: {}; set `[host]` in shaderlint.toml to check them",
+                names.join(", ")
             ));
         }
         lines

@@ -23,9 +23,13 @@ fn an_alias_names_its_rule_everywhere() {
     };
     let found = only(&["--only", "redundant-bool", "a.glsl"]);
     assert!(found.contains("[needless-bool]"), "{found}");
-    assert!(only(&["a.glsl"]).contains("[needless-bool]"));
-    assert_eq!(only(&["--ignore", "redundant-bool", "a.glsl"]), "");
-    assert_eq!(only(&["--config", "off.toml", "a.glsl"]), "");
+    let selected = only(&["--select", "redundant-bool", "a.glsl"]);
+    assert!(selected.contains("[needless-bool]"), "{selected}");
+    assert_eq!(
+        only(&["--select", "tidy", "--ignore", "redundant-bool", "a.glsl"]),
+        ""
+    );
+    assert_eq!(only(&["--config", "off.toml", "--info", "a.glsl"]), "");
     assert_eq!(only(&["allowed.glsl"]), "");
     let pages = ["redundant-bool", "needless-bool"].map(|n| scratch.run(&["explain", n]).out);
     assert_eq!(pages[0], pages[1]);
@@ -54,6 +58,17 @@ fn every_rule_is_listed_and_explained() {
     );
     let page = scratch.run(&["--explain", "vector-size"]);
     assert!(page.out.starts_with("# vector-size\n"));
+    // A part of a name is enough if no other name contains it; words find pages by their text.
+    let part = scratch.run(&["explain", "negative-base"]);
+    assert!(
+        part.out.starts_with("# pow-negative-base\n"),
+        "{}",
+        part.out
+    );
+    let list = scratch.run(&["explain", "division"]).out;
+    assert!(list.contains("\nzero-division  "), "{list}");
+    let list = scratch.run(&["explain", "march", "steps"]).out;
+    assert!(list.lines().count() > 1, "{list}");
     let ran = scratch.run(&["explain", "flaot-equality"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
     assert!(
@@ -61,6 +76,30 @@ fn every_rule_is_listed_and_explained() {
         "{}",
         ran.err
     );
+}
+
+#[test]
+fn commands_that_people_type_exist() {
+    let scratch = Scratch::new(&[("a.glsl", super::scratch::WARNED)]);
+    let plain = scratch.run(&["--info", "--no-run", "a.glsl"]);
+    assert_eq!(
+        scratch.run(&["check", "--info", "--no-run", "a.glsl"]).out,
+        plain.out
+    );
+    assert!(
+        scratch
+            .run(&["help", "fmt"])
+            .out
+            .starts_with("Format shaders")
+    );
+    assert_eq!(scratch.run(&["init"]).code, 0);
+    let before = scratch.read("shaderlint.toml");
+    assert_eq!(scratch.run(&["a.glsl"]).code, 0);
+    // An existing configuration is kept.
+    let again = scratch.run(&["init"]);
+    assert_eq!(again.code, 2);
+    assert!(again.err.contains("exists already"), "{}", again.err);
+    assert_eq!(scratch.read("shaderlint.toml"), before);
 }
 
 #[test]

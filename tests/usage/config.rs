@@ -29,7 +29,7 @@ fn the_nearest_configuration_above_a_file_applies() {
     let given = ["--config", "own/shaderlint.toml", "a.glsl"];
     assert_eq!(scratch.places(&given), ["2:22 pow-negative-base"]);
     // From a subfolder, `..` leads to the same file.
-    let ran = scratch.run_in("own/deep", &["--format", "short", "../../a.glsl"]);
+    let ran = scratch.run_in("own/deep", &["--info", "--format", "short", "../../a.glsl"]);
     assert!(ran.out.contains("unused-variable") && !ran.out.contains("pow-negative-base"));
     let named = ["-", "--stdin-filename", "own/b.glsl", "--format", "short"];
     let ran = scratch.pipe(WARNED, &named);
@@ -312,7 +312,7 @@ fn an_invalid_configuration_is_reported_once_and_others_apply() {
         ran.err
             .starts_with("shaderlint: bad/shaderlint.toml:1:1: unknown key `x`")
     );
-    assert_eq!(ran.out.lines().count(), 2, "{}", ran.out);
+    assert_eq!(ran.out.lines().count(), 1, "{}", ran.out);
     let ran = scratch.run(&["--config", "missing.toml", "good"]);
     assert_eq!(ran.code, 2);
     assert!(
@@ -415,4 +415,74 @@ fn a_user_defined_host_is_described_in_glsl() {
         "{}",
         ran.err
     );
+}
+
+/// Presets choose rules and show their infos; infos are only counted otherwise, unless somebody asks.
+#[test]
+fn presets_and_infos() {
+    let code = "float idle(float x) { return x; }\n\
+        void mainImage(out vec4 c, in vec2 p) {\n    float unused = 1.0;\n    c = vec4(p, 0.0, 1.0);\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let rules = |text: &str, args: &[&str]| {
+        scratch.write("shaderlint.toml", text);
+        let out = scratch
+            .run(&[args, &["--format", "short", "a.glsl"]].concat())
+            .out;
+        let rule = |line: &str| line.split(['[', ']']).nth(1).map(str::to_string);
+        out.lines().filter_map(rule).collect::<Vec<String>>()
+    };
+    let check = |text: &str, args: &[&str], expected: &[&str]| {
+        assert_eq!(rules(text, args), expected, "{text:?} {args:?}");
+    };
+    let both = ["unused-function", "unused-variable"];
+    check("", &[], &[]);
+    check("", &["--info"], &["unused-variable"]);
+    check("info = true", &[], &["unused-variable"]);
+    check("preset = \"strict\"", &[], &both);
+    check("preset = \"strict\"\ninfo = false", &[], &[]);
+    check("preset = \"performance\"", &[], &["unused-variable"]);
+    check(
+        "preset = \"all\"",
+        &["--ignore", "unused-variable"],
+        &both[..1],
+    );
+    check("", &["--select", "strict"], &both);
+    check("", &["--select", "unused-function"], &both[..1]);
+    check("[rules]\nunused-variable = \"info\"", &[], &both[1..]);
+    check("preset = \"all\"\n[rules]\ntidy = \"off\"", &[], &[]);
+    let ran = scratch.run(&["--no-config", "a.glsl"]);
+    assert_eq!(
+        ran.out,
+        "All checks passed (1 shader in 1 file); 1 info: --info\n"
+    );
+    scratch.write("shaderlint.toml", "preset = \"strikt\"");
+    let ran = scratch.run(&["a.glsl"]);
+    assert!(ran.err.contains("did you mean `strict`?"), "{}", ran.err);
+}
+
+/// One finding for one mistake and function, with the other places.
+#[test]
+fn places_of_the_same_mistake_are_joined() {
+    let code = "float f(float x) {\n    float y = pow(x - 2.0, 2.0);\n    return y + pow(x - 2.0, 2.0);\n}\n\
+        float g(float x) { return pow(x - 3.0, 2.0); }\n\
+        void mainImage(out vec4 c, in vec2 p) {\n    float a, b = 1.0;\n    float d = 2.0;\n    \
+        c = vec4(f(sin(iTime)) + g(cos(iTime)));\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let short = scratch
+        .run(&["-q", "--info", "--format", "short", "a.glsl"])
+        .out;
+    let lines: Vec<&str> = short.lines().collect();
+    assert_eq!(lines.len(), 3, "{short}");
+    assert!(lines[0].ends_with("(also in line 3)"), "{short}");
+    assert!(!lines[1].contains("also"), "{short}");
+    assert!(
+        lines[2].ends_with("(also `b` (line 7), `d` (line 8))"),
+        "{short}"
+    );
+    let human = scratch.run(&["-q", "a.glsl"]).out;
+    assert!(human.contains("= also in line 3"), "{human}");
+    let all = scratch.run(&["--format", "json", "a.glsl"]).out;
+    let all: serde_json::Value = serde_json::from_str(&all).unwrap();
+    assert_eq!(all["diagnostics"][0]["others"][0]["start"]["line"], 3);
+    assert_eq!(all["summary"]["warnings"], 2);
 }

@@ -35,7 +35,7 @@ fn a_fix_can_enable_another() {
     // The error hides findings of rules, which need a valid shader.
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 1;\n    float unused = a;\n    c = vec4(p, a, 1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
-    let ran = scratch.run(&["--unsafe-fixes", "a.glsl"]);
+    let ran = scratch.run(&["--info", "--unsafe-fixes", "a.glsl"]);
     assert_eq!(
         ran.out,
         "All checks passed (1 shader in 1 file); fixed 2 findings\n"
@@ -244,7 +244,7 @@ fn errors_uncovered_by_fixes_are_fixed_too() {
 fn comments_remain_when_code_is_removed() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float unused = 2.0; // why\n    float other /* what */ = 1.0;\n    c = vec4(1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
-    scratch.run(&["--unsafe-fixes", "a.glsl"]);
+    scratch.run(&["--info", "--unsafe-fixes", "a.glsl"]);
     assert_eq!(
         scratch.read("a.glsl"),
         code.replace("float unused = 2.0; ", "")

@@ -206,7 +206,7 @@ fn common_code_precedes_the_passes_of_its_folder() {
         scratch.places(&["Image.glsl", "-q"]),
         ["2:21 unused-variable"]
     );
-    let ran = scratch.run(&["--format", "short"]);
+    let ran = scratch.run(&["--info", "--format", "short"]);
     let unused = ran.out.matches("unused-variable").count();
     assert_eq!((ran.code, unused), (0, 1), "{}", ran.out);
     assert!(ran.out.contains("Common.glsl:2:21: "), "{}", ran.out);

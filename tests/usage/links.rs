@@ -26,7 +26,7 @@ void main() {
 #[track_caller]
 fn check(files: &[(&str, &str)], args: &[&str], expected: &[&str]) {
     let scratch = Scratch::new(files);
-    let ran = scratch.run(&[args, &["--format", "short"]].concat());
+    let ran = scratch.run(&[args, &["--info", "--format", "short"]].concat());
     let place = |line: &str| {
         let (place, rest) = line.split_once(": ").unwrap();
         format!("{place} {}", rest.split(['[', ']']).nth(1).unwrap())

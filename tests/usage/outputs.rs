@@ -23,7 +23,7 @@ fn scratch() -> Scratch {
 }
 
 fn json(scratch: &Scratch, format: &str, args: &[&str]) -> Value {
-    let ran = scratch.run(&[&["--format", format], args].concat());
+    let ran = scratch.run(&[&["--info", "--format", format], args].concat());
     assert_eq!(ran.err, "");
     serde_json::from_str(&ran.out).unwrap_or_else(|e| panic!("{e}: {}", ran.out))
 }
@@ -259,6 +259,7 @@ fn github_commands_are_escaped() {
     let scratch = scratch();
     scratch.write("100%,a:b.glsl", BROKEN);
     let ran = scratch.run(&[
+        "--info",
         "--format",
         "github",
         "100%,a:b.glsl",
@@ -345,7 +346,7 @@ fn checkstyle_is_xml_with_places() {
     let scratch = scratch();
     let hostile = "void mainImage(out vec4 c, in vec2 p) { c = \"<&>'\u{1}\u{ffff}\"; }";
     scratch.write("hostile.glsl", hostile);
-    let ran = scratch.run(&["--format", "checkstyle", "."]);
+    let ran = scratch.run(&["--info", "--format", "checkstyle", "."]);
     let xml = roxmltree::Document::parse(&ran.out).unwrap();
     assert_eq!(xml.root_element().tag_name().name(), "checkstyle");
     let files: Vec<_> = xml

@@ -204,7 +204,7 @@ fn hosts_are_identified_by_names_imports_and_packages() {
             &format!("import * as T from 'three';\nconst vertexShader = `{code}`;\n"),
         ),
     ]);
-    let out = scratch.run(&["-q", "--format", "short", "."]).out;
+    let out = scratch.run(&["-q", "--info", "--format", "short", "."]).out;
     let places: Vec<&str> = out.lines().filter_map(|l| l.split(": ").next()).collect();
     assert_eq!(
         places,
@@ -231,7 +231,7 @@ fn unchecked_names_are_summarised() {
         ("b.glsl", "float g() { return x; }"),
     ]);
     let ran = scratch.run(&["."]);
-    let last = "2 files are shader fragments using 2 names from a host; set `[host]` in shaderlint.toml to check them";
+    let last = "2 files are shader fragments using names from a host: `x`, `y`; set `[host]` in shaderlint.toml to check them";
     assert!(ran.out.ends_with(&format!("{last}\n")), "{}", ran.out);
     let reported = scratch.run(&["-v", "a.glsl"]).err;
     assert!(

@@ -10,7 +10,10 @@ use std::process::{Command, Stdio};
 pub struct Scratch(tempfile::TempDir);
 
 /// The subcommands that check no files, or always sample them.
-const OTHER_COMMANDS: [&str; 11] = [
+const OTHER_COMMANDS: [&str; 14] = [
+    "check",
+    "help",
+    "init",
     "fmt",
     "lsp",
     "run",
@@ -95,7 +98,7 @@ impl Scratch {
 
     /// The printed findings of a file, each as `line:column rule`.
     pub fn places(&self, args: &[&str]) -> Vec<String> {
-        let ran = self.run(&[args, &["--format", "short"]].concat());
+        let ran = self.run(&[args, &["--info", "--format", "short"]].concat());
         let place = |line: &str| {
             let mut parts = line.splitn(4, ':');
             let at = format!("{}:{}", parts.nth(1)?, parts.next()?);

@@ -7,7 +7,7 @@ use super::scratch::Scratch;
 fn check(files: &[(&str, &str)], expected: &[&str]) {
     let scratch = Scratch::new(files);
     let name = files[0].0;
-    let ran = scratch.run(&["-q", "--no-run", "--format", "short", name]);
+    let ran = scratch.run(&["-q", "--no-run", "--info", "--format", "short", name]);
     let lines: Vec<&str> = ran
         .out
         .lines()

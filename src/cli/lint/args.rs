@@ -6,8 +6,9 @@ use crate::cli::config::host_of;
 use crate::engine::DialectChoice;
 use crate::engine::config::Selection;
 use crate::host::Preset;
+use crate::lint::Infos;
 use crate::report::Format;
-use clap::{ArgAction, Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 #[cfg(feature = "mcp")]
 use std::ffi::OsString;
@@ -16,13 +17,25 @@ use std::path::PathBuf;
 /// A linter for GLSL shaders in WebGL2 and ShaderToy.
 #[derive(Parser, Debug)]
 #[command(name = "shaderlint", version, max_term_width = 100)]
-#[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+#[command(args_conflicts_with_subcommands = true)]
 #[command(override_usage = "shaderlint [OPTIONS] [PATH]...\n       shaderlint <COMMAND>")]
 #[command(after_help = EXIT_CODES)]
 pub struct LintArgs {
     /// Without a command, shaderlint checks files
     #[command(subcommand)]
     pub command: Option<Command>,
+    /// What to check if there is no command
+    #[command(flatten)]
+    pub check: CheckArgs,
+
+    /// Print the documentation of a rule or a compile error
+    #[arg(long, value_name = "NAME", conflicts_with = "paths", hide = true)]
+    pub explain: Option<String>,
+}
+
+/// The arguments of a check.
+#[derive(Args, Debug)]
+pub struct CheckArgs {
     /// Files or folders to check, or `-` for standard input [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
@@ -74,6 +87,9 @@ pub struct LintArgs {
     )]
     #[arg(conflicts_with_all = ["select", "ignore"])]
     pub only: Vec<String>,
+    /// Report infos too, which are only counted otherwise
+    #[arg(long, help_heading = "Rules")]
+    pub info: bool,
     /// Static analysis only: do not execute shaders
     #[arg(long, help_heading = "Rules")]
     pub no_run: bool,
@@ -158,10 +174,6 @@ pub struct LintArgs {
     /// Exit with code 0 even if there are findings
     #[arg(long, help_heading = "Exit code")]
     pub exit_zero: bool,
-
-    /// Print the documentation of a rule or a compile error
-    #[arg(long, value_name = "NAME", conflicts_with = "paths", hide = true)]
-    pub explain: Option<String>,
 }
 
 /// Printed after the options.
@@ -174,10 +186,16 @@ Exit codes:
 /// The commands besides checking.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Check files; the same as no command
+    #[command(after_help = EXIT_CODES)]
+    Check(Box<CheckArgs>),
+    /// Write a shaderlint.toml with the defaults to the current folder
+    Init,
     /// Show the documentation of a rule, a compile error or a host
     Explain {
-        /// Name of the rule, compile error or host
-        name: String,
+        /// Name of the rule, compile error or host, a part of it, or words to search for
+        #[arg(value_name = "NAME", required = true)]
+        words: Vec<String>,
     },
     /// List all rules; the JSON output also lists compile errors and options
     Rules {
@@ -279,7 +297,7 @@ pub enum Talk {
     Verbose,
 }
 
-impl LintArgs {
+impl CheckArgs {
     /// The output format; `--statistics` overrides `--format`.
     pub fn format(&self) -> Format {
         match self.format {
@@ -295,6 +313,15 @@ impl LintArgs {
             FormatChoice::Junit => Format::Junit,
             FormatChoice::Checkstyle => Format::Checkstyle,
         }
+    }
+
+    /// Whether infos are reported that nobody asked for: programs choose for themselves what they show.
+    fn shows_infos(&self) -> bool {
+        self.info
+            || matches!(
+                self.format(),
+                Format::Json | Format::Jsonl | Format::Statistics
+            )
     }
 
     /// The verbosity that `-v` and `-q` select.
@@ -325,6 +352,10 @@ impl LintArgs {
                 ignore: self.ignore.clone(),
                 only: self.only.clone(),
                 run_samples: self.run_samples.or(self.no_run.then_some(0)),
+                infos: match self.shows_infos() {
+                    true => Infos::Shown,
+                    false => Infos::Counted,
+                },
             },
             source: match &self.config {
                 Some(file) => ConfigSource::File(file.clone()),

@@ -5,7 +5,7 @@ use super::super::command::{CLEAN, FAILED, complain};
 use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
-use super::args::{LintArgs, Talk};
+use super::args::{CheckArgs, Talk};
 use super::inputs::{Outcome, check_all};
 use crate::diagnostic::{Diagnostic, count};
 use crate::report::fingerprints;
@@ -130,7 +130,7 @@ fn named(folder: &Path, file: &str) -> String {
 
 /// Writes the findings of all inputs to the baseline file. An existing baseline keeps its entries
 /// for other files that still exist.
-pub fn write(args: &LintArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<u8> {
+pub fn write(args: &CheckArgs, inputs: &[InputFile], configs: &Configs) -> io::Result<u8> {
     let Some(path) = &args.write_baseline else {
         return Ok(FAILED);
     };

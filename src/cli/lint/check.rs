@@ -3,7 +3,7 @@
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::super::config::Configs;
 use super::super::input::{InputFile, collect};
-use super::args::{LintArgs, Talk};
+use super::args::{CheckArgs, Talk};
 use super::baseline::{self, Baseline};
 use super::fix::{AppliedFixes, FixMode};
 use super::inputs::{Outcome, check_all};
@@ -19,7 +19,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Checks the paths once.
-pub fn check(args: &LintArgs) -> io::Result<u8> {
+pub fn check(args: &CheckArgs) -> io::Result<u8> {
     let talk = args.talk();
     let print_message = |message: &str| {
         if talk > Talk::Nothing {
@@ -61,7 +61,7 @@ pub fn check(args: &LintArgs) -> io::Result<u8> {
 /// Checks all inputs in parallel and prints their findings in order. The flag says whether every
 /// input could be read and written.
 fn check_inputs(
-    args: &LintArgs,
+    args: &CheckArgs,
     inputs: &[InputFile],
     configs: &Configs,
 ) -> io::Result<(Summary, bool)> {
@@ -116,7 +116,7 @@ fn check_inputs(
 
 /// The reporter of a run. It writes to standard error if fixed text takes standard output.
 fn reporter(
-    args: &LintArgs,
+    args: &CheckArgs,
     format: Format,
     prints_text: bool,
 ) -> Reporter<BufWriter<Box<dyn Write>>> {
@@ -239,6 +239,7 @@ impl FindingPrinter<'_> {
         let settings = options.as_ref().map(|o| &o.settings);
         let mut scope = scope_of(&report.shaders);
         scope.left_out = report.left_out;
+        scope.counted_infos = report.counted_infos;
         if self.reporter.shows_readings() {
             scope.read_as = Some(verbose::reading(
                 &input.name,
@@ -275,12 +276,17 @@ impl FindingPrinter<'_> {
             // Fixes of findings in the baseline are not on offer.
             offer = Offer::of(&report);
         }
-        let found = &report.diagnostics;
         self.reporter.add_offer(offer.safe, offer.others);
         if let Some(settings) = settings {
-            let failing = found.iter().filter(|d| settings.fails(d.rule));
+            let failing = report.diagnostics.iter();
+            let failing = failing.filter(|d| settings.fails(d.rule));
             scope.failing = failing.map(|d| d.rule).collect();
         }
+        // Services track each finding by its own fingerprint.
+        if !self.reporter.has_fingerprints() {
+            report.group();
+        }
+        let found = &report.diagnostics;
         self.reporter
             .input(&input.name, &report.sources, found, &scope)
     }

@@ -25,15 +25,66 @@ pub fn rules(format: ListFormat) -> io::Result<Vec<u8>> {
     })
 }
 
-/// Prints the documentation of a rule, compile error or host, and returns the exit code.
-pub fn explain(name: &str) -> io::Result<u8> {
-    let host = || preset(name).map(Preset::page);
-    let Some(page) = page(name).map(str::to_string).or_else(host) else {
-        complain(&unknown(name));
-        return Ok(FAILED);
+/// Prints the documentation of a rule, compile error or host, and returns the exit code. Words that are
+/// not a name list the pages that contain all of them.
+pub fn explain(words: &[String]) -> io::Result<u8> {
+    let name = words.join(" ");
+    let found = match page_named(&name) {
+        Some(page) => return print(&page),
+        None => search(words),
     };
-    io::stdout().lock().write_all(page.as_bytes())?;
+    match found.as_slice() {
+        [] => {
+            complain(&unknown(&name));
+            Ok(FAILED)
+        }
+        [one] => print(&page_named(one).unwrap_or_default()),
+        several => print(&summaries(several)),
+    }
+}
+
+fn print(text: &str) -> io::Result<u8> {
+    io::stdout().lock().write_all(text.as_bytes())?;
     Ok(CLEAN)
+}
+
+/// The page of a rule, compile error or host.
+fn page_named(name: &str) -> Option<String> {
+    let host = || preset(name).map(Preset::page);
+    page(name).map(str::to_string).or_else(host)
+}
+
+/// The names of all pages.
+fn names() -> impl Iterator<Item = &'static str> {
+    let names = RULES.iter().map(|r| r.name).chain(ERRORS.iter().copied());
+    names.chain(host_names())
+}
+
+/// The names that contain all words; if there are none, those of the pages whose text does.
+fn search(words: &[String]) -> Vec<&'static str> {
+    let words: Vec<String> = words.iter().map(|w| w.to_lowercase()).collect();
+    let has_all = |text: &str| {
+        let text = text.to_lowercase();
+        words.iter().all(|word| text.contains(word))
+    };
+    let named: Vec<&str> = names().filter(|name| has_all(name)).collect();
+    if !named.is_empty() {
+        return named;
+    }
+    let is_about = |name: &&str| page(name).is_some_and(|p| has_all(p));
+    names().filter(is_about).collect()
+}
+
+/// A line for each page: name and summary.
+fn summaries(names: &[&str]) -> String {
+    let width = names.iter().map(|n| n.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for name in names {
+        let summary = page(name).map_or_else(String::new, |p| Page::new(p).summary);
+        text.push_str(format!("{name:width$}  {summary}").trim_end());
+        text.push('\n');
+    }
+    text
 }
 
 /// The page as SARIF shows it.
@@ -46,9 +97,7 @@ pub fn rule_page(name: &str) -> Option<RulePage> {
 }
 
 fn unknown(name: &str) -> String {
-    let names = RULES.iter().map(|r| r.name).chain(ERRORS.iter().copied());
-    let names = names.chain(host_names());
-    let distances = names.map(|n| (strsim::damerau_levenshtein(n, name), n));
+    let distances = names().map(|n| (strsim::damerau_levenshtein(n, name), n));
     let near = distances.filter(|(d, _)| *d <= 3).min();
     let near = near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"));
     format!("unknown rule, compile error or host `{name}`{near}")
@@ -61,7 +110,7 @@ fn table() -> String {
     sorted.sort_by_key(|r| (r.group, r.name));
     let mut text = String::new();
     for rule in sorted {
-        let level = if rule.default {
+        let level = if rule.is_default() {
             rule.severity.name()
         } else {
             "off"
@@ -96,7 +145,8 @@ fn list() -> Value {
             "kind": "rule",
             "group": rule.group.name(),
             "severity": rule.severity.name(),
-            "default": rule.default,
+            "default": rule.is_default(),
+            "preset": rule.preset.name(),
             "summary": Page::new(rule.page).summary,
             "options": options.collect::<Vec<_>>(),
             "page": format!("rules/{}.md", rule.name.replace('-', "_"))

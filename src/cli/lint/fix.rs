@@ -2,7 +2,7 @@
 
 use super::super::input::InputFile;
 use super::super::output::{diff, replace};
-use super::args::LintArgs;
+use super::args::CheckArgs;
 use crate::diagnostic::Diagnostic;
 use crate::engine::{Files, Options, fix_text};
 use crate::lint::{Allow, Proof};
@@ -54,7 +54,7 @@ pub enum AppliedFixes {
 
 impl FixMode {
     /// The fixes that the arguments ask for.
-    pub fn of(args: &LintArgs) -> Option<FixMode> {
+    pub fn of(args: &CheckArgs) -> Option<FixMode> {
         let is_asked = args.fix || args.unsafe_fixes || args.diff;
         is_asked.then_some(FixMode {
             allow: if args.unsafe_fixes {

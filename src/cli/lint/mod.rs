@@ -6,18 +6,19 @@ mod baseline;
 mod check;
 pub mod explain;
 mod fix;
+pub mod init;
 mod inputs;
 pub mod ir;
 pub mod reduce;
 mod verbose;
 mod watch;
 
-pub use args::{Command, LintArgs};
+pub use args::{CheckArgs, Command, LintArgs};
 
 use std::io;
 
 /// Checks what the arguments name, and gives the exit code.
-pub fn run(args: &LintArgs) -> io::Result<u8> {
+pub fn run(args: &CheckArgs) -> io::Result<u8> {
     match args.watch {
         true => watch::run(args),
         false => check::check(args),

@@ -4,14 +4,14 @@ use super::super::command::{FAILED, complain};
 use super::super::config::{Configs, FILE};
 use super::super::input::{InputFile, collect};
 use super::super::watch::{Stamp, wait};
-use super::args::LintArgs;
+use super::args::CheckArgs;
 use super::check::check;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// Runs until the process is ended. The two lines on standard error that frame each check are for
 /// editors, which clear their list of problems at the first.
-pub fn run(args: &LintArgs) -> io::Result<u8> {
+pub fn run(args: &CheckArgs) -> io::Result<u8> {
     if args.paths.iter().any(|p| p.as_os_str() == "-") {
         complain("cannot watch standard input");
         return Ok(FAILED);
@@ -35,7 +35,7 @@ pub fn run(args: &LintArgs) -> io::Result<u8> {
     }
 }
 
-fn take_stamp(args: &LintArgs) -> Stamp {
+fn take_stamp(args: &CheckArgs) -> Stamp {
     let configs = Configs::new(args.asked());
     let inputs = collect(&args.paths(), args.stdin_filename.as_deref(), &configs).inputs;
     let files = inputs.iter().filter_map(|i| i.path.clone());

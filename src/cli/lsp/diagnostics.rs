@@ -14,12 +14,14 @@ use gen_lsp_types::{
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Rules about unnecessary code, which editors fade out.
-const UNNECESSARY: [&str; 6] = [
+const UNNECESSARY: [&str; 8] = [
     "dead-code",
     "dead-store",
     "identity-operation",
     "unused-function",
     "unused-macro",
+    "unused-parameter",
+    "unused-uniform",
     "unused-variable",
 ];
 /// Rules about deprecated features, which editors strike through.
@@ -89,7 +91,7 @@ pub fn one(
         severity: Some(match diagnostic.severity {
             Severity::Error => DiagnosticSeverity::Error,
             Severity::Warning => DiagnosticSeverity::Warning,
-            Severity::Info => DiagnosticSeverity::Information,
+            Severity::Info => DiagnosticSeverity::Hint,
         }),
         code: Some(Code::String(diagnostic.rule.to_string())),
         code_description: snapshot

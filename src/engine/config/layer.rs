@@ -5,13 +5,17 @@ use globset::GlobSet;
 use shaderlint_diagnostic::Severity;
 use shaderlint_format::StyleChoice;
 use shaderlint_lint::sample::SampleLimit;
-use shaderlint_lint::{Failing, OptionValue, Renderer, Rule, Settings};
+use shaderlint_lint::{Failing, Infos, OptionValue, Renderer, Rule, RulePreset, Settings};
 use shaderlint_rules::RULES;
 use std::path::{Path, PathBuf};
 
 /// Settings for all files, or for files that match patterns.
 #[derive(Default)]
 pub struct Layer {
+    /// The rules that run, before adjustments.
+    pub preset: Option<RulePreset>,
+    /// Whether all infos are reported.
+    pub info: Option<bool>,
     /// Renderer that the shaders run on in production.
     pub target: Option<Renderer>,
     /// Number of pixels to sample per shader.
@@ -45,6 +49,14 @@ pub enum Adjustment {
 impl Layer {
     /// Applies the adjustments of rules.
     pub(super) fn apply(&self, settings: &mut Settings) {
+        if let Some(preset) = self.preset {
+            settings.set_preset(RULES, preset);
+        }
+        match self.info {
+            Some(true) => settings.set_infos(Infos::Shown),
+            Some(false) => settings.set_infos(Infos::Counted),
+            None => {}
+        }
         if let Some(target) = self.target {
             settings.set_target(RULES, target);
         }
@@ -53,9 +65,15 @@ impl Layer {
         }
         for (rule, adjustment) in &self.rules {
             match *adjustment {
-                Adjustment::Level(level) => settings.set_level(rule, level),
+                Adjustment::Level(level) => {
+                    settings.ask_for(rule);
+                    settings.set_level(rule, level);
+                }
                 Adjustment::Failing(failing) => settings.set_failing(rule, failing),
-                Adjustment::Option(name, value) => settings.set_option(rule, name, value),
+                Adjustment::Option(name, value) => {
+                    settings.ask_for(rule);
+                    settings.set_option(rule, name, value);
+                }
             }
         }
     }

@@ -13,7 +13,7 @@ use super::path::plain;
 use shaderlint_format::StyleChoice;
 use shaderlint_host::Preset;
 use shaderlint_lint::sample::SampleLimit;
-use shaderlint_lint::{Settings, UnknownRule};
+use shaderlint_lint::{Infos, Settings, UnknownRule};
 use shaderlint_rules::RULES;
 use std::sync::Arc;
 
@@ -43,6 +43,8 @@ pub struct Selection {
     pub only: Vec<String>,
     /// Number of pixels to sample per shader, if set.
     pub run_samples: Option<u32>,
+    /// Whether infos are reported that neither the configuration nor the user asks for.
+    pub infos: Infos,
 }
 
 impl Selection {
@@ -70,6 +72,7 @@ pub fn options(
 ) -> Result<Options, UnknownRule> {
     let mut options = Options::default();
     let mut settings = Settings::of_rules(RULES);
+    settings.set_infos(given.infos);
     let overrides = config.map_or(&[][..], |c| &c.overrides);
     let matching = layers.iter().filter_map(|i| overrides.get(*i));
     let base = config.map(|c| &c.base).into_iter();

@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use shaderlint_format::{Brace, Indentation, StyleChoice};
 use shaderlint_host::{Preset, host_named, names};
-use shaderlint_lint::Renderer;
+use shaderlint_lint::{Renderer, RulePreset};
 use shaderlint_syntax::{Version, WordClass, classify};
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -21,6 +21,10 @@ use toml::Spanned;
 #[serde(deny_unknown_fields, expecting = "a table")]
 #[schemars(title = "shaderlint.toml")]
 pub struct ConfigFile {
+    /// Rules to run, before the levels in `rules`
+    pub preset: Option<RulePreset>,
+    /// Whether to report infos; otherwise only those of rules in `rules` are
+    pub info: Option<bool>,
     /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
     /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
@@ -54,6 +58,10 @@ pub struct ConfigFile {
 pub struct Override {
     /// Files that the settings apply to, relative to this configuration
     pub paths: Patterns,
+    /// Rules to run, before the levels in `rules`
+    pub preset: Option<RulePreset>,
+    /// Whether to report infos; otherwise only those of rules in `rules` are
+    pub info: Option<bool>,
     /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
     /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs

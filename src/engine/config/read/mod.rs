@@ -40,6 +40,8 @@ pub fn parse(text: &str) -> Result<Config, ConfigError> {
 fn config(file: ConfigFile) -> Result<Config, Mistake> {
     let overrides = file.overrides.into_iter().map(|own| {
         let layer = Layer {
+            preset: own.preset,
+            info: own.info,
             target: own.target,
             run_samples: own.run_samples,
             dialect: own.dialect,
@@ -54,6 +56,8 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
     Ok(Config {
         overrides: overrides.collect::<Result<_, Mistake>>()?,
         base: Layer {
+            preset: file.preset,
+            info: file.info,
             target: file.target,
             run_samples: file.run_samples,
             dialect: file.dialect,
@@ -89,7 +93,7 @@ mod tests {
             "x = 1",
             1,
             1,
-            "unknown key `x`; expected one of `target`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
+            "unknown key `x`; expected one of `preset`, `info`, `target`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
              `include`, `include_roots`, `exclude`, `overrides`",
         );
         wrong(

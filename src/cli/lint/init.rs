@@ -1,0 +1,55 @@
+//! `init`: writes a configuration to start from.
+
+use super::super::command::{CLEAN, FAILED, complain};
+use std::fs::OpenOptions;
+use std::io::{self, Write};
+
+/// The name of the configuration.
+const NAME: &str = "shaderlint.toml";
+
+/// The configuration, which changes nothing until it is edited.
+const TEXT: &str = r#"# `shaderlint schema` prints all keys, `shaderlint rules` all rules.
+
+# Rules: "recommended", "strict" (clean code, portability), "performance" or "all".
+preset = "recommended"
+
+# Report infos too, which are only counted otherwise:
+# info = true
+
+# Files to skip, as in .gitignore:
+# exclude = ["vendor", "*.min.glsl"]
+
+[rules]
+# "off", "info" or "warning", for a rule or a group:
+# step-budget = "warning"
+# float-equality = { level = "warning", fail = true }
+"#;
+
+/// Writes the configuration to the current folder, and returns the exit code. An existing file is kept.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn run() -> io::Result<u8> {
+    let file = OpenOptions::new().write(true).create_new(true).open(NAME);
+    match file {
+        Ok(mut file) => file.write_all(TEXT.as_bytes())?,
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+            complain(&format!("{NAME} exists already; it was not changed"));
+            return Ok(FAILED);
+        }
+        Err(error) => return Err(io::Error::new(error.kind(), format!("{NAME}: {error}"))),
+    }
+    writeln!(io::stdout().lock(), "Created {NAME}")?;
+    Ok(CLEAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::TEXT;
+    use crate::engine::config::parse;
+
+    #[test]
+    fn the_configuration_is_valid() {
+        assert!(parse(TEXT).is_ok());
+    }
+}

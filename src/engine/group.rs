@@ -1,0 +1,105 @@
+//! Joins findings about the same mistake, so that a person reads about it once.
+
+use super::document::Report;
+use rustc_hash::FxHashMap;
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Label, Origin, Severity, count};
+use shaderlint_text::Edit;
+
+/// Rules whose names start so list what a file does not need, which is one message per file.
+const PER_FILE: &str = "unused-";
+
+/// What findings have in common that are about the same mistake.
+#[derive(PartialEq, Eq, Hash)]
+struct SameMistake {
+    rule: &'static str,
+    severity: Severity,
+    /// The function, or the file if the findings are outside functions.
+    place: Option<(u32, u32)>,
+    /// What warnings say before their evidence: about different things, they are different mistakes.
+    message: Option<String>,
+    /// Places with and without a fix are kept apart, so that a fix is for all places.
+    fix: Option<Applicability>,
+}
+
+impl Report {
+    /// Leaves one finding for each mistake and function, which lists the other places. Errors stay as
+    /// they are.
+    pub fn group(&mut self) {
+        let mut first: FxHashMap<SameMistake, usize> = FxHashMap::default();
+        let mut grouped: Vec<Diagnostic> = Vec::with_capacity(self.diagnostics.len());
+        for diagnostic in std::mem::take(&mut self.diagnostics) {
+            let Some(mistake) = self.mistake(&diagnostic) else {
+                grouped.push(diagnostic);
+                continue;
+            };
+            match first.get(&mistake).and_then(|at| grouped.get_mut(*at)) {
+                Some(known) => join(known, diagnostic),
+                None => {
+                    first.insert(mistake, grouped.len());
+                    grouped.push(diagnostic);
+                }
+            }
+        }
+        for diagnostic in &mut grouped {
+            join_edits(diagnostic);
+        }
+        self.diagnostics = grouped;
+    }
+
+    fn mistake(&self, d: &Diagnostic) -> Option<SameMistake> {
+        if d.origin != Origin::Rule || d.severity == Severity::Error {
+            return None;
+        }
+        let is_per_file = d.rule.starts_with(PER_FILE);
+        let place = || {
+            let function = d.function.map(|f| (f.start, f.end));
+            function.or_else(|| self.sources.file_at(d.span.start).map(|f| (f.base, 0)))
+        };
+        let is_named = !is_per_file && d.severity == Severity::Warning;
+        Some(SameMistake {
+            rule: d.rule,
+            severity: d.severity,
+            place: (!is_per_file).then(place).flatten(),
+            message: is_named.then(|| {
+                let statement = d.message.split_once(": ").map(|(statement, _)| statement);
+                statement.unwrap_or(&d.message).to_string()
+            }),
+            fix: d.fix.as_ref().map(|f| f.applicability),
+        })
+    }
+}
+
+/// Adds a finding to one about the same mistake.
+fn join(known: &mut Diagnostic, other: Diagnostic) {
+    known.others.push(Label {
+        span: other.span,
+        message: other.message,
+    });
+    if let (Some(fix), Some(more)) = (&mut known.fix, other.fix) {
+        fix.edits.extend(more.edits);
+    }
+}
+
+/// Puts the edits of a joined fix in order, or drops the fix if they overlap.
+fn join_edits(diagnostic: &mut Diagnostic) {
+    let others = diagnostic.others.len();
+    let Some(fix) = diagnostic.fix.take_if(|_| others > 0) else {
+        return;
+    };
+    let Fix {
+        title,
+        applicability,
+        mut edits,
+    } = fix;
+    edits.sort_by_key(|e| (e.span.start, e.span.end));
+    edits.dedup();
+    let overlaps = |pair: &[Edit]| matches!(pair, [a, b] if b.span.start < a.span.end);
+    if !edits.windows(2).any(overlaps) {
+        let title = format!("{title}, and the same in {}", count(others, "other place"));
+        diagnostic.fix = Some(Fix {
+            title,
+            applicability,
+            edits,
+        });
+    }
+}

@@ -1,0 +1,88 @@
+//! Messages, with the other places of a mistake in words.
+
+use super::place::{clean, location_name};
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::{Sources, Span};
+
+/// Maximum number of places in words.
+const MAX_PLACES: usize = 8;
+/// Longest code that stands for a place, in characters.
+const MAX_CODE: usize = 24;
+
+/// The message, with the other places of the mistake.
+pub(super) fn full_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    let message = clean(&diagnostic.message);
+    match others(sources, diagnostic) {
+        Some(others) => format!("{message} ({others})"),
+        None => message,
+    }
+}
+
+/// The full message, followed by the position in the pass if the file itself has no position for it.
+pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    let message = full_message(sources, diagnostic);
+    let file = sources.file_at(diagnostic.span.start);
+    match file.and_then(|f| Some((f, f.part.as_ref()?))) {
+        Some((file, part)) => {
+            let at = file.position(diagnostic.span.start);
+            let part = clean(part);
+            format!("{message} ({part}, line {}, column {})", at.line, at.column)
+        }
+        None => message,
+    }
+}
+
+/// The other places of a finding: `also in lines 12, 14`, or ``also `b` (line 12), `c` (line 14)``
+/// where they have messages of their own.
+pub(super) fn others(sources: &Sources, diagnostic: &Diagnostic) -> Option<String> {
+    let all = &diagnostic.others;
+    if all.is_empty() {
+        return None;
+    }
+    let is_same = all.iter().all(|l| l.message == diagnostic.message);
+    if !is_same {
+        let places = all.iter().map(|l| named(sources, l.span, diagnostic.span));
+        return Some(format!("also {}", list(places.collect())));
+    }
+    let mut lines: Vec<String> = all
+        .iter()
+        .map(|l| line(sources, l.span, diagnostic.span))
+        .collect();
+    lines.dedup();
+    lines.retain(|l| *l != line(sources, diagnostic.span, diagnostic.span));
+    Some(match lines.len() {
+        0 => "also elsewhere in this line".to_string(),
+        1 => format!("also in line {}", list(lines)),
+        _ => format!("also in lines {}", list(lines)),
+    })
+}
+
+/// `a, b, 3 more`
+fn list(mut places: Vec<String>) -> String {
+    let more = places.len().saturating_sub(MAX_PLACES);
+    places.truncate(MAX_PLACES);
+    if more > 0 {
+        places.push(format!("{more} more"));
+    }
+    places.join(", ")
+}
+
+/// The line of a span, with its file if that differs from the file of `beside`.
+fn line(sources: &Sources, span: Span, beside: Span) -> String {
+    let file = sources.file_at(span.start);
+    let line = file.map_or(1, |f| f.position(span.start).line);
+    let there = location_name(sources, span);
+    match there == location_name(sources, beside) {
+        true => line.to_string(),
+        false => format!("{line} of {there}"),
+    }
+}
+
+/// Short code with its line, or the line alone.
+fn named(sources: &Sources, span: Span, beside: Span) -> String {
+    let (text, line) = (sources.text(span), line(sources, span, beside));
+    match text.chars().count() <= MAX_CODE && !text.contains('\n') {
+        true => format!("`{}` (line {line})", clean(text)),
+        false => format!("line {line}"),
+    }
+}
