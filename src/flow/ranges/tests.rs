@@ -485,3 +485,31 @@ fn conditions_bound_what_was_computed_from_a_value_before() {
     holds_zero("d >= 0.0", true);
     holds_zero("x > 0.0", true);
 }
+
+#[test]
+fn elements_of_an_array_are_different_values() {
+    check_body(
+        "float a[2] = float[2](x, v.y); float b = a[0], c = a[1]; return b - c;",
+        "any number",
+    );
+    check_body(
+        "float a[2] = float[2](x, v.y); float b = a[0]; if (b < 1.0) discard; return a[1];",
+        "any number",
+    );
+    check_body(
+        "struct S { vec2 p[2]; }; S s = S(vec2[2](v.xy, v.yz)); vec2 b = s.p[0]; vec2 c = s.p[1]; \
+         return b.y - c.y;",
+        "any number",
+    );
+    check(
+        "float[2](x, v.y)[0] > 2.0 ? float[2](x, v.y)[1] : 3.0",
+        "any number",
+    );
+    let code = "bool f(float a[2]) { return a[0] > 2.0; }
+        void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
+        float test(float x, float y) { float a[2] = float[2](x, y); return f(a) ? a[1] : 3.0; }";
+    assert_eq!(range(code), "any number");
+    let code = "float f(float a[2]) { float b = a[0], c = a[1]; return b - c; }
+        void mainImage(out vec4 o, vec2 p) { float a[2] = float[2](p.x, p.y); o = vec4(f(a)); }";
+    assert_eq!(range(code), "any number");
+}

@@ -223,6 +223,9 @@ impl Refinement {
         lane: u32,
         choice: u8,
     ) -> Option<(OpId, u32)> {
+        if defs.is_element(module, op) {
+            return None;
+        }
         match (module.op(op).kind, choice) {
             (OpKind::Load(_), 0) => match defs.get(defs.unrefined(defs.seen(op, lane))) {
                 Def::Stored { value, lane } => Some((value, lane)),

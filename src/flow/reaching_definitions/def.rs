@@ -1,5 +1,6 @@
 //! Definitions, and queries on the reaching definitions of a shader.
 
+use super::place::PlaceSlots;
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, LoopId, Module, OpId, OpKind, Root};
 use shaderlint_semantic::lists::Lists;
@@ -348,10 +349,26 @@ impl ReachingDefinitions {
         id
     }
 
+    /// Whether a value is an element of an array. All elements share their definitions, so that
+    /// these do not identify it.
+    pub fn is_element(&self, module: &Module, op: OpId) -> bool {
+        match module.op(op).kind {
+            OpKind::Load(place) => PlaceSlots::of(module, &self.layout, &self.slots, place)
+                .is_some_and(|spot| spot.is_element),
+            OpKind::Extract(base, _) | OpKind::ExtractComputed { base, .. } => {
+                module.ty(base).is_array()
+            }
+            _ => false,
+        }
+    }
+
     /// The load that a component of a value is a copy of, through swizzles, constructors and the
-    /// like.
+    /// like; `None` for a copy of an array element.
     pub fn through(&self, module: &Module, mut op: OpId, mut lane: u32) -> Option<(OpId, u32)> {
         for _ in 0..16 {
+            if self.is_element(module, op) {
+                return None;
+            }
             if let OpKind::Load(_) = module.op(op).kind {
                 return Some((op, lane));
             }
