@@ -2,6 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::Interval;
+use shaderlint_ir::OpKind;
 use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
 use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Storage};
@@ -67,12 +68,33 @@ fn check(cx: &mut Context, call: &Builtin) {
         }
         None => return,
     };
-    if !is_computed_here(cx, value) {
+    if !is_computed_here(cx, value) || may_be_nan(cx, value) {
         return;
     }
     let place = program.expr_span(value);
     cx.report_expr(call.id, message)
         .label(place, format!("range: {range}"));
+}
+
+/// Whether the value is that of a function outside its domain, such as `sqrt` of a negative number:
+/// a bound then replaces NaN.
+fn may_be_nan(cx: &Context, value: ExprId) -> bool {
+    let (module, ranges) = (cx.facts.module(), cx.facts.ranges());
+    let Some(op) = module.op_of(value) else {
+        return false;
+    };
+    let OpKind::Builtin(function, list) = module.op(op).kind else {
+        return false;
+    };
+    let args = module.operands(list);
+    (0..module.ty(op).components()).any(|lane| {
+        function.undefined().may_hold(|operand| {
+            let arg = *args.get(operand)?;
+            let own = if module.ty(arg).is_scalar() { 0 } else { lane };
+            let range = ranges.lane(arg, own);
+            Some((range.lo.value, range.hi.value))
+        })
+    })
 }
 
 /// How often a bound changes the components of a value; `Sometimes` where they differ.

@@ -12,6 +12,7 @@ mod loops;
 pub mod ranges;
 pub mod reaching_definitions;
 mod same;
+mod slice;
 #[cfg(test)]
 mod test_shader;
 mod trace;
@@ -29,6 +30,7 @@ pub use jumps::{Jump, jump};
 pub use liveness::Liveness;
 pub use loops::{Bound, LoopFacts, Loops};
 pub use same::is_same;
+pub use slice::backward_slice;
 pub use trace::{Start, origin, trace};
 pub use uniformity::{
     Control, ControlId, Divergence, DivergenceId, LoopControls, Uniformity, Varying,

@@ -59,19 +59,20 @@ pub fn sign(x: f32x8) -> f32x8 {
     above - below
 }
 
-/// `min(x, y)`; returns `y` if either is NaN.
+/// `min(x, y)`; the other operand if one is NaN, as the instruction of GPUs returns (`minNum` of
+/// IEEE 754-2008).
 #[inline(always)]
 pub fn min(x: f32x8, y: f32x8) -> f32x8 {
-    x.simd_lt(y).bitselect(x, y)
+    (x.simd_lt(y) | y.simd_ne(y)).bitselect(x, y)
 }
 
-/// `max(x, y)`; returns `y` if either is NaN.
+/// `max(x, y)`; the other operand if one is NaN, as for [`min`].
 #[inline(always)]
 pub fn max(x: f32x8, y: f32x8) -> f32x8 {
-    x.simd_gt(y).bitselect(x, y)
+    (x.simd_gt(y) | y.simd_ne(y)).bitselect(x, y)
 }
 
-/// `clamp(x, low, high)`
+/// `clamp(x, low, high)`; `low` if `x` is NaN.
 #[inline(always)]
 pub fn clamp(x: f32x8, low: f32x8, high: f32x8) -> f32x8 {
     min(max(x, low), high)

@@ -1,6 +1,5 @@
 //! Exponential functions (GLSL ES 3.00 section 8.2), and the hyperbolic functions based on them.
 
-use super::common::{max, min};
 use super::double::{self, exp2 as power_of_2, log2 as logarithm, narrow, widen};
 use super::single::{polynomial, round, scale, sign_of, split};
 use std::f64::consts::{LN_2, LOG2_E};
@@ -26,11 +25,18 @@ fn special_power(x: f32x8, y: f32x8) -> f32x8 {
     exp2(y * log2(x))
 }
 
+/// `x` between `-limit` and `limit`; NaN stays NaN.
+#[inline(always)]
+fn limited(x: f32x8, limit: f32x8) -> f32x8 {
+    let above = x.simd_lt(-limit).bitselect(-limit, x);
+    above.simd_gt(limit).bitselect(limit, above)
+}
+
 /// `exp(x)`
 #[inline]
 pub fn exp(x: f32x8) -> f32x8 {
     // Clamped to the range beyond which the result is 0 or infinite.
-    let x = min(f32x8::splat(128.0), max(f32x8::splat(-128.0), x));
+    let x = limited(x, f32x8::splat(128.0));
     let (integer, bits) = round(x * f32x8::splat(std::f32::consts::LOG2_E));
     // The first part of ln 2 has 14 significant bits, so that the product is exact.
     let r = x - integer * f32x8::splat(LN_2_HIGH) - integer * f32x8::splat(LN_2_LOW);
@@ -49,7 +55,7 @@ pub fn exp(x: f32x8) -> f32x8 {
 #[inline]
 pub fn exp2(x: f32x8) -> f32x8 {
     // Clamped to the range beyond which the result is 0 or infinite.
-    let x = min(f32x8::splat(180.0), max(f32x8::splat(-180.0), x));
+    let x = limited(x, f32x8::splat(180.0));
     let (integer, bits) = round(x);
     let r = x - integer;
     let series = [

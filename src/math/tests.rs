@@ -176,6 +176,22 @@ fn what_is_undefined_is_what_the_browser_makes_of_it() {
 }
 
 #[test]
+fn limits_replace_nan() {
+    let two = f32x8::splat(2.0);
+    exactly(|x| max(x, two), &[(NAN, 2.0), (3.0, 3.0), (1.0, 2.0)]);
+    exactly(|x| max(two, x), &[(NAN, 2.0), (3.0, 3.0), (1.0, 2.0)]);
+    exactly(|x| min(x, two), &[(NAN, 2.0), (3.0, 2.0), (1.0, 1.0)]);
+    exactly(|x| min(two, x), &[(NAN, 2.0), (-INF, -INF)]);
+    exactly(|x| max(x, x), &[(NAN, NAN)]);
+    exactly(
+        |x| clamp(x, f32x8::ZERO, two),
+        &[(NAN, 0.0), (INF, 2.0), (1.5, 1.5)],
+    );
+    exactly(|x| smoothstep(f32x8::ZERO, two, x), &[(NAN, 0.0)]);
+    exactly(|x| step(two, x), &[(NAN, 0.0)]);
+}
+
+#[test]
 fn powers_of_integers_are_exact() {
     for x in 0..=4000 {
         let x = x as f32;

@@ -113,4 +113,24 @@ impl Undefined {
         };
         self.0.iter().any(|case| case.iter().all(is))
     }
+
+    /// Whether the result may be undefined for operands in these closed ranges.
+    pub fn may_hold(self, range: impl Fn(usize) -> Option<(f64, f64)>) -> bool {
+        let is = |test: &OperandTest| {
+            let with = match test.with {
+                ComparedWith::Number(number) => Some((number as f64, number as f64)),
+                ComparedWith::Operand(other) => range(other),
+            };
+            range(test.operand)
+                .zip(with)
+                .is_none_or(|((lo, hi), (least, most))| match test.relation {
+                    Less => lo < most,
+                    LessEqual => lo <= most,
+                    Equal => lo <= most && least <= hi,
+                    Greater => hi > least,
+                    GreaterEqual => hi >= least,
+                })
+        };
+        self.0.iter().any(|case| case.iter().all(is))
+    }
 }

@@ -167,7 +167,8 @@ pub struct ReachingDefinitions {
     pub(super) values: Vec<Option<OpId>>,
     /// By function: whether it is pure.
     pub(super) pure: Vec<bool>,
-    /// By slot of an `out` or `inout` parameter: the definition at the end of the function.
+    /// By slot of an `out` or `inout` parameter: the definition at the end of the function; of an
+    /// output: at the end of the entry point.
     pub(super) exits: FxHashMap<Slot, DefId>,
     /// By slot of a global: all definitions stored there.
     pub(super) global_writes: Lists<DefId>,
@@ -283,7 +284,8 @@ impl ReachingDefinitions {
         Some((*argument, lane))
     }
 
-    /// The definition of a slot of an `out` or `inout` parameter at the end of its function.
+    /// The definition of a slot of an `out` or `inout` parameter at the end of its function, or of
+    /// an output at the end of the entry point.
     pub fn exit(&self, slot: Slot) -> Option<DefId> {
         self.exits.get(&slot).copied()
     }

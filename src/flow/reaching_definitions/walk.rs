@@ -10,7 +10,7 @@ use shaderlint_ir::{
     Run, Visit, length_lane,
 };
 use shaderlint_semantic::lists::Lists;
-use shaderlint_semantic::{FunctionRef, Program};
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::ast::StmtId;
 
 /// Maximum number of definitions and list entries per component of a shader. Beyond it the analysis
@@ -411,11 +411,18 @@ impl<'m> Walker<'m> {
         let Some(found) = module.function(function) else {
             return;
         };
-        for &id in module.parameters(found) {
+        let is_entry = module.entry == Some(function);
+        let outputs = module.variables.iter().zip(0..).filter(|_| is_entry);
+        let outputs = outputs.filter(|(variable, _)| variable.root == Root::Output);
+        let outputs = outputs.map(|(_, number)| VariableId(number));
+        for id in module.parameters(found).iter().copied().chain(outputs) {
             let Some(variable) = module.variable(id) else {
                 continue;
             };
-            if matches!(variable.root, Root::ParameterOut | Root::ParameterInout) {
+            if matches!(
+                variable.root,
+                Root::ParameterOut | Root::ParameterInout | Root::Output
+            ) {
                 for lane in 0..self.defs.layout.lanes(variable.ty) {
                     let slot = self.defs.slot(id, lane);
                     let def = self.get(slot);

@@ -4,7 +4,11 @@ use super::SampleRun;
 use super::bench::colors;
 use crate::context::Context;
 use crate::facts::Facts;
+use rustc_hash::FxHashSet;
 use shaderlint_exec::{CompileOptions, FaultKind, NumberObservation, Watch};
+use shaderlint_flow::backward_slice;
+use shaderlint_ir::{OpId, OpKind};
+use shaderlint_semantic::builtins::Transfer;
 
 /// A pixel with an invalid colour, and the operation that caused it.
 #[derive(Clone, PartialEq, Debug)]
@@ -47,12 +51,41 @@ impl Facts<'_> {
         let mut again = again.filter(|(at, _)| **at == pixel.at);
         let is_same = again.all(|(_, color)| is_hit(&color));
         let numbers = sampled.seen.numbers.into_iter();
-        let mut own = numbers.filter(|n| n.kind == kind && n.witness.pixel == pixel.at);
+        let own = numbers.filter(|n| n.kind == kind && n.witness.pixel == pixel.at);
+        let own: Vec<NumberObservation> = own.collect();
+        let shown = match own.len() {
+            0 | 1 => None,
+            _ => {
+                let carriers = self.carriers(kind);
+                own.iter().find(|n| carriers.contains(&n.op)).cloned()
+            }
+        };
         Some(Culprit {
             share,
             pixel: pixel.at,
             time: instant.time,
-            number: own.next().filter(|_| is_same),
+            number: shown.or_else(|| own.into_iter().next()).filter(|_| is_same),
+        })
+    }
+
+    /// The operations from which such a number may reach the outputs: not those whose result is
+    /// overwritten, unused, or limited afterwards.
+    fn carriers(&self, kind: FaultKind) -> FxHashSet<OpId> {
+        let (module, defs) = (self.module(), self.reaching_definitions());
+        let slots = self.outputs().into_iter().flat_map(|id| {
+            let lanes = module.variable(id).map_or(0, |v| defs.layout.lanes(v.ty));
+            (0..lanes).map(move |lane| (id, lane))
+        });
+        let exits = slots.filter_map(|(id, lane)| defs.exit(defs.slot(id, lane)));
+        backward_slice(module, defs, exits, |op| match module.op(op).kind {
+            OpKind::Binary(operator, ..) => !operator.compares(),
+            OpKind::Same { .. } => false,
+            OpKind::Builtin(function, _) => match function.transfer() {
+                Transfer::Between | Transfer::Threshold | Transfer::Ramp => false,
+                Transfer::Minimum | Transfer::Maximum => kind != FaultKind::Nan,
+                _ => true,
+            },
+            _ => true,
         })
     }
 }
