@@ -230,7 +230,9 @@ impl Query<'_> {
         };
         let variable = self.module.variable(id)?;
         let mut range = match variable.root {
-            Root::Local | Root::Temporary | Root::ParameterOut => return None,
+            Root::Local | Root::Temporary => return None,
+            Root::ParameterOut if variable.ty.is_array() => return None,
+            Root::ParameterOut => return Some(unknown(variable.ty)),
             Root::Uniform | Root::Input => return Some(self.given(slot, source)),
             Root::Parameter | Root::ParameterInout => {
                 let Some(passed) = defs.passed(self.module, slot) else {

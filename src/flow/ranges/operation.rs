@@ -35,7 +35,9 @@ impl Query<'_> {
         };
         match found.kind {
             OpKind::Const(_) => Some(self.number(op, lane)),
-            OpKind::Undef => None,
+            // The elements of an array that are written one after another share their range.
+            OpKind::Undef if found.ty.is_array() => None,
+            OpKind::Undef => Some(unknown(source)),
             OpKind::Unknown | OpKind::Store(..) => Some(unknown(source)),
             OpKind::Load(_) => get(Node::def(defs, defs.seen(op, lane))),
             OpKind::Unary(Unary::Negate, a) => Some(-of(a, lane)?),

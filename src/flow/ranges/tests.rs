@@ -513,3 +513,32 @@ fn elements_of_an_array_are_different_values() {
         void mainImage(out vec4 o, vec2 p) { float a[2] = float[2](p.x, p.y); o = vec4(f(a)); }";
     assert_eq!(range(code), "any number");
 }
+
+#[test]
+fn what_is_not_set_may_be_anything() {
+    check_body("float a; if (x > 0.0) a = 1.0; return a;", "any number");
+    check_body(
+        "float a; for (int i = 0; i < n; i++) { a = 2.0; } return a;",
+        "any number",
+    );
+    check_body(
+        "float a; switch (n) { case 0: a = 1.0; break; case 1: a = 2.0; } return a;",
+        "any number",
+    );
+    check_body(
+        "float a; if (x > 0.0) a = 1.0; else a = 2.0; return a;",
+        "1.0..=2.0",
+    );
+    check_body(
+        "float a[2]; a[0] = 1.0; a[1] = 2.0; return a[n];",
+        "1.0..=2.0",
+    );
+    check_body(
+        "float a; float b = x > 0.0 && v.x > 1.0 ? 1.0 : 2.0; return b;",
+        "1.0..=2.0",
+    );
+    let code = "void f(float x, out float a) { if (x > 0.0) a = 1.0; }
+        void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
+        float test(float x) { float a; f(x, a); return a; }";
+    assert_eq!(range(code), "any number");
+}
