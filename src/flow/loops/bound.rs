@@ -3,7 +3,7 @@
 use super::halving::halves;
 use super::pace::{Pace, Tracer, is_invariant};
 use super::{Bound, FoundLoop, Goes, LoopFacts};
-use crate::ranges::Query;
+use crate::ranges::{Interval, Query};
 use crate::reaching_definitions::condition::each_comparison;
 use crate::reaching_definitions::{Def, DefId};
 use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Root};
@@ -54,6 +54,10 @@ impl FoundLoop {
         };
         for goes in &self.goes {
             self.take(query, &mut made, *goes);
+        }
+        // Unreachable, or every path through the body leaves it.
+        if !query.defs.repeats(self.id) && made.bound.iterations().is_none_or(|n| n > 1) {
+            made.bound = Bound::AtMost(1);
         }
         match made.bound {
             Bound::Exact(iterations) if made.ends_early => made.bound = Bound::AtMost(iterations),
@@ -118,6 +122,10 @@ impl FoundLoop {
         if made.bound == Bound::Open && is_above && halves(query, self.id, side) {
             made.bound = Bound::Ends;
         }
+        let (side, is_size) = match magnitude(query, side) {
+            Some(inner) => (inner, true),
+            None => (side, false),
+        };
         let moved = Tracer::new(query, self.id).value(side, 0)?;
         let Def::Head {
             slot, init, back, ..
@@ -126,7 +134,12 @@ impl FoundLoop {
             return None;
         };
         let mut tracer = Tracer::new(query, self.id);
+        tracer.target = Some(moved.head);
         let iteration = tracer.def(back)?;
+        let pace = match is_size {
+            true => iteration.pace.of_size(relation)?,
+            false => iteration.pace,
+        };
         let all = query.lane(limit, 0);
         let ends = |number: &f64| match relation {
             Relation::Below { .. } => *number >= all.hi.value,
@@ -134,16 +147,17 @@ impl FoundLoop {
             Relation::Not => all.single() == Some(*number),
         };
         let is_there = iteration.head == moved.head
-            && heads_there(relation, iteration.pace)
+            && heads_there(relation, pace, &all)
             && tracer.jumps.iter().all(ends);
         if !is_there || !is_invariant(query, self.id, limit) {
             return None;
         }
         let tests_first = query.module.looped(self.id)?.tests_first;
         let least = u64::from(!tests_first);
-        let iterations = start(query, init, iteration.pace)
-            .zip(end(query, limit, relation, iteration.pace))
-            .and_then(|(start, end)| iterations(start, relation, end, iteration.pace))
+        let iterations = start(query, init, pace)
+            .zip(end(query, limit, relation, pace))
+            .filter(|_| !is_size)
+            .and_then(|(start, end)| iterations(start, relation, end, pace))
             .map(|iterations| iterations.max(least));
         let is_exact = || {
             let is_known = query.lane(limit, 0).single().is_some();
@@ -199,8 +213,45 @@ fn related(query: Query, comparison: OpId, truth: bool) -> Option<(Relation, OpI
     }
 }
 
+/// The operand of `abs`.
+fn magnitude(query: Query, op: OpId) -> Option<OpId> {
+    let module = query.module;
+    let OpKind::Builtin(function, list) = module.op(op).kind else {
+        return None;
+    };
+    let is_magnitude = matches!(function.transfer(), Transfer::Magnitude);
+    module
+        .operands(list)
+        .first()
+        .copied()
+        .filter(|_| is_magnitude)
+}
+
+impl Pace {
+    /// How the absolute value of a counter changes; `None` if it may both grow and shrink.
+    fn of_size(self, relation: Relation) -> Option<Pace> {
+        match (self, relation) {
+            (Pace::Times(by), _) => Some(Pace::Times(by.abs())),
+            // A counter that moves in one direction leaves every interval around zero.
+            (
+                Pace::By {
+                    lo,
+                    hi,
+                    is_invariant,
+                },
+                Relation::Below { .. },
+            ) if lo > LEAST_STEP || hi < -LEAST_STEP => Some(Pace::By {
+                lo: lo.abs().min(hi.abs()),
+                hi: lo.abs().max(hi.abs()),
+                is_invariant,
+            }),
+            _ => None,
+        }
+    }
+}
+
 /// Whether a counter with this step moves towards the limit.
-fn heads_there(relation: Relation, pace: Pace) -> bool {
+fn heads_there(relation: Relation, pace: Pace, limit: &Interval) -> bool {
     match (relation, pace) {
         (
             _,
@@ -217,9 +268,13 @@ fn heads_there(relation: Relation, pace: Pace) -> bool {
         (Relation::Below { .. }, Pace::By { lo, .. }) => lo > LEAST_STEP,
         (Relation::Above { .. }, Pace::By { hi, .. }) => hi < -LEAST_STEP,
         (Relation::Not, Pace::By { lo, hi, .. }) => lo == hi,
-        (Relation::Below { .. }, Pace::Times(by)) => by > 1.0,
-        // Shifted or divided integers reach zero.
-        (Relation::Above { .. } | Relation::Not, Pace::Times(by)) => by < 1.0,
+        // A number that changes its sign and grows passes every limit.
+        (Relation::Below { .. } | Relation::Above { .. }, Pace::Times(by)) if by < -1.0 => true,
+        (_, Pace::Times(by)) if by < 0.0 => false,
+        // Numbers that shrink end at zero: below a positive limit they stay.
+        (Relation::Below { .. }, Pace::Times(by)) => by > 1.0 || by < 1.0 && limit.hi.value <= 0.0,
+        (Relation::Above { .. }, Pace::Times(by)) => by < 1.0 && limit.hi.value >= 0.0,
+        (Relation::Not, Pace::Times(by)) => by < 1.0,
     }
 }
 
@@ -278,7 +333,7 @@ fn is_rising(pace: Pace) -> bool {
 fn iterations(start: f64, relation: Relation, end: f64, pace: Pace) -> Option<u64> {
     let way = match pace {
         Pace::By { lo, hi, .. } if lo == hi => (end - start) / lo,
-        Pace::Times(by) if start > 0.0 && end > 0.0 => (end / start).ln() / by.ln(),
+        Pace::Times(by) if by > 0.0 && start > 0.0 && end > 0.0 => (end / start).ln() / by.ln(),
         Pace::By { .. } | Pace::Times(_) => return None,
     };
     let count = match relation {

@@ -20,7 +20,7 @@ pub(super) enum Pace {
         hi: f64,
         is_invariant: bool,
     },
-    /// It is multiplied by a factor.
+    /// It is multiplied by a factor, which is not zero.
     Times(f64),
 }
 
@@ -80,6 +80,8 @@ impl Pace {
 pub(super) struct Tracer<'x> {
     pub query: Query<'x>,
     pub looped: LoopId,
+    /// The loop head to trace to; any if `None`.
+    pub target: Option<DefId>,
     /// Constants that some iterations assign to the counter, regardless of its value.
     pub jumps: Vec<f64>,
     left: u32,
@@ -90,6 +92,7 @@ impl<'x> Tracer<'x> {
         Tracer {
             query,
             looped,
+            target: None,
             jumps: Vec::new(),
             left: BUDGET,
         }
@@ -178,10 +181,13 @@ impl<'x> Tracer<'x> {
         let defs = self.query.defs;
         let def = defs.unrefined(def);
         match defs.get(def) {
-            Def::Head { of, .. } if of == self.looped => Some(Moved {
-                head: def,
-                pace: Pace::NONE,
-            }),
+            Def::Head { of, .. } if of == self.looped => {
+                let is_target = self.target.is_none_or(|target| target == def);
+                is_target.then_some(Moved {
+                    head: def,
+                    pace: Pace::NONE,
+                })
+            }
             // An inner loop that moves the value in one direction.
             Def::Head { of, init, back, .. } if self.is_inside(def) => {
                 let moved = self.def(init)?;
@@ -253,11 +259,11 @@ impl Moved {
 }
 
 /// The factor that changes a value least: the smallest if all are at least 1, the largest if all
-/// are in 0..1.
+/// are in 0..1; the only one if it is negative.
 fn slowest(range: Interval) -> Option<f64> {
     let (lo, hi) = (range.lo.value, range.hi.value);
     match range.single() {
-        Some(one) => Some(one).filter(|v| *v > 0.0),
+        Some(one) => Some(one).filter(|v| *v != 0.0),
         None if lo >= 1.0 => Some(lo),
         None => Some(hi).filter(|_| lo > 0.0 && hi <= 1.0),
     }

@@ -153,3 +153,49 @@ fn a_step_that_may_be_nothing_ends_nothing() {
         "Open",
     );
 }
+
+#[test]
+fn loops_that_leave_in_their_first_iteration_end() {
+    check(
+        "while (true) { x += 1.0; if (x > 2.0) break; else return; }",
+        "AtMost(1)",
+    );
+    check("do { x *= 2.0; return; } while (x > 0.0);", "AtMost(1)");
+    check(
+        "return; for (float t = 0.0; t < 1.0; t += x) { }",
+        "AtMost(1)",
+    );
+    check("for (;;) { if (x > 2.0) continue; break; }", "Open");
+}
+
+#[test]
+fn factors_and_growing_steps_end() {
+    check("while (x > 1.0) { x /= 10.0; }", "Ends");
+    check("while ((n /= 10) > 0) { x += 1.0; }", "Ends");
+    check("for (float i = 1.0; abs(i) < 100.0; i *= -2.0) { }", "Ends");
+    check("for (float i = 1.0; i < 100.0; i *= -1.5) { }", "Ends");
+    check(
+        "for (float i = -50.0; abs(i) < 100.0; i += 1.0) { }",
+        "Ends",
+    );
+    check("for (float a = x; a < -0.5; a *= 0.5) { }", "Ends");
+    check(
+        "float s = 0.1; for (float t = 0.0; t < 9.0; t += s) { s *= 1.1; }",
+        "Ends",
+    );
+    check(
+        "float s = 0.1; while (x < 9.0) { x += s; s += 0.1; }",
+        "Ends",
+    );
+    check(
+        "for (float a = 0.0, s = 1.0; a < 99.0; a += s, s *= 1.5) { }",
+        "Ends",
+    );
+    check("for (float i = 9.0; i < 100.0; i *= -0.5) { }", "Open");
+    check("for (float a = 1.0; a < 9.0; a *= 0.5) { }", "Open");
+    check("for (float a = 9.0; abs(a) > 1.0; a -= 4.0) { }", "Open");
+    check(
+        "float s = 0.1; while (x < 9.0) { x += s; s *= 0.5; }",
+        "Open",
+    );
+}

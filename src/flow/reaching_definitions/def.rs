@@ -174,6 +174,8 @@ pub struct ReachingDefinitions {
     pub(super) global_writes: Lists<DefId>,
     /// By loop: the range of definitions made in it; the heads are consecutive.
     pub(super) loop_defs: Vec<(DefId, DefId)>,
+    /// By loop: whether an iteration may be followed by another.
+    pub(super) repeats: Vec<bool>,
     pub(super) guards: Vec<Guard>,
     /// By first operation of a range: the innermost guard of the range.
     pub(super) guarded: Vec<(OpId, Option<u32>)>,
@@ -320,6 +322,12 @@ impl ReachingDefinitions {
         let found = self.loop_defs.get(looped.0 as usize).copied();
         let (first, end) = found.unwrap_or((DefId(0), DefId(0)));
         first..end
+    }
+
+    /// Whether an iteration of a loop may be followed by another: the loop is reachable, and some
+    /// path through its body does not leave it.
+    pub fn repeats(&self, looped: LoopId) -> bool {
+        self.repeats.get(looped.0 as usize) == Some(&true)
     }
 
     /// The head definitions of a loop: one for each slot that it carries between iterations.

@@ -221,9 +221,12 @@ impl<'m> Visit<'m> for Walker<'m> {
             self.region(found.test);
             self.test(found.condition, mark, &mut exits);
         }
+        let is_back = self.is_alive && was_alive;
+        if let Some(repeats) = self.defs.repeats.get_mut(id.0 as usize) {
+            *repeats = is_back;
+        }
         for (slot, head) in heads {
             let now = self.get(slot);
-            let is_back = self.is_alive;
             if let Some(Def::Head { init, back, .. }) = self.defs.defs.get_mut(head.0 as usize) {
                 *back = if is_back { now } else { *init };
             }
@@ -333,6 +336,7 @@ impl<'m> Walker<'m> {
                 exits: FxHashMap::default(),
                 global_writes: Lists::default(),
                 loop_defs: vec![(DefId(0), DefId(0)); module.loops.len()],
+                repeats: vec![false; module.loops.len()],
                 guards: Vec::new(),
                 guarded: Vec::new(),
                 is_complete: true,
