@@ -1,10 +1,11 @@
 //! `a == b` on floats when one side is rounded.
 
 use shaderlint_diagnostic::Severity;
+use shaderlint_flow::Varying;
 use shaderlint_flow::ranges::{Interval, Rounding};
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
-use shaderlint_syntax::ast::BinaryOp;
+use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
 pub static RULE: Rule = Rule {
     name: "float-equality",
@@ -64,13 +65,24 @@ fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<EqualityS
         (_, Rounding::Always) => EqualitySide::Right,
         _ => return None,
     };
-    // A comparison with zero guards a division or square root, and the limits of a value are exact.
-    let is_edge =
-        |value: Option<f64>, other: &Interval| value.is_some_and(|v| v == 0.0 || other.holds(v));
-    let is_meant = is_edge(left.single(), &right)
-        || is_edge(right.single(), &left)
+    // A comparison with zero guards a division or square root, and the limits of a value are exact,
+    // as is the first value of a uniform.
+    let is_first = |v: f64, other: &Interval, side: ExprId| {
+        other.lo.value == v && other.lo.is_reached() && is_uniform(cx, side)
+    };
+    let is_edge = |value: Option<f64>, (other, side): (&Interval, ExprId)| {
+        value.is_some_and(|v| v == 0.0 || other.holds(v) || is_first(v, other, side))
+    };
+    let is_meant = is_edge(left.single(), (&right, e.right))
+        || is_edge(right.single(), (&left, e.left))
         || may_be_copies(cx, e, component);
     (!is_meant).then_some(side)
+}
+
+/// Whether all pixels of a frame compute the same value.
+fn is_uniform(cx: &Context, side: ExprId) -> bool {
+    let op = cx.facts.module().op_of(side);
+    op.is_some_and(|op| !cx.facts.uniformity().varies(Varying::Value(op)))
 }
 
 fn may_be_copies(cx: &Context, e: &BinaryExpr, component: u8) -> bool {

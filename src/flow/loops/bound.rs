@@ -6,12 +6,14 @@ use super::{Bound, FoundLoop, Goes, LoopFacts};
 use crate::ranges::{Interval, Query};
 use crate::reaching_definitions::condition::each_comparison;
 use crate::reaching_definitions::{Def, DefId};
-use shaderlint_ir::{Binary, OpId, OpKind, Provenance, Root};
+use shaderlint_ir::{Binary, LoopId, OpId, OpKind, Provenance, Root};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_syntax::ast::ExprId;
 
 /// Smaller steps are taken for zero: they may be lost in rounding when added to a counter.
 const LEAST_STEP: f64 = 1e-9;
+/// Maximum number of parts of a bit test that are visited.
+const MAX_BITS: u32 = 8;
 /// Maximum number of calls through which a limit is followed from parameters to arguments.
 const MAX_CALLS: u32 = 24;
 
@@ -100,6 +102,9 @@ impl FoundLoop {
             }
         });
         for (comparison, truth) in comparisons {
+            if made.bound == Bound::Open && sheds_bits(query, self.id, comparison) {
+                made.bound = Bound::Ends;
+            }
             let Some((relation, left, right)) = related(query, comparison, truth) else {
                 continue;
             };
@@ -181,6 +186,46 @@ impl FoundLoop {
         }
         Some(())
     }
+}
+
+/// Whether a comparison tests bits of a number that each iteration shifts: `(n & 1) == 0`.
+fn sheds_bits(query: Query, looped: LoopId, comparison: OpId) -> bool {
+    let (module, defs) = (query.module, query.defs);
+    let OpKind::Same { left, right, .. } = module.op(comparison).kind else {
+        return false;
+    };
+    let mut todo = [left, right].map(|side| (side, false)).to_vec();
+    for _ in 0..MAX_BITS {
+        let Some((op, is_masked)) = todo.pop() else {
+            break;
+        };
+        match module.op(op).kind {
+            OpKind::Binary(Binary::BitAnd, a, b) => todo.extend([(a, true), (b, true)]),
+            OpKind::Binary(Binary::BitOr | Binary::BitXor, a, b) if is_masked => {
+                todo.extend([(a, true), (b, true)]);
+            }
+            _ if is_masked => {
+                let moved = Tracer::new(query, looped).value(op, 0);
+                let Some(head) = moved.map(|moved| moved.head) else {
+                    continue;
+                };
+                let Def::Head { back, .. } = defs.get(head) else {
+                    continue;
+                };
+                let mut tracer = Tracer::new(query, looped);
+                tracer.target = Some(head);
+                let pace = tracer.def(back).map(|moved| moved.pace);
+                if let Some(Pace::Times(by)) = pace
+                    && tracer.jumps.is_empty()
+                    && (by.abs() >= 2.0 || by.abs() <= 0.5)
+                {
+                    return true;
+                }
+            }
+            _ => {}
+        }
+    }
+    false
 }
 
 /// The relation between the two sides of a comparison that is true or false.

@@ -199,3 +199,18 @@ fn factors_and_growing_steps_end() {
         "Open",
     );
 }
+
+#[test]
+fn loops_that_shift_the_tested_bits_out_end() {
+    check(
+        "uint v = uint(n); while ((v & 1u) == 0u) { v >>= 1u; }",
+        "Ends",
+    );
+    check("while ((n & 4) != 0) { n /= 2; x += 1.0; }", "Ends");
+    check(
+        "uvec2 v = uvec2(n, 8); while (((v.x | v.y) & 1u) == 0u) v >>= 1u;",
+        "Ends",
+    );
+    check("int k = n; while ((n & 1) == 0) { k >>= 1; }", "Open");
+    check("while ((n & 1) == 0) { n -= 2; }", "Open");
+}

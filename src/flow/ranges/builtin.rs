@@ -191,6 +191,8 @@ pub fn of_host(name: &str, component: u8) -> Option<Interval> {
         ("iResolution", _) => from(1.0, Tightness::Loose).exactly(),
         ("iChannelResolution", _) => from(0.0, Tightness::Loose).exactly(),
         ("iChannelTime" | "iSampleRate" | "iFrameRate", _) => from(0.0, Tightness::Loose),
+        // Zero until the first click.
+        ("iMouse", 0 | 1) => from(0.0, Tightness::Touched).exactly(),
         ("iMouse", _) => Interval::ANY.exactly(),
         ("iDate", 1) => Interval::new(0.0, 11.0, Tightness::Touched).exactly(),
         ("iDate", 2) => Interval::new(1.0, 31.0, Tightness::Touched).exactly(),

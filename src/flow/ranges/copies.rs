@@ -2,12 +2,15 @@
 
 use super::Query;
 use crate::reaching_definitions::{Def, DefId, Slot};
+use crate::same::is_same;
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::builtins::Transfer;
 
 /// Maximum number of copies followed per query.
 const MAX_COPIES: usize = 600;
+/// Maximum number of results of operations that are compared with others.
+const MAX_COMPUTED: usize = 8;
 
 /// The origin of a value, copies followed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -17,6 +20,8 @@ enum CopyOrigin {
     Def(DefId),
     /// A slot on entry to the function.
     Entry(Slot),
+    /// The result of an operation.
+    Computed(OpId),
 }
 
 /// A value still to be followed.
@@ -34,7 +39,24 @@ impl Query<'_> {
     /// exact: a variable and a constant assigned to it, or `min(a, b)` and `a`.
     pub fn may_be_copies(&self, a: OpId, b: OpId, lane: u32) -> bool {
         let (left, right) = (self.origins(a, lane), self.origins(b, lane));
-        !left.is_disjoint(&right)
+        if !left.is_disjoint(&right) {
+            return true;
+        }
+        let computed = |origin: &CopyOrigin| match origin {
+            CopyOrigin::Computed(op) => Some(*op),
+            _ => None,
+        };
+        let few = |all: &Origins| -> Vec<OpId> {
+            let found = all.iter().filter_map(computed);
+            found.take(MAX_COMPUTED).collect()
+        };
+        let (left, right) = (few(&left), few(&right));
+        let is_same = |a: &OpId| {
+            right
+                .iter()
+                .any(|b| is_same(self.module, self.defs, *a, *b))
+        };
+        left.iter().any(is_same)
     }
 
     fn origins(&self, op: OpId, lane: u32) -> Origins {
@@ -98,13 +120,17 @@ impl Query<'_> {
                     Transfer::Magnitude | Transfer::Signum | Transfer::Threshold => {
                         todo.extend(args.last().map(|a| own(*a)));
                     }
-                    _ => {}
+                    _ => {
+                        found.insert(CopyOrigin::Computed(op));
+                    }
                 }
             }
-            _ => todo.extend(
-                defs.part_of(module, op, lane)
-                    .map(|(op, lane)| Copy::Lane(op, lane)),
-            ),
+            _ => match defs.part_of(module, op, lane) {
+                Some((op, lane)) => todo.push(Copy::Lane(op, lane)),
+                None => {
+                    found.insert(CopyOrigin::Computed(op));
+                }
+            },
         }
     }
 

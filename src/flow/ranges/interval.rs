@@ -660,6 +660,10 @@ impl Div for Interval {
             (a, b) => a / b,
         });
         let mut range = Interval::made_of(&self, &other, lo, hi);
+        // Zero divided by any number is zero.
+        if self.is_free_of(&other) && sign > 0.0 && self.lo.value == 0.0 {
+            range.lo.tightness = self.lo.tightness;
+        }
         // An unbounded divisor takes the quotient arbitrarily close to zero.
         if sign > 0.0 && self.lo.value > 0.0 && other.hi.value.is_infinite() {
             range.lo.tightness = Tightness::Open;
