@@ -62,11 +62,12 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         _ => return,
     };
     let fix = (is_float && literals && cx.is_direct(e.id)).then(|| {
-        let at = |e| program.expr_span(e).end;
-        let edits = vec![
-            Edit::insert(at(e.left), ".0"),
-            Edit::insert(at(e.right), ".0"),
-        ];
+        let write = |e, value: f64| Edit::replace(program.expr_span(e), format!("{value:?}"));
+        let (x, y) = (a.single(), b.single());
+        let edits = [(e.left, x), (e.right, y)].into_iter();
+        let edits = edits
+            .filter_map(|(e, value)| Some(write(e, value?)))
+            .collect();
         Fix::suggestion("use float literals", edits)
     });
     cx.report_expr(e.id, message)

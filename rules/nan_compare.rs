@@ -25,17 +25,14 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
         return;
     }
     let text = program.expr_text(e.left).to_string();
-    let test = match program.ty(e.left).is_scalar() {
-        true => format!("isnan({text})"),
-        false => format!("any(isnan({text}))"),
-    };
-    let test = match e.op {
-        BinaryOp::Equal => format!("!{test}"),
-        _ => test,
-    };
+    let test = bit_test(
+        e.op == BinaryOp::Equal,
+        program.ty(e.left).components(),
+        &text,
+    );
     let fix = (cx.is_direct(e.id) && program.version == Version::Es300).then(|| {
         let edit = Edit::replace(program.expr_span(e.id), test.clone());
-        Fix::suggestion(format!("use `{test}`"), vec![edit])
+        Fix::suggestion(format!("test the bits: `{test}`"), vec![edit])
     });
     cx.report_expr(e.id, format!("`{text}` is compared with itself"))
         .note(
@@ -43,4 +40,16 @@ fn check(cx: &mut Context, e: &BinaryExpr) {
             undetected",
         )
         .fix(fix);
+}
+
+/// A test for NaN that compilers cannot remove: `isnan` may be assumed to be false, but bits are integers.
+fn bit_test(is_number: bool, components: u32, text: &str) -> String {
+    let bits = format!("floatBitsToUint({text}) & 0x7FFFFFFFu");
+    let limit = "0x7F800000u";
+    match (components, is_number) {
+        (1, true) => format!("({bits}) <= {limit}"),
+        (1, false) => format!("({bits}) > {limit}"),
+        (n, true) => format!("all(lessThanEqual({bits}, uvec{n}({limit})))"),
+        (n, false) => format!("any(greaterThan({bits}, uvec{n}({limit})))"),
+    }
 }

@@ -2,8 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape, remove_statement};
-use shaderlint_semantic::Resolution;
-use shaderlint_semantic::is_dropped;
+use shaderlint_semantic::{Direction, Resolution, Storage, is_dropped};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
@@ -112,6 +111,10 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
                 fix,
             )
         }
+        ExprKind::Binary(op, left, _) if can_assign(cx, op, left, root) => (
+            "result of this operation is unused".to_string(),
+            assignment(cx, left),
+        ),
         ExprKind::Call(_, args) => {
             let name = program.token(inner.extent.first);
             let name = name.map_or("", |t| program.sources.text(t.span));
@@ -133,6 +136,39 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
         _ => ("statement has no effect".to_string(), removal(cx, stmt)),
     };
     cx.report_expr(root, message).fix(fix);
+}
+
+/// Whether `a * b;` could have been meant as `a *= b;`: the left operand is a variable of that type.
+fn can_assign(cx: &Context, op: BinaryOp, left: ExprId, root: ExprId) -> bool {
+    let program = cx.program;
+    let mut place = left;
+    while let ExprKind::Member(inner, _) | ExprKind::Index(inner, _) = program.tree.expr(place).kind
+    {
+        place = inner;
+    }
+    let variable = program.variable_of(place).and_then(|v| program.variable(v));
+    let is_variable = variable.is_some_and(|v| {
+        let is_read_only = matches!(
+            v.storage,
+            Storage::Uniform | Storage::Input | Storage::Param(Direction::ConstIn)
+        );
+        !v.is_const && !is_read_only && v.token.is_some()
+    });
+    let has_assignment = !op.compares() && !op.is_logical();
+    has_assignment && is_variable && program.ty(left) == program.ty(root)
+}
+
+/// `a *= b;` for `a * b;`
+fn assignment(cx: &Context, left: ExprId) -> Option<Fix> {
+    let operator = cx
+        .program
+        .token(cx.program.tree.expr(left).extent.last + 1)?;
+    let title = format!(
+        "did you mean `{}=`?",
+        cx.program.sources.text(operator.span)
+    );
+    let edit = Edit::insert(operator.span.end, "=");
+    Some(Fix::suggestion(title, vec![edit]))
 }
 
 fn removal(cx: &Context, stmt: StmtId) -> Option<Fix> {

@@ -174,3 +174,10 @@ pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
             .filter(move |(_, _, e)| e.extent.last <= extent.last)
     }
 }
+
+/// Whether an integer literal without its suffix is decimal, so that its digits have the same value as
+/// a float.
+pub(crate) fn is_decimal(digits: &str) -> bool {
+    let is_octal = digits.len() > 1 && digits.starts_with('0');
+    !digits.is_empty() && !is_octal && digits.bytes().all(|b| b.is_ascii_digit())
+}

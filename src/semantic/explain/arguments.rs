@@ -246,6 +246,25 @@ impl ExplainContext<'_> {
             titles.push(fix.title);
             edits.extend(fix.edits);
         }
-        Some(Fix::suggestion(titles.join(" and "), edits))
+        Some(Fix::suggestion(joined_title(&titles), edits))
     }
+}
+
+/// One title for several fixes: the verb that all begin with is written once.
+pub(super) fn joined_title(titles: &[String]) -> String {
+    let verb = |title: &str| title.split_inclusive(' ').next().map_or(0, str::len);
+    let mut joined = String::new();
+    let mut before = "";
+    for (i, title) in titles.iter().enumerate() {
+        let (word, rest) = title.split_at(verb(title));
+        let after = match i {
+            0 => "",
+            _ if i + 1 == titles.len() => " and ",
+            _ => ", ",
+        };
+        joined.push_str(after);
+        joined.push_str(if word == before { rest } else { title });
+        before = word;
+    }
+    joined
 }

@@ -250,11 +250,9 @@ impl ExplainContext<'_> {
     ) -> Option<String> {
         let text = self.sources.text(token.span);
         let digits = text.trim_end_matches(['u', 'U']);
-        let is_decimal = digits.bytes().all(|b| b.is_ascii_digit())
-            && (digits == "0" || !digits.starts_with('0'))
-            && !digits.is_empty();
         match (token.kind, to) {
-            (TokenKind::Int | TokenKind::Uint, Scalar::Float) if is_decimal => {
+            // Octal and hexadecimal digits have another value as a float.
+            (TokenKind::Int | TokenKind::Uint, Scalar::Float) if is_decimal(digits) => {
                 Some(format!("{digits}.0"))
             }
             (TokenKind::Int, Scalar::Uint) => Some(format!("{digits}u")),

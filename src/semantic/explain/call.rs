@@ -318,7 +318,7 @@ impl ExplainContext<'_> {
             let fix = expected.scalar_kind().and_then(|s| self.convert(arg, s));
             let Some(fix) = fix else { return d };
             safe &= fix.applicability == shaderlint_diagnostic::Applicability::Safe;
-            titles.push(fix.title.trim_start_matches("use ").to_string());
+            titles.push(fix.title);
             edits.extend(fix.edits);
             if arg != first {
                 d = d.label(
@@ -327,7 +327,7 @@ impl ExplainContext<'_> {
                 );
             }
         }
-        let title = format!("use {}", titles.join(" and "));
+        let title = joined_title(&titles);
         d.fix(if safe {
             Fix::safe(title, edits)
         } else {

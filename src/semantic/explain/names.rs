@@ -271,53 +271,21 @@ impl ExplainContext<'_> {
 
     fn missing_output(&self, text: &str, token: TokenId) -> Diagnostic {
         let line = format!("out vec4 {text};");
-        let d = self
-            .error_at(
-                error::MISSING_OUTPUT,
-                token,
-                format!("output `{text}` is not declared"),
-            )
-            .note("a WebGL2 fragment shader must declare its outputs (section 4.3.6)");
+        let d = self.error_at(
+            error::MISSING_OUTPUT,
+            token,
+            format!("output `{text}` is not declared"),
+        );
+        if self.is_called_by_host() {
+            return d.help("assign to the first parameter of `mainImage` instead");
+        }
+        let d = d.note("a WebGL2 fragment shader must declare its outputs (section 4.3.6)");
         match self.first_declaration() {
             Some(at) => d.fix(Fix::safe(
                 format!("add `{line}`"),
                 vec![Edit::insert(at, format!("{line}\n"))],
             )),
             None => d.help(format!("add `{line}` at the top")),
-        }
-    }
-
-    fn legacy_output(&self, name: Name, token: TokenId) -> Diagnostic {
-        let text = self.text(name);
-        let d = self.error_at(
-            error::LEGACY_GLSL,
-            token,
-            format!("`{text}` was removed in GLSL ES 3.00"),
-        );
-        if self.is_called_by_host() {
-            return d.help("assign to the first parameter of `mainImage` instead");
-        }
-        let d = d.note("a WebGL2 fragment shader must declare its outputs");
-        let output = self
-            .variables
-            .iter()
-            .find(|v| v.storage == Storage::Output && v.token.is_some());
-        if let Some(output) = output {
-            let to = self.text(output.name).to_string();
-            return d.fix(Fix::safe(
-                format!("use the output `{to}`"),
-                self.rename_all(name, &to),
-            ));
-        }
-        let to = self.names.unused("fragColor");
-        let line = format!("out vec4 {to};");
-        let mut edits = self.rename_all(name, &to);
-        match self.first_declaration() {
-            Some(at) if text == "gl_FragColor" && !edits.is_empty() => {
-                edits.push(Edit::insert(at, format!("{line}\n")));
-                d.fix(Fix::safe(format!("add `{line}` and assign to it"), edits))
-            }
-            _ => d.help(format!("add `{line}` at the top and assign to it")),
         }
     }
 
@@ -343,7 +311,7 @@ impl ExplainContext<'_> {
     }
 
     /// Position of the first declaration in the user's text, `precision` statements aside.
-    fn first_declaration(&self) -> Option<u32> {
+    pub(super) fn first_declaration(&self) -> Option<u32> {
         let tree = self.tree;
         let first = tree.items.iter().find_map(|item| {
             let extent = match *item {

@@ -71,7 +71,7 @@ impl ExplainContext<'_> {
         let name = self.name_of(ty);
         let (line, why) = match ty.base {
             Base::Sampler(_) => (
-                format!("precision lowp {name};"),
+                format!("precision highp {name};"),
                 "only `sampler2D` and `samplerCube` have a default precision (section 4.5.4)",
             ),
             _ => (

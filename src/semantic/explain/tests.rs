@@ -171,3 +171,55 @@ fn names_that_are_typos_or_of_other_languages() {
 fn the_side_that_is_written_to() {
     check("1. = f;", "cannot assign to this expression => f = 1.;");
 }
+
+/// Applies the only fix of each shader: `before => after`, or `None` if there is no fix.
+#[test]
+fn fixes_of_whole_shaders() {
+    const VERSION: &str = "#version 300 es\nprecision highp float;\n";
+    let table = [
+        (
+            "out vec4 a[2];\nvoid main() { gl_FragData[1] = vec4(1); a[0] = vec4(1); }",
+            Some("out vec4 a[2];\nvoid main() { a[1] = vec4(1); a[0] = vec4(1); }"),
+        ),
+        (
+            "layout(location = 1) out vec4 b;\nlayout(location = 0) out vec4 a;\n\
+             void main() { gl_FragData[1] = vec4(1); a = vec4(1); }",
+            Some(
+                "layout(location = 1) out vec4 b;\nlayout(location = 0) out vec4 a;\n\
+                 void main() { b = vec4(1); a = vec4(1); }",
+            ),
+        ),
+        (
+            "void main() { gl_FragData[0] = vec4(1); gl_FragData[2] = vec4(0); }",
+            Some(
+                "layout(location = 0) out vec4 fragColor;\n\
+                 layout(location = 2) out vec4 fragColor2;\n\
+                 void main() { fragColor = vec4(1); fragColor2 = vec4(0); }",
+            ),
+        ),
+        (
+            "out vec4 a;\nvoid main() { gl_FragData[2] = vec4(1); a = vec4(0); }",
+            None,
+        ),
+        (
+            "out vec3 a;\nvoid main() { gl_FragColor = vec4(1); a = vec3(0); }",
+            None,
+        ),
+        (
+            "out vec4 a;\nvoid main() { float 2d = 1.; a = vec4(2d); }",
+            Some("out vec4 a;\nvoid main() { float _2d = 1.; a = vec4(_2d); }"),
+        ),
+    ];
+    for (before, expected) in table {
+        let text = format!("{VERSION}{before}");
+        let found = analyze_fragment(&text).diagnostics;
+        let fix = found.iter().find_map(|d| d.fix.as_ref());
+        let after = fix.map(|f| apply_edits(&text, 0, &f.edits).unwrap());
+        let expected = expected.map(|e| format!("{VERSION}{e}"));
+        assert_eq!(after, expected, "{before}");
+        if let Some(after) = after {
+            let left = analyze_fragment(&after).diagnostics;
+            assert!(left.is_empty(), "{after}: {left:?}");
+        }
+    }
+}

@@ -294,7 +294,7 @@ impl<'a> Reader<'a> {
             precision: self.precision(qualifiers, variable.ty),
             is_flat: has(QualifierKind::Flat),
             is_invariant: has(QualifierKind::Invariant),
-            location: location(program, all),
+            location: location(&program.tree, all),
             is_used,
             is_active,
         };
@@ -357,9 +357,9 @@ impl<'a> Reader<'a> {
 }
 
 /// The location given by qualifiers.
-fn location(program: &Program, qualifiers: &[Qualifier]) -> Option<i32> {
+pub fn location(tree: &Tree, qualifiers: &[Qualifier]) -> Option<i32> {
     let entries = qualifiers.iter().filter_map(|q| match q.kind {
-        QualifierKind::Layout(entries) => Some(program.tree.layout(entries)),
+        QualifierKind::Layout(entries) => Some(tree.layout(entries)),
         _ => None,
     });
     let mut locations = entries.flatten().filter_map(|e| e.value);

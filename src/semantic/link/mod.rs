@@ -15,6 +15,7 @@ mod varyings;
 
 use super::Program;
 use errors::{LinkErrors, MAX_ERRORS};
+pub(crate) use interface::location;
 pub use interface::{Block, Interface, InterfaceVariable};
 use shaderlint_diagnostic::{Diagnostic, error};
 

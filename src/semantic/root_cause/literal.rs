@@ -3,6 +3,7 @@
 use super::FaultyShader;
 use super::candidate::RepairCandidate;
 use super::definition::Definition;
+use crate::parsed::is_decimal;
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_syntax::TokenKind;
 use shaderlint_text::Edit;
@@ -29,9 +30,7 @@ impl FaultyShader<'_> {
             let span = piece.token.span;
             let text = self.text(span);
             let (other, is, needs) = match piece.token.kind {
-                TokenKind::Int if text.bytes().all(|b| b.is_ascii_digit()) => {
-                    (format!("{text}.0"), "`int`", "`float`")
-                }
+                TokenKind::Int if is_decimal(text) => (format!("{text}.0"), "`int`", "`float`"),
                 TokenKind::Float => match integral(text) {
                     Some(digits) => (digits.to_string(), "`float`", "`int`"),
                     None => continue,

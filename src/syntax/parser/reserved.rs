@@ -3,7 +3,7 @@
 use super::{Parsed, Parser, Reported};
 use crate::ast::*;
 use crate::language::LanguageProfile;
-use crate::names::Name;
+use crate::names::{Name, Version, WordClass, classify};
 use crate::set::{self, TokenSet};
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
@@ -183,6 +183,34 @@ impl Parser<'_> {
         }
         self.report_reserved(&token);
         self.name_or_call()
+    }
+
+    /// Whether a statement of a newer version of GLSL ES starts here: `switch (...) {`.
+    pub(super) fn at_newer_statement(&self) -> bool {
+        let is_statement = |word| {
+            let class = classify(word, Version::NEWEST);
+            matches!(class, WordClass::Keyword(TokenKind::Switch))
+        };
+        self.is(TokenKind::Reserved)
+            && self.kind(1) == TokenKind::LeftParen
+            && is_statement(self.names.text(Name(self.next().value)))
+    }
+
+    /// Reports a statement of a newer version and skips it.
+    pub(super) fn newer_statement(&mut self) -> StmtKind {
+        let token = self.next();
+        let word = self.names.text(Name(token.value));
+        let name = self.version.profile().name;
+        let message = format!("{name} has no `{word}` statement");
+        let d = Diagnostic::error(error::RESERVED_WORD, token.span, message)
+            .help("use `if` and `else if`, or GLSL ES 3.00");
+        self.report_at(d, &token);
+        self.advance();
+        self.skip_parens();
+        if self.is(TokenKind::LeftBrace) {
+            self.skip_braces();
+        }
+        StmtKind::Error
     }
 
     /// Parses a reserved word used as a type.

@@ -152,6 +152,7 @@ impl Parser<'_> {
             T::While => self.while_statement()?,
             T::Do => self.do_statement()?,
             T::Switch => self.switch_statement()?,
+            T::Reserved if self.at_newer_statement() => self.newer_statement(),
             T::Case => {
                 self.advance();
                 let value = self.root_expression()?;

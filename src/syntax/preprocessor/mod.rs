@@ -27,7 +27,7 @@ use lines::LineCount;
 use macros::Expander;
 use memchr::memchr;
 use number::{bad_number, float, integer};
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, MacroUse, error};
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 
@@ -164,6 +164,8 @@ struct Preprocessor<'a> {
     pasting: bool,
     lines: LineCount,
     bad_words: FxHashSet<Name>,
+    /// Names that start with a digit, and the index of the error about them.
+    numbered_names: FxHashMap<Name, usize>,
     out: Tokens,
     diagnostics: Vec<Diagnostic>,
 }
@@ -209,6 +211,7 @@ impl<'a> Preprocessor<'a> {
             pasting: false,
             lines: LineCount::default(),
             bad_words: FxHashSet::default(),
+            numbered_names: FxHashMap::default(),
             out: Tokens::default(),
             diagnostics: Vec::new(),
         }
@@ -516,6 +519,9 @@ impl<'a> Preprocessor<'a> {
                     .get(..len.unwrap_or(rest.len()))
                     .unwrap_or("")
                     .to_string();
+                if let Some(name) = self.numbered_name(&token, &text) {
+                    return Some(name);
+                }
                 let d = bad_number(&token, &text);
                 self.report_token(d, &token);
                 Some(token)

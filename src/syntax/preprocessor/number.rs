@@ -1,6 +1,6 @@
 //! Values of number literals, and fixes for invalid ones (GLSL ES 3.00 sections 4.1.3 and 4.1.4).
 
-use super::error_at;
+use super::{Preprocessor, error_at};
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_text::Edit;
@@ -88,6 +88,41 @@ pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
             ));
     }
     d
+}
+
+impl Preprocessor<'_> {
+    /// A name that starts with a digit: no number follows a type. It is reported where it is declared,
+    /// with all its uses.
+    pub(super) fn numbered_name(&mut self, token: &Token, text: &str) -> Option<Token> {
+        let is_word = text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+        if !is_word || !token.is_direct() || token.span.len() as usize != text.len() {
+            return None;
+        }
+        let name = self.names.intern(text);
+        let declared = self.numbered_names.get(&name);
+        if let Some(fix) = declared.and_then(|at| self.diagnostics.get_mut(*at)?.fix.as_mut()) {
+            let to = fix.edits.first().map_or(String::new(), |e| e.text.clone());
+            fix.edits.push(Edit::replace(token.span, to));
+        } else {
+            let last = self.out.tokens.last()?;
+            if last.kind != TokenKind::Type {
+                return None;
+            }
+            let free = self.names.unused(&format!("_{text}"));
+            let edits = vec![Edit::replace(token.span, free.clone())];
+            let message = format!("name `{text}` starts with a digit");
+            let d = error_at(error::INVALID_NUMBER, token.span, message)
+                .note("a name starts with a letter or `_` (section 3.9)")
+                .fix(Fix::safe(format!("rename it to `{free}`"), edits));
+            self.numbered_names.insert(name, self.diagnostics.len());
+            self.report(d);
+        }
+        Some(Token {
+            kind: TokenKind::Identifier,
+            value: name.0,
+            ..*token
+        })
+    }
 }
 
 fn rewritten(token: &Token, number: String) -> Fix {
