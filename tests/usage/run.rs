@@ -66,6 +66,15 @@ fn images_are_written_top_row_first() {
     let over = scratch.run(&[&args[..], &["--force", "-o", "a.frag"]].concat());
     assert_eq!(over.code, 2);
     assert!(over.err.contains("a.frag is an input file"), "{}", over.err);
+    for name in ["a.jpg", "a.JPEG", "b.png.webp"] {
+        let other = scratch.run(&[&args[..], &["-o", name]].concat());
+        assert_eq!((other.code, other.out.as_str()), (2, ""), "{name}");
+        assert!(
+            other.err.contains("images are written as PNG"),
+            "{}",
+            other.err
+        );
+    }
 }
 
 #[test]

@@ -63,6 +63,7 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         RunFormat::Human => Format::Human,
         RunFormat::Json => Format::Json,
     };
+    refuse_other_images(args)?;
     let loaded = load(&args.file, args, format)?;
     let mut own = shot(&loaded, &args.setting())?;
     if let Some(path) = &args.compare {
@@ -173,6 +174,23 @@ fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, 
     }
     let code = if facts.same { CLEAN } else { FINDINGS };
     Ok((facts.print(args.format), code))
+}
+
+/// Refuses a file name of another image format, before anything is drawn.
+fn refuse_other_images(args: &RunArgs) -> Result<(), Trouble> {
+    // Input files are refused when the image is written.
+    let Some(path) = args.output.as_ref().filter(|path| **path != args.file) else {
+        return Ok(());
+    };
+    match path.extension() {
+        Some(extension) if !extension.eq_ignore_ascii_case("png") => Err(format!(
+            "{}: images are written as PNG; use `-o {}`",
+            path.display(),
+            path.with_extension("png").display()
+        )
+        .into()),
+        _ => Ok(()),
+    }
 }
 
 /// Writes the image if `-o` is given, and returns its name.
