@@ -9,7 +9,9 @@ use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
 use shaderlint::host::{Feed, presets};
 use shaderlint::lint::sample::{INSTANTS, SIZE, SampleLimit, grouped};
-use shaderlint::lint::{Allow, Check, Fence, FenceKind, Page, Renderer, Rule, Settings};
+use shaderlint::lint::{
+    Allow, Check, Fence, FenceKind, Page, Renderer, Rule, RulePreset, Settings,
+};
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};
@@ -208,7 +210,10 @@ fn head(name: &str, text: &str) -> String {
             format!("**Compile error** \u{b7} **Fix:** {fix} \u{b7} **Since:** {since}")
         }
         Some(rule) => {
-            let default = if rule.is_default() { "on" } else { "off" };
+            let default = match rule.preset {
+                RulePreset::Recommended => "on".to_string(),
+                preset => format!("off (preset `{}`)", preset.name()),
+            };
             let (group, severity) = (rule.group.name(), rule.severity.name());
             let alias = rule.alias();
             let alias = alias.map_or(String::new(), |a| format!(" \u{b7} **Alias:** `{a}`"));
@@ -449,7 +454,7 @@ const TABLES: [Table; 2] = [
 /// A row for each rule. `folder` leads from the file to the pages.
 fn rules(folder: &str) -> String {
     let mut text = String::from(
-        "\n| rule | group | severity | default | fix | summary |\n|---|---|---|---|---|---|\n",
+        "\n| rule | group | severity | preset | fix | summary |\n|---|---|---|---|---|---|\n",
     );
     for rule in RULES {
         let page = Page::new(rule.page);
@@ -462,7 +467,7 @@ fn rules(folder: &str) -> String {
             ),
             rule.group.name().to_string(),
             rule.severity.name().to_string(),
-            if rule.is_default() { "on" } else { "off" }.to_string(),
+            rule.preset.name().to_string(),
             fix,
             page.summary.replace('|', "\\|"),
         ];

@@ -26,6 +26,9 @@ pub struct CheckTool {
     /// Report only these rules, groups and compile errors
     #[serde(default)]
     only: Vec<String>,
+    /// Report infos too, which are only counted otherwise
+    #[serde(default)]
+    info: bool,
 }
 
 impl Tool for CheckTool {
@@ -42,6 +45,9 @@ impl Tool for CheckTool {
         args.option("--stdin-filename", self.name);
         args.option("--dialect", self.dialect);
         args.options("--only", &self.only);
+        if self.info {
+            args.0.push("--info".into());
+        }
         args.0.extend(input.args());
         let done = program.run(args.0, input.text()).await?;
         if done.code == i32::from(FAILED) && done.out.is_empty() {
