@@ -31,7 +31,7 @@ def configuration_changes_are_applied(case):
     same(found[0]["severity"], 2, "the configured severity")
     os.remove(config.path)
     client.watched((config.uri, DELETED))
-    client.published_when(source.uri, lambda d: d and d[0]["severity"] == 3, "removing the configuration has no effect")
+    client.published_when(source.uri, lambda d: d and d[0]["severity"] == 4, "removing the configuration has no effect")
 
 
 @test

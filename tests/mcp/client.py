@@ -226,7 +226,7 @@ async def test_run_reports_errors(tools):
 
 async def test_explain(tools):
     assert (await tools.good("explain", name="sqrt-negative")).startswith("# sqrt-negative\n")
-    assert "did you mean `sqrt-negative`" in await tools.bad("explain", name="sqrt-negativ")
+    assert "did you mean `sqrt-negative`" in await tools.bad("explain", name="sqrt-negatve")
     assert "sqrt-negative" in await tools.good("explain")
 
 
