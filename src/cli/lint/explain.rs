@@ -71,7 +71,7 @@ fn search(words: &[String]) -> Vec<&'static str> {
     if !named.is_empty() {
         return named;
     }
-    let is_about = |name: &&str| page(name).is_some_and(|p| has_all(p));
+    let is_about = |name: &&str| page(name).is_some_and(has_all);
     names().filter(is_about).collect()
 }
 
