@@ -12,7 +12,7 @@ if exists(':CompilerSet') != 2
   command -nargs=* CompilerSet setlocal <args>
 endif
 
-CompilerSet makeprg=shaderlint\ --format\ short\ %:S\ $*
+CompilerSet makeprg=shaderlint\ --info\ --format\ short\ %:S\ $*
 CompilerSet errorformat=%f:%l:%c:\ %trror[%*[^]]]:\ %m
 CompilerSet errorformat+=%f:%l:%c:\ %tarning[%*[^]]]:\ %m
 CompilerSet errorformat+=%f:%l:%c:\ %tnfo[%*[^]]]:\ %m
