@@ -41,7 +41,7 @@ fn is_corner(cx: &Context, op: OpId, lane: u32) -> bool {
     let OpKind::Binary(Binary::Divide, dividend, size) = module.op(made).kind else {
         return false;
     };
-    let lane_of = |op| if module.ty(op).is_scalar() { 0 } else { lane };
+    let lane_of = |op| module.operand_lane(op, lane);
     is_size(cx, size, lane_of(size)) && is_counted(cx, dividend, lane_of(dividend))
 }
 

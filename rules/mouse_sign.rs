@@ -72,7 +72,7 @@ fn unscaled(cx: &Context, mut op: OpId, mut lane: u32) -> Option<Start> {
         let OpKind::Binary(Binary::Divide | Binary::Multiply, a, _) = module.op(made).kind else {
             return None;
         };
-        (op, lane) = (a, if module.ty(a).is_scalar() { 0 } else { at });
+        (op, lane) = (a, module.operand_lane(a, at));
     }
     None
 }

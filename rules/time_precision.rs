@@ -77,7 +77,7 @@ fn factor(cx: &Context, op: OpId, lane: u32, left: &mut u32) -> Option<f64> {
     let Start::Made(made, lane) = origin? else {
         return None;
     };
-    let lane_of = |op| if module.ty(op).is_scalar() { 0 } else { lane };
+    let lane_of = |op| module.operand_lane(op, lane);
     let mut of = |op| factor(cx, op, lane_of(op), left);
     let constant = |op| {
         let range = cx.facts.ranges().lane(op, lane_of(op));

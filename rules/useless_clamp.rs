@@ -90,8 +90,7 @@ fn may_be_nan(cx: &Context, value: ExprId) -> bool {
     (0..module.ty(op).components()).any(|lane| {
         function.undefined().may_hold(|operand| {
             let arg = *args.get(operand)?;
-            let own = if module.ty(arg).is_scalar() { 0 } else { lane };
-            let range = ranges.lane(arg, own);
+            let range = ranges.lane(arg, module.operand_lane(arg, lane));
             Some((range.lo.value, range.hi.value))
         })
     })

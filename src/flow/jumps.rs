@@ -59,12 +59,7 @@ pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> 
 fn is_within(ranges: Query, function: BuiltinId, operands: &[OpId], lane: u32) -> bool {
     let of = |position: usize| {
         let op = *operands.get(position)?;
-        let own = if ranges.module.ty(op).is_scalar() {
-            0
-        } else {
-            lane
-        };
-        Some(ranges.lane(op, own))
+        Some(ranges.lane(op, ranges.module.operand_lane(op, lane)))
     };
     let Some(x) = of(0) else { return false };
     match (function, of(1)) {

@@ -83,11 +83,7 @@ impl Slice<'_> {
                 let keeps_lanes = is_componentwise(kind);
                 module.each_operand(op, |operand| {
                     let all = 0..defs.lanes_of(operand);
-                    let own = if module.ty(operand).is_scalar() {
-                        0
-                    } else {
-                        lane
-                    };
+                    let own = module.operand_lane(operand, lane);
                     let lanes = if keeps_lanes { own..own + 1 } else { all };
                     self.todo
                         .extend(lanes.map(|lane| SlicePoint::Lane(operand, lane)));

@@ -103,11 +103,7 @@ impl Trail<'_> {
         }
         if visit(Start::Made(op, lane)) {
             module.each_operand(op, |operand| {
-                let own = if module.ty(operand).is_scalar() {
-                    0
-                } else {
-                    lane
-                };
+                let own = module.operand_lane(operand, lane);
                 self.todo.push(TracePoint::Lane(operand, own));
             });
         }

@@ -507,6 +507,15 @@ impl Module {
         self.op(id).ty
     }
 
+    /// The component of an operand that component `lane` of a componentwise result depends on: a
+    /// scalar has only one.
+    pub fn operand_lane(&self, operand: OpId, lane: u32) -> u32 {
+        match self.ty(operand).is_scalar() {
+            true => 0,
+            false => lane,
+        }
+    }
+
     /// The origin of an operation.
     pub fn provenance(&self, id: OpId) -> Provenance {
         let origin = self.provenances.get(id.0 as usize);

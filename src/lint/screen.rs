@@ -43,7 +43,7 @@ fn within(facts: &Facts, op: OpId, lane: u32, depth: u32) -> Option<Along> {
         Start::Given(..) => return None,
         Start::Made(made, lane) => (made, lane),
     };
-    let lane_of = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
+    let lane_of = |op: OpId| module.operand_lane(op, lane);
     let of = |op| within(facts, op, lane_of(op), rest);
     // A value that is the same for all pixels.
     let shared = |op| {

@@ -79,7 +79,7 @@ impl Query<'_> {
 
     fn copied(&self, op: OpId, lane: u32, todo: &mut Vec<Copy>, found: &mut Origins) {
         let (module, defs) = (self.module, self.defs);
-        let own = |op: OpId| Copy::Lane(op, if module.ty(op).is_scalar() { 0 } else { lane });
+        let own = |op: OpId| Copy::Lane(op, module.operand_lane(op, lane));
         match module.op(op).kind {
             OpKind::Const(_) => {
                 let value = module.constant(op).get(lane as usize);

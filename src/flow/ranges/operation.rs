@@ -308,7 +308,7 @@ impl Query<'_> {
             Some(node) => get(node),
             None => Some(Interval::ANY),
         };
-        let own = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
+        let own = |op: OpId| module.operand_lane(op, lane);
         let all = |op: OpId| 0..module.ty(op).components().min(4);
         let every = args.iter().filter(|_| mixes(transfer));
         let every = every.flat_map(|&arg| all(arg).map(move |lane| (arg, lane)));

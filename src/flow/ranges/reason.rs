@@ -185,7 +185,7 @@ impl Query<'_> {
         use Transfer as T;
         let module = self.module;
         let stop = Back::Stop(op, Giver::Builtin(function));
-        let own = |op: OpId| if module.ty(op).is_scalar() { 0 } else { lane };
+        let own = |op: OpId| module.operand_lane(op, lane);
         let args = module.operands(list);
         let mut nodes = args
             .iter()

@@ -274,7 +274,7 @@ fn argument(
 ) -> Option<(OpId, u32)> {
     let arg = *args.get(choice as usize)?;
     let length = || Some((arg, length_lane(module.ty(arg)).unwrap_or(0)));
-    let own_lane = if module.ty(arg).is_scalar() { 0 } else { lane };
+    let own_lane = module.operand_lane(arg, lane);
     match (function.transfer(), choice) {
         (Transfer::Norm, 0) => length(),
         (Transfer::Product, 0) => match args {
