@@ -1,7 +1,7 @@
 //! Definitions, and queries on the reaching definitions of a shader.
 
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{Access, Layout, LoopId, Module, OpId, OpKind, PlaceId, Root};
+use shaderlint_ir::{Layout, LoopId, Module, OpId, OpKind, Root};
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::List;
@@ -356,38 +356,6 @@ impl ReachingDefinitions {
             id = self.unrefined(self.seen(value, lane));
         }
         id
-    }
-
-    /// Whether a value is an element of an array. All elements share their definitions, so that
-    /// these do not identify it.
-    pub fn is_element(&self, module: &Module, op: OpId) -> bool {
-        match module.op(op).kind {
-            OpKind::Load(place) => self.is_element_place(module, place),
-            OpKind::Extract(base, _) | OpKind::ExtractComputed { base, .. } => {
-                module.ty(base).is_array()
-            }
-            _ => false,
-        }
-    }
-
-    fn is_element_place(&self, module: &Module, place: PlaceId) -> bool {
-        let place = module.place(place);
-        let Some(variable) = module.variable(place.variable) else {
-            return false;
-        };
-        let mut ty = variable.ty;
-        for access in module.path(place) {
-            match *access {
-                Access::Member(number) => match self.layout.part(ty, number) {
-                    Some(part) => ty = part.ty,
-                    None => return false,
-                },
-                // After an array, or a column of a matrix, no other array follows.
-                Access::Element(_) | Access::Computed(_) => return ty.is_array(),
-                Access::Lanes(_) => return false,
-            }
-        }
-        false
     }
 
     /// The load that a component of a value is a copy of, through swizzles, constructors and the

@@ -1,7 +1,7 @@
 //! Maps places to slots.
 
-use super::def::Slot;
-use shaderlint_ir::{Access, Lanes, Layout, Module, PlaceId, column_lanes};
+use super::def::{ReachingDefinitions, Slot};
+use shaderlint_ir::{Access, Lanes, Layout, Module, OpId, OpKind, PlaceId, column_lanes};
 use shaderlint_semantic::Type;
 
 /// The slots that a place may refer to.
@@ -129,5 +129,30 @@ impl PlaceSlots {
         let picked = lanes.numbers().iter().fold(0u8, |mask, n| mask | 1 << n);
         let all = lanes.count() == rows && picked == (1u8 << rows) - 1;
         all.then_some(Slot(first.0 + rows as u32))
+    }
+}
+
+impl ReachingDefinitions {
+    /// Whether a value is an element of an array. All elements share their definitions, so that
+    /// these do not identify it.
+    pub fn is_element(&self, module: &Module, op: OpId) -> bool {
+        match module.op(op).kind {
+            OpKind::Load(place) => self.is_element_place(module, place),
+            OpKind::Extract(base, _) | OpKind::ExtractComputed { base, .. } => {
+                module.ty(base).is_array()
+            }
+            _ => false,
+        }
+    }
+
+    fn is_element_place(&self, module: &Module, place: PlaceId) -> bool {
+        match PlaceSlots::of(module, &self.layout, &self.slots, place) {
+            Some(spot) => spot.is_element,
+            // What has no components, such as a sampler, is indexed in arrays only.
+            None => {
+                let mut path = module.path(module.place(place)).iter();
+                path.any(|access| matches!(access, Access::Element(_) | Access::Computed(_)))
+            }
+        }
     }
 }
