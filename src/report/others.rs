@@ -1,6 +1,6 @@
 //! Messages, with the other places of a mistake in words.
 
-use super::place::{clean, location_name};
+use super::place::{clean, list, location_name};
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::{Sources, Span};
 
@@ -39,32 +39,25 @@ pub(super) fn others(sources: &Sources, diagnostic: &Diagnostic) -> Option<Strin
     if all.is_empty() {
         return None;
     }
+    let line = |span: Span| line(sources, span, diagnostic.span);
     let is_same = all.iter().all(|l| l.message == diagnostic.message);
     if !is_same {
-        let places = all.iter().map(|l| named(sources, l.span, diagnostic.span));
-        return Some(format!("also {}", list(places.collect())));
+        let places = all.iter().map(|l| named(sources, l.span, line(l.span)));
+        return Some(format!("also {}", list(places, MAX_PLACES)));
     }
-    let mut lines: Vec<String> = all
-        .iter()
-        .map(|l| line(sources, l.span, diagnostic.span))
-        .collect();
+    let own = line(diagnostic.span);
+    let mut lines: Vec<String> = all.iter().map(|l| line(l.span)).collect();
     lines.dedup();
-    lines.retain(|l| *l != line(sources, diagnostic.span, diagnostic.span));
-    Some(match lines.len() {
-        0 => "also elsewhere in this line".to_string(),
-        1 => format!("also in line {}", list(lines)),
-        _ => format!("also in lines {}", list(lines)),
-    })
-}
-
-/// `a, b, 3 more`
-fn list(mut places: Vec<String>) -> String {
-    let more = places.len().saturating_sub(MAX_PLACES);
-    places.truncate(MAX_PLACES);
-    if more > 0 {
-        places.push(format!("{more} more"));
-    }
-    places.join(", ")
+    lines.retain(|l| *l != own);
+    let noun = match lines.len() {
+        0 => return Some("also elsewhere in this line".to_string()),
+        1 => "line",
+        _ => "lines",
+    };
+    Some(format!(
+        "also in {noun} {}",
+        list(lines.into_iter(), MAX_PLACES)
+    ))
 }
 
 /// The line of a span, with its file if that differs from the file of `beside`.
@@ -79,8 +72,8 @@ fn line(sources: &Sources, span: Span, beside: Span) -> String {
 }
 
 /// Short code with its line, or the line alone.
-fn named(sources: &Sources, span: Span, beside: Span) -> String {
-    let (text, line) = (sources.text(span), line(sources, span, beside));
+fn named(sources: &Sources, span: Span, line: String) -> String {
+    let text = sources.text(span);
     match text.chars().count() <= MAX_CODE && !text.contains('\n') {
         true => format!("`{}` (line {line})", clean(text)),
         false => format!("line {line}"),

@@ -26,6 +26,16 @@ pub(super) fn location_name(sources: &Sources, span: Span) -> String {
     }
 }
 
+/// `a, b, 3 more`: at most `max` of some names or places.
+pub(super) fn list(names: impl ExactSizeIterator<Item = String>, max: usize) -> String {
+    let more = names.len().saturating_sub(max);
+    let mut listed: Vec<String> = names.take(max).collect();
+    if more > 0 {
+        listed.push(format!("{more} more"));
+    }
+    listed.join(", ")
+}
+
 /// Replaces control characters, invisible characters and bidirectional overrides, with which a
 /// terminal could show other text. Replacements keep the length in bytes.
 pub(super) fn clean(text: &str) -> String {

@@ -1,5 +1,6 @@
 //! The summary: what was checked, what was found, and where rules did not run.
 
+use super::place::list;
 use shaderlint_diagnostic::{Diagnostic, Severity, count};
 use std::collections::BTreeSet;
 
@@ -229,10 +230,6 @@ impl Summary {
                 true => format!("`{function}`"),
                 false => format!("`{function}` in {file}"),
             };
-            let mut names: Vec<String> = functions.iter().take(MAX_NAMES).map(name).collect();
-            if functions.len() > MAX_NAMES {
-                names.push(format!("{} more", functions.len() - MAX_NAMES));
-            }
             let cause = match self.errors + self.hidden + self.known {
                 0 => "unknown names",
                 _ => "errors",
@@ -240,7 +237,7 @@ impl Summary {
             lines.push(format!(
                 "Rules skipped {} with {cause}: {}",
                 count(functions.len(), "function"),
-                names.join(", ")
+                list(functions.iter().map(name), MAX_NAMES)
             ));
         }
         if self.skipped_shaders > 0 {
@@ -255,13 +252,9 @@ impl Summary {
                 n => format!("{n} files are shader fragments"),
             };
             let names = self.open_names.iter().map(|n| format!("`{n}`"));
-            let mut names: Vec<String> = names.take(MAX_NAMES).collect();
-            if self.open_names.len() > MAX_NAMES {
-                names.push(format!("{} more", self.open_names.len() - MAX_NAMES));
-            }
             lines.push(format!(
                 "{files} using names from a host: {}; set `[host]` in shaderlint.toml to check them",
-                names.join(", ")
+                list(names, MAX_NAMES)
             ));
         }
         lines
