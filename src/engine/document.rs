@@ -185,12 +185,12 @@ fn try_check(
 
 /// Drops the infos that are only counted, and counts them.
 fn count_infos(settings: &Settings, diagnostics: &mut Vec<Diagnostic>) -> usize {
-    let is_hidden = |d: &Diagnostic| !settings.shows(d.rule, d.severity);
-    let counted = diagnostics
-        .iter()
-        .filter(|d| is_hidden(d) && settings.reports(d.rule));
-    let counted = counted.count();
-    diagnostics.retain(|d| !is_hidden(d));
+    let mut counted = 0;
+    diagnostics.retain(|d| {
+        let is_shown = settings.shows(d.rule, d.severity);
+        counted += usize::from(!is_shown && settings.reports(d.rule));
+        is_shown
+    });
     counted
 }
 

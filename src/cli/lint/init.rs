@@ -1,11 +1,9 @@
 //! `init`: writes a configuration to start from.
 
 use super::super::command::{CLEAN, FAILED, complain};
+use super::super::config::FILE;
 use std::fs::OpenOptions;
 use std::io::{self, Write};
-
-/// The name of the configuration.
-const NAME: &str = "shaderlint.toml";
 
 /// The configuration, which changes nothing until it is edited.
 const TEXT: &str = r#"# `shaderlint schema` prints all keys, `shaderlint rules` all rules.
@@ -30,16 +28,16 @@ preset = "recommended"
 /// # Errors
 /// If the file cannot be written.
 pub fn run() -> io::Result<u8> {
-    let file = OpenOptions::new().write(true).create_new(true).open(NAME);
+    let file = OpenOptions::new().write(true).create_new(true).open(FILE);
     match file {
         Ok(mut file) => file.write_all(TEXT.as_bytes())?,
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-            complain(&format!("{NAME} exists already; it was not changed"));
+            complain(&format!("{FILE} exists already; it was not changed"));
             return Ok(FAILED);
         }
-        Err(error) => return Err(io::Error::new(error.kind(), format!("{NAME}: {error}"))),
+        Err(error) => return Err(io::Error::new(error.kind(), format!("{FILE}: {error}"))),
     }
-    writeln!(io::stdout().lock(), "Created {NAME}")?;
+    writeln!(io::stdout().lock(), "Created {FILE}")?;
     Ok(CLEAN)
 }
 
