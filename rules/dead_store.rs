@@ -90,11 +90,9 @@ fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, assignment
     let name = program.variable(variable).map(|v| v.name);
     let name = name.map_or("", |n| program.names.text(n));
     let extent = program.tree.expr(assignment).extent;
-    let next =
-        facts.writes().all().iter().find(|(write, v)| {
-            *v == variable && program.tree.expr(*write).extent.first > extent.last
-        });
-    let next = next.map(|(write, _)| program.expr_span(*write));
+    let writes = facts.writes().to(variable);
+    let next = writes.partition_point(|w| program.tree.expr(*w).extent.first <= extent.last);
+    let next = writes.get(next).map(|write| program.expr_span(*write));
     // The last update of a running value is redundant, but harmless; so is a constant that is
     // overwritten later.
     let is_step = facts

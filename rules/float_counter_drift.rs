@@ -39,8 +39,7 @@ fn check(cx: &mut Context, id: StmtId) {
         return;
     };
     // A counter that is changed elsewhere counts differently.
-    let writes = cx.facts.writes().all().iter();
-    let writes = writes.filter(|(_, v)| *v == counted.counter).count();
+    let writes = cx.facts.writes().to(counted.counter).len();
     let own = 1 + usize::from(counted.is_set);
     if iterations == meant || writes != own {
         return;

@@ -40,7 +40,7 @@ fn check(cx: &mut Context, id: ExprId) {
             .find(|p| overlap(*p, part));
         let text = program.expr_text(arg).to_string();
         if twin.is_some() {
-            if !is_read(cx, id, callee, arg) {
+            if !is_read(cx, id, arg) {
                 return;
             }
             cx.report_expr(
@@ -93,22 +93,23 @@ fn is_global(cx: &Context, id: VariableId) -> bool {
 
 /// Whether the value that a call writes to an argument is read; a variable may only collect outputs
 /// that are not needed.
-fn is_read(cx: &Context, id: ExprId, callee: FunctionRef, arg: ExprId) -> bool {
+fn is_read(cx: &Context, id: ExprId, arg: ExprId) -> bool {
     let (module, defs, live) = (
         cx.facts.module(),
         cx.facts.reaching_definitions(),
         cx.facts.liveness(),
     );
-    let mut calls = cx.facts.calls().calls_of(callee);
     let ExprKind::Call(_, args) = cx.program.tree.expr(id).kind else {
         return true;
     };
     let position = cx.program.tree.args(args).iter().position(|a| *a == arg);
-    let call = calls.find(|call| call.expr == id);
-    call.zip(position).is_none_or(|(call, position)| {
-        let mut lanes = 0..defs.layout.lanes(cx.program.ty(arg));
-        lanes.any(|lane| live.is_taken(module, call.op, position, lane))
-    })
+    module
+        .op_of(id)
+        .zip(position)
+        .is_none_or(|(call, position)| {
+            let mut lanes = 0..defs.layout.lanes(cx.program.ty(arg));
+            lanes.any(|lane| live.is_taken(module, call, position, lane))
+        })
 }
 
 /// Whether the body of a function names a variable.

@@ -5,6 +5,9 @@ use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
+/// Longest expression that a fix repeats, in bytes.
+const MAX_LENGTH: usize = 200;
+
 pub static RULE: Rule = Rule {
     name: "needless-bool",
     group: Group::Tidy,
@@ -58,11 +61,11 @@ fn literal(cx: &Context, id: ExprId) -> Option<bool> {
 /// Reports that `expression` can be replaced by `value`, or by its negation where `truth` is false.
 fn report(cx: &mut Context, (expression, message): (ExprId, &str), value: ExprId, truth: bool) {
     let program = cx.program;
-    if !cx.is_direct(expression) {
-        return;
-    }
     let tree = &program.tree;
     let text = program.expr_text(value);
+    if !cx.is_direct(expression) || text.len() > MAX_LENGTH {
+        return;
+    }
     let is_short = matches!(
         tree.expr(value).kind,
         ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Paren(_) | ExprKind::Call(..)

@@ -48,8 +48,8 @@ fn check(cx: &mut Context, id: FunctionRef) {
             continue;
         }
         let own = program.names.text(function.name);
-        let write = facts.writes().all().iter().find(|(_, v)| *v == variable);
-        let write = write.map(|(write, _)| program.expr_span(*write));
+        let write = facts.writes().to(variable).first();
+        let write = write.map(|write| program.expr_span(*write));
         let message = format!("`{own}` overwrites parameter `{name}` before reading it");
         let finding = cx.report(Extent::token(token), message);
         if let Some(write) = write {

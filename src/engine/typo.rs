@@ -2,17 +2,22 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::{Lexer, RawKind, Version, WordClass, classify};
+use std::cell::Cell;
 
 /// Minimum length in bytes of names that are compared; in shorter names each letter matters.
 const SHORTEST: usize = 4;
 /// Maximum number of letters of names that may differ by one edit only; longer ones may differ by
 /// two.
 const MOST_OF_ONE: usize = 9;
+/// Number of names that all words of a text together are compared with.
+const MAX_COMPARED: usize = 50_000;
 
 /// The words of a text.
 pub struct Vocabulary<'t> {
     counts: FxHashMap<&'t str, usize>,
     declared: FxHashSet<&'t str>,
+    /// Number of names that may still be compared.
+    budget: Cell<usize>,
 }
 
 impl<'t> Vocabulary<'t> {
@@ -21,6 +26,7 @@ impl<'t> Vocabulary<'t> {
         let mut found = Vocabulary {
             counts: FxHashMap::default(),
             declared: FxHashSet::default(),
+            budget: Cell::new(MAX_COMPARED),
         };
         let mut before = "";
         for (_, token) in TextTokens::of(code) {
@@ -41,8 +47,11 @@ impl<'t> Vocabulary<'t> {
         self.counts.get(word).copied().unwrap_or(0)
     }
 
-    /// The declared name that is closest to a word, if the word looks like a typo of it.
+    /// The declared name that is closest to a word, if the word looks like a typo of it. `None` after
+    /// as many comparisons as a text with thousands of names needs.
     pub fn nearest(&self, word: &str) -> Option<&'t str> {
+        self.budget
+            .set(self.budget.get().checked_sub(self.declared.len())?);
         let near = self.declared.iter().copied().filter(|n| is_typo(word, n));
         let by_distance = near.map(|n| (strsim::damerau_levenshtein(n, word), n));
         by_distance.min().map(|(_, name)| name)

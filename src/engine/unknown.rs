@@ -135,10 +135,10 @@ fn meant(span: Span, near: &str) -> Fix {
 fn report_inactive(checked: &mut Checked, vocabulary: &Vocabulary, hosts: &Hosts) {
     let program = &checked.program;
     let (sources, tokens) = (&program.sources, &program.tokens);
-    let groups = tokens.inactive.iter().filter(|span| {
-        let is_open = || tokens.undecided.iter().any(|group| group.contains(**span));
-        sources.is_user(span.start) && is_open()
-    });
+    let groups = tokens
+        .inactive
+        .iter()
+        .filter(|span| sources.is_user(span.start) && tokens.is_undecided(**span));
     for group in groups {
         for (at, word) in variables(sources.text(*group)) {
             let is_known = program.names.get(word).is_some()

@@ -12,6 +12,8 @@ pub struct Writes {
     all: Vec<(ExprId, VariableId)>,
     /// By expression: the variables that the expression itself writes to.
     by_expr: Lists<VariableId>,
+    /// By variable: the expressions that write to it, in source order.
+    by_variable: Lists<ExprId>,
     /// By variable: the expressions that write to it and whose own value is unused, in source
     /// order.
     idle: Lists<ExprId>,
@@ -40,6 +42,7 @@ impl Writes {
         let mut writes = Writes {
             all: all.iter().map(|w| (w.expr, w.variable)).collect(),
             by_expr: Lists::of(program.tree.exprs.len(), pairs()),
+            by_variable: by_variable(program, &all, count),
             idle: Lists::default(),
             read: vec![false; count],
             changes: vec![false; count],
@@ -94,6 +97,11 @@ impl Writes {
         self.by_expr.get(expr.0)
     }
 
+    /// The expressions that write to a variable, in source order.
+    pub fn to(&self, variable: VariableId) -> &[ExprId] {
+        self.by_variable.get(variable.0)
+    }
+
     /// Whether a variable is written to after its declaration.
     pub fn changes(&self, variable: VariableId) -> bool {
         let found = self.changes.get(variable.0 as usize);
@@ -109,6 +117,13 @@ impl Writes {
     pub fn idle(&self, variable: VariableId) -> &[ExprId] {
         self.idle.get(variable.0)
     }
+}
+
+fn by_variable(program: &Program, all: &[Write], count: usize) -> Lists<ExprId> {
+    let start = |write: &Write| program.tree.expr(write.expr).extent.first;
+    let mut sorted: Vec<&Write> = all.iter().collect();
+    sorted.sort_by_key(|write| start(write));
+    Lists::of(count, sorted.iter().map(|w| (w.variable.0, w.expr)))
 }
 
 fn mark(all: &mut [bool], variable: VariableId) {

@@ -4,7 +4,8 @@ use super::broken::Broken;
 use super::inactive_words::InactiveWords;
 use super::march::{March, marches};
 use super::sample::{SampleCache, Supplier};
-use super::words::count;
+use super::words::counts;
+use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use shaderlint_flow::reaching_definitions::ReachingDefinitions;
@@ -95,6 +96,7 @@ pub struct Facts<'a> {
     program: &'a Program,
     known: Arc<CachedFacts>,
     inactive_words: OnceCell<InactiveWords<'a>>,
+    word_counts: OnceCell<FxHashMap<&'a str, u32>>,
     pub(super) samples: SampleCache<'a>,
     /// Context of the shader.
     pub around: ShaderContext<'a>,
@@ -109,6 +111,7 @@ impl<'a> Facts<'a> {
             program,
             known: known.clone(),
             inactive_words: OnceCell::new(),
+            word_counts: OnceCell::new(),
             samples: SampleCache::default(),
             around: ShaderContext::default(),
             broken: Broken::default(),
@@ -400,8 +403,9 @@ impl<'a> Facts<'a> {
     }
 
     /// Number of occurrences of a word in the user's files, without comments.
-    pub fn count(&self, word: &str) -> usize {
-        count(self.program, word)
+    pub fn count(&self, word: &str) -> u32 {
+        let counts = self.word_counts.get_or_init(|| counts(self.program));
+        counts.get(word).copied().unwrap_or(0)
     }
 
     /// Addresses of the last file: its declarations can be used in it only. An earlier file, such as

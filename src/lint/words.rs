@@ -1,31 +1,15 @@
 //! Words in a text.
 
+use rustc_hash::FxHashMap;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{Lexer, RawKind};
-use shaderlint_text::{Role, SourceFile, Span};
+use shaderlint_text::{Role, Span};
 
-/// Number of occurrences of a word in the user's files, without comments.
-pub fn count(program: &Program, word: &str) -> usize {
-    let tokens = &program.tokens;
-    let is_comment = |address: u32| {
-        let next = tokens.comments.partition_point(|c| c.start <= address);
-        let before = next.checked_sub(1).and_then(|i| tokens.comments.get(i));
-        before.is_some_and(|c| address < c.end)
-    };
-    let in_file = |file: &SourceFile| {
-        let is_part = |c: u8| c.is_ascii_alphanumeric() || c == b'_' || c >= 0x80;
-        let at = |i: usize| file.text.as_bytes().get(i).copied();
-        let found = file.text.match_indices(word).filter(|(start, _)| {
-            let before = start.checked_sub(1).and_then(at);
-            let after = at(start + word.len());
-            let is_word = !before.is_some_and(is_part) && !after.is_some_and(is_part);
-            is_word && !is_comment(file.base + *start as u32)
-        });
-        found.count()
-    };
-    let mut total = 0;
+/// Number of occurrences of each word in the user's files, without comments.
+pub fn counts(program: &Program) -> FxHashMap<&str, u32> {
+    let mut counts = FxHashMap::default();
     let mut done = Span::default();
-    for token in &tokens.tokens {
+    for token in &program.tokens.tokens {
         // Tokens come file by file.
         if !done.is_empty() && done.contains(token.span) {
             continue;
@@ -35,10 +19,10 @@ pub fn count(program: &Program, word: &str) -> usize {
         };
         done = file.span();
         if file.role == Role::User {
-            total += in_file(file);
+            each_word(&file.text, |word| *counts.entry(word).or_default() += 1);
         }
     }
-    total
+    counts
 }
 
 /// Calls `visit` with each word of a text, without comments.

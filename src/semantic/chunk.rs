@@ -77,7 +77,12 @@ pub(super) fn keep_certain(
         part.is_certain(d, is_torn)
     });
     let dropped = count - diagnostics.len();
-    let is_undecided = part.undecided.iter().any(|g| part.is_user(*g));
+    let is_undecided = part
+        .program
+        .tokens
+        .undecided
+        .iter()
+        .any(|g| part.is_user(*g));
     let is_any = dropped > 0 || is_undecided;
     let is_names_only = dropped == unknown.len() && !is_undecided && !is_torn;
     unknown.sort_by_key(|d| d.span.start);
@@ -103,8 +108,6 @@ struct ChunkReader<'p> {
     ambiguous: FxHashSet<Name>,
     /// Calls of macros with an empty body.
     empty_calls: Vec<Span>,
-    /// Outermost groups that depend on names of the host.
-    undecided: Vec<Span>,
 }
 
 impl<'p> ChunkReader<'p> {
@@ -112,7 +115,6 @@ impl<'p> ChunkReader<'p> {
         let tokens = program.tokens.tokens.iter().zip(0..);
         let mut places: Vec<(Span, u32)> = tokens.map(|(t, i)| (t.span, i)).collect();
         places.sort_by_key(|(span, _)| span.start);
-        let undecided = outermost(&program.tokens.undecided);
         let place = |f: &Function| {
             let ident = program.tree.function(f.declaration)?.ident;
             Some((f.name, program.token(ident.token)?.span))
@@ -123,8 +125,7 @@ impl<'p> ChunkReader<'p> {
             places,
             known: known_names(program),
             own_functions: program.functions.iter().filter_map(place).collect(),
-            ambiguous: ambiguous_names(program, &undecided),
-            undecided,
+            ambiguous: ambiguous_names(program),
             empty_calls: empty_calls(program),
         }
     }
@@ -253,7 +254,7 @@ impl<'p> ChunkReader<'p> {
             }
             error::BAD_DIRECTIVE => self.is_bad_everywhere(d.span),
             // All its members may be in groups.
-            error::INVALID_STRUCT => self.undecided.is_empty(),
+            error::INVALID_STRUCT => self.program.tokens.undecided.is_empty(),
             // Some hosts rename `main`.
             error::RETURN_TYPE => !is_torn && !self.is_in_main(d.span),
             error::INVALID_PARAMETER => !is_torn,
@@ -484,7 +485,7 @@ impl<'p> ChunkReader<'p> {
 
     /// Whether a position is in a group that the host may skip.
     fn is_undecided(&self, span: Span) -> bool {
-        !span.is_empty() && holds(&self.undecided, span)
+        !span.is_empty() && self.program.tokens.is_undecided(span)
     }
 
     /// Whether the function with its name or header at a position contains a group that the host
@@ -494,7 +495,13 @@ impl<'p> ChunkReader<'p> {
         let around = functions
             .map(|f| self.program.span(f.extent))
             .find(|extent| extent.contains(span));
-        around.is_none_or(|extent| self.undecided.iter().any(|g| extent.contains(*g)))
+        around.is_none_or(|extent| {
+            self.program
+                .tokens
+                .undecided
+                .iter()
+                .any(|g| extent.contains(*g))
+        })
     }
 
     /// Whether an error says that no overload of a user-defined function matches.
@@ -559,9 +566,10 @@ fn empty_calls(program: &Program) -> Vec<Span> {
 }
 
 /// Names that a skipped group declares differently than the fragment does, or as a macro.
-fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
+fn ambiguous_names(program: &Program) -> FxHashSet<Name> {
     let mut found = FxHashSet::default();
-    if undecided.is_empty() || program.tokens.inactive.is_empty() {
+    let tokens = &program.tokens;
+    if tokens.undecided.is_empty() || program.tokens.inactive.is_empty() {
         return found;
     }
     // Declared names, each with the word of its type.
@@ -580,7 +588,7 @@ fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
     }
     let is_user = |span: &Span| program.sources.is_user(span.start);
     let inactive = program.tokens.inactive.iter();
-    for span in inactive.filter(|s| is_user(s) && holds(undecided, **s)) {
+    for span in inactive.filter(|s| is_user(s) && tokens.is_undecided(**s)) {
         for (before, word) in word_pairs(program.sources.text(*span)) {
             let Some(name) = program.names.get(word) else {
                 continue;
@@ -595,26 +603,6 @@ fn ambiguous_names(program: &Program, undecided: &[Span]) -> FxHashSet<Name> {
         }
     }
     found
-}
-
-/// Groups that are not inside other groups, in source order.
-fn outermost(groups: &[Span]) -> Vec<Span> {
-    let mut all = groups.to_vec();
-    all.sort_by_key(|g| (g.start, std::cmp::Reverse(g.end)));
-    let mut outer: Vec<Span> = Vec::new();
-    for group in all {
-        if outer.last().is_none_or(|last| group.start >= last.end) {
-            outer.push(group);
-        }
-    }
-    outer
-}
-
-/// Whether one of the spans, which are ordered and do not overlap, contains another.
-fn holds(spans: &[Span], inner: Span) -> bool {
-    let after = spans.partition_point(|s| s.start <= inner.start);
-    let before = after.checked_sub(1).and_then(|i| spans.get(i));
-    before.is_some_and(|s| s.contains(inner))
 }
 
 /// Whether a word before a name means that it is not declared there.

@@ -3,6 +3,7 @@
 use super::moment::{Button, Moment, Mouse};
 use super::player::{player_draw, player_gives};
 use super::scene::GivenUniforms;
+use rustc_hash::FxHashSet;
 use shaderlint_exec::{Bytecode, Draw};
 use shaderlint_host::{Feed, Preset};
 use shaderlint_lint::sample::{Instant, Supplier};
@@ -16,6 +17,8 @@ pub(crate) struct Supply<'p> {
     /// The host that the user names.
     host: Option<&'static Preset>,
     given: OnceCell<GivenUniforms>,
+    /// The uniforms and varyings whose values every page sets alike.
+    certain_names: OnceCell<FxHashSet<String>>,
 }
 
 impl<'p> Supply<'p> {
@@ -24,7 +27,22 @@ impl<'p> Supply<'p> {
             program,
             host,
             given: OnceCell::new(),
+            certain_names: OnceCell::new(),
         }
+    }
+
+    fn certain_names(&self) -> &FxHashSet<String> {
+        self.certain_names.get_or_init(|| {
+            let bound = &self.given().bound;
+            let varyings = bound.varyings.iter().map(|v| v.place.to_string());
+            let mut certain: FxHashSet<String> = varyings.collect();
+            for guessed in &bound.guessed {
+                certain.remove(guessed);
+            }
+            let fed = bound.uniforms.iter().filter(|u| is_certain(u.source));
+            certain.extend(fed.map(|u| u.name.to_string()));
+            certain
+        })
     }
 
     fn given(&self) -> &GivenUniforms {
@@ -46,13 +64,7 @@ impl Supplier for Supply<'_> {
         if self.program.dialect.is_shadertoy() {
             return player_gives(name) || is_built_in(name);
         }
-        let bound = &self.given().bound;
-        let mut fed = bound.uniforms.iter().filter(|u| u.name == name);
-        let is_guessed = bound.guessed.iter().any(|guessed| guessed == name);
-        let mut varyings = bound.varyings.iter();
-        fed.any(|u| is_certain(u.source))
-            || is_built_in(name)
-            || !is_guessed && varyings.any(|v| v.place == name)
+        is_built_in(name) || self.certain_names().contains(name)
     }
 }
 

@@ -415,24 +415,27 @@ impl<'m> Walker<'m> {
         let Some(found) = module.function(function) else {
             return;
         };
-        let is_entry = module.entry == Some(function);
-        let outputs = module.variables.iter().zip(0..).filter(|_| is_entry);
-        let outputs = outputs.filter(|(variable, _)| variable.root == Root::Output);
-        let outputs = outputs.map(|(_, number)| VariableId(number));
-        for id in module.parameters(found).iter().copied().chain(outputs) {
-            let Some(variable) = module.variable(id) else {
-                continue;
-            };
-            if matches!(
-                variable.root,
-                Root::ParameterOut | Root::ParameterInout | Root::Output
-            ) {
-                for lane in 0..self.defs.layout.lanes(variable.ty) {
-                    let slot = self.defs.slot(id, lane);
-                    let def = self.get(slot);
-                    self.open_exits.push((slot, def));
-                }
+        for id in module.parameters(found) {
+            let root = module.variable(*id).map(|variable| variable.root);
+            if let Some(Root::ParameterOut | Root::ParameterInout) = root {
+                self.record_exit(*id);
             }
+        }
+        // Only the entry function, of which there is one, leaves with the outputs of the shader.
+        if module.entry == Some(function) {
+            let outputs = module.variables.iter().zip(0..);
+            let outputs = outputs.filter(|(variable, _)| variable.root == Root::Output);
+            outputs.for_each(|(_, number)| self.record_exit(VariableId(number)));
+        }
+    }
+
+    /// Records the value of a variable at a function exit.
+    fn record_exit(&mut self, id: VariableId) {
+        let ty = self.module.variable(id).map(|variable| variable.ty);
+        for lane in 0..ty.map_or(0, |ty| self.defs.layout.lanes(ty)) {
+            let slot = self.defs.slot(id, lane);
+            let def = self.get(slot);
+            self.open_exits.push((slot, def));
         }
     }
 

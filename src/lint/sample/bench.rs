@@ -53,6 +53,10 @@ const LEAST_PIXELS: u64 = 512;
 const MOST_CODE: f64 = 40_000.0;
 /// Most instructions of its bytecode.
 const MOST_INSTRUCTIONS: usize = 60_000;
+/// Most uniforms and most varyings of a shader that is run: four times as many as common devices
+/// link. Each of them is set by name in every draw.
+const MOST_UNIFORMS: usize = 4 * 1_024;
+const MOST_VARYINGS: usize = 4 * 32;
 /// Number of quads for the cost estimate: enough to fill the lanes three times.
 const PRICED: usize = 24;
 /// Most instructions of 32 pixels if the user sets the number of pixels.
@@ -86,9 +90,13 @@ impl Bench {
             watch: Watch::Faults,
             ..CompileOptions::default()
         };
+        let code = facts.compiled(&options)?;
+        if code.uniforms.len() > MOST_UNIFORMS || code.inputs.len() > MOST_VARYINGS {
+            return None;
+        }
         let pixels = u64::from(limit.pixels);
         let mut bench = Bench {
-            code: facts.compiled(&options)?,
+            code,
             quads: 0,
             fuel: MOST_FUEL,
             budget: u64::MAX,

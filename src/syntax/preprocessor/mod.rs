@@ -30,6 +30,7 @@ use number::{bad_number, float, integer};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, MacroUse, error};
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
+use std::sync::OnceLock;
 
 /// Maximum number of tokens from all macro expansions of one shader.
 const MAX_EXPANDED: usize = 1_000_000;
@@ -53,8 +54,8 @@ pub struct Tokens {
     /// Spans skipped by conditional directives, from the end of one directive to the start of the
     /// next.
     pub inactive: Vec<Span>,
-    /// Groups from `#if` to `#endif` whose condition tests an undefined name. Include guards are
-    /// not listed.
+    /// Groups from `#if` to `#endif` whose condition tests an undefined name, in source order, without
+    /// those inside another one. Include guards are not listed.
     pub undecided: Vec<Span>,
     /// All `#extension` directives, in source order.
     pub extensions: Vec<ExtensionUse>,
@@ -65,6 +66,9 @@ pub struct Tokens {
     /// The NUL character that ends the shader before its text ends; the browser ignores what
     /// follows.
     pub cut: Option<Span>,
+    /// The numbers of the tokens that macro calls supplied, in order. Determined on the first
+    /// question, when the tokens are final.
+    expanded: OnceLock<Vec<u32>>,
 }
 
 /// An `#extension NAME : behavior` directive.
@@ -102,11 +106,24 @@ pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Pre
         version: pp.version,
         tokens: Tokens {
             macros: pp.macros,
+            undecided: outermost(std::mem::take(&mut pp.out.undecided)),
             ..pp.out
         },
         names: pp.names,
         diagnostics: pp.diagnostics,
     }
+}
+
+/// The groups that are not inside other groups, in source order.
+fn outermost(mut groups: Vec<Span>) -> Vec<Span> {
+    groups.sort_by_key(|g| (g.start, std::cmp::Reverse(g.end)));
+    let mut end = 0;
+    groups.retain(|group| {
+        let is_outer = group.start >= end;
+        end = end.max(group.end);
+        is_outer
+    });
+    groups
 }
 
 /// The `value` of a `Bad` token: what is wrong with it.

@@ -13,8 +13,21 @@ const MAX_TOKENS: usize = 4_000;
 impl Tokens {
     /// Whether the tokens from `first` to `last` are in the source text, outside any macro call.
     pub fn are_direct(&self, first: u32, last: u32) -> bool {
-        let tokens = self.tokens.get(first as usize..=last as usize);
-        tokens.is_some_and(|all| all.iter().all(Token::is_direct))
+        let expanded = self.expanded.get_or_init(|| {
+            let all = (0..).zip(&self.tokens);
+            let expanded = all.filter(|(_, token)| !token.is_direct());
+            expanded.map(|(number, _)| number).collect()
+        });
+        let next = expanded.partition_point(|number| *number < first);
+        let is_within = (last as usize) < self.tokens.len();
+        is_within && expanded.get(next).is_none_or(|number| *number > last)
+    }
+
+    /// Whether a host decides if the code at a span is compiled.
+    pub fn is_undecided(&self, span: Span) -> bool {
+        let next = self.undecided.partition_point(|s| s.start <= span.start);
+        let before = next.checked_sub(1).and_then(|i| self.undecided.get(i));
+        before.is_some_and(|s| s.contains(span))
     }
 
     /// Source span of the tokens from `first` to `last`: if one macro body supplied all of them,
