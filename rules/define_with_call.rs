@@ -100,7 +100,8 @@ fn fix(cx: &Context, definition: &Macro, ty: Type) -> Option<Fix> {
         .filter(|m| m.name == definition.name)
         .count()
         == 1;
-    if !is_only || program.version != Version::Es300 {
+    let is_taken = program.variables.iter().any(|v| v.name == definition.name);
+    if !is_only || is_taken || program.version != Version::Es300 {
         return None;
     }
     let (first, last) = (definition.body.first()?, definition.body.last()?);

@@ -7,6 +7,7 @@ mod formatting;
 mod hostile;
 mod media;
 mod naga;
+mod offers;
 mod other_languages;
 mod pages;
 mod port;

@@ -22,7 +22,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// What an example is written for: a shader of its own, or common code of ShaderToy.
-fn choice(name: &str, code: &str) -> DialectChoice {
+pub(super) fn choice(name: &str, code: &str) -> DialectChoice {
     let is_glsl = name.ends_with(".glsl");
     match guess(code).kind {
         None if is_glsl => DialectChoice::Shadertoy,
