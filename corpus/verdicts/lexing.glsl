@@ -88,7 +88,7 @@ int a = b;
 //: accepted, 100: a line continued after a backslash in GLSL ES 1.00
 int a = \
 1;
-//: refused 3 missing-main: a comment that never ends
+//: refused 3 unterminated-comment: a comment that never ends
 int a; /* no end
 //: refused 1 syntax-error: comments do not nest
 /* a /* b */ int c; */

@@ -152,7 +152,7 @@ int 1 @ ' 08
 #if 0
 /* #endif */
 #endif
-//: refused 5 unbalanced-conditional: an unclosed comment in a closed branch
+//: refused 5 unterminated-comment: an unclosed comment in a closed branch
 #if 0
 /*
 #endif
@@ -330,7 +330,7 @@ int a = A(1, 2);
 int a;
 //: refused 1 bad-directive: an unknown directive
 #unknown
-//: refused 1 token-paste: `#` after code
+//: refused 1 syntax-error: `#` after code
 int a; #define A
 //: accepted: #pragma of whatever
 #pragma whatever at all

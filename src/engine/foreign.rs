@@ -1,12 +1,12 @@
 //! Shaders in languages that WebGL cannot compile: desktop GLSL, HLSL, Metal, WGSL. Each gets one
-//! finding without a fix.
+//! finding.
 
 use super::input::SplitInput;
 use super::options::{Desktop, Options};
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_text::embed::Embedded;
 use shaderlint_text::kind::{Decision, Evidence, ShaderLanguage, reason};
-use shaderlint_text::{FileId, Span};
+use shaderlint_text::{Edit, FileId, Span};
 
 /// Whether desktop GLSL is checked as GLSL ES 3.00.
 pub fn is_ported(language: ShaderLanguage, options: &Options) -> bool {
@@ -75,6 +75,7 @@ fn report(
         let message = format!("`#version {}` is not supported by WebGL2", version.number);
         return Diagnostic::error(kind, span, message)
             .note("desktop GLSL for OpenGL or Vulkan is not checked further")
+            .fix(Fix::suggestion("use `#version 300 es`", vec![Edit::replace(span, "#version 300 es")]))
             .help("set `desktop = \"port\"` in shaderlint.toml to check it as GLSL ES 3.00, or `desktop = \"skip\"` to skip it");
     }
     let sign = evidence.first_sign(language).unwrap_or(0..0);

@@ -311,17 +311,31 @@ fn end_lines_alike(edits: &mut [Edit], text: &str) {
     }
 }
 
+/// Maximum number of comments among which a copy is searched.
+const MAX_COPIES: usize = 2_000;
+
 /// Replaces a fix that would remove a comment with a help of the same words. `comments` are in the order
 /// of the text.
 pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diagnostic) {
+    // A copy of a comment may be removed with the copy of its code.
+    let is_copied = |c: &Span, edit: &Edit| {
+        let others = comments.iter().filter(|o| !edit.span.contains(**o));
+        let mut others = others.take(MAX_COPIES);
+        edit.text.is_empty()
+            && edit.span.contains(*c)
+            && others.any(|o| sources.text(*o) == sources.text(*c))
+    };
     let loses = |edit: &Edit| {
         let first = comments.partition_point(|c| c.end <= edit.span.start);
         let touched = comments.iter().skip(first);
         let mut touched = touched.take_while(|c| c.start < edit.span.end);
-        touched.any(|c| {
-            let text = sources.text(*c);
-            text.is_empty() || !edit.text.contains(text) || !edit.span.contains(*c)
-        })
+        // An insertion loses nothing.
+        !edit.span.is_empty()
+            && touched.any(|c| {
+                let text = sources.text(*c);
+                (text.is_empty() || !edit.text.contains(text) || !edit.span.contains(*c))
+                    && !is_copied(c, edit)
+            })
     };
     if let Some(fix) = diagnostic.fix.take_if(|f| f.edits.iter().any(loses)) {
         diagnostic.help.push(fix.title);

@@ -12,6 +12,9 @@ impl Explain for EntryError {
                 .help("declare it as `void main()`")
         };
         match self {
+            E::Missing if c.main_in_another_case().is_some() => c
+                .main_in_another_case()
+                .unwrap_or_else(|| missing("`main` function not found")),
             E::Missing => missing("`main` function not found")
                 .note("execution starts at `void main()` (section 6.1)"),
             E::MissingCalled(entry) => missing(&format!("`{}` function not found", entry.name))
@@ -27,8 +30,11 @@ impl Explain for EntryError {
                 c.error(error::MAINIMAGE_SIGNATURE, at, message)
                     .help(format!("declare it as `{}`", entry.signature))
             }
-            E::MainParameters => main("`main` must not have parameters"),
-            E::MainReturns => main("`main` must return `void`"),
+            E::MainParameters => {
+                let d = main("`main` must not have parameters");
+                d.fix(c.main_without_parameters(at))
+            }
+            E::MainReturns => main("`main` must return `void`").fix(c.main_without_value(at)),
         }
     }
 }
@@ -40,6 +46,98 @@ impl ExplainContext<'_> {
         self.sources
             .code_at(end)
             .map_or(Span::default(), |f| Span::at(f.base))
+    }
+
+    /// A function that differs from `main` by a letter or its case.
+    fn main_in_another_case(&self) -> Option<Diagnostic> {
+        let is_near = |name: &str| {
+            let name = name.to_ascii_lowercase();
+            strsim::damerau_levenshtein(&name, "main") <= 1
+        };
+        let mut functions = self.tree.functions.iter().filter(|f| f.body.is_some());
+        let found = functions.find(|f| {
+            is_near(self.text(f.ident.name)) && self.tree.ty(f.ty).base == TypeBase::Void
+        })?;
+        let token = self.token(found.ident.token);
+        let name = self.text(found.ident.name);
+        let message = format!("expected function `main`, found `{name}`");
+        let d = Diagnostic::error(error::MISSING_MAIN, token.span, message)
+            .note("execution starts at `void main()` (section 6.1)");
+        let fix = || Fix::suggestion("use `main`", self.rename_all(found.ident.name, "main"));
+        Some(d.fix(token.is_direct().then(fix)))
+    }
+
+    /// The function whose header these tokens are.
+    fn function_at(&self, at: Extent) -> Option<&FunctionDecl> {
+        let mut all = self.tree.functions.iter();
+        all.find(|f| f.header.first <= at.first && at.first <= f.header.last)
+    }
+
+    /// `void main(out vec4 color, in vec2 p)`, as `mainImage` is declared: the parameters become an
+    /// output and a variable.
+    fn main_without_parameters(&self, at: Extent) -> Option<Fix> {
+        let function = self.function_at(at)?;
+        let body = self.tree.stmt(function.body?).extent;
+        if self.stage != Stage::Fragment
+            || !self.has(Feature::InOut)
+            || !self.is_direct(function.header)
+        {
+            return None;
+        }
+        let (mut before, mut inside) = (String::new(), String::new());
+        for param in self.tree.params(function.params) {
+            let qualifiers = self.tree.qualifiers(param.qualifiers);
+            let is_out = qualifiers.iter().any(|q| q.kind == QualifierKind::Out);
+            let ty = self.sources.text(self.span(self.tree.ty(param.ty).extent));
+            let name = self.text(param.ident?.name);
+            match (is_out, ty) {
+                (true, "vec4" | "vec3") => before += &format!("out {ty} {name};\n"),
+                (false, "vec2") => inside += &format!("\n    vec2 {name} = gl_FragCoord.xy;"),
+                _ => return None,
+            }
+        }
+        let header = self.span(function.header);
+        let edits = vec![
+            Edit::replace(header, format!("{before}void main()")),
+            Edit::insert(self.token_span(body.first).end, inside),
+        ];
+        Some(Fix::suggestion(
+            "declare the output and read `gl_FragCoord`",
+            edits,
+        ))
+    }
+
+    /// `int main() { ...; return 0; }`
+    fn main_without_value(&self, at: Extent) -> Option<Fix> {
+        let function = self.function_at(at)?;
+        let extent = function.extent;
+        if !self.is_direct(extent) {
+            return None;
+        }
+        let mut edits = vec![Edit::replace(
+            self.span(self.tree.ty(function.ty).extent),
+            "void",
+        )];
+        for stmt in &self.tree.stmts {
+            let is_inside = extent.first <= stmt.extent.first && stmt.extent.last <= extent.last;
+            let StmtKind::Return(Some(value)) = stmt.kind else {
+                continue;
+            };
+            if !is_inside {
+                continue;
+            }
+            // Only a value without effect is dropped.
+            self.literal_token(value)?;
+            let place = Span::new(
+                self.token_span(stmt.extent.first).end,
+                self.expr_span(value).end,
+            );
+            edits.push(Edit::delete(place));
+        }
+        Some(Fix::suggestion(
+            "use `void`, and `return` without a value",
+            edits,
+        ))
     }
 
     /// Adds the `main` that calls `mainImage`.

@@ -21,7 +21,17 @@ impl Explain for FunctionError {
                 let message =
                     format!("function `{name}` is defined twice with the same parameters");
                 let d = c.error(error::REDEFINITION, at, message);
-                c.with_declaration(d, first, "first defined here")
+                let d = c.with_declaration(d, first, "first defined here");
+                let copy = first.and_then(|first| c.identical_copy(first, at.first));
+                match copy {
+                    Some(copy) => d
+                        .note("both definitions are identical")
+                        .fix(Fix::suggestion(
+                            "remove this copy",
+                            vec![Edit::delete(copy)],
+                        )),
+                    None => d,
+                }
             }
             E::NoReturn(name, expected) => {
                 let (name, expected) = (c.text(name), c.name_of(expected));
@@ -71,6 +81,31 @@ impl Explain for FunctionError {
 }
 
 impl<'a> ExplainContext<'a> {
+    /// The text of the second of two functions if both consist of the same tokens.
+    fn identical_copy(&self, first: TokenId, second: TokenId) -> Option<Span> {
+        let around = |token: TokenId| {
+            let mut all = self.tree.functions.iter().filter(|f| f.body.is_some());
+            all.find(|f| f.extent.first <= token && token <= f.extent.last)
+        };
+        let (first, second) = (around(first)?.extent, around(second)?.extent);
+        let len = second.last - second.first;
+        let is_equal = |i: TokenId| {
+            let (a, b) = (self.token(first.first + i), self.token(second.first + i));
+            (a.kind, a.value) == (b.kind, b.value)
+        };
+        let is_copy =
+            first != second && first.last - first.first == len && self.affords(len as usize);
+        if !is_copy || !self.is_direct(second) || !(0..=len).all(is_equal) {
+            return None;
+        }
+        // With the blank lines before it.
+        let span = self.span(second);
+        let before = self.token_span(second.first.checked_sub(1)?);
+        let gap = Span::new(before.end, span.start);
+        let is_blank = before.end <= span.start && self.sources.text(gap).trim().is_empty();
+        Some(if is_blank { gap.to(span) } else { span })
+    }
+
     pub(super) fn function_name(&self, function: FunctionRef) -> &'a str {
         let function = self.functions.get(function.0 as usize);
         function.map_or("", |f| self.text(f.name))

@@ -23,9 +23,11 @@ impl Explain for InterfaceError {
             E::OutputMatrix => report("a fragment shader output cannot be a matrix"),
             E::NotFlat(storage) => {
                 let word = if storage.is_input() { "in" } else { "out" };
-                report(&format!(
+                let d = report(&format!(
                     "an integer passed between stages must be `flat {word}`"
-                ))
+                ));
+                d.note("integers are not interpolated (section 4.3.9)")
+                    .fix(c.make_flat(at))
             }
             E::ArrayOfStructs => report("an array of structs cannot be passed between stages"),
             E::ArrayInside => {
@@ -36,5 +38,33 @@ impl Explain for InterfaceError {
             }
             E::BoolInside => report("a struct containing a `bool` cannot be passed between stages"),
         }
+    }
+}
+
+impl ExplainContext<'_> {
+    /// Adds `flat` to the declaration that contains these tokens, in place of `smooth`.
+    fn make_flat(&self, at: Extent) -> Option<Fix> {
+        let holds = |d: &&Declaration| d.extent.first <= at.first && at.last <= d.extent.last;
+        let decl = self.tree.decls.iter().find(holds)?;
+        let DeclKind::Variables { qualifiers, .. } = decl.kind else {
+            return None;
+        };
+        let qualifiers = self.tree.qualifiers(qualifiers);
+        if !self.is_direct(decl.extent) {
+            return None;
+        }
+        let smooth = qualifiers.iter().find(|q| q.kind == QualifierKind::Smooth);
+        let storage = qualifiers.iter().find(|q| {
+            matches!(
+                q.kind,
+                QualifierKind::In | QualifierKind::Out | QualifierKind::Centroid
+            )
+        });
+        let edit = match (smooth, storage) {
+            (Some(smooth), _) => Edit::replace(self.span(smooth.extent), "flat"),
+            (None, Some(storage)) => Edit::insert(self.span(storage.extent).start, "flat "),
+            (None, None) => return None,
+        };
+        Some(Fix::suggestion("add `flat`", vec![edit]))
     }
 }

@@ -23,7 +23,10 @@ struct OutputUse {
 impl ExplainContext<'_> {
     pub(super) fn legacy_output(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
-        let message = format!("`{text}` was removed in GLSL ES 3.00");
+        let message = match text {
+            "gl_FragColor" | "gl_FragData" => format!("`{text}` was removed in GLSL ES 3.00"),
+            _ => format!("`{text}` is not declared, and GLSL ES 3.00 has no `gl_FragColor`"),
+        };
         let d = self.error_at(error::LEGACY_GLSL, token, message);
         if self.is_called_by_host() {
             return d.help("assign to the first parameter of `mainImage` instead");

@@ -31,6 +31,10 @@ impl ExplainContext<'_> {
                 let message = format!("arrays have no member `{text}`");
                 let d = self.error_at(error::NO_SUCH_FIELD, token, message);
                 match text {
+                    LENGTH if self.token(token).is_direct() => {
+                        let edit = Edit::insert(self.token_span(token).end, "()");
+                        d.fix(Fix::safe("use `.length()`", vec![edit]))
+                    }
                     LENGTH => d.help("use `.length()`"),
                     _ => d.help("index an element first: `a[0]`"),
                 }
@@ -170,6 +174,15 @@ impl ExplainContext<'_> {
             false => d,
         };
         let fix = self.method_as_call(id, object, name, args);
+        let fix = fix.or_else(|| {
+            let is_size =
+                matches!(text, "size" | "count" | "len") && ty.is_array() && args.len == 0;
+            let is_direct = self.is_direct(self.tree.expr(id).extent);
+            let start = self.expr_span(object).end + 1;
+            let name = Span::new(start, start + text.len() as u32);
+            (is_size && is_direct && self.sources.text(name) == text)
+                .then(|| Fix::safe("use `length()`", vec![Edit::replace(name, LENGTH)]))
+        });
         let fix = fix.or_else(|| {
             let is_swizzle = ty.is_vector() && typing::components(text).is_some();
             let after = self.expr_span(object).end + 1 + text.len() as u32;

@@ -8,6 +8,7 @@
 mod arguments;
 mod array;
 mod assign;
+mod block;
 mod call;
 mod calls;
 mod constant;

@@ -24,6 +24,13 @@ const OUTPUT_NAMES: &[&str] = &[
     "finalColor",
 ];
 
+/// Whether a name is a typo of `gl_FragColor`.
+fn is_near_output(name: &str) -> bool {
+    const OUTPUT: &str = "gl_fragcolor";
+    let is_like = name.len().abs_diff(OUTPUT.len()) <= 1 && name.starts_with("gl");
+    is_like && strsim::damerau_levenshtein(&name.to_ascii_lowercase(), OUTPUT) <= 1
+}
+
 impl Explain for NameError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         match self {
@@ -76,7 +83,11 @@ impl ExplainContext<'_> {
             format!("`{text}` is a {what}, not a variable"),
         );
         let declared = self.declaration_token(name, binding);
-        self.with_declaration(d, declared, "declared here")
+        let d = self.with_declaration(d, declared, "declared here");
+        match binding {
+            Binding::Block(_) => self.advise_block(d.clone(), name, token).unwrap_or(d),
+            _ => d,
+        }
     }
 
     /// A variable that is not declared.
@@ -220,6 +231,7 @@ impl ExplainContext<'_> {
         }
         match text {
             "gl_FragColor" | "gl_FragData" if is_fragment => Some(self.legacy_output(name, token)),
+            _ if is_fragment && is_near_output(text) => Some(self.legacy_output(name, token)),
             "gl_FragDepthEXT" => Some(
                 self.error_at(
                     error::LEGACY_GLSL,
@@ -355,6 +367,10 @@ impl ExplainContext<'_> {
                 .label(self.token_span(later), "declared here")
                 .note("GLSL requires the declaration before the first use");
         }
+        let of_block = || self.advise_block(d.clone(), name, token);
+        if let Some(d) = (!is_call).then(of_block).flatten() {
+            return d;
+        }
         match self.nearest_name(text, is_call) {
             Some(near) => {
                 let span = self.token_span(token);
@@ -443,9 +459,12 @@ impl ExplainContext<'_> {
             .functions()
             .filter(|_| is_call)
             .map(|id| -> &str { id.name() });
+        let variables = self.builtins.variable_names().filter(|_| !is_call);
+        let variables = variables.map(|name| -> &str { name });
         let types = TypeWord::ALL.into_iter().filter(|_| is_call);
         scope
             .chain(builtins)
+            .chain(variables)
             .chain(types.map(|t| -> &str { t.name() }))
             .filter(|n| n.len().abs_diff(text.len()) <= limit && !n.starts_with("st_"))
             .take_while(|n| self.affords(n.len() * text.len()))

@@ -24,7 +24,9 @@ impl Explain for QualifierError {
                 report(&format!("`{word}` repeats a qualifier of the same kind")).note(ORDER)
             }
             E::InvariantLayout => report("`invariant` and `layout` cannot be combined").note(ORDER),
-            E::Order => report(&format!("qualifier `{word}` is in the wrong order")).note(ORDER),
+            E::Order => report(&format!("qualifier `{word}` is in the wrong order"))
+                .note(ORDER)
+                .fix(c.ordered_qualifiers(at)),
             E::Parameter => {
                 let message = format!("a parameter cannot be `{written}` here");
                 c.error(error::INVALID_PARAMETER, at, message)
@@ -66,7 +68,49 @@ const ORDER: &str =
     "the order is: invariant, flat or smooth, layout, storage, precision (section 4.7)";
 const INVARIANT: &str = "only outputs can be `invariant` (section 4.6.1)";
 
+/// Place of a qualifier in [`ORDER`].
+fn rank(kind: QualifierKind) -> u32 {
+    use QualifierKind as Q;
+    match kind {
+        Q::Invariant => 0,
+        Q::Flat | Q::Smooth => 1,
+        Q::Layout(_) => 2,
+        Q::Centroid => 3,
+        Q::Lowp | Q::Mediump | Q::Highp => 5,
+        _ => 4,
+    }
+}
+
 impl ExplainContext<'_> {
+    /// Sorts the qualifiers of the declaration that contains these tokens.
+    fn ordered_qualifiers(&self, at: Extent) -> Option<Fix> {
+        let has = |list: List| {
+            let mut all = self.tree.qualifiers(list).iter();
+            all.any(|q| q.extent.first <= at.first && at.first <= q.extent.last)
+        };
+        let list = self.tree.decls.iter().find_map(|d| match d.kind {
+            DeclKind::Variables { qualifiers, .. } => Some(qualifiers).filter(|q| has(*q)),
+            _ => None,
+        })?;
+        let mut all = self.tree.qualifiers(list).to_vec();
+        let (first, last) = (all.first()?.extent, all.last()?.extent);
+        let extent = Extent {
+            first: first.first,
+            last: last.last,
+        };
+        if !self.is_direct(extent) {
+            return None;
+        }
+        all.sort_by_key(|q| rank(q.kind));
+        let words: Vec<&str> = all
+            .iter()
+            .map(|q| self.sources.text(self.span(q.extent)))
+            .collect();
+        let text = words.join(" ");
+        let edits = vec![Edit::replace(self.span(extent), text.clone())];
+        Some(Fix::safe(format!("use `{text}`"), edits))
+    }
+
     fn missing_precision(&self, ty: Type, at: Extent) -> Diagnostic {
         let name = self.name_of(ty);
         let (line, why) = match ty.base {

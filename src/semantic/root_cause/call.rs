@@ -150,5 +150,6 @@ fn candidate(d: Diagnostic, fix: Fix) -> RepairCandidate {
         edits: fix.edits.clone(),
         diagnostic: d.fix(fix),
         of: None,
+        must_reduce: false,
     }
 }

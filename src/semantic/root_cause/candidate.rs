@@ -10,4 +10,6 @@ pub(super) struct RepairCandidate {
     pub diagnostic: Diagnostic,
     /// Name span of the macro whose calls fail.
     pub of: Option<Span>,
+    /// Whether it is a repair only if there are fewer errors with it: none may appear in exchange.
+    pub must_reduce: bool,
 }

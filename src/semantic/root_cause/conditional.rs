@@ -68,6 +68,7 @@ fn misspelled(at: u32, line: &str, word: &str, all: &mut Vec<RepairCandidate>) {
             edits: fix.edits.clone(),
             diagnostic: Diagnostic::error(error::BAD_DIRECTIVE, integral, message).fix(fix),
             of: None,
+            must_reduce: false,
         });
     }
 }
@@ -125,6 +126,7 @@ impl FaultyShader<'_> {
                         edits: d.fix.as_ref()?.edits.clone(),
                         diagnostic: d.label(end, "expected `#endif` here"),
                         of: None,
+                        must_reduce: false,
                     })
                 }),
         );
@@ -220,6 +222,7 @@ impl FaultyShader<'_> {
                     .label(Span::at(at), "`#if` may be missing here")
                     .fix(fix),
                 of: None,
+                must_reduce: false,
             }
         };
         places.map(candidate).collect()

@@ -31,6 +31,7 @@ impl<'a> Definition<'a> {
             edits: fix.edits.clone(),
             diagnostic: d.fix(fix),
             of: Some(self.of.name_span),
+            must_reduce: false,
         }
     }
 

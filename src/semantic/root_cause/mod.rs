@@ -16,6 +16,7 @@ mod edited;
 mod literal;
 #[cfg(test)]
 mod tests;
+mod text;
 
 use super::program::Program;
 use super::single_pass::analyze_single_pass;
@@ -153,6 +154,9 @@ impl FaultyShader<'_> {
         if self.errors.iter().filter(is_fixed).count() == 0 {
             return false;
         }
+        if candidate.must_reduce && after.len() >= self.errors.len() {
+            return false;
+        }
         let is_new = |d: &&Diagnostic| !self.errors.iter().any(|e| same(e, d));
         let mut new = after.iter().filter(is_new).peekable();
         if new.peek().is_none() {
@@ -170,6 +174,7 @@ impl FaultyShader<'_> {
         all.extend(self.conditionals());
         all.extend(self.broken_calls());
         all.extend(self.definitions());
+        all.extend(self.text_repairs());
         all.retain(|c| c.edits.iter().all(|e| self.is_user(e.span)));
         all
     }
@@ -187,6 +192,7 @@ impl FaultyShader<'_> {
                 edits: fix.edits.clone(),
                 diagnostic: d.clone(),
                 of,
+                must_reduce: false,
             })
         };
         found.filter_map(candidate).take(MAX_LOOKED_AT).collect()

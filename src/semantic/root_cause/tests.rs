@@ -27,14 +27,14 @@ fn found(code: &str) -> (Vec<String>, String) {
 
 /// Checks that `code` has exactly this error and that its fix leaves none.
 #[track_caller]
-fn check(code: &str, expected: &str) {
+pub(super) fn check(code: &str, expected: &str) {
     let (reported, fixed) = found(code);
     assert_eq!(reported, [expected], "{code}");
     assert_eq!(found(&fixed).0, [""; 0], "{fixed}");
 }
 
 /// A shader with these definitions and this body of `main`.
-fn main_with(definitions: &str, body: &str) -> String {
+pub(super) fn main_with(definitions: &str, body: &str) -> String {
     format!("{definitions}\nvoid main() {{\n    {body}\n}}\n")
 }
 

@@ -710,7 +710,7 @@ fn bad_character(token: &Token, c: char) -> Diagnostic {
             return d.note("quotes are allowed only in comments");
         }
         '\u{2013}' | '\u{2014}' | '\u{2212}' => "-",
-        '\u{d7}' => "*",
+        '\u{d7}' | '\u{b7}' | '\u{22c5}' => "*",
         '\u{f7}' => "/",
         '\u{2264}' => "<=",
         '\u{2265}' => ">=",

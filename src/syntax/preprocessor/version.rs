@@ -19,7 +19,7 @@ impl Preprocessor<'_> {
             .filter(|p| matches!(p.token.kind, TokenKind::Int | TokenKind::Uint))
             .map(|p| p.token.value);
         let Some(number) = number else {
-            return self.expected(span, rest, "a version, such as `#version 300 es`");
+            return self.misspelled_version(span, rest);
         };
         let after = rest.get(1..).unwrap_or(&[]);
         let words: Vec<&str> = after.iter().map(|p| self.raw_text(p.token.span)).collect();
@@ -67,6 +67,33 @@ impl Preprocessor<'_> {
                 self.report(d.fix(fix));
             }
         }
+    }
+
+    /// `#version 300es`, `#version 3.00 es`: the version that it resembles is assumed.
+    fn misspelled_version(&mut self, span: Span, rest: &[Piece]) {
+        let digits: String = rest.first().map_or(String::new(), |p| {
+            let text = self.raw_text(p.token.span).chars();
+            text.filter(char::is_ascii_digit).collect()
+        });
+        let directive = match digits.as_str() {
+            "300" | "30" | "3" => "#version 300 es",
+            "100" | "10" | "1" => "#version 100",
+            _ => return self.expected(span, rest, "a version, such as `#version 300 es`"),
+        };
+        self.set_version(match directive.ends_with("es") {
+            true => Version::Es300,
+            false => Version::Es100,
+        });
+        let found = self.raw_text(span).trim_start_matches(['#', ' ', '\t']);
+        let message = format!("expected `{directive}`, found `#{found}`");
+        // The invalid number is the same mistake.
+        let of_number = |d: &Diagnostic| span.contains(d.span) && d.is(error::INVALID_NUMBER);
+        self.diagnostics.retain(|d| !of_number(d));
+        let fix = Fix::safe(
+            format!("use `{directive}`"),
+            vec![Edit::replace(span, directive)],
+        );
+        self.report(error_at(error::UNSUPPORTED_VERSION, span, message).fix(fix));
     }
 
     pub(super) fn set_version(&mut self, version: Version) {

@@ -157,6 +157,8 @@ pub struct Evidence<'a> {
     start: Option<ShaderLanguage>,
     /// Number of closing tags and escaped angle brackets.
     tags: usize,
+    /// How many of them are escaped angle brackets.
+    entities: usize,
     /// Whether a type precedes a word, or a line is a GLSL directive.
     has_types: bool,
 }
@@ -179,6 +181,7 @@ impl<'a> Evidence<'a> {
             changes: 0,
             start: start(all),
             tags: 0,
+            entities: 0,
             has_types: false,
         };
         let signs = Signs::get();
@@ -196,7 +199,9 @@ impl<'a> Evidence<'a> {
             if signs.may_start(token.text) {
                 evidence.note(signs, all, i);
             }
-            evidence.tags += usize::from(token.kind == ScanKind::Mark && is_tag(all, i));
+            let is_tag = token.kind == ScanKind::Mark && is_tag(all, i);
+            evidence.tags += usize::from(is_tag);
+            evidence.entities += usize::from(is_tag && token.text == "&");
             if in_directive {
                 evidence.has_types |=
                     matches!(token.text, "define" | "ifdef" | "endif" | "version");
@@ -313,7 +318,9 @@ impl<'a> Evidence<'a> {
         if self.start.is_some() {
             return self.start;
         }
-        if self.tags >= 2 {
+        // GLSL copied from the source of a page is a mistake, not a page.
+        let is_glsl = || self.version.is_some() || self.speaks_glsl();
+        if self.tags >= 2 && !(self.entities == self.tags && is_glsl()) {
             return Some(ShaderLanguage::Markup);
         }
         if self.has_enough(ShaderLanguage::Diff, 3) {

@@ -1,0 +1,180 @@
+//! Code in the wrong place: a shader pasted twice, a function inside a function or a struct, and
+//! characters of another alphabet throughout a text.
+
+use super::*;
+use shaderlint_diagnostic::{Fix, error};
+use shaderlint_syntax::{Lexer, RawKind, TokenKind, tokenize};
+
+/// Longest nested function, in tokens.
+const MAX_TOKENS: usize = 4_000;
+
+impl FaultyShader<'_> {
+    /// Candidates that concern the whole text rather than a line.
+    pub(super) fn copies(&self, all: &mut Vec<RepairCandidate>) {
+        self.pasted_twice(all);
+        self.nested_functions(all);
+        self.all_characters(all);
+    }
+
+    /// The same shader twice in one text.
+    fn pasted_twice(&self, all: &mut Vec<RepairCandidate>) {
+        let misplaced = self.errors.iter().find(|d| d.is(error::VERSION_PLACEMENT));
+        let Some(d) = misplaced else { return };
+        let Some(code) = self.program.sources.code_at(d.span.start) else {
+            return;
+        };
+        let offset = (d.span.start - code.base) as usize;
+        let Some((first, second)) = code.text.split_at_checked(offset) else {
+            return;
+        };
+        if first.trim() != second.trim() {
+            return;
+        }
+        let end = code.base + code.text.len() as u32;
+        let edits = vec![Edit::delete(Span::new(d.span.start, end))];
+        let message = "the shader is pasted twice";
+        let title = "remove the second copy";
+        all.push(candidate(
+            error::VERSION_PLACEMENT,
+            d.span,
+            message,
+            title,
+            edits,
+        ));
+    }
+
+    /// A function inside a function moves before it; one inside a struct is skipped.
+    fn nested_functions(&self, all: &mut Vec<RepairCandidate>) {
+        let nested = self.errors.iter().filter(|d| d.is(error::LOCAL_FUNCTION));
+        for d in nested.take(4) {
+            let Some(outer) = self.function_around(d.span.start) else {
+                continue;
+            };
+            let Some(inner) = self.braced_from(d.span.start) else {
+                continue;
+            };
+            let place = self.line_at(d.span.start).map_or(inner.start, |l| l.start);
+            let gap = Span::new(place.min(inner.start), inner.start);
+            let indent = self.text(gap);
+            let whole = match indent.trim().is_empty() {
+                true => Span::new(gap.start.saturating_sub(1), inner.end),
+                false => inner,
+            };
+            let text = self.text(inner);
+            let text = match indent.is_empty() || !indent.trim().is_empty() {
+                true => text.to_string(),
+                false => text.replace(&format!("\n{indent}"), "\n"),
+            };
+            let edits = vec![
+                Edit::insert(outer, format!("{text}\n\n")),
+                Edit::delete(whole),
+            ];
+            let fix = Fix::suggestion("move it before the function", edits.clone());
+            all.push(RepairCandidate {
+                edits,
+                diagnostic: d.clone().fix(fix),
+                of: None,
+                must_reduce: true,
+            });
+        }
+    }
+
+    /// Where the function that contains an address starts.
+    fn function_around(&self, address: u32) -> Option<u32> {
+        let program = self.program;
+        let start = |token: u32| Some(program.token(token)?.span);
+        let functions = program.tree.functions.iter().filter(|f| f.body.is_some());
+        let around = functions.filter_map(|f| {
+            let span = start(f.extent.first)?.to(start(f.extent.last)?);
+            (span.start < address && address < span.end).then_some(span.start)
+        });
+        around.max()
+    }
+
+    /// The code from an address to the brace that closes the first one after it.
+    fn braced_from(&self, start: u32) -> Option<Span> {
+        let code = self.program.sources.code_at(start)?;
+        let mut lexer = Lexer::new(code.text.get((start - code.base) as usize..)?, start);
+        let mut depth = 0_u32;
+        for _ in 0..MAX_TOKENS {
+            let token = lexer.next_token();
+            match token.kind {
+                RawKind::End => return None,
+                RawKind::Operator(TokenKind::LeftBrace) => depth += 1,
+                RawKind::Operator(TokenKind::RightBrace) => {
+                    depth = depth.checked_sub(1)?;
+                    if depth == 0 {
+                        return Some(Span::new(start, token.span.end));
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// A function inside a struct.
+    pub(super) fn methods(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let is_word = |at: usize| line.kind(at) == Some(RawKind::Word);
+        if !is_word(0) || !is_word(1) || !line.is(2, TokenKind::LeftParen) {
+            return;
+        }
+        let start = line.span(0).start;
+        let Some(body) = self.braced_from(start) else {
+            return;
+        };
+        let Some(code) = self.program.sources.code_at(start) else {
+            return;
+        };
+        let before = code.text.get(..(start - code.base) as usize).unwrap_or("");
+        // The innermost open brace is that of a struct.
+        let from = before.rfind("struct").unwrap_or(before.len());
+        let tokens = tokenize(before.get(from..).unwrap_or(""), 0);
+        let count = |kind| {
+            tokens
+                .iter()
+                .filter(|t| t.kind == RawKind::Operator(kind))
+                .count()
+        };
+        if count(TokenKind::LeftBrace) != count(TokenKind::RightBrace) + 1 {
+            return;
+        }
+        let mut found = candidate(
+            error::FOREIGN_SYNTAX,
+            line.span(0).to(line.span(1)),
+            "a struct cannot have member functions",
+            "",
+            vec![Edit::delete(body)],
+        );
+        found.diagnostic.fix = None;
+        found.diagnostic = found
+            .diagnostic
+            .note("write a function with the struct as a parameter");
+        all.push(found);
+    }
+
+    /// Characters of another alphabet in several places: all are replaced together.
+    fn all_characters(&self, all: &mut Vec<RepairCandidate>) {
+        let mut found = self
+            .errors
+            .iter()
+            .filter(|d| d.is(error::INVALID_CHARACTER));
+        let fixes = found.clone().filter_map(|d| d.fix.as_ref());
+        let edits: Vec<Edit> = fixes.flat_map(|f| f.edits.clone()).collect();
+        let Some(first) = found.find(|d| d.fix.is_some()).filter(|_| edits.len() > 1) else {
+            return;
+        };
+        let title = format!("replace {} characters with ASCII characters", edits.len());
+        let mut found = candidate(
+            error::INVALID_CHARACTER,
+            first.span,
+            first.message.clone(),
+            title,
+            edits,
+        );
+        found.diagnostic = found
+            .diagnostic
+            .note("the text contains several such characters");
+        all.push(found);
+    }
+}

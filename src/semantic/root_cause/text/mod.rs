@@ -1,0 +1,68 @@
+//! Mistakes in the text rather than in the grammar: lost spaces and comment marks, entities of a
+//! web page, the marks of a merge, notations of other languages.
+//!
+//! A parser sees them as several unrelated errors. Each is proved as macros are: the lines of the
+//! errors are edited, and the edit is the cause if errors disappear and none appear.
+
+mod comment;
+mod conflict;
+mod copy;
+mod entity;
+mod line;
+mod notation;
+mod space;
+mod statement;
+#[cfg(test)]
+mod tests;
+mod variable;
+
+use super::FaultyShader;
+use super::candidate::RepairCandidate;
+use line::FaultyLine;
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
+use shaderlint_text::{Edit, Span};
+
+/// Maximum number of candidates for one shader.
+const MAX_CANDIDATES: usize = 40;
+
+impl FaultyShader<'_> {
+    /// Candidate repairs of the text on the lines of errors, the most certain first.
+    pub(super) fn text_repairs(&self) -> Vec<RepairCandidate> {
+        // After code that is nested too deeply, the errors are consequences of where parsing ended.
+        if self.errors.iter().any(|d| d.is(error::BROWSER_LIMIT)) {
+            return Vec::new();
+        }
+        let lines = self.faulty_lines();
+        let mut all = Vec::new();
+        self.copies(&mut all);
+        for line in &lines {
+            self.conflict(line, &mut all);
+            self.entities(line, &mut all);
+            self.pasted_marks(line, &mut all);
+            self.comments(line, &mut all);
+            self.spaces(line, &mut all);
+            self.variables(line, &mut all);
+            self.methods(line, &mut all);
+            self.notations(line, &mut all);
+            self.statements(line, &mut all);
+        }
+        all.truncate(MAX_CANDIDATES);
+        all
+    }
+}
+
+/// A candidate that is reported with its edits as a fix.
+fn candidate(
+    kind: ErrorKind,
+    span: Span,
+    message: impl Into<String>,
+    title: impl Into<String>,
+    edits: Vec<Edit>,
+) -> RepairCandidate {
+    RepairCandidate {
+        edits: edits.clone(),
+        diagnostic: Diagnostic::error(kind, span, message).fix(Fix::suggestion(title, edits)),
+        of: None,
+        must_reduce: true,
+    }
+}

@@ -1,0 +1,336 @@
+//! Statements and declarations of other languages that the parser reports as several errors.
+
+use super::*;
+use shaderlint_diagnostic::error;
+use shaderlint_syntax::{
+    DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, keyword_near,
+};
+
+impl FaultyShader<'_> {
+    pub(super) fn statements(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        self.lost_hash(line, all);
+        self.string(line, all);
+        self.colon_header(line, all);
+        self.member_commas(line, all);
+        self.typed_names(line, all);
+        for at in 0..line.tokens.len() {
+            self.other_case(line, at, all);
+            self.lost_case(line, at, all);
+            self.local_qualifier(line, at, all);
+            self.typed_arguments(line, at, all);
+            self.component_index(line, at, all);
+            self.bracketed_constructor(line, at, all);
+            self.half_ternary(line, at, all);
+        }
+    }
+
+    /// `define PI 3.14`, `pragma once`
+    fn lost_hash(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let word = line.token(0);
+        if !DIRECTIVES.contains(&word) || classify(word, self.program.version) != WordClass::Plain {
+            return;
+        }
+        let span = line.span(0);
+        let message = format!("expected `#{word}`, found `{word}`");
+        let edits = vec![Edit::insert(span.start, "#")];
+        all.push(candidate(
+            error::BAD_DIRECTIVE,
+            span,
+            message,
+            format!("use `#{word}`"),
+            edits,
+        ));
+    }
+
+    /// A statement with a string: it is removed, unless the string names a component.
+    fn string(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let is_quote = |at: usize| line.token(at).starts_with(['"', '\'', '“', '‘']);
+        let Some(quote) = (0..line.tokens.len()).find(|&at| is_quote(at)) else {
+            return;
+        };
+        let starts = |&at: &usize| line.starts_statement(at);
+        let Some(start) = (0..=quote).rev().find(starts) else {
+            return;
+        };
+        let end = (quote..line.tokens.len()).rfind(|&at| line.is(at, TokenKind::Semicolon));
+        let Some(end) = end else { return };
+        let span = line.span(start).to(line.span(end));
+        let edits = vec![Edit::delete(span)];
+        let quoted = Span::new(line.span(quote).start, line.span(end).start);
+        let message = "GLSL has no strings";
+        let kind = error::INVALID_CHARACTER;
+        all.push(candidate(
+            kind,
+            quoted,
+            message,
+            "remove the statement",
+            edits,
+        ));
+    }
+
+    /// `if d < 0.3:`, `else:`
+    fn colon_header(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let Some(colon) = line
+            .tokens
+            .len()
+            .checked_sub(1)
+            .filter(|&at| line.is(at, TokenKind::Colon))
+        else {
+            return;
+        };
+        let word = line.token(0);
+        let (span, place) = (line.span(0).to(line.span(colon)), line.span(colon));
+        let mut edits = Vec::new();
+        let has_parens = line.is(1, TokenKind::LeftParen) && line.after(1) == Some(colon);
+        match word {
+            "if" | "while" if colon > 1 && !has_parens => {
+                edits.push(Edit::insert(line.span(1).start, "("));
+                edits.push(Edit::replace(place, ")"));
+            }
+            "if" | "while" | "else" => edits.push(Edit::delete(place)),
+            _ => return,
+        }
+        let message = format!("unexpected `:` after `{word}`; GLSL uses parentheses and braces");
+        all.push(candidate(
+            error::FOREIGN_SYNTAX,
+            span,
+            message,
+            "use parentheses",
+            edits,
+        ));
+    }
+
+    /// `vec3 o, vec3 d,` as members of a struct.
+    fn member_commas(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let Some(code) = self.program.sources.code_at(line.start) else {
+            return;
+        };
+        let offset = (line.start - code.base) as usize;
+        let Some(open) = code.text.get(..offset).and_then(|t| t.rfind('{')) else {
+            return;
+        };
+        let Some(close) = code.text.get(open..).and_then(|t| t.find('}')) else {
+            return;
+        };
+        let Some(body) = code.text.get(open..open + close) else {
+            return;
+        };
+        let mut edits = Vec::new();
+        for (at, _) in body.match_indices(',') {
+            let rest = body.get(at + 1..).unwrap_or("").trim_start();
+            let word: String = rest
+                .chars()
+                .take_while(char::is_ascii_alphanumeric)
+                .collect();
+            if word.is_empty() || TypeWord::named(&word).is_some() {
+                let start = code.base + (open + at) as u32;
+                edits.push(Edit::replace(Span::new(start, start + 1), ";"));
+            }
+        }
+        let Some(span) = edits.first().map(|e| e.span) else {
+            return;
+        };
+        let message = "expected `;` after the member, found `,`";
+        all.push(candidate(
+            error::SYNTAX_ERROR,
+            span,
+            message,
+            "use `;`",
+            edits,
+        ));
+    }
+
+    /// `float f(p: vec2, k: float)`
+    fn typed_names(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let mut edits = Vec::new();
+        for at in 0..line.tokens.len() {
+            let (name, ty) = (line.token(at), line.token(at + 2));
+            let is_pair = line.kind(at) == Some(RawKind::Word)
+                && line.is(at + 1, TokenKind::Colon)
+                && TypeWord::named(ty).is_some();
+            if is_pair {
+                let span = line.span(at).to(line.span(at + 2));
+                edits.push(Edit::replace(span, format!("{ty} {name}")));
+            }
+        }
+        let Some(first) = edits.first().cloned() else {
+            return;
+        };
+        let message = "the type must come before the name";
+        let title = format!("use `{}`", first.text);
+        all.push(candidate(
+            error::FOREIGN_SYNTAX,
+            first.span,
+            message,
+            title,
+            edits,
+        ));
+    }
+
+    /// `Return x;`, `IF (c)`: a keyword in another case.
+    fn other_case(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let word = line.token(at);
+        let is_plain = line.kind(at) == Some(RawKind::Word)
+            && classify(word, self.program.version) == WordClass::Plain;
+        let near = keyword_near(word).filter(|(k, _)| is_plain && k.eq_ignore_ascii_case(word));
+        let Some((keyword, _)) = near else { return };
+        let span = line.span(at);
+        let message = format!("expected `{keyword}`, found `{word}`");
+        let title = format!("use `{keyword}`");
+        let edits = vec![Edit::replace(span, keyword)];
+        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+    }
+
+    /// `0: x = 1.0;` in a `switch`
+    fn lost_case(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_label = line.kind(at) == Some(RawKind::Integer) && line.is(at + 1, TokenKind::Colon);
+        if !is_label || !line.starts_statement(at) {
+            return;
+        }
+        let span = line.span(at);
+        let message = format!("expected `case {}`, found `{0}`", line.token(at));
+        let edits = vec![Edit::insert(span.start, "case ")];
+        all.push(candidate(
+            error::SYNTAX_ERROR,
+            span,
+            message,
+            "add `case`",
+            edits,
+        ));
+    }
+
+    /// `in float x = 0.5;` as a local variable.
+    fn local_qualifier(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let word = line.token(at);
+        let is_storage = matches!(word, "in" | "out" | "inout" | "varying" | "attribute");
+        let is_local = || {
+            let mut errors = self.errors.iter().filter(|d| line.errors.contains(&d.span));
+            errors.any(|d| d.is(error::INVALID_QUALIFIER) && d.span.touches(line.span(at)))
+        };
+        if !is_storage || !line.starts_statement(at) || !is_local() {
+            return;
+        }
+        let (span, next) = (line.span(at), line.span(at + 1));
+        let edits = vec![Edit::delete(Span::new(span.start, next.start))];
+        let message = format!("a local variable cannot be `{word}`");
+        all.push(candidate(
+            error::INVALID_QUALIFIER,
+            span,
+            message,
+            format!("remove `{word}`"),
+            edits,
+        ));
+    }
+
+    /// `f(vec2 p, float 0.3)` as a call.
+    fn typed_arguments(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_call = line.kind(at) == Some(RawKind::Word) && line.is(at + 1, TokenKind::LeftParen);
+        // After a type it is a declaration, whose parameters have types.
+        let declares =
+            at > 0 && line.kind(at - 1) == Some(RawKind::Word) && line.token(at - 1) != "return";
+        let Some(after) = (is_call && !declares).then(|| line.after(at + 1)).flatten() else {
+            return;
+        };
+        let mut edits = Vec::new();
+        for i in at + 2..after {
+            let starts = line.is(i - 1, TokenKind::LeftParen) || line.is(i - 1, TokenKind::Comma);
+            let word = line.token(i);
+            let is_type = TypeWord::named(word).is_some() || matches!(word, "in" | "out" | "inout");
+            let next = line.kind(i + 1);
+            if starts && is_type && !matches!(next, Some(RawKind::Operator(_))) {
+                edits.push(Edit::delete(Span::new(
+                    line.span(i).start,
+                    line.span(i + 1).start,
+                )));
+            }
+        }
+        let Some(span) = edits.first().map(|e| e.span) else {
+            return;
+        };
+        let message = format!(
+            "the arguments of a call have no types, as in `{}(...)`",
+            line.token(at)
+        );
+        all.push(candidate(
+            error::SYNTAX_ERROR,
+            span,
+            message,
+            "remove the types",
+            edits,
+        ));
+    }
+
+    /// `v[x]` and `v["x"]`
+    fn component_index(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        if !line.is(at, TokenKind::LeftBracket) || at == 0 {
+            return;
+        }
+        let Some(after) = line.after(at) else { return };
+        let inside = line.of(Span::new(line.span(at).end, line.span(after - 1).start));
+        let letter = inside.trim_matches(['"', '\'', ' ']);
+        if letter.len() != 1 || !"xyzwrgba".contains(letter) {
+            return;
+        }
+        let span = line.span(at).to(line.span(after - 1));
+        let edits = vec![Edit::replace(span, format!(".{letter}"))];
+        let message = format!("`{}` is not an index; use `.{letter}`", inside.trim());
+        all.push(candidate(
+            error::FOREIGN_SYNTAX,
+            span,
+            message,
+            format!("use `.{letter}`"),
+            edits,
+        ));
+    }
+
+    /// `vec3[1.0, 2.0, 3.0]`
+    fn bracketed_constructor(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_one = TypeWord::named(line.token(at)).is_some()
+            && (line.is(at + 1, TokenKind::LeftBracket) || line.is(at + 1, TokenKind::LeftBrace));
+        let Some(after) = is_one.then(|| line.after(at + 1)).flatten() else {
+            return;
+        };
+        let (open, close) = (line.span(at + 1), line.span(after - 1));
+        // An index or a size is one expression.
+        if !(at + 2..after).any(|i| line.is(i, TokenKind::Comma)) {
+            return;
+        }
+        let edits = vec![Edit::replace(open, "("), Edit::replace(close, ")")];
+        let message = format!("`{}` must be called with parentheses", line.token(at));
+        let span = line.span(at).to(close);
+        all.push(candidate(
+            error::SYNTAX_ERROR,
+            span,
+            message,
+            "use `(...)`",
+            edits,
+        ));
+    }
+
+    /// `c ? 1.0;`
+    fn half_ternary(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        if !line.is(at, TokenKind::Question) {
+            return;
+        }
+        let end = (at..line.tokens.len()).find(|&i| line.is(i, TokenKind::Semicolon));
+        let Some(end) = end.filter(|&end| end > at + 1) else {
+            return;
+        };
+        if (at..end).any(|i| line.is(i, TokenKind::Colon)) {
+            return;
+        }
+        let place = line.span(end - 1).end;
+        for value in ["0.0", "0", "vec3(0.0)", "vec2(0.0)", "vec4(0.0)"] {
+            let edits = vec![Edit::insert(place, format!(" : {value}"))];
+            let message = "missing `:` of the `?:` operator";
+            let title = format!("add the other value, such as `: {value}`");
+            all.push(candidate(
+                error::SYNTAX_ERROR,
+                Span::new(place, line.span(end).end),
+                message,
+                title,
+                edits,
+            ));
+        }
+    }
+}

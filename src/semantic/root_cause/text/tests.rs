@@ -1,0 +1,98 @@
+//! A mistake of the text is one error, and its fix leaves none.
+
+use super::super::tests::{check, main_with};
+
+const TOP: &str = "float half_of(float x) { return 0.5 * x; }";
+
+/// A shader with this code before the last statement of `main`.
+#[track_caller]
+fn in_main(code: &str, expected: &str) {
+    let body = format!("float d = 0.5;\n    {code}\n    color = vec4(d);");
+    check(&main_with(TOP, &body), expected);
+}
+
+/// A shader with this code before `main`.
+#[track_caller]
+fn at_top(code: &str, expected: &str) {
+    check(&main_with(code, "color = vec4(0.5);"), expected);
+}
+
+#[test]
+fn lost_spaces() {
+    in_main("vec2p = vec2(d); d = p.x;", "4:5 syntax-error");
+    in_main("floatk; k = d; d = k;", "4:5 syntax-error");
+    in_main("if (d > 1.0) d = 0.0; elsed = 1.0;", "4:27 syntax-error");
+    at_top("float f(float x) { returnx; }", "1:20 syntax-error");
+    at_top("constvec2 A = vec2(0.0);", "1:1 syntax-error");
+    at_top("float f(vec2p) { return p.x; }", "1:9 syntax-error");
+    at_top(
+        "structRay { vec3 o; };\nfloat f(Ray r) { return r.o.x; }",
+        "1:1 syntax-error",
+    );
+}
+
+#[test]
+fn entities_of_a_page() {
+    in_main(
+        "if (d &lt; 1.0 &amp;&amp; d &gt; 0.5) d = 0.0;",
+        "4:11 invalid-character",
+    );
+    in_main(
+        "for (int i = 0; i &lt; 4; i++) d += 0.1;",
+        "4:23 invalid-character",
+    );
+    in_main(
+        "if (d &gt;= 1.0) d = 0.0; // &quot;",
+        "4:11 invalid-character",
+    );
+}
+
+#[test]
+fn comments_without_marks() {
+    at_top("/ half of the value", "1:1 syntax-error");
+    at_top("half of the given value", "1:1 syntax-error");
+    at_top("* Half of the value,\n * rounded.\n */", "1:1 syntax-error");
+    at_top("/* a /* b */ still here */", "1:25 syntax-error");
+    at_top(
+        "/* Half of the value\nfloat f(float x) { return x; }",
+        "1:1 unterminated-comment",
+    );
+    in_main("d += 0.1; / brighter now", "4:15 syntax-error");
+}
+
+#[test]
+fn conflicts_and_copies() {
+    in_main(
+        "<<<<<<< HEAD\nd = 0.1;\n=======\nd = 0.2;\n>>>>>>> other",
+        "4:5 syntax-error",
+    );
+    at_top(
+        "<<<<<<< a\nfloat f() { return 1.0; }\n||||||| b\n=======\nfloat f() { return 2.0; }\n>>>>>>> c",
+        "1:1 syntax-error",
+    );
+    at_top(
+        "```glsl\nfloat f() { return 1.0; }\n```",
+        "1:1 syntax-error",
+    );
+    at_top(
+        "float f() { return 1.0; }\nfloat f() { return 1.0; }",
+        "2:7 redefinition",
+    );
+    in_main(
+        "float f(float x) { return x; }\n    d = f(d);",
+        "4:5 local-function",
+    );
+}
+
+#[test]
+fn notations_of_other_languages() {
+    in_main("vec3 p(1, 2, 3); d = p.x;", "4:10 foreign-syntax");
+    in_main("float k = 1.0.0; d = k;", "4:15 invalid-number");
+    in_main("d = sin(π * d);", "4:13 invalid-character");
+    in_main(
+        "float k = 1.0 if d < 0.5 else 0.0; d = k;",
+        "4:15 foreign-syntax",
+    );
+    in_main("vec2 v = vec2(d); d = v[x];", "4:28 foreign-syntax");
+    in_main("d = half_of(float d);", "4:17 syntax-error");
+}
