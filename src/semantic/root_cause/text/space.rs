@@ -7,6 +7,9 @@ use shaderlint_syntax::{DIRECTIVES, RawKind, TypeWord, WordClass, classify};
 
 /// Maximum number of words of one line that are tried.
 const MAX_WORDS: usize = 4;
+/// Maximum number of parts of one word: `const highp vec3 p`. The ways to split a longer chain of
+/// keywords grow exponentially.
+const MAX_PARTS: usize = 4;
 /// Keywords that another word or a number follows.
 const BEFORE_A_WORD: &[&str] = &[
     "return",
@@ -44,7 +47,7 @@ impl FaultyShader<'_> {
         words.truncate(MAX_WORDS);
         for at in words {
             let is_directive = at > 0 && line.kind(at - 1) == Some(RawKind::Hash);
-            for parts in splits(line.token(at), is_directive) {
+            for parts in splits(line.token(at), is_directive, MAX_PARTS) {
                 self.split(line.span(at), &parts, all);
             }
         }
@@ -71,8 +74,8 @@ impl FaultyShader<'_> {
     }
 }
 
-/// The ways to split a word after a keyword or type, the most parts first.
-fn splits(word: &str, is_directive: bool) -> Vec<Vec<&str>> {
+/// The ways to split a word after a keyword or type into at most `parts`, the most parts first.
+fn splits(word: &str, is_directive: bool, parts: usize) -> Vec<Vec<&str>> {
     let mut found = Vec::new();
     let types = TypeWord::ALL
         .into_iter()
@@ -91,8 +94,8 @@ fn splits(word: &str, is_directive: bool) -> Vec<Vec<&str>> {
         if !rest.starts_with(starts) {
             continue;
         }
-        if !is_directive && TypeWord::named(rest).is_none() {
-            for mut more in splits(rest, false) {
+        if !is_directive && parts > 2 && TypeWord::named(rest).is_none() {
+            for mut more in splits(rest, false, parts - 1) {
                 more.insert(0, prefix);
                 found.push(more);
             }
@@ -109,7 +112,10 @@ mod tests {
     #[test]
     fn words_are_split_after_keywords_and_types() {
         let check = |word: &str, expected: &[&str]| {
-            let found: Vec<String> = splits(word, false).iter().map(|p| p.join(" ")).collect();
+            let found: Vec<String> = splits(word, false, MAX_PARTS)
+                .iter()
+                .map(|p| p.join(" "))
+                .collect();
             assert_eq!(found, expected, "{word}");
         };
         check("vec2p", &["vec2 p"]);
@@ -121,5 +127,11 @@ mod tests {
         check("constvec3dir", &["const vec3 dir", "const vec3dir"]);
         check("vec33", &[]);
         check("position", &[]);
+    }
+
+    #[test]
+    fn chains_of_keywords_have_few_splits() {
+        let chain = "inout".repeat(60) + "vec4";
+        assert!(splits(&chain, false, MAX_PARTS).len() < 20);
     }
 }
