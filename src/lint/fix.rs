@@ -2,8 +2,10 @@
 
 use super::change::{ErrorChange, Moves, errors};
 use super::look::Look;
+use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Sources, Span, apply_edits};
+use std::cell::LazyCell;
 
 /// Most rounds of fixes for one text.
 const MAX_ROUNDS: usize = 16;
@@ -311,21 +313,18 @@ fn end_lines_alike(edits: &mut [Edit], text: &str) {
     }
 }
 
-/// Maximum number of comments among which a copy is searched.
-const MAX_COPIES: usize = 2_000;
-
 /// Replaces a fix that would remove a comment with a help of the same words. `comments` are in the order
 /// of the text.
 pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diagnostic) {
-    // A copy of a comment may be removed with the copy of its code.
-    let is_copied = |c: &Span, edit: &Edit| {
-        let others = comments.iter().filter(|o| !edit.span.contains(**o));
-        let mut others = others.take(MAX_COPIES);
-        edit.text.is_empty()
-            && edit.span.contains(*c)
-            && others.any(|o| sources.text(*o) == sources.text(*c))
-    };
     let loses = |edit: &Edit| {
+        // A copy of a comment may be removed with the copy of its code.
+        let others = LazyCell::new(|| {
+            let others = comments.iter().filter(|o| !edit.span.contains(**o));
+            others.map(|o| sources.text(*o)).collect::<FxHashSet<_>>()
+        });
+        let is_copied = |c: &Span, text: &str| {
+            edit.text.is_empty() && edit.span.contains(*c) && others.contains(text)
+        };
         let first = comments.partition_point(|c| c.end <= edit.span.start);
         let touched = comments.iter().skip(first);
         let mut touched = touched.take_while(|c| c.start < edit.span.end);
@@ -334,7 +333,7 @@ pub fn keep_comments(sources: &Sources, comments: &[Span], diagnostic: &mut Diag
             && touched.any(|c| {
                 let text = sources.text(*c);
                 (text.is_empty() || !edit.text.contains(text) || !edit.span.contains(*c))
-                    && !is_copied(c, edit)
+                    && !is_copied(c, text)
             })
     };
     if let Some(fix) = diagnostic.fix.take_if(|f| f.edits.iter().any(loses)) {
