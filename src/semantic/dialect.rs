@@ -156,6 +156,7 @@ pub fn guess(text: &str) -> Guess {
         "attribute",
         "varying",
         "main",
+        "MainImage",
         "texture",
     ];
     if any.iter().any(|w| has(w)) {
@@ -165,6 +166,8 @@ pub fn guess(text: &str) -> Guess {
         Some(GuessedKind::Versioned)
     } else if let Some(pass) = seen.pass {
         Some(GuessedKind::ShaderToy(pass))
+    } else if seen.has_near_entry && !seen.old && !has("uniform ") {
+        Some(GuessedKind::ShaderToy(Pass::Image))
     } else if seen.old {
         Some(GuessedKind::WebGl1)
     } else if seen.main {
@@ -306,6 +309,9 @@ struct Seen {
     precision: bool,
     attribute: bool,
     is_300: bool,
+    /// Whether a function with another name has the parameters of `mainImage`: `mainimage`, or a
+    /// `main` that cannot have any.
+    has_near_entry: bool,
     /// Number of occurrences of `mainImage`.
     entries: u32,
 }
@@ -363,6 +369,10 @@ impl Seen {
             "main" => {
                 self.main = true;
                 self.defines_main |= last == "void";
+                self.has_near_entry |= has_parameters_of_entry(last, after);
+            }
+            _ if word.eq_ignore_ascii_case("mainImage") => {
+                self.has_near_entry |= has_parameters_of_entry(last, after);
             }
             _ => {
                 self.old |= OLD_LOOKUPS.iter().any(|f| f.name() == word);
@@ -379,6 +389,19 @@ fn may_be_entry(last: &str, after: &str) -> bool {
     let params = params.and_then(|p| p.split(['(', ')', '{', ';']).next());
     let gives = last == "void" || params.is_some_and(|p| p.contains("out "));
     gives && params.is_none_or(|p| p.matches(',').count() < 2)
+}
+
+/// Whether a function has the parameters of `mainImage`.
+fn has_parameters_of_entry(last: &str, after: &str) -> bool {
+    let params = after.trim_start().strip_prefix('(');
+    let params = params.and_then(|p| p.split([')', '{', ';']).next());
+    let params = params.and_then(|p| p.split_once(','));
+    last == "void"
+        && params.is_some_and(|(color, place)| {
+            let words = |text: &str, all: [&str; 2]| text.split_whitespace().take(2).eq(all);
+            let is_in = words(place, ["in", "vec2"]) || place.trim_start().starts_with("vec2 ");
+            words(color, ["out", "vec4"]) && is_in && !place.contains(',')
+        })
 }
 
 #[cfg(test)]
@@ -417,6 +440,13 @@ mod tests {
             Some(GuessedKind::WebGl2),
         );
         check("float f(float x) { return x; }", None);
+        for name in ["mainimage", "MainImage", "main"] {
+            check(
+                &format!("void {name}(out vec4 c, in vec2 p) {{}}"),
+                Some(GuessedKind::ShaderToy(Pass::Image)),
+            );
+        }
+        check("void mainimage(out vec4 c, in vec2 p, float t) {}", None);
         assert_eq!(
             guess("void main(){gl_Position=vec4(0);}").stage,
             Some(Stage::Vertex)

@@ -74,10 +74,25 @@ impl Checker<'_> {
                     t.kind == TokenKind::Identifier && t.value == n.0 && !self.in_prelude(t.span)
                 })
             });
-        if unreadable || self.unknown_functions.iter().any(|&n| self.text(n) == name) {
+        // A `main` with parameters is reported, and may be meant.
+        if unreadable
+            || self.has_main_with_parameters()
+            || self.unknown_functions.iter().any(|&n| self.text(n) == name)
+        {
             return;
         }
         self.reject(Extent::default(), EntryError::MissingCalled(entry));
+    }
+
+    fn has_main_with_parameters(&self) -> bool {
+        let mains = self.tree.functions.iter();
+        let mut mains = mains.filter(|f| self.text(f.ident.name) == "main");
+        mains.any(|f| self.has_parameters(f))
+    }
+
+    fn has_parameters(&self, decl: &FunctionDecl) -> bool {
+        let mut params = self.tree.params(decl.params).iter();
+        params.any(|p| self.tree.ty(p.ty).base != TypeBase::Void)
     }
 
     fn in_prelude(&self, span: Span) -> bool {
@@ -107,12 +122,7 @@ impl Checker<'_> {
         if self.text(decl.ident.name) != "main" {
             return;
         }
-        let has_params = self
-            .tree
-            .params(decl.params)
-            .iter()
-            .any(|p| self.tree.ty(p.ty).base != TypeBase::Void);
-        let problem = if has_params {
+        let problem = if self.has_parameters(decl) {
             EntryError::MainParameters
         } else if !returns.is_void() && !returns.is_error() {
             EntryError::MainReturns

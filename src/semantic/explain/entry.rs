@@ -1,6 +1,7 @@
 //! Messages for [`EntryError`].
 
 use super::*;
+use crate::host::EntryPoint;
 
 impl Explain for EntryError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
@@ -12,11 +13,16 @@ impl Explain for EntryError {
                 .help("declare it as `void main()`")
         };
         match self {
-            E::Missing if c.main_in_another_case().is_some() => c
-                .main_in_another_case()
-                .unwrap_or_else(|| missing("`main` function not found")),
+            E::Missing if c.misspelled("main").is_some() => c
+                .misspelled("main")
+                .unwrap_or_else(|| missing("`main` function not found"))
+                .note("execution starts at `void main()` (section 6.1)"),
             E::Missing => missing("`main` function not found")
                 .note("execution starts at `void main()` (section 6.1)"),
+            E::MissingCalled(entry) if c.misspelled(entry.name).is_some() => c
+                .misspelled(entry.name)
+                .unwrap_or_else(|| missing(&format!("`{}` function not found", entry.name)))
+                .note("ShaderToy calls it for every pixel or sample"),
             E::MissingCalled(entry) => missing(&format!("`{}` function not found", entry.name))
                 .note("ShaderToy calls it for every pixel or sample")
                 .help(format!("define `{}`", entry.signature)),
@@ -29,6 +35,16 @@ impl Explain for EntryError {
                 let message = format!("`{name}` has the wrong signature for ShaderToy");
                 c.error(error::MAINIMAGE_SIGNATURE, at, message)
                     .help(format!("declare it as `{}`", entry.signature))
+            }
+            E::MainParameters if c.called_entry().is_some() => {
+                let name = c.called_entry().map_or("", |entry| entry.name);
+                c.error(
+                    error::FUNCTION_MISMATCH,
+                    at,
+                    "`main` must not have parameters",
+                )
+                .note(format!("the function that ShaderToy calls is `{name}`"))
+                .fix(c.rename_header(at, name))
             }
             E::MainParameters => {
                 let d = main("`main` must not have parameters");
@@ -48,23 +64,37 @@ impl ExplainContext<'_> {
             .map_or(Span::default(), |f| Span::at(f.base))
     }
 
-    /// A function that differs from `main` by a letter or its case.
-    fn main_in_another_case(&self) -> Option<Diagnostic> {
-        let is_near = |name: &str| {
-            let name = name.to_ascii_lowercase();
-            strsim::damerau_levenshtein(&name, "main") <= 1
-        };
+    /// A function whose name differs from that of the entry point by its case and one letter.
+    fn misspelled(&self, entry: &str) -> Option<Diagnostic> {
+        let lower = entry.to_ascii_lowercase();
+        let is_near =
+            |name: &str| strsim::damerau_levenshtein(&name.to_ascii_lowercase(), &lower) <= 1;
         let mut functions = self.tree.functions.iter().filter(|f| f.body.is_some());
         let found = functions.find(|f| {
             is_near(self.text(f.ident.name)) && self.tree.ty(f.ty).base == TypeBase::Void
         })?;
         let token = self.token(found.ident.token);
         let name = self.text(found.ident.name);
-        let message = format!("expected function `main`, found `{name}`");
-        let d = Diagnostic::error(error::MISSING_MAIN, token.span, message)
-            .note("execution starts at `void main()` (section 6.1)");
-        let fix = || Fix::suggestion("use `main`", self.rename_all(found.ident.name, "main"));
-        Some(d.fix(token.is_direct().then(fix)))
+        let message = format!("expected function `{entry}`, found `{name}`");
+        let d = Diagnostic::error(error::MISSING_MAIN, token.span, message);
+        Some(d.fix(self.rename_header(found.header, entry)))
+    }
+
+    /// The entry point that the host calls.
+    fn called_entry(&self) -> Option<EntryPoint> {
+        self.dialect.host().entry.filter(|e| e.is_called_by_host())
+    }
+
+    /// Gives the function with this header another name.
+    fn rename_header(&self, header: Extent, name: &str) -> Option<Fix> {
+        let ident = self.function_at(header)?.ident;
+        if !self.token(ident.token).is_direct() {
+            return None;
+        }
+        // The host's code may use the same name.
+        let mut edits = self.rename_all(ident.name, name);
+        edits.retain(|edit| self.sources.is_user(edit.span.start));
+        Some(Fix::suggestion(format!("use `{name}`"), edits))
     }
 
     /// The function whose header these tokens are.
