@@ -2,6 +2,7 @@
 
 use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
+use rustc_hash::FxHashSet;
 use shaderlint_syntax::{Feature, Version};
 use std::ops::Range;
 
@@ -297,6 +298,63 @@ const VERTEX_WORDS: [&str; 5] = [
     "gl_PointSize",
 ];
 
+/// Inputs and outputs of fragment shaders.
+const FRAGMENT_WORDS: [&str; 4] = [
+    "gl_FragColor",
+    "gl_FragData",
+    "gl_FragCoord",
+    "gl_FrontFacing",
+];
+
+/// What a line is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum TextLine {
+    Code,
+    Directive,
+}
+
+/// The open `#if` groups of a text: whether each is skipped, as far as its line shows.
+#[derive(Default)]
+struct Groups<'t> {
+    off: Vec<bool>,
+    /// The macros defined so far.
+    defined: FxHashSet<&'t str>,
+}
+
+impl<'t> Groups<'t> {
+    /// Whether the current line is skipped.
+    fn is_off(&self) -> bool {
+        self.off.contains(&true)
+    }
+
+    /// Reads a directive; `rest` is the text after its name.
+    fn directive(&mut self, name: &str, rest: &'t str) {
+        let rest = rest.lines().next().unwrap_or("");
+        let end = |c: char| !c.is_ascii_alphanumeric() && c != '_';
+        let word = rest.trim_start().split(end).next().unwrap_or("");
+        match name {
+            "define" => {
+                self.defined.insert(word);
+            }
+            "if" => self.off.push(rest.trim() == "0"),
+            "ifdef" => {
+                let is_on = word.starts_with("GL_") || self.defined.contains(word);
+                self.off.push(!is_on);
+            }
+            "ifndef" => self.off.push(false),
+            "else" | "elif" => {
+                if let Some(off) = self.off.last_mut() {
+                    *off = false;
+                }
+            }
+            "endif" => {
+                self.off.pop();
+            }
+            _ => {}
+        }
+    }
+}
+
 #[derive(Default)]
 struct Seen {
     version: bool,
@@ -305,6 +363,7 @@ struct Seen {
     new: bool,
     main: bool,
     vertex: bool,
+    fragment: bool,
     defines_main: bool,
     precision: bool,
     attribute: bool,
@@ -322,23 +381,40 @@ impl Seen {
         let mut lexer = Lexer::new(text, 0);
         let mut after_hash = false;
         let mut last = "";
+        let mut line = TextLine::Code;
+        let mut groups = Groups::default();
         let may_be_vertex = VERTEX_WORDS.iter().any(|w| text.contains(w));
         while may_be_vertex || !self.version {
             let token = lexer.next_token();
             match token.kind {
                 RawKind::End => break,
                 RawKind::Whitespace => continue,
+                RawKind::Newline => line = TextLine::Code,
+                RawKind::Hash if line == TextLine::Code => line = TextLine::Directive,
                 RawKind::Word => {
                     let word = text.get(token.span.start as usize..token.span.end as usize);
                     let word = word.unwrap_or("");
                     let after = text.get(token.span.end as usize..).unwrap_or("");
-                    self.word(word, after_hash, last, after);
+                    if after_hash {
+                        groups.directive(word, after);
+                    }
+                    match (line, word) {
+                        (TextLine::Directive, "version") => {
+                            self.word(word, after_hash, last, after)
+                        }
+                        // A macro may define the entry point, and gives other words a new meaning.
+                        (TextLine::Directive, _) if !word.starts_with("main") => {}
+                        (_, "main") if groups.is_off() => {}
+                        _ => self.word(word, after_hash, last, after),
+                    }
                     last = word;
                 }
                 _ => {}
             }
             after_hash = token.kind == RawKind::Hash;
         }
+        // Only some words of a vertex shader exclude a fragment shader.
+        self.vertex |= self.attribute && !self.fragment;
         // A text with its own `main` may call `mainImage` itself.
         if self.defines_main && self.entries > 1 {
             self.pass = None;
@@ -346,7 +422,8 @@ impl Seen {
     }
 
     fn word(&mut self, word: &str, after_hash: bool, last: &str, after: &str) {
-        self.vertex |= VERTEX_WORDS.contains(&word);
+        self.vertex |= VERTEX_WORDS.contains(&word) && word != "attribute";
+        self.fragment |= FRAGMENT_WORDS.contains(&word);
         match word {
             "version" if after_hash => {
                 self.version = true;
@@ -447,6 +524,21 @@ mod tests {
             );
         }
         check("void mainimage(out vec4 c, in vec2 p, float t) {}", None);
+        // What a directive skips or defines is not what the text is for.
+        let image = "void mainImage(out vec4 c, vec2 f){}\n";
+        let main = "void main(){ mainImage(c, gl_FragCoord.xy); }\n";
+        for open in ["#if 0", "#ifdef STANDALONE"] {
+            check(
+                &format!("{image}{open}\n{main}#endif\n"),
+                Some(GuessedKind::ShaderToy(Pass::Image)),
+            );
+        }
+        check(
+            &format!("{image}#ifdef GL_ES\n{main}#endif\n"),
+            Some(GuessedKind::WebGl2),
+        );
+        let found = super::guess("#define attribute in\nvoid main(){ gl_FragColor = vec4(1); }");
+        assert_eq!(found.stage, None);
         assert_eq!(
             guess("void main(){gl_Position=vec4(0);}").stage,
             Some(Stage::Vertex)
