@@ -7,7 +7,7 @@ use shaderlint_syntax::ast::*;
 pub static RULE: Rule = Rule {
     name: "dead-code",
     group: Group::Tidy,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("dead_code.md"),

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
-use shaderlint_lint::sample::{SampleRun, UnreportedFault};
+use shaderlint_lint::sample::SampleRun;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 
@@ -16,9 +16,6 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// Least share of the executed float divisions that divide by zero.
-const OFTEN: f64 = 0.01;
-
 fn check(cx: &mut Context) {
     let note = cx
         .facts
@@ -27,7 +24,7 @@ fn check(cx: &mut Context) {
     for fault in cx.facts.unreported_faults(FaultKind::DivisionByZero) {
         let op = fault.number.op;
         let is_float = cx.facts.module().scalar(op) == Some(Scalar::Float);
-        if is_float && !is_often(&fault) {
+        if is_float && !fault.is_often() {
             continue;
         }
         let is_nothing = fault.number.witness.operands.first() == Some(&0.0);
@@ -41,9 +38,4 @@ fn check(cx: &mut Context) {
             finding.lower();
         }
     }
-}
-
-/// Whether it affects more than a line or a point of the image, which the code may account for.
-fn is_often(fault: &UnreportedFault) -> bool {
-    fault.number.times as f64 / fault.visits.max(1) as f64 >= OFTEN
 }

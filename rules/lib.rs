@@ -111,6 +111,7 @@ mod truncated_cell;
 mod tunable_range;
 mod unbounded_loop;
 mod undefined_constant;
+mod undefined_seen;
 mod uniform_without_effect;
 mod uninitialized_read;
 mod uninitialized_seen;
@@ -258,6 +259,7 @@ pub static RULES: &[&Rule] = &[
     &tunable_range::RULE,
     &unbounded_loop::RULE,
     &undefined_constant::RULE,
+    &undefined_seen::RULE,
     &uniform_without_effect::RULE,
     &uninitialized_read::RULE,
     &uninitialized_seen::RULE,

@@ -6,6 +6,9 @@ use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
+/// Limit of the number that the help adds, so that the sum does not overflow.
+const MAX_ADDED: f64 = 1e6;
+
 pub static RULE: Rule = Rule {
     name: "negative-remainder",
     group: Group::Numeric,
@@ -33,7 +36,17 @@ fn check(cx: &mut Context, id: ExprId) {
     let Some((side, range)) = bad else { return };
     let is = range.may_or_is(|r| r.is_below(0.0));
     let (x, n) = (program.expr_text(left), program.expr_text(right));
-    let help = format!("make the operand positive first: `({x} + {n}) % {n}`");
+    // A multiple of the divisor that makes every value positive.
+    let divisor = cx.facts.range(right).find_map(|r| r.single());
+    let divisor = divisor.filter(|n| *n > 0.0 && range.lo.value.is_finite());
+    let multiple = divisor.map(|n| (-range.lo.value / n).ceil());
+    let code = match (multiple, divisor) {
+        (Some(1.0), _) => format!("({x} + {n}) % {n}"),
+        (Some(multiple), Some(divisor)) if multiple * divisor < MAX_ADDED => {
+            format!("({x} + {}) % {n}", multiple * divisor)
+        }
+        _ => format!("{x} - {n} * int(floor(float({x}) / float({n})))"),
+    };
     let known = range.of_integer();
     let finding = cx
         .report_expr(side, format!("operand of `%` {is} negative: {known}"))
@@ -42,7 +55,7 @@ fn check(cx: &mut Context, id: ExprId) {
             negative result",
         );
     if side == left {
-        finding.help(help);
+        finding.help(format!("keep the operand positive: `{code}`"));
     }
     cx.confirm_by_sampling(id, &[FaultKind::Undefined]);
 }

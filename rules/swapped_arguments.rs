@@ -28,10 +28,19 @@ fn check(cx: &mut Context, call: &Builtin) {
             [b, c, a],
             "the order is `smoothstep(edge0, edge1, x)`; here `edge0` varies and `x` is constant",
         ),
-        BuiltinId::Mix if !is_known(a) && is_known(b) && is_known(c) && !is_share(c) => (
-            [b, c, a],
-            "the order is `mix(x, y, a)`; here `a` is a constant outside 0.0 to 1.0",
-        ),
+        // `mix(color, vec3(0.5), -0.3)` extrapolates: in the other order the types would differ.
+        BuiltinId::Mix
+            if !is_known(a)
+                && is_known(b)
+                && is_known(c)
+                && !is_share(c)
+                && program.ty(b) == program.ty(c) =>
+        {
+            (
+                [b, c, a],
+                "the order is `mix(x, y, a)`; here `a` is a constant outside 0.0 to 1.0",
+            )
+        }
         BuiltinId::Clamp if is_known(a) && !is_known(b) && is_known(c) => (
             [b, a, c],
             "the order is `clamp(x, minVal, maxVal)`; here `x` is constant and `minVal` varies",

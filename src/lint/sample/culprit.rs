@@ -99,11 +99,7 @@ impl Culprit {
             .number
             .as_ref()
             .map_or(&[][..], |n| &n.witness.operands);
-        let numbers: Vec<String> = operands
-            .iter()
-            .map(|n| format!("{n:.6}"))
-            .map(short)
-            .collect();
+        let numbers: Vec<String> = operands.iter().map(|n| rounded(*n)).collect();
         let of = match numbers.as_slice() {
             [] => String::new(),
             numbers => format!(", with operands {}", numbers.join(" and ")),
@@ -122,6 +118,7 @@ pub fn report_broken(cx: &mut Context, kind: FaultKind, is_broken: fn(f32) -> bo
     if op.is_some_and(|op| cx.facts.is_reported(op)) {
         return;
     }
+    cx.facts.mark_reported(op);
     let note = cx
         .facts
         .sample_run()
@@ -134,8 +131,9 @@ pub fn report_broken(cx: &mut Context, kind: FaultKind, is_broken: fn(f32) -> bo
     finding.note(culprit.evidence_note()).note(note);
 }
 
-/// Removes trailing zeros.
-fn short(number: String) -> String {
+/// A number with up to six digits after the point.
+pub fn rounded(number: f64) -> String {
+    let number = format!("{number:.6}");
     match number.contains('.') {
         true => number
             .trim_end_matches('0')

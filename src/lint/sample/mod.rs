@@ -16,7 +16,7 @@ use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
 use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, SIZE, SampleLimit, colors};
-pub use culprit::{Culprit, grouped, percent, report_broken};
+pub use culprit::{Culprit, grouped, percent, report_broken, rounded};
 pub use hit::Hit;
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};

@@ -108,6 +108,16 @@ pub struct UnreportedFault {
     pub words: String,
 }
 
+/// Least share of the evaluations in which a frequent fault occurs.
+const OFTEN: f64 = 0.01;
+
+impl UnreportedFault {
+    /// Whether it affects more than a line or a point of the image, which the code may account for.
+    pub fn is_often(&self) -> bool {
+        self.number.times as f64 / self.visits.max(1) as f64 >= OFTEN
+    }
+}
+
 impl Facts<'_> {
     /// The faults of this kind that occur on every GPU, do not depend on unknown inputs, and have not been
     /// reported by another rule.

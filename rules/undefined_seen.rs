@@ -1,0 +1,63 @@
+//! Calls outside the domain of a built-in function that occurred in a sample run.
+
+use shaderlint_diagnostic::Severity;
+use shaderlint_exec::FaultKind;
+use shaderlint_ir::OpKind;
+use shaderlint_lint::sample::{SampleRun, rounded};
+use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_semantic::BuiltinId;
+
+pub static RULE: Rule = Rule {
+    name: "undefined-seen",
+    group: Group::Runtime,
+    severity: Severity::Warning,
+    preset: RulePreset::Recommended,
+    options: &[],
+    page: include_str!("undefined_seen.md"),
+    checks: &[Check::Run(check)],
+};
+
+fn check(cx: &mut Context) {
+    let note = cx
+        .facts
+        .sample_run()
+        .map_or(String::new(), SampleRun::sampled_note);
+    for fault in cx.facts.unreported_faults(FaultKind::Undefined) {
+        let op = fault.number.op;
+        let OpKind::Builtin(function, _) = cx.facts.module().op(op).kind else {
+            continue;
+        };
+        let operands = &fault.number.witness.operands;
+        if !gives_nan(function, operands) || !fault.is_often() {
+            continue;
+        }
+        let name = function.name();
+        let operands: Vec<String> = operands.iter().map(|n| rounded(*n)).collect();
+        let finding = cx.report_op(
+            op,
+            format!("`{name}({})` is undefined", operands.join(", ")),
+        );
+        let finding = match function {
+            BuiltinId::Pow => finding.help("use `max(x, 0.0)` or `abs(x)` as the base"),
+            _ => finding,
+        };
+        finding
+            .note(format!(
+                "the argument is outside the domain of `{name}` (section 8); many GPUs return NaN"
+            ))
+            .note(fault.words)
+            .note(note.clone());
+        cx.facts.mark_reported(Some(op));
+    }
+}
+
+/// Whether the function is NaN for these operands on many GPUs. The logarithm of zero is infinite,
+/// and `smoothstep` with reversed edges is what its formula says.
+fn gives_nan(function: BuiltinId, operands: &[f64]) -> bool {
+    use BuiltinId::*;
+    match function {
+        Log | Log2 | InverseSqrt => operands.first().is_some_and(|x| *x < 0.0),
+        Pow | Sqrt | Asin | Acos | Acosh | Atanh => !operands.is_empty(),
+        _ => false,
+    }
+}
