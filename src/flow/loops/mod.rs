@@ -7,6 +7,7 @@ mod pace;
 mod tests;
 
 use super::ranges::Query;
+pub(crate) use pace::is_invariant;
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Loop, LoopId, Module, OpId, Step, Switch, Visit};
 use shaderlint_semantic::{FunctionRef, VariableId};

@@ -270,7 +270,7 @@ fn slowest(range: Interval) -> Option<f64> {
 }
 
 /// Whether a value is loop-invariant.
-pub(super) fn is_invariant(query: Query, looped: LoopId, op: OpId) -> bool {
+pub(crate) fn is_invariant(query: Query, looped: LoopId, op: OpId) -> bool {
     let (module, defs) = (query.module, query.defs);
     let made = defs.made_in(looped);
     let mut todo = vec![op];

@@ -1,0 +1,122 @@
+//! Ray loops: loops that provably move a point along a ray by what the scene returns at that point.
+//!
+//! Two forms are recognised. A *distance loop* adds a step to a ray parameter (`t += k * d`) or to a
+//! point (`p += direction * d`), where `d` is evaluated at a point that depends on that parameter or
+//! point, and the direction is loop-invariant. A *grid loop* moves an integer cell by at most one per
+//! component and asks a function about it. Loops over bounces, samples of a volume, fractal iterations
+//! and loops in two dimensions have neither form.
+
+mod dependence;
+mod exits;
+mod start;
+mod step;
+#[cfg(test)]
+mod tests;
+
+use super::calls::Calls;
+use super::ranges::Query;
+use dependence::LoopSlice;
+use exits::exits;
+use shaderlint_ir::{LoopId, OpId, Provenance};
+use shaderlint_semantic::FunctionRef;
+use shaderlint_syntax::ast::StmtId;
+use start::Starts;
+use step::Stepped;
+
+/// How a ray loop moves its point.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum RayKind {
+    /// By a multiple of the distance that the scene returns.
+    Distance,
+    /// From one cell of a grid to the next.
+    Grid,
+}
+
+/// The condition with which a ray loop ends because the scene was hit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct HitTest {
+    /// The comparison of the distance, or the condition of a grid loop.
+    pub condition: OpId,
+    /// Its value for a hit.
+    pub truth: bool,
+    /// The `if` that consists of the condition; `None` for a comparison or a loop condition.
+    pub branch: Option<Provenance>,
+}
+
+/// A loop that provably moves along a ray.
+#[derive(Clone, Debug)]
+pub struct RayLoop {
+    /// The loop.
+    pub looped: LoopId,
+    /// Its statement.
+    pub stmt: StmtId,
+    /// The function that contains it.
+    pub function: FunctionRef,
+    /// How it moves.
+    pub kind: RayKind,
+    /// The function that is evaluated at each step; `None` if the distance is computed in the loop.
+    pub scene: Option<FunctionRef>,
+    /// The condition that ends the loop at a hit; `None` if there is none, or several.
+    pub hit: Option<HitTest>,
+    /// Whether another condition on the ray ends the loop, such as a maximum distance.
+    pub ends_far: bool,
+    /// Whether the loop sums up something along the ray, such as a glow.
+    pub accumulates: bool,
+    /// Where rays start, if they do not start at a point that another ray loop found: the components
+    /// of the position, in the function that computes them. Empty for rays from the origin.
+    pub start: Option<Vec<(OpId, u32)>>,
+}
+
+/// Most ray loops of which the starts are compared with the results of the others.
+const MAX_LOOPS: usize = 32;
+
+/// The ray loops of a shader, in the order of [`shaderlint_ir::Module::loops`].
+pub fn ray_loops(query: Query, calls: &Calls) -> Vec<RayLoop> {
+    let module = query.module;
+    let mut bodies: Vec<_> = (0..)
+        .map(FunctionRef)
+        .zip(&module.functions)
+        .filter(|(_, f)| f.ops.len > 0)
+        .collect();
+    bodies.sort_by_key(|(_, f)| f.ops.first);
+    let around = |op: OpId| {
+        let next = bodies.partition_point(|(_, f)| f.ops.first <= op);
+        let (id, function) = bodies.get(next.checked_sub(1)?)?;
+        function.ops.contains(op).then_some(*id)
+    };
+    let loops = (0..).map(LoopId).zip(&module.loops);
+    let all = loops.filter_map(|(id, looped)| ray_loop(query, id, around(looped.ops.first)?));
+    let all: Vec<(RayLoop, Stepped)> = all.collect();
+    let ids: Vec<LoopId> = all.iter().map(|(ray, _)| ray.looped).collect();
+    let holds = |function| all.iter().any(|(ray, _)| ray.function == function);
+    let marching = calls.graph().reaching(holds);
+    let starts = Starts::new(query, &ids, &marching);
+    let found = all.into_iter().map(|(mut ray, stepped)| {
+        if ids.len() <= MAX_LOOPS {
+            ray.start = starts.of(&stepped);
+        }
+        ray
+    });
+    found.collect()
+}
+
+fn ray_loop(query: Query, id: LoopId, function: FunctionRef) -> Option<(RayLoop, Stepped)> {
+    let looped = query.module.looped(id)?;
+    let slice = LoopSlice::new(query, id, looped);
+    let stepped = step::find(&slice)?;
+    let (hit, ends_far) = exits(&slice, &stepped, looped);
+    let asked = hit.filter(|_| stepped.kind == RayKind::Grid);
+    let asked = asked.map(|hit| vec![(hit.condition, 0)]);
+    let ray = RayLoop {
+        looped: id,
+        stmt: looped.stmt,
+        function,
+        kind: stepped.kind,
+        scene: slice.called(asked.as_ref().unwrap_or(&stepped.distance), &stepped.heads),
+        hit,
+        ends_far,
+        accumulates: step::accumulates(&slice, &stepped),
+        start: None,
+    };
+    Some((ray, stepped))
+}

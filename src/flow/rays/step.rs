@@ -1,0 +1,364 @@
+//! The step of a ray loop: what is added to a ray parameter, a point or a cell in each iteration.
+
+use super::RayKind;
+use super::dependence::{Lane, Node, LoopSlice};
+use crate::reaching_definitions::{Def, DefId};
+use rustc_hash::FxHashSet;
+use shaderlint_ir::{Binary, OpId, OpKind};
+use shaderlint_semantic::builtins::Transfer;
+use shaderlint_semantic::{Scalar, Type, VariableId};
+
+/// The moved value of a ray loop.
+#[derive(Debug)]
+pub(super) struct Stepped {
+    pub kind: RayKind,
+    /// The head definitions of the ray parameter, point or cell.
+    pub heads: Vec<DefId>,
+    /// The values of the heads before the loop.
+    pub init: Vec<DefId>,
+    /// The distances that the step is computed from, or the steps of a grid.
+    pub distance: Vec<Lane>,
+    /// The sums of a head and what is added to it.
+    pub moved: Vec<Lane>,
+    /// Where rays start.
+    pub origin: Origin,
+}
+
+/// The position that rays start at.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Origin {
+    /// The initial value of the heads.
+    Init,
+    /// An operand of a sum in the loop.
+    Value(OpId),
+    /// The coordinate origin.
+    Zero,
+}
+
+/// A variable that a loop carries from one iteration to the next.
+struct Carried {
+    variable: VariableId,
+    ty: Type,
+    /// Its heads, by component.
+    heads: Vec<(DefId, u32)>,
+}
+
+/// The step of a loop; `None` if it is not a ray loop.
+pub(super) fn find(slice: &LoopSlice) -> Option<Stepped> {
+    let all = carried(slice);
+    all.iter()
+        .find_map(|c| parameter(slice, c).or_else(|| point(slice, c)))
+        .or_else(|| all.iter().find_map(|c| cell(slice, c)))
+}
+
+fn carried(slice: &LoopSlice) -> Vec<Carried> {
+    let (module, defs) = (slice.query.module, slice.query.defs);
+    let mut all: Vec<Carried> = Vec::new();
+    for head in defs.heads(slice.id) {
+        let Def::Head { slot, .. } = defs.get(head) else {
+            continue;
+        };
+        let (variable, lane) = defs.variable_at(slot);
+        let Some(ty) = module.variable(variable).map(|v| v.ty) else {
+            continue;
+        };
+        // The length of a vector has a slot of its own.
+        if lane >= ty.components() {
+            continue;
+        }
+        match all.iter_mut().find(|c| c.variable == variable) {
+            Some(known) => known.heads.push((head, lane)),
+            None => all.push(Carried {
+                variable,
+                ty,
+                heads: vec![(head, lane)],
+            }),
+        }
+    }
+    all
+}
+
+/// `t += k * d`, with `d` evaluated at a point that depends on `t`.
+fn parameter(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
+    let &[(head, _)] = carried.heads.as_slice() else {
+        return None;
+    };
+    if carried.ty != Type::FLOAT {
+        return None;
+    }
+    let (init, added) = added(slice, head)?;
+    let heads = vec![head];
+    let distance: Vec<Lane> = added
+        .terms
+        .into_iter()
+        .filter(|lane| slice.depends(*lane, &heads, true))
+        .collect();
+    let origin = origin(slice, &heads, &distance)?;
+    (!distance.is_empty()).then_some(Stepped {
+        kind: RayKind::Distance,
+        heads,
+        init: vec![init],
+        distance,
+        moved: added.sums,
+        origin,
+    })
+}
+
+/// `p += direction * d`, with `d` evaluated at `p` and a loop-invariant direction.
+fn point(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
+    let is_point = carried.ty.is_vector()
+        && carried.ty.components() >= 3
+        && carried.ty.scalar_kind() == Some(Scalar::Float);
+    if !is_point || carried.heads.len() < 3 {
+        return None;
+    }
+    let heads: Vec<DefId> = carried.heads.iter().map(|(head, _)| *head).collect();
+    let (mut inits, mut distance, mut moved) = (Vec::new(), Vec::new(), Vec::new());
+    for &(head, _) in &carried.heads {
+        let (init, added) = added(slice, head)?;
+        inits.push(init);
+        moved.extend(added.sums);
+        for term in added.terms {
+            distance.push(along(slice, term, &heads, 8)?);
+        }
+    }
+    (!distance.is_empty()).then_some(Stepped {
+        kind: RayKind::Distance,
+        heads,
+        init: inits,
+        distance,
+        moved,
+        origin: Origin::Init,
+    })
+}
+
+/// The distance in `direction * d` for a loop-invariant direction.
+fn along(slice: &LoopSlice, (op, lane): Lane, heads: &[DefId], depth: u32) -> Option<Lane> {
+    let rest = depth.checked_sub(1)?;
+    slice.spend()?;
+    let (module, defs) = (slice.query.module, slice.query.defs);
+    match module.op(op).kind {
+        OpKind::Load(_) => match defs.get(defs.unrefined(defs.seen(op, lane))) {
+            Def::Stored { value, lane } => along(slice, (value, lane), heads, rest),
+            _ => None,
+        },
+        OpKind::Binary(Binary::Multiply | Binary::Divide, a, b) => {
+            let number = |op| match module.op(op).kind {
+                OpKind::Splat(number) => Some((number, 0)),
+                _ => None,
+            };
+            let moving = |lane: Lane| slice.depends(lane, heads, true).then_some(lane);
+            match (slice.is_invariant(a), slice.is_invariant(b)) {
+                (true, false) => number(b)
+                    .and_then(moving)
+                    .or_else(|| along(slice, (b, lane), heads, rest)),
+                (false, true) => number(a)
+                    .and_then(moving)
+                    .or_else(|| along(slice, (a, lane), heads, rest)),
+                // `direction * d * k`, where `k` depends on the iteration.
+                (false, false) => {
+                    number(b)?;
+                    along(slice, (a, lane), heads, rest)
+                }
+                (true, true) => None,
+            }
+        }
+        _ => {
+            let part = defs.part_of(module, op, lane)?;
+            along(slice, part, heads, rest)
+        }
+    }
+}
+
+/// A cell whose components are integers that change by at most one.
+fn cell(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
+    let is_cell = carried.ty.is_vector() && carried.ty.components() == 3;
+    if !is_cell || carried.heads.len() != 3 {
+        return None;
+    }
+    let is_integer = carried.ty.scalar_kind() == Some(Scalar::Int);
+    let heads: Vec<DefId> = carried.heads.iter().map(|(head, _)| *head).collect();
+    let (mut inits, mut steps) = (Vec::new(), Vec::new());
+    for &(head, _) in &carried.heads {
+        let (init, added) = added(slice, head)?;
+        let is_small = |&(op, lane): &Lane| {
+            let range = slice.query.lane(op, lane);
+            range.lo.value >= -1.0 && range.hi.value <= 1.0 && !slice.is_invariant(op)
+        };
+        if !added.terms.iter().all(is_small) || !(is_integer || is_rounded(slice, init)) {
+            return None;
+        }
+        inits.push(init);
+        steps.extend(added.terms);
+    }
+    Some(Stepped {
+        kind: RayKind::Grid,
+        heads,
+        init: inits,
+        distance: steps,
+        moved: Vec::new(),
+        origin: Origin::Init,
+    })
+}
+
+/// Whether a definition is the result of `floor` or the like.
+fn is_rounded(slice: &LoopSlice, def: DefId) -> bool {
+    let (module, defs) = (slice.query.module, slice.query.defs);
+    let def = defs.copied_from(module, def);
+    let Def::Stored {
+        mut value,
+        mut lane,
+    } = defs.get(def)
+    else {
+        return false;
+    };
+    while let Some(part) = defs.part_of(module, value, lane) {
+        (value, lane) = part;
+    }
+    match module.op(value).kind {
+        OpKind::Builtin(function, _) => matches!(function.transfer(), Transfer::Rounded(_)),
+        _ => false,
+    }
+}
+
+/// What an iteration adds to a head.
+#[derive(Default)]
+struct Added {
+    /// The terms.
+    terms: Vec<Lane>,
+    /// The sums with the head.
+    sums: Vec<Lane>,
+}
+
+/// The value of a head before the loop, and what an iteration adds to it; `None` if it changes in
+/// another way, or not at all.
+fn added(slice: &LoopSlice, head: DefId) -> Option<(DefId, Added)> {
+    let defs = slice.query.defs;
+    let Def::Head { init, back, .. } = defs.get(head) else {
+        return None;
+    };
+    let mut added = Added::default();
+    let is_sum = sum_def(slice, back, head, &mut added, 24);
+    (is_sum && !added.terms.is_empty()).then_some((defs.unrefined(init), added))
+}
+
+fn sum_def(slice: &LoopSlice, def: DefId, head: DefId, added: &mut Added, depth: u32) -> bool {
+    let defs = slice.query.defs;
+    let (def, Some(rest)) = (defs.unrefined(def), depth.checked_sub(1)) else {
+        return false;
+    };
+    if def == head {
+        return true;
+    }
+    match defs.get(def) {
+        Def::Stored { value, lane } => sum(slice, (value, lane), head, added, rest),
+        Def::Merge { sides, .. } => {
+            let sides = defs.list(sides).iter();
+            sides.fold(true, |all, side| {
+                all && sum_def(slice, *side, head, added, rest)
+            })
+        }
+        _ => false,
+    }
+}
+
+/// Whether a component is a head plus some terms.
+fn sum(slice: &LoopSlice, (op, lane): Lane, head: DefId, added: &mut Added, depth: u32) -> bool {
+    let (Some(rest), Some(())) = (depth.checked_sub(1), slice.spend()) else {
+        return false;
+    };
+    let (module, defs) = (slice.query.module, slice.query.defs);
+    let known = added.terms.len();
+    match module.op(op).kind {
+        OpKind::Load(_) => sum_def(slice, defs.seen(op, lane), head, added, rest),
+        OpKind::Binary(Binary::Add, a, b) => {
+            if sum(slice, (a, lane), head, added, rest) {
+                added.terms.push((b, lane));
+                added.sums.push((op, lane));
+                return true;
+            }
+            added.terms.truncate(known);
+            let is_sum = sum(slice, (b, lane), head, added, rest);
+            added.terms.push((a, lane));
+            added.sums.push((op, lane));
+            is_sum
+        }
+        OpKind::Binary(Binary::Subtract, a, b) => {
+            let is_sum = sum(slice, (a, lane), head, added, rest);
+            added.terms.push((b, lane));
+            added.sums.push((op, lane));
+            is_sum
+        }
+        OpKind::Select {
+            then, otherwise, ..
+        } => {
+            sum(slice, (then, lane), head, added, rest)
+                && sum(slice, (otherwise, lane), head, added, rest)
+        }
+        // `t = min(t + d, far)`
+        OpKind::Builtin(function, list)
+            if matches!(function.transfer(), Transfer::Minimum | Transfer::Between) =>
+        {
+            let first = module.operands(list).first();
+            first.is_some_and(|a| sum(slice, (*a, lane), head, added, rest))
+        }
+        _ => match defs.part_of(module, op, lane) {
+            Some(part) => sum(slice, part, head, added, rest),
+            None => false,
+        },
+    }
+}
+
+/// Where rays start that are given by a parameter: the invariant part of the first point that depends
+/// on it. `None` if there is no such point in the loop.
+fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[Lane]) -> Option<Origin> {
+    let module = slice.query.module;
+    let mut points: Vec<OpId> = Vec::new();
+    for &lane in distance {
+        slice.walk(lane, |node, _| match node {
+            Node::Lane(op, _) => {
+                if slice.is_point(op) && slice.looped.ops.contains(op) {
+                    points.push(op);
+                }
+                true
+            }
+            Node::Def(def) => !heads.contains(&def) && slice.is_inside(def),
+        });
+    }
+    points.sort_unstable();
+    points.dedup();
+    let mut has_direction = false;
+    for op in points {
+        match module.op(op).kind {
+            OpKind::Binary(Binary::Add | Binary::Subtract, a, b) => {
+                match (slice.is_invariant(a), slice.is_invariant(b)) {
+                    (true, false) => return Some(Origin::Value(a)),
+                    (false, true) => return Some(Origin::Value(b)),
+                    _ => {}
+                }
+            }
+            OpKind::Binary(Binary::Multiply, a, b) => {
+                has_direction |= slice.is_invariant(a) != slice.is_invariant(b);
+            }
+            _ => {}
+        }
+    }
+    has_direction.then_some(Origin::Zero)
+}
+
+/// Whether a loop sums up something else along the ray, other than the distance itself.
+pub(super) fn accumulates(slice: &LoopSlice, stepped: &Stepped) -> bool {
+    let cores = |lane| slice.cores(lane, &stepped.heads, &stepped.moved);
+    let distance: FxHashSet<Lane> = stepped.distance.iter().flat_map(|d| cores(*d)).collect();
+    let others = carried(slice).into_iter().flat_map(|c| c.heads);
+    let mut others = others.filter(|(head, _)| !stepped.heads.contains(head));
+    others.any(|(head, _)| {
+        added(slice, head).is_some_and(|(_, added)| {
+            let mut terms = added.terms.into_iter();
+            terms.any(|term| {
+                slice.depends(term, &stepped.heads, true)
+                    && !cores(term).iter().any(|core| distance.contains(core))
+            })
+        })
+    })
+}
