@@ -1,8 +1,8 @@
 //! Scenes in which no surface is lit.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::Observations;
-use shaderlint_lint::sample::{SampleRun, SampledPixel};
+use shaderlint_exec::{Observations, Watch};
+use shaderlint_lint::sample::{Hit, SampleRun, SampledPixel};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use std::collections::BTreeMap;
 
@@ -31,19 +31,20 @@ fn check(cx: &mut Context) {
     if cx.facts.hits().is_empty() {
         return;
     }
-    let Some([black, lit]) = halves(cx, sample_run) else {
+    let Some(usual) = halves(cx, sample_run) else {
         return;
     };
-    for hit in cx.facts.hits() {
-        let (Some(black), Some(lit)) = (hit.seen(&black), hit.seen(&lit)) else {
-            continue;
-        };
-        let shares = [
-            share(black.0, black.1),
-            share(lit.1, lit.0),
-            share(black.0, lit.0),
-        ];
-        if shares.iter().all(|share| *share >= NEARLY_ALL) {
+    let mut black: Vec<&Hit> = cx.facts.hits().iter().collect();
+    black.retain(|hit| is_black_where_hit(hit, &usual));
+    if black.is_empty() {
+        return;
+    }
+    let later = cx.facts.later_run(Watch::Faults);
+    let Some(later) = later.and_then(|later| halves(cx, &later)) else {
+        return;
+    };
+    for hit in black {
+        if is_black_where_hit(hit, &later) {
             let note = sample_run.sampled_note();
             let finding = cx.report_op(hit.condition, "all surfaces hit by rays are black");
             finding.note(note).help(
@@ -53,6 +54,19 @@ fn check(cx: &mut Context) {
             return;
         }
     }
+}
+
+/// Whether nearly all hits are black, and nearly all misses are not.
+fn is_black_where_hit(hit: &Hit, [black, lit]: &[Observations; 2]) -> bool {
+    let (Some(black), Some(lit)) = (hit.seen(black), hit.seen(lit)) else {
+        return false;
+    };
+    let shares = [
+        share(black.0, black.1),
+        share(lit.1, lit.0),
+        share(black.0, lit.0),
+    ];
+    shares.iter().all(|share| *share >= NEARLY_ALL)
 }
 
 /// The share of `some` in the sum of both; 0 if both are 0.

@@ -1,6 +1,7 @@
 //! Rays that stop at their first step because the camera is inside an object.
 
 use shaderlint_diagnostic::Severity;
+use shaderlint_lint::sample::{RayCounts, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
@@ -21,13 +22,20 @@ fn check(cx: &mut Context) {
     else {
         return;
     };
-    for stmt in cx.facts.stuck_marches() {
-        let extent = cx.program.tree.stmt(stmt).extent;
+    for outcome in cx.facts.stuck_marches() {
+        let RayCounts { rays, hits, .. } = outcome.counts;
+        let extent = cx.program.tree.stmt(outcome.march.looped.stmt).extent;
         cx.facts.mark_blank();
         let head = cx.program.token(extent.first).map(|t| t.span);
         let message = "the camera is inside an object: nearly all rays stop at the first step";
         let finding = cx.report_span(head.unwrap_or_default(), message);
-        let finding = finding.note(note.clone());
-        finding.help("move the camera to an empty part of the scene");
+        finding
+            .note(format!(
+                "{} of {} rays hit something at their first step",
+                grouped(hits),
+                grouped(rays)
+            ))
+            .note(note.clone())
+            .help("move the camera to an empty part of the scene");
     }
 }

@@ -44,9 +44,12 @@ fn check(cx: &mut Context) {
         true => LIT_SURFACE,
         false => LIT,
     };
-    if !cx
-        .facts
-        .is_seen(|sample_run| is_dark(sample_run, lit(sample_run)))
+    let is_dark =
+        |sample_run: &SampleRun, factor: f64| is_dark(sample_run, factor * lit(sample_run));
+    // Later instants are sampled with fewer pixels.
+    let is_lasting = |sample_run: &SampleRun| is_dark(sample_run, 2.0);
+    if !cx.facts.is_seen(|sample_run| is_dark(sample_run, 1.0))
+        || !cx.facts.is_seen_later(is_lasting)
     {
         return;
     }

@@ -1,7 +1,9 @@
 //! Frames of one colour, and frames in which no ray hits anything.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{Hit, SampleFrame, SampleRun, SampledPixel, is_too_bright};
+use shaderlint_lint::sample::{
+    MarchOutcome, SampleFrame, SampleRun, SampledPixel, grouped, is_too_bright,
+};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
@@ -35,6 +37,7 @@ fn check(cx: &mut Context) {
         && !sample_run.shows_a_number()
         && cx.facts.is_computed()
         && cx.facts.is_seen(is_flat)
+        && cx.facts.is_seen_later(is_flat)
     {
         cx.facts.mark_blank();
         let note = sample_run.sampled_note();
@@ -43,27 +46,28 @@ fn check(cx: &mut Context) {
     }
 }
 
-/// Reports the condition that detects hits, if all rays miss; returns whether they do.
+/// Reports the condition that ends rays at a hit, if all rays from the camera miss; returns whether they
+/// do.
 fn missed(cx: &mut Context, sample_run: &SampleRun) -> bool {
-    let miss = |sample_run: &SampleRun, hit: &Hit| {
-        let seen = hit.seen(&sample_run.seen);
-        seen.is_some_and(|(hits, misses)| hits == 0 && misses > 0)
-    };
-    let facts = cx.facts;
-    let is_missed = |hit: &&Hit| {
-        facts.is_known(hit.condition) && facts.is_seen(|sample_run| miss(sample_run, hit))
-    };
-    let Some(hit) = facts.hits().iter().find(is_missed) else {
+    let missed = cx.facts.missing_marches();
+    let Some(MarchOutcome { test, counts, .. }) = missed.first() else {
         return false;
     };
-    facts.mark_blank();
+    cx.facts.mark_blank();
     let note = sample_run.sampled_note();
     let message = "no ray hits anything; only the background is drawn";
-    let finding = cx.report_op(hit.condition, message).note(note);
-    finding.help(
-        "check the camera position and direction, and whether the scene distance ever gets near \
-        zero",
-    );
+    let finding = cx.report_op(test.condition, message);
+    finding
+        .note(format!(
+            "0 of {} rays from the camera end here, in {} tests",
+            grouped(counts.rays),
+            grouped(counts.tests)
+        ))
+        .note(note)
+        .help(
+            "check the camera position and direction, and whether the scene distance ever gets \
+            near zero",
+        );
     true
 }
 

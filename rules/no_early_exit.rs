@@ -37,8 +37,10 @@ fn check(cx: &mut Context) {
     let program = cx.program;
     let mut scenes: Vec<(FunctionRef, StmtId)> = Vec::new();
     for march in facts.marches().iter().filter(|m| m.looped.ends_early) {
-        if scenes.iter().all(|(f, _)| *f != march.scene) {
-            scenes.push((march.scene, march.looped.stmt));
+        if let Some(scene) = march.ray.scene
+            && scenes.iter().all(|(f, _)| *f != scene)
+        {
+            scenes.push((scene, march.looped.stmt));
         }
     }
     for (scene, looped) in scenes {

@@ -84,7 +84,7 @@ fn marched(cx: &Context, march: &March) -> Option<Marched> {
         MarchGoal::Shadow => cx.option(&SHADOW),
     };
     Some(Marched {
-        march: *march,
+        march: march.clone(),
         given,
         steps,
         allowed: documented.as_ref().map_or(usual, |r| r.max as u64),

@@ -49,13 +49,17 @@ fn check(cx: &mut Context) {
         .filter_map(missed)
         .filter(|(seen, bands)| {
             let is_known = cx.facts.is_known(bands.first());
-            is_known && seen.distinguishes && seen.is_below() && !grows(&usual, bands)
+            let is_bounded = !cx.facts.may_move(bands.value) || proves(cx, bands);
+            is_known && is_bounded && seen.distinguishes && seen.is_below() && !grows(&usual, bands)
         });
     let missed: Vec<(Reached, Bands)> = missed.collect();
     if missed.is_empty() {
         return;
     }
-    let others: Vec<SampleRun> = runs.flatten().collect();
+    let Some(later) = cx.facts.later_run(Watch::Comparisons) else {
+        return;
+    };
+    let others: Vec<SampleRun> = runs.flatten().chain([later]).collect();
     for (seen, bands) in missed {
         let is_same =
             |sample_run: &SampleRun| Reached::of(sample_run, &bands).is_none_or(|r| r.is_below());
@@ -160,6 +164,11 @@ impl Reached {
         let limit = f64::from(self.limit);
         self.most + 0.01 * limit.abs() < limit
     }
+}
+
+/// Whether the range of the value ends below the largest threshold, at any time.
+fn proves(cx: &Context, bands: &Bands) -> bool {
+    cx.facts.ranges().lane(bands.value, 0).hi.value < f64::from(bands.limit)
 }
 
 /// Whether the maximum at the last instant is far above the earlier ones, so that it may keep growing.

@@ -229,10 +229,9 @@ impl<'a> Facts<'a> {
 
     /// The loops that march along a ray.
     pub fn marches(&self) -> &[March] {
-        self.known.marches.get_or_init(|| {
-            let (shader, loops) = ((self.program, self.module()), (self.loops(), self.calls()));
-            marches(shader, loops, self.reaching_definitions(), self.entry())
-        })
+        self.known
+            .marches
+            .get_or_init(|| marches(self.ranges(), (self.loops(), self.calls()), self.entry()))
     }
 
     /// Definite assignment on the paths through each function.

@@ -1,21 +1,22 @@
-//! Ray marching loops, and the scene functions that they call.
+//! Ray marching loops, and what they are for.
 
 use rustc_hash::FxHashSet;
+use shaderlint_flow::ranges::Query;
 use shaderlint_flow::reaching_definitions::{Def, DefId, ReachingDefinitions};
-use shaderlint_flow::{Calls, LoopFacts, Loops};
+use shaderlint_flow::{Calls, LoopFacts, Loops, RayLoop, ray_loops};
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Root};
 use shaderlint_semantic::builtins::Transfer;
 use shaderlint_semantic::{FunctionRef, Program};
 
-/// A loop that calls a scene function at each step along a ray.
-#[derive(Clone, Copy, Debug)]
+/// A loop that follows a ray.
+#[derive(Clone, Debug)]
 pub struct March {
     /// The loop.
     pub looped: LoopFacts,
+    /// How it follows the ray.
+    pub ray: RayLoop,
     /// Purpose of the loop.
     pub goal: MarchGoal,
-    /// The scene function: the first function called in the loop with a point as argument.
-    pub scene: FunctionRef,
 }
 
 /// Purpose of a marching loop.
@@ -37,12 +38,10 @@ impl MarchGoal {
     }
 }
 
-/// The marching loops that are reachable from the entry function: `for`, `while` and `do` loops that call
-/// a function of the shader with a vector parameter.
+/// The loops that are reachable from the entry function and provably follow a ray.
 pub fn marches(
-    (program, module): (&Program, &Module),
+    query: Query,
     (loops, calls): (&Loops, &Calls),
-    defs: &ReachingDefinitions,
     entry: Option<FunctionRef>,
 ) -> Vec<March> {
     let Some(entry) = entry else {
@@ -50,18 +49,19 @@ pub fn marches(
     };
     let reached = calls.graph().reached_from(entry);
     let is_reached = |f: FunctionRef| reached.get(f.0 as usize).copied().unwrap_or(false);
-    let all = loops.all.iter().filter(|l| is_reached(l.function));
-    all.filter_map(|l| {
-        Some(March {
-            looped: *l,
-            scene: scene(program, calls, l)?,
-            goal: match gives_light(module, defs, l.function) {
-                true => MarchGoal::Shadow,
-                false => MarchGoal::Image,
-            },
+    let rays = ray_loops(query, calls).into_iter();
+    rays.filter(|ray| is_reached(ray.function))
+        .filter_map(|ray| {
+            Some(March {
+                looped: *loops.get(ray.stmt)?,
+                goal: match gives_light(query.module, query.defs, ray.function) {
+                    true => MarchGoal::Shadow,
+                    false => MarchGoal::Image,
+                },
+                ray,
+            })
         })
-    })
-    .collect()
+        .collect()
 }
 
 /// Whether a function returns only the visibility of a light: constants, and the minimum of quotients
@@ -161,23 +161,6 @@ impl Light<'_> {
         }
         false
     }
-}
-
-/// The first function that a loop calls with a vector parameter.
-fn scene(program: &Program, calls: &Calls, looped: &LoopFacts) -> Option<FunctionRef> {
-    let extent = program.tree.stmt(looped.stmt).extent;
-    let called = calls.calls_by(looped.function).find(|call| {
-        let expr = program.tree.expr(call.expr);
-        let is_inside = extent.first <= expr.extent.first && expr.extent.last <= extent.last;
-        is_inside && takes_place(program, call.callee)
-    });
-    called.map(|c| c.callee)
-}
-
-/// Whether a function has a vector parameter.
-fn takes_place(program: &Program, function: FunctionRef) -> bool {
-    let callee = program.function(function);
-    callee.is_some_and(|f| f.params.iter().any(|p| p.ty.components() >= 2))
 }
 
 /// The call path from the entry to a function, if it has more than two functions:

@@ -15,11 +15,11 @@ const MAX_NODES: usize = 1500;
 const MAX_WORK: u32 = 30_000;
 
 /// A component of a value.
-pub(super) type Lane = (OpId, u32);
+pub(super) type ValueLane = (OpId, u32);
 
 /// A value or definition of a slice.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Node {
+pub(super) enum SliceNode {
     Lane(OpId, u32),
     Def(DefId),
 }
@@ -68,8 +68,8 @@ impl<'x> LoopSlice<'x> {
     /// Calls `visit` with the nodes that a component depends on, data only, the component itself first,
     /// and whether there is a point on the way. Where `visit` returns `false`, the walk does not go
     /// further. Returns whether the walk was complete.
-    pub fn walk(&self, from: Lane, mut visit: impl FnMut(Node, bool) -> bool) -> bool {
-        let mut todo = vec![(Node::Lane(from.0, from.1), false)];
+    pub fn walk(&self, from: ValueLane, mut visit: impl FnMut(SliceNode, bool) -> bool) -> bool {
+        let mut todo = vec![(SliceNode::Lane(from.0, from.1), false)];
         let mut seen = FxHashSet::default();
         while let Some((node, via)) = todo.pop() {
             if !seen.insert((node, via)) {
@@ -78,7 +78,8 @@ impl<'x> LoopSlice<'x> {
             if seen.len() > MAX_NODES || self.spend().is_none() {
                 return false;
             }
-            let via = via || matches!(node, Node::Lane(op, _) if op != from.0 && self.is_point(op));
+            let via =
+                via || matches!(node, SliceNode::Lane(op, _) if op != from.0 && self.is_point(op));
             if visit(node, via) {
                 self.operands(node, |next| todo.push((next, via)));
             }
@@ -86,17 +87,17 @@ impl<'x> LoopSlice<'x> {
         true
     }
 
-    fn operands(&self, node: Node, mut each: impl FnMut(Node)) {
+    fn operands(&self, node: SliceNode, mut each: impl FnMut(SliceNode)) {
         let (module, defs) = (self.query.module, self.query.defs);
         let (op, lane) = match node {
-            Node::Lane(op, lane) => (op, lane),
-            Node::Def(def) => return self.sources(def, each),
+            SliceNode::Lane(op, lane) => (op, lane),
+            SliceNode::Def(def) => return self.sources(def, each),
         };
         if let OpKind::Load(_) = module.op(op).kind {
-            return each(Node::Def(defs.unrefined(defs.seen(op, lane))));
+            return each(SliceNode::Def(defs.unrefined(defs.seen(op, lane))));
         }
         if let Some((part, lane)) = defs.part_of(module, op, lane) {
-            return each(Node::Lane(part, lane));
+            return each(SliceNode::Lane(part, lane));
         }
         let is_whole = match module.op(op).kind {
             OpKind::Call(..) | OpKind::Returned(..) | OpKind::MatrixProduct(..) => true,
@@ -111,15 +112,15 @@ impl<'x> LoopSlice<'x> {
                 false if module.ty(operand).is_scalar() => 0..1,
                 false => lane..lane + 1,
             };
-            lanes.for_each(|lane| each(Node::Lane(operand, lane)));
+            lanes.for_each(|lane| each(SliceNode::Lane(operand, lane)));
         });
     }
 
-    fn sources(&self, def: DefId, mut each: impl FnMut(Node)) {
+    fn sources(&self, def: DefId, mut each: impl FnMut(SliceNode)) {
         let defs = self.query.defs;
-        let mut one = |def| each(Node::Def(defs.unrefined(def)));
+        let mut one = |def| each(SliceNode::Def(defs.unrefined(def)));
         match defs.get(def) {
-            Def::Stored { value, lane } => each(Node::Lane(value, lane)),
+            Def::Stored { value, lane } => each(SliceNode::Lane(value, lane)),
             Def::Merge { sides, .. } | Def::Measured(sides) => {
                 defs.list(sides).iter().copied().for_each(one);
             }
@@ -135,10 +136,12 @@ impl<'x> LoopSlice<'x> {
 
     /// Whether a component depends on the value that these heads have at the start of an iteration; if
     /// `via_point`, through a point in three dimensions.
-    pub fn depends(&self, from: Lane, heads: &[DefId], via_point: bool) -> bool {
+    pub fn depends(&self, from: ValueLane, heads: &[DefId], via_point: bool) -> bool {
         let mut found = false;
         self.walk(from, |node, via| {
-            let Node::Def(def) = node else { return true };
+            let SliceNode::Def(def) = node else {
+                return true;
+            };
             let is_head = heads.contains(&def);
             found |= is_head && (via || !via_point);
             !is_head && !found && self.is_inside(def)
@@ -147,11 +150,11 @@ impl<'x> LoopSlice<'x> {
     }
 
     /// The first function called on the way from a component to these heads.
-    pub fn called(&self, from: &[Lane], heads: &[DefId]) -> Option<FunctionRef> {
+    pub fn called(&self, from: &[ValueLane], heads: &[DefId]) -> Option<FunctionRef> {
         let mut found = None;
         for &lane in from {
             self.walk(lane, |node, _| match node {
-                Node::Lane(op, _) => {
+                SliceNode::Lane(op, _) => {
                     if let OpKind::Call(function, list) = self.query.module.op(op).kind {
                         let arguments = self.query.module.operands(list).iter();
                         let mut lanes = arguments
@@ -162,7 +165,9 @@ impl<'x> LoopSlice<'x> {
                     }
                     found.is_none()
                 }
-                Node::Def(def) => found.is_none() && !heads.contains(&def) && self.is_inside(def),
+                SliceNode::Def(def) => {
+                    found.is_none() && !heads.contains(&def) && self.is_inside(def)
+                }
             });
         }
         found
@@ -171,13 +176,18 @@ impl<'x> LoopSlice<'x> {
     /// The components that a distance consists of: itself, and what it is a multiple, a sum, the minimum
     /// or the like of. Heads of other values are followed into the previous iteration; the position along
     /// the ray is no part of a distance.
-    pub fn cores(&self, from: Lane, heads: &[DefId], moved: &[Lane]) -> FxHashSet<Lane> {
+    pub fn cores(
+        &self,
+        from: ValueLane,
+        heads: &[DefId],
+        moved: &[ValueLane],
+    ) -> FxHashSet<ValueLane> {
         let (module, defs) = (self.query.module, self.query.defs);
         let mut found = FxHashSet::default();
         self.walk(from, |node, _| {
             let (op, lane) = match node {
-                Node::Def(def) => return !heads.contains(&def) && self.is_inside(def),
-                Node::Lane(op, lane) => (op, lane),
+                SliceNode::Def(def) => return !heads.contains(&def) && self.is_inside(def),
+                SliceNode::Lane(op, lane) => (op, lane),
             };
             if moved.contains(&(op, lane)) {
                 return false;

@@ -1,8 +1,8 @@
 //! The exits of a ray loop: at a hit, and beyond the scene.
 
-use super::dependence::{Lane, LoopSlice};
+use super::dependence::{LoopSlice, SliceNode, ValueLane};
+use super::form::{HitTest, RayKind};
 use super::step::Stepped;
-use super::{HitTest, RayKind};
 use crate::reaching_definitions::Def;
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{Binary, Loop, OpId, OpKind, Provenance, Region, Step, Unary};
@@ -12,7 +12,7 @@ const MAX_EXITS: usize = 24;
 
 /// A condition on the path to an exit, and its value there.
 #[derive(Clone, Copy)]
-struct Passed {
+struct ExitCondition {
     condition: OpId,
     truth: bool,
     /// The `if`; `None` for the condition of the loop.
@@ -20,10 +20,14 @@ struct Passed {
 }
 
 /// The test that ends a loop at a hit, and whether another one ends it beyond the scene.
-pub(super) fn exits(slice: &LoopSlice, stepped: &Stepped, looped: &Loop) -> (Option<HitTest>, bool) {
-    let mut exits: Vec<Vec<Passed>> = Vec::new();
+pub(super) fn exits(
+    slice: &LoopSlice,
+    stepped: &Stepped,
+    looped: &Loop,
+) -> (Option<HitTest>, bool) {
+    let mut exits: Vec<Vec<ExitCondition>> = Vec::new();
     if let Some(condition) = looped.condition {
-        exits.push(vec![Passed {
+        exits.push(vec![ExitCondition {
             condition,
             truth: false,
             branch: None,
@@ -32,7 +36,7 @@ pub(super) fn exits(slice: &LoopSlice, stepped: &Stepped, looped: &Loop) -> (Opt
     for part in looped.parts() {
         collect(slice, part, true, &mut Vec::new(), &mut exits);
     }
-    let cores: FxHashSet<Lane> = stepped
+    let cores: FxHashSet<ValueLane> = stepped
         .distance
         .iter()
         .flat_map(|lane| slice.cores(*lane, &stepped.heads, &stepped.moved))
@@ -59,6 +63,7 @@ pub(super) fn exits(slice: &LoopSlice, stepped: &Stepped, looped: &Loop) -> (Opt
                             branch: passed
                                 .branch
                                 .filter(|_| is_only && leaf == passed.condition),
+                            is_late: tests.is_late(leaf),
                         }));
                     }
                     false => ends_far |= tests.is_far(leaf, truth),
@@ -80,8 +85,8 @@ fn collect(
     slice: &LoopSlice,
     region: Region,
     is_innermost: bool,
-    path: &mut Vec<Passed>,
-    exits: &mut Vec<Vec<Passed>>,
+    path: &mut Vec<ExitCondition>,
+    exits: &mut Vec<Vec<ExitCondition>>,
 ) {
     let module = slice.query.module;
     let depth = path.len();
@@ -96,7 +101,7 @@ fn collect(
                 otherwise,
                 origin,
             } => {
-                let passed = |truth| Passed {
+                let passed = |truth| ExitCondition {
                     condition,
                     truth,
                     branch: Some(origin),
@@ -132,7 +137,7 @@ fn collect(
 struct ExitTests<'a, 'x> {
     slice: &'a LoopSlice<'x>,
     stepped: &'a Stepped,
-    cores: FxHashSet<Lane>,
+    cores: FxHashSet<ValueLane>,
 }
 
 impl ExitTests<'_, '_> {
@@ -203,9 +208,26 @@ impl ExitTests<'_, '_> {
             return false;
         };
         let is_shared =
-            |lane: &Lane| self.cores.contains(lane) && slice.depends(*lane, heads, true);
+            |lane: &ValueLane| self.cores.contains(lane) && slice.depends(*lane, heads, true);
         let cores = |op| slice.cores((op, 0), heads, &self.stepped.moved);
         cores(small).iter().any(is_shared) && !cores(large).iter().any(is_shared)
+    }
+
+    /// Whether a condition depends on a value that the previous iteration has left, other than the
+    /// position.
+    fn is_late(&self, op: OpId) -> bool {
+        let slice = self.slice;
+        let (defs, heads) = (slice.query.defs, &self.stepped.heads);
+        let mut is_late = false;
+        slice.walk((op, 0), |node, _| {
+            let SliceNode::Def(def) = node else {
+                return true;
+            };
+            let is_head = matches!(defs.get(def), Def::Head { of, .. } if of == slice.id);
+            is_late |= is_head && !heads.contains(&def);
+            !is_head && slice.is_inside(def)
+        });
+        is_late
     }
 
     /// Whether a condition ends rays that are far from the start, or from everything.

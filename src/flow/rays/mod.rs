@@ -8,6 +8,7 @@
 
 mod dependence;
 mod exits;
+mod form;
 mod start;
 mod step;
 #[cfg(test)]
@@ -17,55 +18,11 @@ use super::calls::Calls;
 use super::ranges::Query;
 use dependence::LoopSlice;
 use exits::exits;
-use shaderlint_ir::{LoopId, OpId, Provenance};
+pub use form::{HitTest, RayKind, RayLoop};
+use shaderlint_ir::{LoopId, OpId};
 use shaderlint_semantic::FunctionRef;
-use shaderlint_syntax::ast::StmtId;
 use start::Starts;
 use step::Stepped;
-
-/// How a ray loop moves its point.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum RayKind {
-    /// By a multiple of the distance that the scene returns.
-    Distance,
-    /// From one cell of a grid to the next.
-    Grid,
-}
-
-/// The condition with which a ray loop ends because the scene was hit.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct HitTest {
-    /// The comparison of the distance, or the condition of a grid loop.
-    pub condition: OpId,
-    /// Its value for a hit.
-    pub truth: bool,
-    /// The `if` that consists of the condition; `None` for a comparison or a loop condition.
-    pub branch: Option<Provenance>,
-}
-
-/// A loop that provably moves along a ray.
-#[derive(Clone, Debug)]
-pub struct RayLoop {
-    /// The loop.
-    pub looped: LoopId,
-    /// Its statement.
-    pub stmt: StmtId,
-    /// The function that contains it.
-    pub function: FunctionRef,
-    /// How it moves.
-    pub kind: RayKind,
-    /// The function that is evaluated at each step; `None` if the distance is computed in the loop.
-    pub scene: Option<FunctionRef>,
-    /// The condition that ends the loop at a hit; `None` if there is none, or several.
-    pub hit: Option<HitTest>,
-    /// Whether another condition on the ray ends the loop, such as a maximum distance.
-    pub ends_far: bool,
-    /// Whether the loop sums up something along the ray, such as a glow.
-    pub accumulates: bool,
-    /// Where rays start, if they do not start at a point that another ray loop found: the components
-    /// of the position, in the function that computes them. Empty for rays from the origin.
-    pub start: Option<Vec<(OpId, u32)>>,
-}
 
 /// Most ray loops of which the starts are compared with the results of the others.
 const MAX_LOOPS: usize = 32;

@@ -1,7 +1,7 @@
 //! The step of a ray loop: what is added to a ray parameter, a point or a cell in each iteration.
 
-use super::RayKind;
-use super::dependence::{Lane, Node, LoopSlice};
+use super::dependence::{LoopSlice, SliceNode, ValueLane};
+use super::form::RayKind;
 use crate::reaching_definitions::{Def, DefId};
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{Binary, OpId, OpKind};
@@ -17,26 +17,28 @@ pub(super) struct Stepped {
     /// The values of the heads before the loop.
     pub init: Vec<DefId>,
     /// The distances that the step is computed from, or the steps of a grid.
-    pub distance: Vec<Lane>,
+    pub distance: Vec<ValueLane>,
     /// The sums of a head and what is added to it.
-    pub moved: Vec<Lane>,
+    pub moved: Vec<ValueLane>,
     /// Where rays start.
-    pub origin: Origin,
+    pub origin: RayOrigin,
 }
 
 /// The position that rays start at.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Origin {
+pub(super) enum RayOrigin {
     /// The initial value of the heads.
     Init,
     /// An operand of a sum in the loop.
     Value(OpId),
     /// The coordinate origin.
     Zero,
+    /// Computed elsewhere.
+    Unknown,
 }
 
 /// A variable that a loop carries from one iteration to the next.
-struct Carried {
+struct CarriedVariable {
     variable: VariableId,
     ty: Type,
     /// Its heads, by component.
@@ -51,9 +53,9 @@ pub(super) fn find(slice: &LoopSlice) -> Option<Stepped> {
         .or_else(|| all.iter().find_map(|c| cell(slice, c)))
 }
 
-fn carried(slice: &LoopSlice) -> Vec<Carried> {
+fn carried(slice: &LoopSlice) -> Vec<CarriedVariable> {
     let (module, defs) = (slice.query.module, slice.query.defs);
-    let mut all: Vec<Carried> = Vec::new();
+    let mut all: Vec<CarriedVariable> = Vec::new();
     for head in defs.heads(slice.id) {
         let Def::Head { slot, .. } = defs.get(head) else {
             continue;
@@ -68,7 +70,7 @@ fn carried(slice: &LoopSlice) -> Vec<Carried> {
         }
         match all.iter_mut().find(|c| c.variable == variable) {
             Some(known) => known.heads.push((head, lane)),
-            None => all.push(Carried {
+            None => all.push(CarriedVariable {
                 variable,
                 ty,
                 heads: vec![(head, lane)],
@@ -79,7 +81,7 @@ fn carried(slice: &LoopSlice) -> Vec<Carried> {
 }
 
 /// `t += k * d`, with `d` evaluated at a point that depends on `t`.
-fn parameter(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
+fn parameter(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
     let &[(head, _)] = carried.heads.as_slice() else {
         return None;
     };
@@ -88,12 +90,12 @@ fn parameter(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
     }
     let (init, added) = added(slice, head)?;
     let heads = vec![head];
-    let distance: Vec<Lane> = added
+    let distance: Vec<ValueLane> = added
         .terms
         .into_iter()
         .filter(|lane| slice.depends(*lane, &heads, true))
         .collect();
-    let origin = origin(slice, &heads, &distance)?;
+    let origin = origin(slice, &heads, &distance);
     (!distance.is_empty()).then_some(Stepped {
         kind: RayKind::Distance,
         heads,
@@ -105,7 +107,7 @@ fn parameter(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
 }
 
 /// `p += direction * d`, with `d` evaluated at `p` and a loop-invariant direction.
-fn point(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
+fn point(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
     let is_point = carried.ty.is_vector()
         && carried.ty.components() >= 3
         && carried.ty.scalar_kind() == Some(Scalar::Float);
@@ -128,12 +130,17 @@ fn point(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
         init: inits,
         distance,
         moved,
-        origin: Origin::Init,
+        origin: RayOrigin::Init,
     })
 }
 
 /// The distance in `direction * d` for a loop-invariant direction.
-fn along(slice: &LoopSlice, (op, lane): Lane, heads: &[DefId], depth: u32) -> Option<Lane> {
+fn along(
+    slice: &LoopSlice,
+    (op, lane): ValueLane,
+    heads: &[DefId],
+    depth: u32,
+) -> Option<ValueLane> {
     let rest = depth.checked_sub(1)?;
     slice.spend()?;
     let (module, defs) = (slice.query.module, slice.query.defs);
@@ -147,7 +154,7 @@ fn along(slice: &LoopSlice, (op, lane): Lane, heads: &[DefId], depth: u32) -> Op
                 OpKind::Splat(number) => Some((number, 0)),
                 _ => None,
             };
-            let moving = |lane: Lane| slice.depends(lane, heads, true).then_some(lane);
+            let moving = |lane: ValueLane| slice.depends(lane, heads, true).then_some(lane);
             match (slice.is_invariant(a), slice.is_invariant(b)) {
                 (true, false) => number(b)
                     .and_then(moving)
@@ -171,7 +178,7 @@ fn along(slice: &LoopSlice, (op, lane): Lane, heads: &[DefId], depth: u32) -> Op
 }
 
 /// A cell whose components are integers that change by at most one.
-fn cell(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
+fn cell(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
     let is_cell = carried.ty.is_vector() && carried.ty.components() == 3;
     if !is_cell || carried.heads.len() != 3 {
         return None;
@@ -181,7 +188,7 @@ fn cell(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
     let (mut inits, mut steps) = (Vec::new(), Vec::new());
     for &(head, _) in &carried.heads {
         let (init, added) = added(slice, head)?;
-        let is_small = |&(op, lane): &Lane| {
+        let is_small = |&(op, lane): &ValueLane| {
             let range = slice.query.lane(op, lane);
             range.lo.value >= -1.0 && range.hi.value <= 1.0 && !slice.is_invariant(op)
         };
@@ -197,7 +204,7 @@ fn cell(slice: &LoopSlice, carried: &Carried) -> Option<Stepped> {
         init: inits,
         distance: steps,
         moved: Vec::new(),
-        origin: Origin::Init,
+        origin: RayOrigin::Init,
     })
 }
 
@@ -223,26 +230,26 @@ fn is_rounded(slice: &LoopSlice, def: DefId) -> bool {
 
 /// What an iteration adds to a head.
 #[derive(Default)]
-struct Added {
+struct StepTerms {
     /// The terms.
-    terms: Vec<Lane>,
+    terms: Vec<ValueLane>,
     /// The sums with the head.
-    sums: Vec<Lane>,
+    sums: Vec<ValueLane>,
 }
 
 /// The value of a head before the loop, and what an iteration adds to it; `None` if it changes in
 /// another way, or not at all.
-fn added(slice: &LoopSlice, head: DefId) -> Option<(DefId, Added)> {
+fn added(slice: &LoopSlice, head: DefId) -> Option<(DefId, StepTerms)> {
     let defs = slice.query.defs;
     let Def::Head { init, back, .. } = defs.get(head) else {
         return None;
     };
-    let mut added = Added::default();
+    let mut added = StepTerms::default();
     let is_sum = sum_def(slice, back, head, &mut added, 24);
     (is_sum && !added.terms.is_empty()).then_some((defs.unrefined(init), added))
 }
 
-fn sum_def(slice: &LoopSlice, def: DefId, head: DefId, added: &mut Added, depth: u32) -> bool {
+fn sum_def(slice: &LoopSlice, def: DefId, head: DefId, added: &mut StepTerms, depth: u32) -> bool {
     let defs = slice.query.defs;
     let (def, Some(rest)) = (defs.unrefined(def), depth.checked_sub(1)) else {
         return false;
@@ -253,17 +260,21 @@ fn sum_def(slice: &LoopSlice, def: DefId, head: DefId, added: &mut Added, depth:
     match defs.get(def) {
         Def::Stored { value, lane } => sum(slice, (value, lane), head, added, rest),
         Def::Merge { sides, .. } => {
-            let sides = defs.list(sides).iter();
-            sides.fold(true, |all, side| {
-                all && sum_def(slice, *side, head, added, rest)
-            })
+            let mut sides = defs.list(sides).iter();
+            sides.all(|side| sum_def(slice, *side, head, added, rest))
         }
         _ => false,
     }
 }
 
 /// Whether a component is a head plus some terms.
-fn sum(slice: &LoopSlice, (op, lane): Lane, head: DefId, added: &mut Added, depth: u32) -> bool {
+fn sum(
+    slice: &LoopSlice,
+    (op, lane): ValueLane,
+    head: DefId,
+    added: &mut StepTerms,
+    depth: u32,
+) -> bool {
     let (Some(rest), Some(())) = (depth.checked_sub(1), slice.spend()) else {
         return false;
     };
@@ -310,19 +321,19 @@ fn sum(slice: &LoopSlice, (op, lane): Lane, head: DefId, added: &mut Added, dept
 }
 
 /// Where rays start that are given by a parameter: the invariant part of the first point that depends
-/// on it. `None` if there is no such point in the loop.
-fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[Lane]) -> Option<Origin> {
+/// on it.
+fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[ValueLane]) -> RayOrigin {
     let module = slice.query.module;
     let mut points: Vec<OpId> = Vec::new();
     for &lane in distance {
         slice.walk(lane, |node, _| match node {
-            Node::Lane(op, _) => {
+            SliceNode::Lane(op, _) => {
                 if slice.is_point(op) && slice.looped.ops.contains(op) {
                     points.push(op);
                 }
                 true
             }
-            Node::Def(def) => !heads.contains(&def) && slice.is_inside(def),
+            SliceNode::Def(def) => !heads.contains(&def) && slice.is_inside(def),
         });
     }
     points.sort_unstable();
@@ -332,8 +343,8 @@ fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[Lane]) -> Option<Origi
         match module.op(op).kind {
             OpKind::Binary(Binary::Add | Binary::Subtract, a, b) => {
                 match (slice.is_invariant(a), slice.is_invariant(b)) {
-                    (true, false) => return Some(Origin::Value(a)),
-                    (false, true) => return Some(Origin::Value(b)),
+                    (true, false) => return RayOrigin::Value(a),
+                    (false, true) => return RayOrigin::Value(b),
                     _ => {}
                 }
             }
@@ -343,13 +354,16 @@ fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[Lane]) -> Option<Origi
             _ => {}
         }
     }
-    has_direction.then_some(Origin::Zero)
+    match has_direction {
+        true => RayOrigin::Zero,
+        false => RayOrigin::Unknown,
+    }
 }
 
 /// Whether a loop sums up something else along the ray, other than the distance itself.
 pub(super) fn accumulates(slice: &LoopSlice, stepped: &Stepped) -> bool {
     let cores = |lane| slice.cores(lane, &stepped.heads, &stepped.moved);
-    let distance: FxHashSet<Lane> = stepped.distance.iter().flat_map(|d| cores(*d)).collect();
+    let distance: FxHashSet<ValueLane> = stepped.distance.iter().flat_map(|d| cores(*d)).collect();
     let others = carried(slice).into_iter().flat_map(|c| c.heads);
     let mut others = others.filter(|(head, _)| !stepped.heads.contains(head));
     others.any(|(head, _)| {

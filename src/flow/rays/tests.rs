@@ -105,6 +105,22 @@ fn a_step_by_the_distance_at_the_point_follows_a_ray() {
 }
 
 #[test]
+fn points_and_distances_may_be_members() {
+    check_shader(
+        "struct Ray { vec3 o, d; }; struct Found { vec3 at; float far; };
+        vec3 at(Ray r, float t) { return r.o + r.d * t; }
+        void mainImage(out vec4 o, vec2 q) {
+            Ray r = Ray(vec3(0.0), normalize(vec3(q, 1.0))); Found found; float t = 0.0;
+            for (int i = 0; i < 80 && t < 9.0; i++) {
+                found.at = at(r, t); found.far = map(found.at);
+                if (found.far < 0.01) break;
+                t += found.far; }
+            o = vec4(t); }",
+        "Distance hit far scene",
+    );
+}
+
+#[test]
 fn other_loops_do_not() {
     // Bounces.
     check(

@@ -151,12 +151,23 @@ impl Bench {
 
     /// Runs this number of quads at every instant; `None` if they exceed the budget.
     pub fn run(&self, code: &Bytecode, supplier: &dyn Supplier, quads: usize) -> Option<SampleRun> {
+        self.run_at(&INSTANTS, code, supplier, quads)
+    }
+
+    /// Runs this number of quads at some instants; `None` if they exceed the budget.
+    pub fn run_at(
+        &self,
+        instants: &[Instant],
+        code: &Bytecode,
+        supplier: &dyn Supplier,
+        quads: usize,
+    ) -> Option<SampleRun> {
         let mut sample_run = SampleRun {
             pixels: 0,
             seen: Observations::default(),
-            frames: Vec::with_capacity(INSTANTS.len()),
+            frames: Vec::with_capacity(instants.len()),
         };
-        for (instant, number) in INSTANTS.iter().zip(0..) {
+        for (instant, number) in instants.iter().zip(0..) {
             let sampled = self.sample(
                 code,
                 supplier,

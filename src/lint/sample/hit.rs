@@ -1,14 +1,15 @@
-//! Conditions that test whether a marched ray has hit something: the condition after the loop that
-//! depends on the result of the loop, with most of the work on one side.
+//! What sampled rays hit: the outcome of marching loops, and the conditions after them.
 
+use super::{INSTANTS, SampleFrame, SampleRun};
 use crate::facts::Facts;
 use crate::march::{March, MarchGoal};
-use shaderlint_exec::Observations;
-use shaderlint_flow::{Uniformity, Varying};
+use shaderlint_exec::{Observations, Watch};
+use shaderlint_flow::{HitTest, Uniformity, Varying};
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Region, Step};
-use shaderlint_syntax::ast::StmtId;
+use shaderlint_semantic::VariableId;
 
-/// A condition that separates rays that hit something from those that miss.
+/// A condition after a marching loop that separates rays that hit something from those that miss: it
+/// depends on the result of the loop, with most of the work on one side.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Hit {
     /// The operation that computes the condition.
@@ -30,12 +31,33 @@ impl Hit {
     }
 }
 
+/// The outcome of a marching loop.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct RayCounts {
+    /// Number of rays.
+    pub rays: u64,
+    /// Number of tests for a hit.
+    pub tests: u64,
+    /// Number of hits.
+    pub hits: u64,
+}
+
+/// A marching loop with the outcome of sampled rays from the camera.
+#[derive(Clone, Debug)]
+pub struct MarchOutcome {
+    /// The marching loop.
+    pub march: March,
+    /// The condition that ends it at a hit.
+    pub test: HitTest,
+    /// The sampled rays of the exact run.
+    pub counts: RayCounts,
+}
+
 /// The hit conditions of a shader.
 pub(super) fn hits(facts: &Facts) -> Vec<Hit> {
     let module = facts.module();
-    let marches = facts.marches().iter();
-    let marches: Vec<&March> = marches.filter(|m| m.goal == MarchGoal::Image).collect();
-    let stmts: Vec<_> = marches.iter().map(|m| m.looped.stmt).collect();
+    let marches: Vec<(&March, HitTest)> = facts.camera_marches().collect();
+    let stmts: Vec<_> = marches.iter().map(|(m, _)| m.looped.stmt).collect();
     if stmts.is_empty() {
         return Vec::new();
     }
@@ -45,29 +67,26 @@ pub(super) fn hits(facts: &Facts) -> Vec<Hit> {
         ops.map(Varying::Value).collect()
     });
     // The condition is in the function of the loop, or in a caller.
-    let holds = |function| {
-        marches
-            .iter()
-            .any(|march| march.looped.function == function)
-    };
+    let holds = |function| marches.iter().any(|(m, _)| m.looped.function == function);
     let reaching = facts.calls().graph().reaching(holds);
     let mut hits = Vec::new();
     for (function, reaches) in module.functions.iter().zip(reaching) {
         if let Some(body) = function.body
             && reaches
         {
-            conditions(facts, &found, body, &mut hits);
+            hits.extend(condition(facts, &found, body));
         }
     }
     hits
 }
 
-/// The conditions of a region that depend on the result of a march, without those in loops.
-fn conditions(facts: &Facts, found: &Uniformity, region: Region, hits: &mut Vec<Hit>) {
+/// The first condition of a region that depends on the result of a march, without those in loops.
+/// Later ones may ask what was hit.
+fn condition(facts: &Facts, found: &Uniformity, region: Region) -> Option<Hit> {
     let steps = facts.module().steps(region);
     for (at, step) in steps.iter().enumerate() {
         let Step::If {
-            condition,
+            condition: op,
             then,
             otherwise,
             origin,
@@ -82,17 +101,19 @@ fn conditions(facts: &Facts, found: &Uniformity, region: Region, hits: &mut Vec<
             false => work(facts, side),
         };
         let (held, failed) = (does(then, otherwise), does(otherwise, then));
-        if found.varies(Varying::Value(condition)) && held.max(failed) >= LEAST_WORK {
-            hits.push(Hit {
-                condition,
+        if found.varies(Varying::Value(op)) && held.max(failed) >= LEAST_WORK {
+            return Some(Hit {
+                condition: op,
                 origin,
                 when: held > failed,
             });
-            continue;
         }
-        conditions(facts, found, then, hits);
-        conditions(facts, found, otherwise, hits);
+        let inside = condition(facts, found, then).or_else(|| condition(facts, found, otherwise));
+        if inside.is_some() {
+            return inside;
+        }
     }
+    None
 }
 
 fn returns(facts: &Facts, region: Region) -> bool {
@@ -126,42 +147,198 @@ fn operation(facts: &Facts, module: &Module, op: OpId) -> f64 {
     }
 }
 
-/// Smallest share of pixels whose rays end in the first iteration.
+/// Smallest share of rays that end at their first step, and of pixels with such a ray.
 const STUCK: f64 = 0.98;
 
+/// Share of all steps from which rays count as out of steps.
+const TIRED: f64 = 0.9;
+
 impl Facts<'_> {
-    /// The marching loops that nearly all rays leave in the first iteration, at every instant, and not
-    /// because they miss everything.
-    pub fn stuck_marches(&self) -> Vec<StmtId> {
+    /// The marching loops of rays from the camera, with the condition that ends them at a hit.
+    pub fn camera_marches(&self) -> impl Iterator<Item = (&March, HitTest)> {
         let marches = self.marches().iter();
-        let images = marches.filter(|m| m.goal == MarchGoal::Image && m.looped.ends_early);
-        let loops = images.map(|m| m.looped.stmt);
-        let is_stuck = |stmt: &StmtId| {
-            self.is_seen(|sample_run| {
-                let mut frames = sample_run.frames.iter();
-                frames.all(|frame| {
-                    let seen = &frame.sampled.seen;
-                    self.stays(*stmt, seen) && !self.misses(seen)
-                })
+        let images = marches.filter(|m| m.goal == MarchGoal::Image && m.ray.start.is_some());
+        images.filter_map(|m| Some((m, m.ray.hit?)))
+    }
+
+    /// The marching loops whose rays from the camera hit something at their first step, nearly all and
+    /// at every instant.
+    pub fn stuck_marches(&self) -> &[MarchOutcome] {
+        self.samples.stuck.get_or_init(|| {
+            // The usual run, which is there already, rules most loops out.
+            let mut likely = self.camera_marches().filter(|(march, _)| {
+                let is_stuck = |frame: &SampleFrame| self.stays(march, &frame.sampled.seen);
+                let is_all = |sample_run: &SampleRun| sample_run.frames.iter().all(is_stuck);
+                self.sample_run().is_some_and(is_all)
+            });
+            match likely.next().is_some() {
+                true => self.outcomes(|counts, march, pixels| {
+                    let tests = counts.rays * if march.is_late { 2 } else { 1 };
+                    let share = |part: u64, all: u64| part as f64 / all.max(1) as f64;
+                    share(counts.rays, pixels) >= STUCK
+                        && share(counts.hits, counts.rays) >= STUCK
+                        && share(tests, counts.tests) >= STUCK
+                }),
+                false => Vec::new(),
+            }
+        })
+    }
+
+    /// The marching loops whose rays from the camera never hit anything, if that holds for all of them.
+    pub fn missing_marches(&self) -> Vec<MarchOutcome> {
+        let mut all = self.camera_marches();
+        let is_glow = all.any(|(march, _)| march.ray.accumulates);
+        let number = self.camera_marches().count();
+        if is_glow || number == 0 || self.may_hit() {
+            return Vec::new();
+        }
+        let found = self.outcomes(|counts, _, pixels| {
+            counts.hits == 0 && counts.tests > 0 && counts.rays as f64 >= STUCK * pixels as f64
+        });
+        // Rays that run out of steps may be about to hit something.
+        let is_exhausted = |outcome: &MarchOutcome| {
+            let March { looped, ray, .. } = &outcome.march;
+            let most = looped.bound.iterations().map(|n| n * outcome.counts.rays);
+            most.is_some_and(|most| {
+                ray.ends_far && outcome.counts.tests as f64 > TIRED * most as f64
             })
         };
-        loops.filter(is_stuck).collect()
+        match found.len() == number && !found.iter().any(is_exhausted) {
+            true => found,
+            false => Vec::new(),
+        }
     }
 
-    /// Whether a hit condition shows more misses than hits.
-    fn misses(&self, seen: &Observations) -> bool {
-        let mut counts = self.hits().iter().filter_map(|hit| hit.seen(seen));
-        counts.any(|(hits, misses)| misses > hits)
+    /// Whether a few rays hit something, which is faster than a run.
+    fn may_hit(&self) -> bool {
+        let few = || {
+            let code = self.comparing()?;
+            let (bench, supplier) = self.bench()?;
+            bench.run(&code, supplier, PROBED)
+        };
+        few().is_none_or(|sample_run| {
+            let mut marches = self.camera_marches();
+            marches.any(|(_, test)| {
+                self.tested(&test, &sample_run.seen)
+                    .is_none_or(|(_, hits)| hits > 0)
+            })
+        })
     }
 
-    /// Whether nearly all pixels reached a loop and left it in the first iteration.
-    fn stays(&self, stmt: StmtId, seen: &Observations) -> bool {
-        let Some(looped) = self.loop_observation(seen, stmt) else {
+    /// The marching loops for whose rays a test holds at every instant, on all GPU profiles and at later
+    /// instants. Nothing is known of cameras that move without bounds.
+    fn outcomes(&self, holds: impl Fn(RayCounts, HitTest, u64) -> bool) -> Vec<MarchOutcome> {
+        let marches: Vec<(&March, HitTest)> = self
+            .camera_marches()
+            .filter(|(march, test)| self.is_known(test.condition) && self.stays_near(march))
+            .collect();
+        if marches.is_empty() {
+            return Vec::new();
+        }
+        let mut runs: Vec<SampleRun> = self.smaller_runs(Watch::Comparisons).flatten().collect();
+        let Some(later) = self.later_run(Watch::Comparisons) else {
+            return Vec::new();
+        };
+        runs.push(later);
+        let outcome = |(march, test): (&March, HitTest)| {
+            let counts = |seen: &Observations| self.counts(march, &test, seen);
+            let is_one = |frame: &SampleFrame| {
+                let seen = &frame.sampled.seen;
+                counts(seen).is_some_and(|counts| holds(counts, test, seen.pixels))
+            };
+            let mut frames = runs.iter().flat_map(|sample_run| &sample_run.frames);
+            frames.all(is_one).then_some(())?;
+            Some(MarchOutcome {
+                march: march.clone(),
+                test,
+                counts: counts(&runs.first()?.seen)?,
+            })
+        };
+        marches.into_iter().filter_map(outcome).collect()
+    }
+
+    /// The outcome of a marching loop; `None` if it did not run.
+    fn counts(&self, march: &March, test: &HitTest, seen: &Observations) -> Option<RayCounts> {
+        let rays = self.loop_observation(seen, march.looped.stmt)?.entries;
+        let (tests, hits) = self.tested(test, seen)?;
+        Some(RayCounts { rays, tests, hits })
+    }
+
+    /// How often a hit was tested for, and how often there was one; `None` if that was not observed.
+    fn tested(&self, test: &HitTest, seen: &Observations) -> Option<(u64, u64)> {
+        let (held, failed) = match test.branch {
+            _ if self.is_compared(test) => {
+                let compared = seen.compared.iter().find(|c| c.op == test.condition);
+                compared.map_or((0, 0), |c| (c.held, c.failed))
+            }
+            Some(at) => {
+                let branch = seen.branches.iter().find(|b| b.at == at);
+                branch.map_or((0, 0), |b| (b.taken, b.skipped))
+            }
+            None => return None,
+        };
+        let hits = if test.truth { held } else { failed };
+        Some((held + failed, hits))
+    }
+
+    fn is_compared(&self, test: &HitTest) -> bool {
+        let kind = self.module().op(test.condition).kind;
+        matches!(kind, OpKind::Binary(binary, ..) if binary.compares())
+    }
+
+    /// Whether the rays of a loop start at a position that does not move, or not far.
+    fn stays_near(&self, march: &March) -> bool {
+        let Some(start) = &march.ray.start else {
             return false;
         };
-        let once: u32 = looped.histogram.iter().take(2).sum();
+        let is_near = |&(op, lane): &(OpId, u32)| {
+            !self.may_move(op) || self.ranges().lane(op, lane).is_finite()
+        };
+        start.iter().all(is_near)
+    }
+
+    /// Whether a value may differ between instants.
+    pub fn may_move(&self, op: OpId) -> bool {
+        self.moving().varies(Varying::Value(op))
+    }
+
+    /// What may differ between instants.
+    fn moving(&self) -> &Uniformity {
+        self.samples.moving.get_or_init(|| {
+            let names: Vec<String> = self.changing_uniforms();
+            Uniformity::spread(self.module(), |_| {
+                let variables = (0..).map(VariableId).zip(&self.program().variables);
+                let text = |v: &shaderlint_semantic::Variable| self.program().names.text(v.name);
+                let own = variables.filter(|(_, v)| names.iter().any(|name| name == text(v)));
+                own.map(|(id, _)| Varying::Variable(id)).collect()
+            })
+        })
+    }
+
+    /// The uniforms whose values differ between instants.
+    fn changing_uniforms(&self) -> Vec<String> {
+        let Some(((_, supplier), code)) = self.bench().zip(self.unwatched()) else {
+            return Vec::new();
+        };
+        let draws = INSTANTS.map(|instant| supplier.draw(code, super::SIZE, &instant));
+        let Some((first, others)) = draws.split_first() else {
+            return Vec::new();
+        };
+        let changed = others.iter().flat_map(|other| first.differences(other));
+        changed.map(|uniform| uniform.name.clone()).collect()
+    }
+
+    /// Whether nearly all pixels reached a loop and left it within two iterations.
+    fn stays(&self, march: &March, seen: &Observations) -> bool {
+        let Some(looped) = self.loop_observation(seen, march.looped.stmt) else {
+            return false;
+        };
+        let once: u32 = looped.histogram.iter().take(3).sum();
         let reached = looped.pixels as f64 / seen.pixels.max(1) as f64;
         let left = f64::from(once) / looped.pixels.max(1) as f64;
-        reached >= STUCK && left >= STUCK && looped.exhausted_pixels == 0
+        reached >= STUCK && left >= STUCK
     }
 }
+
+/// Number of quads in which a first hit is looked for.
+const PROBED: usize = 24;

@@ -17,7 +17,7 @@ use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, SIZE, SampleLimit, colors};
 pub use culprit::{Culprit, grouped, percent, report_broken, rounded};
-pub use hit::Hit;
+pub use hit::{Hit, MarchOutcome, RayCounts};
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};
 pub use verdict::{UnreportedFault, Verdict};
@@ -62,7 +62,35 @@ pub const INSTANTS: [Instant; 4] = [
     },
 ];
 
+/// Instants at which a claim is checked again before it is made: other times, and other places of the
+/// mouse.
+const LATER: [Instant; 16] = [
+    Instant::at(0.7),
+    Instant::pressed(1.4, [20.0, 20.0], true),
+    Instant::at(4.1),
+    Instant::pressed(6.3, [1260.0, 20.0], true),
+    Instant::pressed(8.6, [640.0, 360.0], true),
+    Instant::at(13.9),
+    Instant::pressed(17.8, [20.0, 700.0], true),
+    Instant::at(22.4),
+    Instant::pressed(28.1, [1260.0, 700.0], true),
+    Instant::pressed(34.7, [960.0, 540.0], false),
+    Instant::at(52.6),
+    Instant::pressed(61.3, [320.0, 180.0], true),
+    Instant::at(77.2),
+    Instant::pressed(96.9, [320.0, 540.0], true),
+    Instant::at(133.7),
+    Instant::pressed(211.5, [960.0, 180.0], true),
+];
+
 impl Instant {
+    const fn pressed(time: f64, at: [f64; 2], is_down: bool) -> Instant {
+        Instant {
+            time,
+            mouse: Some(Press { at, is_down }),
+        }
+    }
+
     /// A time in seconds, without a mouse.
     pub const fn at(time: f64) -> Instant {
         Instant { time, mouse: None }
@@ -133,6 +161,9 @@ pub(crate) struct SampleCache<'a> {
     gpu_profiles: [OnceCell<Option<SampleRun>>; GPU_PROFILES.len()],
     unknown: OnceCell<Uniformity>,
     hits: OnceCell<Vec<Hit>>,
+    stuck: OnceCell<Vec<MarchOutcome>>,
+    moving: OnceCell<Uniformity>,
+    later: OnceCell<Option<SampleRun>>,
     /// Operations that other rules have reported.
     reported: RefCell<FxHashSet<OpId>>,
     /// Whether a rule has reported that nothing is visible.
@@ -186,6 +217,33 @@ impl<'a> Facts<'a> {
         };
         let code = self.compiled(&options)?;
         bench.run(&code, supplier, bench.quads.div_ceil(4))
+    }
+
+    /// A small run at later instants that watches for these events.
+    pub fn later_run(&self, watch: Watch) -> Option<SampleRun> {
+        let (bench, supplier) = self.bench()?;
+        let options = CompileOptions {
+            watch,
+            ..CompileOptions::default()
+        };
+        let code = self.compiled(&options)?;
+        bench.run_at(&LATER, &code, supplier, bench.quads.div_ceil(4))
+    }
+
+    /// Whether a test holds at later instants, with other places of the mouse.
+    pub fn is_seen_later(&self, test: impl FnMut(&SampleRun) -> bool) -> bool {
+        let run = || self.later_run(Watch::Faults);
+        let later = self.samples.later.get_or_init(run);
+        later.as_ref().is_some_and(test)
+    }
+
+    /// The bytecode that watches comparisons.
+    fn comparing(&self) -> Option<Bytecode> {
+        let options = CompileOptions {
+            watch: Watch::Comparisons,
+            ..CompileOptions::default()
+        };
+        self.compiled(&options)
     }
 
     /// The bytecode of the shader, without watching for events.
