@@ -50,10 +50,14 @@ fn check(cx: &mut Context) {
 /// do.
 fn missed(cx: &mut Context, sample_run: &SampleRun) -> bool {
     let missed = cx.facts.missing_marches();
-    let Some(MarchOutcome { test, counts, .. }) = missed.first() else {
+    let Some(first) = missed.first() else {
         return false;
     };
     cx.facts.mark_blank();
+    if missed.iter().any(MarchOutcome::is_exhausted) {
+        return true;
+    }
+    let MarchOutcome { test, counts, .. } = first;
     let note = sample_run.sampled_note();
     let message = "no ray hits anything; only the background is drawn";
     let finding = cx.report_op(test.condition, message);

@@ -291,6 +291,10 @@ impl Query<'_> {
         match self.module.ty(op).scalar_kind() {
             Some(kind) if kind.is_integer() && is_float => range.stepped(f64::trunc).exactly(),
             Some(Scalar::Bool) => Interval::new(0.0, 1.0, Tightness::Loose).like(&range),
+            // A `bool` of unknown value.
+            _ if !range.is_finite() && self.module.ty(a).scalar_kind() == Some(Scalar::Bool) => {
+                Interval::new(0.0, 1.0, Tightness::Loose).like(&range)
+            }
             _ => range,
         }
     }

@@ -85,7 +85,7 @@ fn parameter(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
     let &[(head, _)] = carried.heads.as_slice() else {
         return None;
     };
-    if carried.ty != Type::FLOAT {
+    if carried.ty.scalar_kind() != Some(Scalar::Float) {
         return None;
     }
     let (init, added) = added(slice, head)?;

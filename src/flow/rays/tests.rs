@@ -91,6 +91,10 @@ fn a_step_by_the_distance_at_the_point_follows_a_ray() {
         "Distance hit far camera",
     );
     check(
+        "vec4 h; h.w = 0.0; for (int i = 0; i < 80; i++) { d = map(ro + rd * h.w); if (d < 0.001) break; h.w += d; }",
+        "Distance hit camera scene",
+    );
+    check(
         "for (int i = 0; i < 80; i++) { d = map(ro + rd * t); if (d < 0.001) break; t += d; }",
         "Distance hit camera scene",
     );
@@ -166,6 +170,14 @@ fn cells_are_crossed_one_by_one() {
             if (full(c)) break;
             vec3 mask = step(next.xyz, next.yzx) * step(next.xyz, next.zxy);
             next += mask * delta; c += ivec3(mask) * go; }",
+        "Grid hit camera scene",
+    );
+    check(
+        "bvec3 mask; ivec3 c = ivec3(floor(ro)), go = ivec3(sign(rd)); vec3 delta = abs(1.0 / rd), next = delta * 0.5;
+        for (int i = 0; i < 80; i++) {
+            if (full(c)) break;
+            mask = lessThanEqual(next.xyz, min(next.yzx, next.zxy));
+            next += vec3(mask) * delta; c += ivec3(vec3(mask)) * go; }",
         "Grid hit camera scene",
     );
     // Not by one.

@@ -152,6 +152,19 @@ const STUCK: f64 = 0.98;
 
 /// Share of all steps from which rays count as out of steps.
 const TIRED: f64 = 0.9;
+/// Fewest steps of a loop that can run out of them.
+const LEAST_STEPS: u64 = 10;
+
+impl MarchOutcome {
+    /// Whether nearly all rays run out of steps, although they could have ended beyond the scene: they
+    /// may be about to hit something.
+    pub fn is_exhausted(&self) -> bool {
+        let RayCounts { rays, tests, .. } = self.counts;
+        let steps = self.march.looped.bound.iterations();
+        let steps = steps.filter(|steps| *steps >= LEAST_STEPS && self.march.ray.ends_far);
+        steps.is_some_and(|steps| tests as f64 > TIRED * steps as f64 * rays as f64)
+    }
+}
 
 impl Facts<'_> {
     /// The marching loops of rays from the camera, with the condition that ends them at a hit.
@@ -195,15 +208,7 @@ impl Facts<'_> {
         let found = self.outcomes(|counts, _, pixels| {
             counts.hits == 0 && counts.tests > 0 && counts.rays as f64 >= STUCK * pixels as f64
         });
-        // Rays that run out of steps may be about to hit something.
-        let is_exhausted = |outcome: &MarchOutcome| {
-            let March { looped, ray, .. } = &outcome.march;
-            let most = looped.bound.iterations().map(|n| n * outcome.counts.rays);
-            most.is_some_and(|most| {
-                ray.ends_far && outcome.counts.tests as f64 > TIRED * most as f64
-            })
-        };
-        match found.len() == number && !found.iter().any(is_exhausted) {
+        match found.len() == number {
             true => found,
             false => Vec::new(),
         }
