@@ -1,11 +1,11 @@
-//! The click position in `iMouse.zw`, used without removing its sign.
+//! The click position in `iMouse.zw`, used without removing its sign, and its sign used as a button.
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
 use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
-use shaderlint_semantic::{BuiltinId, Scalar};
-use shaderlint_syntax::ast::{BinaryOp, ExprId};
+use shaderlint_semantic::{BuiltinId, Dialect, Pass, Scalar, each_operand};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
     name: "mouse-sign",
@@ -14,16 +14,81 @@ pub static RULE: Rule = Rule {
     preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("mouse_sign.md"),
-    checks: &[
-        Check::Binary(check_difference),
-        Check::Builtin(check_distance),
-    ],
+    checks: &[Check::Binary(check_binary), Check::Builtin(check_distance)],
 };
 
-fn check_difference(cx: &mut Context, e: &BinaryExpr) {
+fn check_binary(cx: &mut Context, e: &BinaryExpr) {
+    use BinaryOp::{Greater, GreaterEqual, Less, LessEqual};
+    if matches!(e.op, Less | LessEqual | Greater | GreaterEqual) {
+        check_held(cx, e);
+    }
     if e.op == BinaryOp::Sub && cx.program.ty(e.id).scalar_kind() == Some(Scalar::Float) {
         check(cx, e.left, e.right);
     }
+}
+
+/// Reports a test of the sign of `iMouse.w` in an image, which has no memory of the click.
+fn check_held(cx: &mut Context, e: &BinaryExpr) {
+    if cx.program.dialect != Dialect::ShaderToy(Pass::Image)
+        || cx.program.names.get("iMouse").is_none()
+    {
+        return;
+    }
+    // `w < 0.0` holds after the first click, and `w >= 0.0` before it.
+    let is_limit = |e: ExprId, least: bool| {
+        let limit = cx.program.scalar(e).map(|v| v.as_float());
+        limit.is_some_and(|limit| limit > 0.0 || least && limit == 0.0)
+    };
+    let is_strict = matches!(e.op, BinaryOp::Less | BinaryOp::Greater);
+    let is_lower = matches!(e.op, BinaryOp::Greater | BinaryOp::GreaterEqual);
+    let is_tested = is_mouse(cx, e.left, 3) && is_limit(e.right, is_lower == is_strict)
+        || is_mouse(cx, e.right, 3) && is_limit(e.left, is_lower != is_strict);
+    if !is_tested || has_button_test(cx, e.id) {
+        return;
+    }
+    cx.report_expr(
+        e.id,
+        "`iMouse.w` is positive only in the frame of the click",
+    )
+    .note(
+        "an image has no memory, so this is true for one frame, whether the button is held or not",
+    )
+    .help("use `iMouse.z > 0.0` for a button that is down");
+}
+
+/// Whether an expression is a component of `iMouse`.
+fn is_mouse(cx: &Context, e: ExprId, lane: u32) -> bool {
+    let Some(op) = cx.facts.module().op_of(e) else {
+        return false;
+    };
+    let is_scalar = cx.facts.module().ty(op).is_scalar();
+    let origin = cx.facts.origin(op, 0).filter(|_| is_scalar);
+    matches!(origin, Some(Start::Given(_, given)) if given == lane)
+        && cx.facts.is_given(origin, "iMouse")
+}
+
+/// Whether the condition around a comparison tests `iMouse.z`, too: the two states are told apart.
+fn has_button_test(cx: &Context, e: ExprId) -> bool {
+    let (structure, tree) = (cx.facts.structure(), &cx.program.tree);
+    let mut around = e;
+    while let Some(outer) = structure.parent(around) {
+        let is_joined = matches!(
+            tree.expr(outer).kind,
+            ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, ..) | ExprKind::Paren(_)
+        );
+        if !is_joined {
+            break;
+        }
+        around = outer;
+    }
+    let mut todo = vec![around];
+    while let Some(next) = todo.pop() {
+        if is_mouse(cx, next, 2) {
+            return true;
+        }
+        each_operand(tree, tree.expr(next), |child| todo.push(child));
+    }
+    false
 }
 
 fn check_distance(cx: &mut Context, call: &Builtin) {

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{PartMask, UnassignedVariable};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
-use shaderlint_semantic::{FunctionRef, Scalar, Storage, Variable, VariableId};
+use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable, VariableId};
 use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
@@ -16,6 +16,9 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Function(check)],
 };
 
+/// The alpha channel of a colour.
+const ALPHA: PartMask = 1 << 3;
+
 fn check(cx: &mut Context, function: FunctionRef) {
     let program = cx.program;
     let Some(found) = cx.facts.definite_assignment().get(function) else {
@@ -26,9 +29,11 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let Some(variable) = program.variable(unset.variable) else {
             continue;
         };
-        // Output parameters of the entry function are zero in all browsers, and many shaders add to them.
         let is_param = matches!(variable.storage, Storage::Param(_));
-        if is_param && cx.facts.entry() == Some(function) {
+        let is_output = is_param && cx.facts.entry() == Some(function);
+        // An image is opaque whatever its alpha is.
+        let is_image = program.dialect == Dialect::ShaderToy(Pass::Image);
+        if is_output && is_image && unset.missing == ALPHA {
             continue;
         }
         let name = name_of(cx, unset.variable, unset.missing);
@@ -46,7 +51,10 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let finding = finding.note(
             "its value is undefined (section 4.3): browsers set it to zero, other programs do not",
         );
-        if is_param {
+        // Many shaders add to the output that they are given.
+        if is_output {
+            finding.lower().help("assign it first");
+        } else if is_param {
             finding.help("use `inout` to receive the value of the caller");
         }
     }

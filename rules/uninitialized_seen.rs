@@ -3,6 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::CompileOptions;
 use shaderlint_flow::UnassignedVariable;
+use shaderlint_ir::{OpId, OpKind};
 use shaderlint_lint::sample::percent;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
@@ -19,55 +20,94 @@ pub static RULE: Rule = Rule {
 
 /// Bits of 7.25, an initial value that shaders do not use themselves.
 const RUBBISH: u32 = 0x40e8_0000;
+/// Most variables that are compared one by one.
+const MAX_SUSPECTS: usize = 8;
+
+/// A variable that may be read before it is assigned.
+#[derive(Clone, Copy)]
+struct Suspect {
+    unset: UnassignedVariable,
+    /// Whether a loop before the read assigns it on some path.
+    is_in_loop: bool,
+}
 
 fn check(cx: &mut Context) {
     let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
-    let Some(unset) = suspect(cx) else { return };
-    let options = CompileOptions {
-        undefined: RUBBISH,
-        ..CompileOptions::default()
-    };
-    let (Some(zeros), Some(rubbish)) = (cx.facts.unwatched(), cx.facts.compiled(&options)) else {
+    let suspects = suspects(cx);
+    if suspects.is_empty() || changed(cx, None).is_none() {
         return;
-    };
-    let quads = cx
-        .facts
-        .bench()
-        .map_or(0, |(bench, _)| bench.quads.div_ceil(4));
-    let changed = cx.facts.difference([zeros, &rubbish], quads);
-    let Some(changed) = changed.filter(|share| *share > 0.0) else {
-        return;
-    };
+    }
     let note = sample_run.sampled_note();
-    let variable = cx.program.variable(unset.variable);
-    let name = variable.map_or("", |v| cx.program.names.text(v.name));
-    let message = format!("`{name}` is read before it is assigned, and the image depends on it");
-    let finding = cx.report(unset.at, message);
-    finding
-        .note(format!(
+    for Suspect { unset, is_in_loop } in suspects.into_iter().take(MAX_SUSPECTS) {
+        let Some(op) = declaration(cx, unset) else {
+            continue;
+        };
+        let Some(changed) = changed(cx, Some(op)) else {
+            continue;
+        };
+        let variable = cx.program.variable(unset.variable);
+        let name = variable.map_or("", |v| cx.program.names.text(v.name));
+        let message =
+            format!("`{name}` is read before it is assigned, and the image depends on it");
+        let finding = cx.report(unset.at, message).note(format!(
             "{} of the pixels change visibly if its initial value is 7.25 instead of 0.0",
             percent(changed)
-        ))
-        .note(note);
+        ));
+        let finding = match is_in_loop {
+            true => finding.note("the loop before it does not assign it in every iteration"),
+            false => finding,
+        };
+        finding.note(note.clone());
+    }
 }
 
-/// The first read of a variable that may be unassigned; `None` if `uninitialized-read` reports one, or
-/// if it is an output of the entry function, which is zero in all browsers.
-fn suspect(cx: &Context) -> Option<UnassignedVariable> {
+/// The share of pixels that change visibly if one variable, or all, start with another value than 0;
+/// `None` if none do.
+fn changed(cx: &Context, undefined_at: Option<OpId>) -> Option<f64> {
+    let options = CompileOptions {
+        undefined: RUBBISH,
+        undefined_at,
+        ..CompileOptions::default()
+    };
+    let (zeros, rubbish) = (cx.facts.unwatched()?, cx.facts.compiled(&options)?);
+    let (bench, _) = cx.facts.bench()?;
+    let quads = bench.quads.div_ceil(4);
+    let changed = cx.facts.difference([zeros, &rubbish], quads)?;
+    (changed > 0.0).then_some(changed)
+}
+
+/// The operation that leaves a variable without a value where it is declared.
+fn declaration(cx: &Context, unset: UnassignedVariable) -> Option<OpId> {
+    let module = cx.facts.module();
+    module.ops.iter().find_map(|op| match op.kind {
+        OpKind::Store(place, value) => {
+            let is_own = module.place(place).variable == unset.variable;
+            (is_own && module.op(value).kind == OpKind::Undef).then_some(value)
+        }
+        _ => None,
+    })
+}
+
+/// The reads of variables that may be unassigned, without those that `uninitialized-read` reports and
+/// outputs of the entry function, which are zero in all browsers.
+fn suspects(cx: &Context) -> Vec<Suspect> {
     let functions = (0..cx.program.functions.len() as u32).map(FunctionRef);
     let outputs = cx.facts.outputs();
-    let reads = functions
+    let found: Vec<_> = functions
         .filter_map(|f| cx.facts.definite_assignment().get(f))
-        .flat_map(|found| &found.reads);
-    let reads: Vec<&UnassignedVariable> = reads.collect();
-    if reads.iter().any(|u| outputs.contains(&u.variable)) {
-        return None;
-    }
-    let is_reported = |u: &UnassignedVariable| u.always || !u.guarded;
-    if reads.iter().any(|u| is_reported(u)) {
-        return None;
-    }
-    reads.first().map(|u| **u)
+        .collect();
+    let of = |unset: &UnassignedVariable, is_in_loop| Suspect {
+        unset: *unset,
+        is_in_loop,
+    };
+    let reads = found.iter().flat_map(|f| &f.reads);
+    let guarded = reads.filter(|u| !u.always && u.guarded);
+    let in_loops = found.iter().flat_map(|f| &f.loop_reads);
+    let all = guarded
+        .map(|u| of(u, false))
+        .chain(in_loops.map(|u| of(u, true)));
+    all.filter(|s| !outputs.contains(&s.unset.variable))
+        .collect()
 }

@@ -21,7 +21,9 @@ impl Compiler<'_> {
                     return Some(Value::Nothing);
                 }
                 let count = self.scalars_of(ty)?;
-                let undefined = self.constant(self.options.undefined);
+                let is_chosen = self.options.undefined_at.is_none_or(|only| only == id);
+                let bits = if is_chosen { self.options.undefined } else { 0 };
+                let undefined = self.constant(bits);
                 Some(Value::Regs(self.listed((0..count).map(|_| undefined))))
             }
             OpKind::Unknown if ty.is_void() => Some(Value::Nothing),

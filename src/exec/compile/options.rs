@@ -15,6 +15,9 @@ pub struct CompileOptions {
     pub probe: Option<Probe>,
     /// The bits of uninitialised variables; browsers initialise them to zero.
     pub undefined: u32,
+    /// The only [`OpKind::Undef`](shaderlint_ir::OpKind::Undef) with these bits, while all others are zero;
+    /// `None` for all.
+    pub undefined_at: Option<OpId>,
     /// The emulated GPU profile.
     pub gpu_profile: GpuProfile,
     /// Maximum number of instructions, if less than 400,000.

@@ -7,6 +7,7 @@
 
 mod cases;
 mod conditions;
+mod operands;
 mod state;
 #[cfg(test)]
 mod tests;

@@ -26,6 +26,8 @@ pub struct UnassignedVariable {
 pub struct AssignmentFindings {
     /// Variables that are read before they are assigned.
     pub reads: Vec<UnassignedVariable>,
+    /// Variables that are read after a loop that assigns them on some path only.
+    pub loop_reads: Vec<UnassignedVariable>,
     /// `out` parameters and outputs that are unassigned when the function returns.
     pub outputs: Vec<UnassignedVariable>,
     /// Whether the end of the body is reachable.

@@ -57,10 +57,46 @@ fn check(code: &str, expected: &str) {
         format!("{name} {word}{guard}")
     };
     let reads = found.reads.iter().map(|u| shown("read", u));
+    let in_loops = found.loop_reads.iter().map(|u| shown("loop", u));
+    let reads = reads.chain(in_loops);
     let outputs = found.outputs.iter().map(|u| shown("left", u));
     let end = found.reaches_end.then(|| "end".to_string());
     let messages: Vec<String> = reads.chain(outputs).chain(end).collect();
     assert_eq!(messages.join(", "), expected, "{code}");
+}
+
+#[test]
+fn a_loop_may_assign_on_some_path_only() {
+    let found = |body: &str, expected| {
+        check(
+            &format!("float f(float x) {{ float y; {body} return y; }}"),
+            expected,
+        );
+    };
+    found(
+        "for (int i = 0; i < 4; i++) { if (x > float(i)) { y = x; break; } }",
+        "y loop?",
+    );
+    found(
+        "for (int i = 0; i < 4; i++) { if (x > float(i)) y = x; }",
+        "y loop",
+    );
+    found(
+        "while (x > 1.0) { x -= 1.0; if (x > 7.0) y = x; else if (x > 3.0) continue; }",
+        "y loop?",
+    );
+    found(
+        "for (int i = 0; i < 4; i++) { if (x > float(i)) y = x; } y = 1.0;",
+        "",
+    );
+    found(
+        "for (int i = 0; i < 4; i++) { y = x; if (x > float(i)) break; }",
+        "",
+    );
+    check(
+        "float f(float x) { vec2 y; y.x = 1.0; for (int i = 0; i < 4; i++) { if (x > float(i)) y.y = x; } return y.x; }",
+        "",
+    );
 }
 
 #[test]

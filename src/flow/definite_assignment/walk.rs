@@ -6,14 +6,15 @@
 //! distinct. The two states are independent.
 
 use super::conditions::Conditions;
+use super::operands::{chosen, handed};
 use super::state::{ALL, AssignmentFindings, AssignmentState, PartMask, Path, UnassignedVariable};
 use crate::ranges::Query;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{
-    Access, Binary, Case, CaseLabel, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId,
-    Provenance, Region, Root, Run, Step, Switch, Visit,
+    Access, Case, CaseLabel, Loop, LoopId, Module, Op, OpId, OpKind, Place, PlaceId, Provenance,
+    Region, Root, Run, Step, Switch, Visit,
 };
-use shaderlint_semantic::{Direction, FunctionRef, Mentions, Program, VariableId};
+use shaderlint_semantic::{FunctionRef, Mentions, Program, VariableId};
 use shaderlint_syntax::ast::{Extent, StmtId};
 
 /// Maximum nesting of regions; deeper functions have no findings.
@@ -57,6 +58,8 @@ pub(super) struct AssignmentWalk<'x> {
     /// By `inout` parameter of the functions walked so far: the components whose incoming value is
     /// read.
     taken: FxHashMap<VariableId, PartMask>,
+    /// By variable: the components that count as assigned only because a loop writes them on some path.
+    kept: FxHashMap<VariableId, PartMask>,
     /// All writes in the function so far.
     writes: Vec<(VariableId, PartMask)>,
     frames: Vec<ConstructFrame>,
@@ -246,6 +249,7 @@ impl<'x> AssignmentWalk<'x> {
             cases: None,
             gains: FxHashMap::default(),
             taken: FxHashMap::default(),
+            kept: FxHashMap::default(),
             writes: Vec::new(),
             frames: Vec::new(),
             branches: Vec::new(),
@@ -287,6 +291,7 @@ impl<'x> AssignmentWalk<'x> {
         self.since.clear();
         self.gains.clear();
         self.writes.clear();
+        self.kept.clear();
         self.exit = 0;
         self.next = function.ops.first.0;
         self.too_deep = false;
@@ -326,6 +331,7 @@ impl<'x> AssignmentWalk<'x> {
         self.state.put(variable, 0);
         self.since.insert(variable, at);
         self.gains.retain(|(v, _), _| *v != variable);
+        self.kept.remove(&variable);
         self.conditions.reset(variable);
     }
 
@@ -351,6 +357,9 @@ impl<'x> AssignmentWalk<'x> {
         if self.is_open() {
             self.conditions.written(variable);
             self.writes.push((variable, mask));
+            if let Some(kept) = self.kept.get_mut(&variable) {
+                *kept &= !mask;
+            }
             self.state.put(variable, self.state.get(variable) | mask);
         }
     }
@@ -484,6 +493,10 @@ impl<'x> AssignmentWalk<'x> {
     fn keep(&mut self, before: usize) {
         for i in before..self.writes.len() {
             if let Some(&(variable, mask)) = self.writes.get(i) {
+                let missing = self.needed(variable) & mask & !self.state.get(variable);
+                if missing != 0 && !self.state.dead {
+                    *self.kept.entry(variable).or_insert(0) |= missing;
+                }
                 self.state.put(variable, self.state.get(variable) | mask);
             }
         }
@@ -600,6 +613,7 @@ impl<'x> AssignmentWalk<'x> {
         let place = self.module.place(place);
         let variable = place.variable;
         let has = self.state.get(variable);
+        self.read_kept(op, place);
         if has == ALL {
             return;
         }
@@ -641,6 +655,28 @@ impl<'x> AssignmentWalk<'x> {
         });
         // Report each variable once.
         self.state.put(variable, ALL);
+    }
+
+    /// Checks a load of what a loop may have assigned.
+    fn read_kept(&mut self, op: OpId, place: &Place) {
+        let variable = place.variable;
+        let Some(&kept) = self.kept.get(&variable) else {
+            return;
+        };
+        let needed = lanes(self.module, place).unwrap_or_else(|| self.needed(variable));
+        let missing = needed & kept & !self.conditions.known(variable);
+        if missing == 0 || self.handed.contains_key(&op) {
+            return;
+        }
+        self.kept.remove(&variable);
+        let since = self.since.get(&variable).copied().unwrap_or(0);
+        self.findings.loop_reads.push(UnassignedVariable {
+            variable,
+            at: self.named(variable, op),
+            missing,
+            always: false,
+            guarded: self.is_guarded(op, since),
+        });
     }
 
     fn has_members(&self, variable: VariableId) -> bool {
@@ -708,58 +744,6 @@ fn lanes(module: &Module, place: &Place) -> Option<PartMask> {
 fn is_inout(module: &Module, variable: VariableId) -> bool {
     let root = module.variable(variable).map(|v| v.root);
     root == Some(Root::ParameterInout)
-}
-
-/// See [`AssignmentWalk::handed`].
-fn handed(
-    program: &Program,
-    module: &Module,
-    ignored: &FxHashSet<VariableId>,
-) -> FxHashMap<OpId, Option<VariableId>> {
-    let mut handed = FxHashMap::default();
-    for op in &module.ops {
-        if let OpKind::Call(id, list) = op.kind
-            && let Some(function) = program.function(id)
-        {
-            let parameters = module.function(id).map(|f| module.parameters(f));
-            let arguments = module.operands(list).iter().zip(&function.params);
-            for (i, (argument, given)) in arguments.enumerate() {
-                let parameter = parameters.and_then(|p| p.get(i)).copied();
-                if given.direction == Direction::Inout {
-                    handed.insert(*argument, parameter);
-                } else if parameter.is_some_and(|p| ignored.contains(&p)) {
-                    handed.insert(*argument, None);
-                }
-            }
-        }
-    }
-    handed
-}
-
-/// By operation: whether it is an operand of `?:`, `&&` or `||` whose value may not be used.
-fn chosen(module: &Module) -> Vec<bool> {
-    let mut chosen = vec![false; module.ops.len()];
-    let mark = |chosen: &mut Vec<bool>, op: OpId| {
-        if let Some(slot) = chosen.get_mut(op.0 as usize) {
-            *slot = true;
-        }
-    };
-    for op in (0..module.ops.len() as u32).rev().map(OpId) {
-        match module.op(op).kind {
-            OpKind::Select {
-                then, otherwise, ..
-            } => {
-                mark(&mut chosen, then);
-                mark(&mut chosen, otherwise);
-            }
-            OpKind::Binary(Binary::And | Binary::Or, _, right) => mark(&mut chosen, right),
-            _ => {}
-        }
-        if chosen.get(op.0 as usize) == Some(&true) {
-            module.each_operand(op, |o| mark(&mut chosen, o));
-        }
-    }
-    chosen
 }
 
 fn last_op(looped: &Loop) -> Option<u32> {
