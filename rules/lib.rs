@@ -27,6 +27,7 @@ mod double_gamma;
 mod double_underscore;
 mod duplicate_branch;
 mod empty_body;
+mod endless_rays;
 mod errors;
 mod exp_overflow;
 mod flat_frame;
@@ -176,6 +177,7 @@ pub static RULES: &[&Rule] = &[
     &double_underscore::RULE,
     &duplicate_branch::RULE,
     &empty_body::RULE,
+    &endless_rays::RULE,
     &exp_overflow::RULE,
     &flat_frame::RULE,
     &float_counter_drift::RULE,

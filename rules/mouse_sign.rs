@@ -74,7 +74,9 @@ fn has_button_test(cx: &Context, e: ExprId) -> bool {
     while let Some(outer) = structure.parent(around) {
         let is_joined = matches!(
             tree.expr(outer).kind,
-            ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, ..) | ExprKind::Paren(_)
+            ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, ..)
+                | ExprKind::Paren(_)
+                | ExprKind::Unary(..)
         );
         if !is_joined {
             break;
