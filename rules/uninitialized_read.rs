@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{PartMask, UnassignedVariable};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Check, Context, Finding, Group, Rule, RulePreset};
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable, VariableId};
 use shaderlint_text::Edit;
 
@@ -20,48 +20,100 @@ pub static RULE: Rule = Rule {
 const ALPHA: PartMask = 1 << 3;
 
 fn check(cx: &mut Context, function: FunctionRef) {
-    let program = cx.program;
     let Some(found) = cx.facts.definite_assignment().get(function) else {
         return;
     };
     let certain = |u: &&UnassignedVariable| u.always || !u.guarded;
+    let mut reads: Vec<UnassignedVariable> = Vec::new();
     for unset in found.reads.iter().filter(certain) {
-        let Some(variable) = program.variable(unset.variable) else {
-            continue;
-        };
-        let is_param = matches!(variable.storage, Storage::Param(_));
-        let is_output = is_param && cx.facts.entry() == Some(function);
-        // An image is opaque whatever its alpha is.
-        let is_image = program.dialect == Dialect::ShaderToy(Pass::Image);
-        if is_output && is_image && unset.missing == ALPHA {
-            continue;
+        // A value in the declaration is the fix for all reads of a variable.
+        if reads.iter().all(|known| known.variable != unset.variable) {
+            reads.push(*unset);
         }
-        let name = name_of(cx, unset.variable, unset.missing);
-        let message = match unset.always {
-            true => format!("`{name}` is read before it is assigned"),
-            false => format!("`{name}` may be read before it is assigned"),
-        };
-        let declared = program.declared_at(variable);
-        let fix = zero(cx, variable);
-        let finding = cx.report(unset.at, message).fix(fix);
-        let finding = match declared {
-            Some(span) => finding.label(span, "declared without a value"),
-            None => finding,
-        };
-        let finding = finding.note(
-            "its value is undefined (section 4.3): browsers set it to zero, other programs do not",
-        );
-        // Many shaders add to the output that they are given.
-        if is_output {
-            finding.lower().help("assign it first");
-        } else if is_param {
+    }
+    let is_entry = cx.facts.entry() == Some(function);
+    let (outputs, others): (Vec<_>, Vec<_>) =
+        reads.into_iter().partition(|u| is_entry && is_param(cx, u));
+    for output in outputs {
+        // An image is opaque whatever its alpha is.
+        let is_image = cx.program.dialect == Dialect::ShaderToy(Pass::Image);
+        if !(is_image && output.missing == ALPHA) {
+            // Many shaders add to the output that they are given.
+            report(cx, &[output]).lower().help("assign it first");
+        }
+    }
+    if let Some(first) = others.first() {
+        let is_param = is_param(cx, first);
+        let finding = report(cx, &others);
+        if is_param {
             finding.help("use `inout` to receive the value of the caller");
         }
     }
 }
 
-/// Initialises the variable with zero, as browsers do.
-fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
+fn is_param(cx: &Context, unset: &UnassignedVariable) -> bool {
+    let variable = cx.program.variable(unset.variable);
+    variable.is_some_and(|v| matches!(v.storage, Storage::Param(_)))
+}
+
+/// Reports the reads of one function as one finding.
+fn report<'a>(cx: &'a mut Context, reads: &[UnassignedVariable]) -> Finding<'a> {
+    let names: Vec<String> = reads
+        .iter()
+        .map(|u| name_of(cx, u.variable, u.missing))
+        .collect();
+    let subject = match names.as_slice() {
+        [] => String::new(),
+        [one] => format!("`{one}`"),
+        [one, two] => format!("`{one}` and `{two}`"),
+        [one, others @ ..] => format!("`{one}` and {} other variables", others.len()),
+    };
+    let (are, they) = match names.len() {
+        1 => ("is", "it is"),
+        _ => ("are", "they are"),
+    };
+    let message = match reads.iter().all(|u| u.always) {
+        true => format!("{subject} {are} read before {they} assigned"),
+        false => format!("{subject} may be read before {they} assigned"),
+    };
+    let variables: Vec<&Variable> = reads
+        .iter()
+        .filter_map(|u| cx.program.variable(u.variable))
+        .collect();
+    let fix = zeros(cx, &variables);
+    let at = reads.first().map(|u| u.at).unwrap_or_default();
+    let program = cx.program;
+    let mut finding = cx.report(at, message).fix(fix);
+    for (other, name) in reads.iter().zip(&names).skip(1) {
+        finding = finding.label(program.span(other.at), format!("`{name}` is read here"));
+    }
+    for (variable, name) in variables.iter().zip(&names) {
+        if let Some(span) = program.declared_at(variable) {
+            let label = match names.len() {
+                1 => "declared without a value".to_string(),
+                _ => format!("`{name}` has no value"),
+            };
+            finding = finding.label(span, label);
+        }
+    }
+    finding.note(
+        "its value is undefined (section 4.3): browsers set it to zero, other programs do not",
+    )
+}
+
+/// Initialises variables with zero, as browsers do; `None` if that is not possible for one of them.
+fn zeros(cx: &Context, variables: &[&Variable]) -> Option<Fix> {
+    let assigned = variables.iter().map(|v| zero(cx, v));
+    let (values, edits): (Vec<String>, Vec<Edit>) = assigned.collect::<Option<_>>()?;
+    let title = match values.as_slice() {
+        [value] => format!("assign a value: `{value}`"),
+        _ => "assign a value in each declaration".to_string(),
+    };
+    Some(Fix::safe(title, edits))
+}
+
+/// A variable with the value zero, and the edit that assigns it in the declaration.
+fn zero(cx: &Context, variable: &Variable) -> Option<(String, Edit)> {
     let ty = variable.ty;
     let token = cx.program.token(variable.token?)?;
     if variable.storage != Storage::Local || ty.array != 0 || !token.is_direct() {
@@ -77,12 +129,9 @@ fn zero(cx: &Context, variable: &Variable) -> Option<Fix> {
         true => zero.to_string(),
         false => format!("{}({zero})", cx.program.type_name(ty)),
     };
-    let title = format!(
-        "assign a value: `{} = {value}`",
-        cx.program.names.text(variable.name)
-    );
+    let name = cx.program.names.text(variable.name);
     let edit = Edit::insert(token.span.end, format!(" = {value}"));
-    Some(Fix::safe(title, vec![edit]))
+    Some((format!("{name} = {value}"), edit))
 }
 
 /// The name of the variable, with the unassigned components or field if others are assigned.
