@@ -29,6 +29,11 @@ fn check(cx: &mut Context) {
         DivergenceCause::Branch(control) => Some((g, control)),
         DivergenceCause::Loop(_) => None,
     });
+    // Without mipmaps a lookup uses no derivatives. ShaderToy's textures have them by default; those of
+    // other pages rarely do.
+    let is_mipmapped = cx.program.dialect.is_shadertoy();
+    let matters = |function: BuiltinId| is_mipmapped || !function.kind().is_texture();
+    let branched = branched.filter(|(gradient, _)| matters(gradient.function));
     for (gradient, control) in branched.take(MAX_FINDINGS) {
         let labels = labels(cx, control);
         let help = help(cx, gradient.call, gradient.function);

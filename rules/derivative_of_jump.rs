@@ -35,7 +35,10 @@ fn check(cx: &mut Context, call: &Builtin) {
     cx.report_expr(of, format!("`{name}` is applied to a discontinuous value"))
         .label(at, format!("`{jumps}` is discontinuous"))
         .note("at the discontinuity the derivative is very large, which draws a line of pixels")
-        .help(format!(
-            "take the derivative of the argument of `{jumps}` instead"
-        ));
+        .help(match jump.function {
+            BuiltinId::Atan => {
+                "use the width of the position: `length(fwidth(p)) / length(p)`".to_string()
+            }
+            _ => format!("take the derivative of the argument of `{jumps}` instead"),
+        });
 }

@@ -31,7 +31,9 @@ fn check_if(cx: &mut Context, id: StmtId) {
     };
     let bodies = [then, otherwise].map(|s| tree.stmt(s).extent);
     let is_empty = bodies.iter().any(|b| b.last - b.first < 2);
-    if !is_empty && same_code(program, bodies[0], bodies[1]) {
+    // Two rows of a table may be equal.
+    let is_row = || is_else(cx, id) && gives_constant(cx, then) && gives_constant(cx, otherwise);
+    if !is_empty && !is_row() && same_code(program, bodies[0], bodies[1]) {
         let first = program.span(bodies[0]);
         cx.report(bodies[1], "both branches of this `if` are identical")
             .label(first, "identical branch");
@@ -52,6 +54,24 @@ fn check_ternary(cx: &mut Context, id: ExprId) {
     if cx.is_direct(id) && same_code(program, first, second) {
         cx.report(second, "both results of this `?:` are identical")
             .label(program.span(first), "identical result");
+    }
+}
+
+/// Whether a body only returns or assigns one constant.
+fn gives_constant(cx: &Context, body: StmtId) -> bool {
+    let (program, tree) = (cx.program, &cx.program.tree);
+    let is_constant = |e| !program.values(e).is_empty();
+    match tree.stmt(body).kind {
+        StmtKind::Block(list) => match tree.block(list) {
+            &[only] => gives_constant(cx, only),
+            _ => false,
+        },
+        StmtKind::Return(Some(value)) => is_constant(value),
+        StmtKind::Expr(e) => match tree.expr(e).kind {
+            ExprKind::Assign(None, _, value) => is_constant(value),
+            _ => false,
+        },
+        _ => false,
     }
 }
 

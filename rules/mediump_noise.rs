@@ -1,9 +1,9 @@
 //! Hashes and time in `mediump` or `lowp`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Root};
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision};
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
-use shaderlint_semantic::{BuiltinId, Stage};
+use shaderlint_semantic::{BuiltinId, Stage, Storage, Variable};
 use shaderlint_syntax::TypeWord;
 use shaderlint_syntax::ast::*;
 
@@ -82,16 +82,16 @@ fn hash(cx: &Context) -> Option<PrecisionUse> {
     found.map(|(op, ..)| (op, "a hash"))
 }
 
-/// A scalar uniform that shifts the phase of a wave or is wrapped by `fract` or `mod`: it counts
-/// seconds.
+/// A time that shifts the phase of a wave or is wrapped by `fract` or `mod`.
 fn time(cx: &Context) -> Option<PrecisionUse> {
     use BuiltinId::{Cos, Fract, Mod, Sin};
     let module = cx.facts.module();
     let is_counted = |op: &OpId| match module.op(*op).kind {
         OpKind::Load(place) => {
-            let variable = module.variable(module.place(place).variable);
-            let is_uniform = variable.is_some_and(|v| v.root == Root::Uniform && v.ty.is_scalar());
-            is_uniform && is_coarse(module, *op)
+            let variable = cx.program.variable(module.place(place).variable);
+            let is_uniform = |v: &&Variable| v.storage == Storage::Uniform;
+            let uniform = variable.filter(is_uniform);
+            uniform.is_some_and(|v| cx.facts.is_time(v.name)) && is_coarse(module, *op)
         }
         _ => false,
     };

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape};
-use shaderlint_semantic::Scalar;
+use shaderlint_semantic::{Program, Scalar};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 pub static RULE: Rule = Rule {
@@ -66,6 +66,10 @@ fn check_sum(cx: &mut Context, e: &BinaryExpr) {
     }
     let small = |side| {
         let value = program.scalar(side)?.as_float();
+        // The difference of two settings is small by chance.
+        if holds_sum(program, side) {
+            return None;
+        }
         (value != 0.0 && value.abs() < 1e-3).then_some(f64::from(value.abs()))
     };
     let sides = [(e.left, e.right), (e.right, e.left)];
@@ -86,4 +90,16 @@ fn check_sum(cx: &mut Context, e: &BinaryExpr) {
     cx.report_expr(e.id, message)
         .note("a `float` has about seven significant digits")
         .help("use a larger number: next to 1.0, the smallest difference is about 1e-7");
+}
+
+/// Whether an expression adds or subtracts.
+fn holds_sum(program: &Program, expr: ExprId) -> bool {
+    let tree = &program.tree;
+    let expr = tree.unparen(expr);
+    match tree.expr(expr).kind {
+        ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => true,
+        ExprKind::Binary(_, a, b) => holds_sum(program, a) || holds_sum(program, b),
+        ExprKind::Unary(_, of) => holds_sum(program, of),
+        _ => false,
+    }
 }

@@ -50,7 +50,7 @@ fn check(cx: &mut Context) {
             jump.function,
             BuiltinId::Atan | BuiltinId::Fract | BuiltinId::Mod
         );
-        if !is_seam && !is_known {
+        if !is_known && (!is_seam || is_stepped(cx, jump.call)) {
             continue;
         }
         report(cx, place, jump);
@@ -89,4 +89,17 @@ fn report(cx: &mut Context, place: ExprId, jump: Jump) {
         .label(at, how)
         .note("if the texture has mipmaps, the GPU selects its smallest level at the jump, which draws a thin line")
         .help("pass continuous gradients to `textureGrad`, or choose the level with `textureLod`");
+}
+
+/// Whether the argument of a call is rounded: a table with a value for each cell is read.
+fn is_stepped(cx: &Context, call: OpId) -> bool {
+    let module = cx.facts.module();
+    let OpKind::Builtin(_, list) = module.op(call).kind else {
+        return false;
+    };
+    let mut operands = module.operands(list).iter();
+    operands.any(|operand| {
+        let mut lanes = 0..module.ty(*operand).components();
+        lanes.any(|lane| cx.facts.jump(*operand, lane).is_some())
+    })
 }

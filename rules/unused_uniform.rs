@@ -30,7 +30,11 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let Some(token) = token.filter(|t| is_own && program.is_direct(*t)) else {
         return;
     };
-    if name.starts_with('_') || cx.facts.inactive_words().has(name) {
+    // A host sets its uniforms for every shader.
+    if name.starts_with('_')
+        || cx.facts.is_set_by_host(variable.name)
+        || cx.facts.inactive_words().has(name)
+    {
         return;
     }
     let edit = remove_declaration(program, declared);

@@ -17,6 +17,7 @@ use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, lower};
 use shaderlint_semantic::{
     FunctionRef, Mentions, Program, Reachability, Scalar, Stage, Structure, Value, channel,
 };
+use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
 use shaderlint_text::embed::Embedder;
@@ -332,6 +333,20 @@ impl<'a> Facts<'a> {
     /// What makes a component of a value discontinuous between neighbouring pixels.
     pub fn jump(&self, op: OpId, lane: u32) -> Option<Jump> {
         jump(self.ranges(), self.uniformity(), (op, lane))
+    }
+
+    /// Whether a uniform counts the time since the start.
+    pub fn is_time(&self, uniform: Name) -> bool {
+        let name = self.program.names.text(uniform);
+        let supplier = self.around.supplier;
+        supplier.is_some_and(|supplier| supplier.is_time(name))
+    }
+
+    /// Whether every page of the host sets a uniform.
+    pub fn is_set_by_host(&self, uniform: Name) -> bool {
+        let name = self.program.names.text(uniform);
+        let supplier = self.around.supplier;
+        supplier.is_some_and(|supplier| supplier.knows(name))
     }
 
     /// Whether the texture that an expression names may have mipmaps.

@@ -66,6 +66,12 @@ impl Supplier for Supply<'_> {
         }
         is_built_in(name) || self.certain_names().contains(name)
     }
+
+    fn is_time(&self, name: &str) -> bool {
+        let is_clock = |feed| matches!(feed, Feed::Time | Feed::Milliseconds);
+        let mut fed = self.given().bound.uniforms.iter();
+        fed.any(|u| u.name == name && is_clock(u.source))
+    }
 }
 
 /// Whether a name is a built-in input.

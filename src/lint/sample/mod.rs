@@ -104,6 +104,9 @@ pub trait Supplier {
 
     /// Whether the value of a uniform or input is known.
     fn knows(&self, name: &str) -> bool;
+
+    /// Whether a uniform counts the time since the start.
+    fn is_time(&self, name: &str) -> bool;
 }
 
 /// The result of a sample run.
