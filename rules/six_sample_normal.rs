@@ -52,13 +52,23 @@ fn check(cx: &mut Context) {
             continue;
         };
         let name = program.names.text(function.name);
-        let last = program.expr_span(last);
+        let last_span = program.expr_span(last);
+        if differences.iter().all(|d| is_diagonal(cx, *d)) {
+            cx.report_expr(
+                first,
+                "the differences of this normal are all in one direction",
+            )
+            .mark("first of three differences")
+            .label(last_span, "the same offset again")
+            .help("use `vec2 e = vec2(h, 0.0)` with the offsets `e.xyy`, `e.yxy` and `e.yyx`");
+            continue;
+        }
         cx.report_expr(
             first,
             format!("normal calls `{name}` 6 times where 4 calls are enough"),
         )
         .mark("first of three differences")
-        .label(last, "third difference")
+        .label(last_span, "third difference")
         .help(format!(
             "use the tetrahedron technique: 4 calls of `{name}` give the same normal"
         ));
@@ -87,6 +97,27 @@ fn difference(cx: &Context, call: ExprId, callee: FunctionRef) -> Option<ExprId>
     let is_central = (plus, minus) == (BinaryOp::Add, BinaryOp::Sub)
         || (plus, minus) == (BinaryOp::Sub, BinaryOp::Add);
     (is_same && is_central && same_code(program, a, b)).then_some(parent)
+}
+
+/// Whether the offset `e` of the difference `f(p + e) - f(p - e)` is the same number on every axis.
+fn is_diagonal(cx: &Context, difference: ExprId) -> bool {
+    let program = cx.program;
+    let tree = &program.tree;
+    let ExprKind::Binary(_, left, _) = tree.expr(difference).kind else {
+        return false;
+    };
+    let ExprKind::Call(_, args) =
+        called(program, left).map_or(ExprKind::Error, |call| tree.expr(call).kind)
+    else {
+        return false;
+    };
+    let point = tree.args(args).first().map(|arg| tree.expr(*arg).kind);
+    let Some(ExprKind::Binary(_, _, offset)) = point else {
+        return false;
+    };
+    let mut axes = cx.facts.range(offset).map(|range| range.single());
+    let first = axes.next().flatten();
+    first.is_some_and(|first| first != 0.0) && axes.all(|axis| axis == first.into())
 }
 
 /// The call in `f(p)` or `f(p).x`.

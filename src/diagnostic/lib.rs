@@ -274,10 +274,18 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the fix, if there is one.
+    /// Sets the fix, if there is one. Where the code does not allow an edit, its title is a help.
     pub fn fix(mut self, fix: impl Into<Option<Fix>>) -> Diagnostic {
-        self.fix = fix.into();
+        self.set_fix(fix.into());
         self
+    }
+
+    /// As [`Diagnostic::fix`].
+    pub fn set_fix(&mut self, fix: Option<Fix>) {
+        match fix {
+            Some(fix) if fix.edits.is_empty() => self.help.push(fix.title),
+            fix => self.fix = fix,
+        }
     }
 
     /// Path of the documentation page, relative to the repository root.

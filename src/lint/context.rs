@@ -175,7 +175,7 @@ impl Finding<'_> {
 
     /// Sets the fix; its title is printed as a help.
     pub fn fix(self, fix: impl Into<Option<Fix>>) -> Self {
-        self.diagnostic.fix = fix.into();
+        self.diagnostic.set_fix(fix.into());
         self
     }
 }

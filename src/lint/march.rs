@@ -135,7 +135,28 @@ impl Light<'_> {
         match defs.get(def) {
             Def::Stored { value, .. } => self.value(value),
             Def::Merge { sides, .. } => defs.list(sides).iter().all(|side| self.def(*side)),
-            Def::Head { init, back, .. } => self.def(init) && self.def(back),
+            Def::Head { init, back, .. } => {
+                !self.counts(def, back) && self.def(init) && self.def(back)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a value that a loop carries around grows by a constant: it counts the steps.
+    fn counts(&self, head: DefId, back: DefId) -> bool {
+        let (module, defs) = (self.module, self.defs);
+        let Def::Stored { value, .. } = defs.get(defs.unrefined(back)) else {
+            return false;
+        };
+        let is_head = |op: OpId| {
+            matches!(module.op(op).kind, OpKind::Load(_))
+                && defs.unrefined(defs.seen(op, 0)) == head
+        };
+        let is_constant = |op: OpId| matches!(module.op(op).kind, OpKind::Const(_));
+        match module.op(value).kind {
+            OpKind::Binary(Binary::Add, a, b) => {
+                is_head(a) && is_constant(b) || is_head(b) && is_constant(a)
+            }
             _ => false,
         }
     }
