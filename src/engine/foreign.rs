@@ -3,10 +3,11 @@
 
 use super::input::SplitInput;
 use super::options::{Desktop, Options};
-use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use super::version;
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::embed::Embedded;
 use shaderlint_text::kind::{Decision, Evidence, ShaderLanguage, reason};
-use shaderlint_text::{Edit, FileId, Span};
+use shaderlint_text::{FileId, Span};
 
 /// Whether desktop GLSL is checked as GLSL ES 3.00.
 pub fn is_ported(language: ShaderLanguage, options: &Options) -> bool {
@@ -56,20 +57,6 @@ pub(super) fn inside(
     Some(true)
 }
 
-/// Replaces a `#version` of desktop GLSL, where `float` has a precision without a declaration.
-fn as_webgl2(text: &str, version: Span) -> Fix {
-    const VERSION: &str = "#version 300 es";
-    const PRECISION: &str = "precision highp float;";
-    let (title, lines) = match text.contains("precision ") {
-        true => (format!("use `{VERSION}`"), VERSION.to_string()),
-        false => (
-            format!("use `{VERSION}` and `{PRECISION}`"),
-            format!("{VERSION}\n{PRECISION}"),
-        ),
-    };
-    Fix::suggestion(title, vec![Edit::replace(version, lines)])
-}
-
 fn report(
     evidence: &Evidence,
     text: &str,
@@ -89,7 +76,7 @@ fn report(
         let message = format!("`#version {}` is not supported by WebGL2", version.number);
         return Diagnostic::error(kind, span, message)
             .note("desktop GLSL for OpenGL or Vulkan is not checked further")
-            .fix(as_webgl2(text, span))
+            .fix(version::as_webgl2(text, base, span))
             .help("set `desktop = \"port\"` in shaderlint.toml to check it as GLSL ES 3.00, or `desktop = \"skip\"` to skip it");
     }
     let sign = evidence.first_sign(language).unwrap_or(0..0);

@@ -1,11 +1,14 @@
-//! GLSL ES 3.00 shaders without `#version`, which browsers compile as GLSL ES 1.00.
+//! The `#version` of GLSL ES 3.00 where it is missing, and in place of one of desktop GLSL.
 
 use super::host::Hosts;
 use super::reading::code_of;
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_semantic::{Checked, Completeness};
-use shaderlint_text::{Edit, Role, Sources, Span};
+use shaderlint_semantic::{Checked, Completeness, Dialect, Stage, Unit, analyze};
+use shaderlint_text::{Edit, Role, Sources, Span, apply_edits};
+use std::sync::Arc;
+
+const DIRECTIVE: &str = "#version 300 es";
 
 /// Reports a shader that requires GLSL ES 3.00 but has no `#version`: an error if it is compiled
 /// unchanged, a warning in a file that no known host completes.
@@ -39,4 +42,71 @@ pub fn missing(
         .note("a shader without `#version` is GLSL ES 1.00 (section 3.4)");
     let title = "add `#version 300 es` as the first line";
     Some(d.fix(Some(Fix::suggestion(title, vec![edit]))))
+}
+
+/// Declares what desktop GLSL has by default.
+const PRECISION: &str = "precision highp float;";
+
+/// Replaces the `#version` of desktop GLSL, if the text then compiles: alone, with a default
+/// precision, or with the fixes of all errors that this reveals.
+pub fn as_webgl2(text: &str, base: u32, directive: Span) -> Option<Fix> {
+    let plain = DIRECTIVE.to_string();
+    let precise = format!("{plain}\n{PRECISION}");
+    let variants = [
+        (Stage::Fragment, &plain),
+        (Stage::Fragment, &precise),
+        (Stage::Vertex, &plain),
+    ];
+    let first = Edit::replace(directive, "");
+    variants.into_iter().find_map(|(stage, head)| {
+        let mut edits = vec![Edit {
+            text: head.clone(),
+            ..first.clone()
+        }];
+        let fixed = apply_edits(text, base, &edits).ok()?;
+        let errors = errors_of(fixed, stage)?;
+        let shift = (head.len() as u32).checked_sub(directive.len());
+        let original = |at: u32| match shift {
+            Some(longer) => at.checked_sub(longer),
+            None => Some(at + (directive.len() - head.len() as u32)),
+        };
+        for error in &errors {
+            let fix = error.fix.as_ref()?;
+            for edit in &fix.edits {
+                let start = original(edit.span.start)? + base;
+                let end = original(edit.span.end)? + base;
+                if start < directive.end {
+                    return None;
+                }
+                edits.push(Edit::replace(Span::new(start, end), edit.text.clone()));
+            }
+        }
+        edits.sort_by_key(|e| e.span);
+        edits.dedup();
+        let fixed = apply_edits(text, base, &edits).ok()?;
+        errors_of(fixed, stage)?.is_empty().then_some(())?;
+        let title = match errors.len() {
+            0 if *head == plain => format!("use `{DIRECTIVE}`"),
+            0 => format!("use `{DIRECTIVE}` and `{PRECISION}`"),
+            _ => format!("use `{DIRECTIVE}` and fix the errors that this reveals"),
+        };
+        Some(Fix::suggestion(title, edits))
+    })
+}
+
+/// The errors of a complete shader, with positions in its text.
+fn errors_of(text: String, stage: Stage) -> Option<Vec<Diagnostic>> {
+    let mut sources = Sources::new();
+    let file = sources.add("", None, Role::User, text)?;
+    let checked = analyze(&Unit {
+        sources: &Arc::new(sources),
+        files: &[file],
+        stage,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        completeness: Completeness::Complete,
+    });
+    let mut errors = checked.diagnostics;
+    errors.retain(|d| d.severity == Severity::Error);
+    Some(errors)
 }

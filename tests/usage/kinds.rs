@@ -247,8 +247,8 @@ const STYLES: [Style; 4] = [
     ("open", |text| text.trim_end_matches('\n').to_string()),
 ];
 
-/// The files, each with its content before and after `--fix`.
-fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
+/// The files, each with its content before and after `--fix`, with or without `--unsafe-fixes`.
+fn files(unsafe_fixes: bool) -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
     let mut all = BTreeMap::new();
     for (style, write) in STYLES {
         let mut add = |name: &str, before: &str, after: &str| {
@@ -268,7 +268,12 @@ fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
             "450", "460", "310 es", "320 es",
         ] {
             let text = format!("#version {version}\n{DESKTOP}");
-            add(&format!("v{version}.frag").replace(' ', "_"), &text, &text);
+            let webgl2 = "#version 300 es\nprecision highp float;\n";
+            let after = match unsafe_fixes {
+                true => webgl2.to_string() + &after_fix(DESKTOP).replace("(a)", "(a);"),
+                false => text.clone(),
+            };
+            add(&format!("v{version}.frag").replace(' ', "_"), &text, &after);
         }
         // A pass of an export, whose code has the line ends of the style.
         let export = |code: &str| {
@@ -302,7 +307,7 @@ fn files() -> BTreeMap<String, (Vec<u8>, Vec<u8>)> {
 
 #[track_caller]
 fn check(args: &[&str], explicit: bool) {
-    let files = files();
+    let files = files(args.contains(&"--unsafe-fixes"));
     let scratch = Scratch::new(&[]);
     for (name, (before, _)) in &files {
         scratch.write(name, before);

@@ -47,6 +47,8 @@ impl Explain for OutputError {
 
 /// Number of locations for outputs.
 const LOCATIONS: u32 = 8;
+/// Maximum number of outputs that are given locations: with more, some cannot have one.
+const MAX_OUTPUTS: usize = 2 * LOCATIONS as usize;
 
 /// An output declaration.
 struct OutputDecl {
@@ -91,7 +93,7 @@ impl ExplainContext<'_> {
                 size: variable.map_or(1, |v| v.ty.array.max(1)),
             })
         });
-        outputs.collect()
+        outputs.take(MAX_OUTPUTS).collect()
     }
 
     /// Gives the output at these tokens the first free location.

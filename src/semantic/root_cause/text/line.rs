@@ -150,7 +150,8 @@ impl FaultyShader<'_> {
         let rest = code.text.get(offset..)?;
         if to.unwrap_or(rest.len()) > MAX_AROUND {
             let near = rest.get(MAX_AROUND..).and_then(|t| t.find(';'));
-            to = near.map(|i| (MAX_AROUND + i + 1).min(2 * MAX_AROUND));
+            let most = rest.len().min(2 * MAX_AROUND);
+            to = Some(near.map_or(most, |i| (MAX_AROUND + i + 1).min(most)));
         }
         let to = offset + to.unwrap_or(rest.len());
         let text = code.text.get(from..to)?;

@@ -6,6 +6,9 @@ use shaderlint_syntax::{
     DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, keyword_near,
 };
 
+/// Maximum number of members of a struct.
+const MAX_MEMBERS: usize = 100;
+
 impl FaultyShader<'_> {
     pub(super) fn statements(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         self.lost_hash(line, all);
@@ -109,6 +112,13 @@ impl FaultyShader<'_> {
         let Some(open) = code.text.get(..offset).and_then(|t| t.rfind('{')) else {
             return;
         };
+        // `struct Ray {`
+        let header = code.text.get(..open).unwrap_or("").trim_end();
+        let name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let header = header.trim_end_matches(name).trim_end();
+        if !header.ends_with("struct") {
+            return;
+        }
         let Some(close) = code.text.get(open..).and_then(|t| t.find('}')) else {
             return;
         };
@@ -125,6 +135,9 @@ impl FaultyShader<'_> {
             if word.is_empty() || TypeWord::named(&word).is_some() {
                 let start = code.base + (open + at) as u32;
                 edits.push(Edit::replace(Span::new(start, start + 1), ";"));
+            }
+            if edits.len() > MAX_MEMBERS {
+                return;
             }
         }
         let Some(span) = edits.first().map(|e| e.span) else {
