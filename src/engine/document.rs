@@ -110,7 +110,7 @@ fn try_check(
     context: CheckContext,
 ) -> Result<Report, Unread> {
     let options = context.options;
-    let decision = decide(name, text, options.claim);
+    let decision = decide(name, text, options.claimed());
     let is_shader = matches!(decision.kind, FileKind::Shader | FileKind::Foreign(_));
     if let Some(diagnostic) = unreadable(text, encoding).filter(|_| is_shader) {
         let mut sources = Sources::new();

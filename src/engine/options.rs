@@ -51,6 +51,14 @@ impl Options {
             file_cache: Arc::default(),
         }
     }
+
+    /// What the user declares about the file.
+    pub(super) fn claimed(&self) -> Claim {
+        match self.claim {
+            Claim::None if self.dialect != DialectChoice::Auto => Claim::Dialect,
+            claim => claim,
+        }
+    }
 }
 
 /// How includes are resolved.

@@ -221,10 +221,12 @@ impl Checker<'_> {
             last: decl.name.map_or(extent.first, |n| n.token),
         };
         if !self.has(Feature::Blocks) {
-            return self.reject(header, RecordError::BlockLater);
+            // The members are declared all the same: their uses are not mistakes of their own.
+            self.reject(header, RecordError::BlockLater);
+        } else {
+            let qualified = self.qualifiers(qualifiers);
+            self.check_block(&qualified, decl, header);
         }
-        let qualified = self.qualifiers(qualifiers);
-        self.check_block(&qualified, decl, header);
         let Members { fields, inside } = self.members(decl, RecordKind::Block);
         let index = self.structs.len() as u32;
         let token = decl.name.map_or(decl.extent.first, |n| n.token);

@@ -7,6 +7,11 @@ const NO_INSTANCE: &str =
 const INSTANCE: &str =
     "members of a block with an instance name are accessed through it (section 4.3.7)";
 
+/// Maximum number of members of a block that are renamed.
+const MAX_MEMBERS: usize = 30;
+/// Maximum number of accesses to members that are corrected.
+const MAX_ACCESSES: usize = 1_000;
+
 impl ExplainContext<'_> {
     /// Adds the correct access to an error about a name that a block declares, or that is used in
     /// place of a block.
@@ -16,9 +21,16 @@ impl ExplainContext<'_> {
         name: Name,
         token: TokenId,
     ) -> Option<Diagnostic> {
-        if let Some(instance) = self.instance_with(name) {
+        if let Some((members, instance)) = self.instance_with(name) {
             let to = format!("{}.{}", self.text(instance), self.text(name));
-            let mut edits = self.rename_all(name, &to);
+            // The other members are used in the same way.
+            let is_unknown = |n: &Name| *n == name || self.is_declared_once(*n);
+            let names = self.member_names(members).filter(is_unknown);
+            let access = |n: Name| format!("{}.{}", self.text(instance), self.text(n));
+            let mut edits: Vec<Edit> = names
+                .take(MAX_MEMBERS)
+                .flat_map(|n| self.rename_all(n, &access(n)))
+                .collect();
             // The declarations of members keep their names.
             let decls: Vec<Span> = self
                 .tree
@@ -41,18 +53,45 @@ impl ExplainContext<'_> {
         }
         let member_name = Name(member.value);
         if self.is_global_member(member_name) {
-            let gap = Span::new(self.token_span(token).start, member.span.start);
             let title = format!("use `{}`", self.text(member_name));
-            return Some(
-                d.note(NO_INSTANCE)
-                    .fix(Fix::suggestion(title, vec![Edit::delete(gap)])),
-            );
+            let fix = Fix::suggestion(title, self.without_object(name));
+            return Some(d.note(NO_INSTANCE).fix(fix));
         }
-        let instance = self.instance_with(member_name)?;
+        let (_, instance) = self.instance_with(member_name)?;
         let to = self.text(instance);
         let edit = Edit::replace(self.token_span(token), to);
         let title = format!("use `{to}`");
         Some(d.note(INSTANCE).fix(Fix::suggestion(title, vec![edit])))
+    }
+
+    /// Edits that remove `name.` before members of blocks without an instance name.
+    fn without_object(&self, name: Name) -> Vec<Edit> {
+        let all = &self.tokens.tokens;
+        let accesses = all.windows(3).filter_map(|w| match w {
+            [object, dot, member]
+                if (object.kind, object.value) == (TokenKind::Identifier, name.0)
+                    && (dot.kind, member.kind) == (TokenKind::Dot, TokenKind::Identifier)
+                    && object.is_direct()
+                    && member.is_direct() =>
+            {
+                Some((object.span.start, member.span.start, Name(member.value)))
+            }
+            _ => None,
+        });
+        let accesses = accesses.take(MAX_ACCESSES);
+        let members = accesses.filter(|(_, _, member)| self.is_global_member(*member));
+        members
+            .map(|(start, end, _)| Edit::delete(Span::new(start, end)))
+            .collect()
+    }
+
+    /// Whether no variable and no other member has the name of a member.
+    fn is_declared_once(&self, name: Name) -> bool {
+        let all = &self.tree.declarator_lists;
+        let has_name = |d: &&Declarator| d.ident.name == name;
+        self.affords(all.len())
+            && self.scopes().get(name).is_none()
+            && all.iter().filter(has_name).count() == 1
     }
 
     /// Whether a block without an instance name declares this member.
@@ -61,12 +100,13 @@ impl ExplainContext<'_> {
             .any(|(members, instance)| instance.is_none() && self.declares(members, name))
     }
 
-    /// The instance name of the block that declares this member.
-    fn instance_with(&self, name: Name) -> Option<Name> {
+    /// The members and the instance name of the block that declares this member.
+    fn instance_with(&self, name: Name) -> Option<(StructId, Name)> {
         let mut blocks = self.blocks();
         blocks.find_map(|(members, instance)| {
             let instance = instance.filter(|i| i.arrays.len == 0)?;
-            self.declares(members, name).then_some(instance.ident.name)
+            self.declares(members, name)
+                .then_some((members, instance.ident.name))
         })
     }
 
@@ -80,14 +120,18 @@ impl ExplainContext<'_> {
     }
 
     fn declares(&self, members: StructId, name: Name) -> bool {
+        self.member_names(members).any(|n| n == name)
+    }
+
+    fn member_names(&self, members: StructId) -> impl Iterator<Item = Name> {
         let fields = self
             .tree
             .structure(members)
             .map_or(&[][..], |s| self.tree.fields(s.fields));
-        let mut names = fields
+        fields
             .iter()
-            .flat_map(|f| self.tree.declarators(f.declarators));
-        names.any(|d| d.ident.name == name)
+            .flat_map(|f| self.tree.declarators(f.declarators))
+            .map(|d| d.ident.name)
     }
 }
 
@@ -117,5 +161,7 @@ mod tests {
         check(" cam", "Camera.tint * 2.0", "cam.tint * 2.0");
         check(" cam", "camera.tint * 2.0", "cam.tint * 2.0");
         check(" cam", "tint + tint", "cam.tint + cam.tint");
+        check("", "cam.view * cam.tint", "view * tint");
+        check(" cam", "view * tint", "cam.view * cam.tint");
     }
 }

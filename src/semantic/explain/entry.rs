@@ -1,5 +1,6 @@
 //! Messages for [`EntryError`].
 
+use super::names::OUTPUT_NAMES;
 use super::*;
 use crate::host::EntryPoint;
 
@@ -48,9 +49,13 @@ impl Explain for EntryError {
             }
             E::MainParameters => {
                 let d = main("`main` must not have parameters");
-                d.fix(c.main_without_parameters(at))
+                d.fix(
+                    c.main_without_parameters(at)
+                        .or_else(|| c.main_as_function(at)),
+                )
             }
-            E::MainReturns => main("`main` must return `void`").fix(c.main_without_value(at)),
+            E::MainReturns => main("`main` must return `void`")
+                .fix(c.main_without_value(at).or_else(|| c.main_as_function(at))),
         }
     }
 }
@@ -111,6 +116,7 @@ impl ExplainContext<'_> {
         if self.stage != Stage::Fragment
             || !self.has(Feature::InOut)
             || !self.is_direct(function.header)
+            || self.tree.ty(function.ty).base != TypeBase::Void
         {
             return None;
         }
@@ -168,6 +174,68 @@ impl ExplainContext<'_> {
             "use `void`, and `return` without a value",
             edits,
         ))
+    }
+
+    /// `vec4 main(vec2 p) { return ...; }`: the function gets another name, and a new `main` writes
+    /// its value to the output.
+    fn main_as_function(&self, at: Extent) -> Option<Fix> {
+        let function = self.function_at(at)?;
+        if self.stage != Stage::Fragment || !self.has(Feature::InOut) {
+            return None;
+        }
+        let written = |ty: TypeId| self.sources.text(self.span(self.tree.ty(ty).extent));
+        let mut arguments = Vec::new();
+        for param in self.tree.params(function.params) {
+            let mut qualifiers = self.tree.qualifiers(param.qualifiers).iter();
+            let is_out = qualifiers.any(|q| q.kind == QualifierKind::Out);
+            (!is_out && written(param.ty) == "vec2").then(|| arguments.push("gl_FragCoord.xy"))?;
+        }
+        let is_free = |name: &&&str| self.names.get(name).is_none();
+        let name = ["shade", "shadePixel", "colorOfPixel"]
+            .iter()
+            .find(is_free)?;
+        let call = format!("{name}({})", arguments.join(", "));
+        let value = match written(function.ty) {
+            "vec4" => call,
+            "vec3" => format!("vec4({call}, 1.0)"),
+            _ => return None,
+        };
+        let (output, declared) = match self.output_name() {
+            Some(name) => (name, ""),
+            None => {
+                let name = OUTPUT_NAMES.iter().find(is_free)?;
+                (*name, *name)
+            }
+        };
+        let declared = match declared {
+            "" => String::new(),
+            name => format!("out vec4 {name};\n"),
+        };
+        let text = format!("\n\n{declared}void main() {{\n    {output} = {value};\n}}");
+        let mut edits = self.rename_all(function.ident.name, name);
+        edits.push(Edit::insert(self.span(function.extent).end, text));
+        Some(Fix::suggestion(
+            format!("rename it to `{name}` and add a `main` that calls it"),
+            edits,
+        ))
+    }
+
+    /// The name of the first declared output of type `vec4`.
+    fn output_name(&self) -> Option<&str> {
+        self.tree.decls.iter().find_map(|d| match d.kind {
+            DeclKind::Variables {
+                qualifiers,
+                declarators,
+                ty,
+            } => {
+                let mut qualifiers = self.tree.qualifiers(qualifiers).iter();
+                let is_output = qualifiers.any(|q| q.kind == QualifierKind::Out)
+                    && self.sources.text(self.span(self.tree.ty(ty).extent)) == "vec4";
+                let first = self.tree.declarators(declarators).first()?;
+                is_output.then(|| self.text(first.ident.name))
+            }
+            _ => None,
+        })
     }
 
     /// Adds the `main` that calls `mainImage`.

@@ -7,7 +7,7 @@ use shaderlint_syntax::{TypeWord, WordClass, classify, keyword_near, type_in_ano
 const MAX_BRACKETED: TokenId = 200;
 
 /// Names that shaders give their output.
-const OUTPUT_NAMES: &[&str] = &[
+pub(super) const OUTPUT_NAMES: &[&str] = &[
     "fragColor",
     "FragColor",
     "outColor",

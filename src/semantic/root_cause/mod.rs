@@ -37,6 +37,8 @@ const CHECK_TOKENS: usize = 1_000;
 const TOKEN_BYTES: usize = 64;
 /// Maximum number of repairs per shader.
 const MAX_REPAIRS: u32 = 12;
+/// Maximum number of edits of a fix that are compared with other errors.
+const MAX_EDITS: usize = 100;
 /// Maximum number of errors for which nearby lines are examined.
 const MAX_LOOKED_AT: usize = 20;
 
@@ -170,6 +172,7 @@ impl FaultyShader<'_> {
     /// The repairs suggested by the lines near the errors, most likely first.
     fn candidates(&self) -> Vec<RepairCandidate> {
         let mut all = self.own_fixes();
+        all.extend(self.shared_fixes());
         all.extend(self.directives());
         all.extend(self.conditionals());
         all.extend(self.broken_calls());
@@ -196,6 +199,27 @@ impl FaultyShader<'_> {
             })
         };
         found.filter_map(candidate).take(MAX_LOOKED_AT).collect()
+    }
+
+    /// The fixes that edit what other errors are about as well.
+    fn shared_fixes(&self) -> Vec<RepairCandidate> {
+        let looked_at = || self.errors.iter().take(MAX_LOOKED_AT);
+        let mut all: Vec<RepairCandidate> = Vec::new();
+        for d in looked_at() {
+            let Some(fix) = &d.fix else { continue };
+            let edits = || fix.edits.iter().take(MAX_EDITS);
+            let is_other =
+                |o: &&Diagnostic| o.span != d.span && edits().any(|e| e.span.touches(o.span));
+            if edits().count() > 1 && looked_at().any(|o| is_other(&o)) {
+                all.push(RepairCandidate {
+                    edits: fix.edits.clone(),
+                    diagnostic: d.clone(),
+                    of: None,
+                    must_reduce: true,
+                });
+            }
+        }
+        all
     }
 
     fn is_user(&self, span: Span) -> bool {

@@ -265,16 +265,31 @@ impl Parser<'_> {
             T::Uniform,
             T::In,
             T::Out,
+            T::Attribute,
+            T::Varying,
         ]);
-        if !MODIFIERS.contains(&word) || !DECLARES.contains(self.kind(1)) {
+        let newer = classify(word, Version::NEWEST);
+        let is_newer = matches!(
+            newer,
+            WordClass::Keyword(T::Flat | T::Smooth | T::Centroid | T::Layout)
+        );
+        let is_modifier = MODIFIERS.contains(&word) || is_newer;
+        if !is_modifier || !DECLARES.contains(self.kind(1)) {
             return None;
         }
+        let (language, note) = match is_newer {
+            true => (
+                self.version.profile().name,
+                "it was added in GLSL ES 3.00, as `#version 300 es` declares",
+            ),
+            false => ("WebGL2", "it is a reserved word"),
+        };
         let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
-            format!("WebGL2 has no qualifier `{word}`"),
+            format!("{language} has no qualifier `{word}`"),
         )
-        .note("it is a reserved word")
+        .note(note)
         .fix(Fix::safe(
             format!("remove `{word}`"),
             vec![Edit::delete(

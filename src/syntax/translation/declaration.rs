@@ -21,6 +21,7 @@ impl Translator<'_> {
             || self.import()
             || self.typedef()
             || self.type_of_classes()
+            || self.storage_buffer()
             || self.uniform_buffer()
             || self.function()
             || self.annotated()
@@ -58,7 +59,7 @@ impl Translator<'_> {
             && IMPORTS.contains(&self.text(0))
             && matches!(
                 self.kind(1),
-                T::Identifier | T::Reserved | T::Bad | T::LeftParen
+                T::Identifier | T::Reserved | T::Bad | T::LeftParen | T::LeftBrace | T::Star
             );
         if is_one {
             let mut end = self.end_of_line();
@@ -144,6 +145,35 @@ impl Translator<'_> {
             }
         }
         self.at += end;
+        true
+    }
+
+    /// `buffer Particles { ... };`, with or without `layout(std430, binding = 0)`.
+    fn storage_buffer(&mut self) -> bool {
+        use TokenKind as T;
+        let has_layout = self.kind(0) == T::Layout && self.kind(1) == T::LeftParen;
+        let word = match has_layout {
+            true => self.after(1),
+            false => Some(0),
+        };
+        let Some(at) = word.filter(|&at| {
+            self.text(at) == "buffer"
+                && (self.kind(at + 1), self.kind(at + 2)) == (T::Identifier, T::LeftBrace)
+        }) else {
+            return false;
+        };
+        if self.braces > 0 || !self.starts_statement() {
+            return false;
+        }
+        let span = self.span(0, at + 1);
+        self.report(
+            self.token(at).span,
+            "WebGL2 has no `buffer` blocks; use a `uniform` block",
+            Self::write(span, "uniform"),
+        );
+        self.note("they were added in GLSL ES 3.10; shaders cannot write to a uniform block");
+        self.put(T::Uniform, 0, span);
+        self.at += at + 1;
         true
     }
 

@@ -5,6 +5,7 @@
 
 mod declaration;
 mod operator;
+mod pointer;
 mod statement;
 
 use super::foreign::{Meaning, foreign};
@@ -57,6 +58,7 @@ pub fn translate(sources: &Sources, tokens: &[Token], version: Version) -> Optio
         lost: Vec::new(),
         changed: false,
         passed: Cell::new(0),
+        pointer: None,
     };
     while translator.at < tokens.len() {
         translator.step();
@@ -104,6 +106,8 @@ struct Translator<'a> {
     /// Whether something was translated without a report.
     changed: bool,
     passed: Cell<usize>,
+    /// Index of the error about the last parameter that is a pointer.
+    pointer: Option<usize>,
 }
 
 impl<'a> Translator<'a> {
@@ -111,7 +115,7 @@ impl<'a> Translator<'a> {
     fn step(&mut self) {
         self.here = (self.at, self.sources.text(self.token(0).span));
         let may = self.diagnostics.len() < MAX_FORMS && self.token(0).is_direct();
-        if may && (self.operator() || self.statement() || self.declaration()) {
+        if may && (self.operator() || self.statement() || self.declaration() || self.pointer()) {
             return;
         }
         self.keep();

@@ -308,7 +308,10 @@ impl Translator<'_> {
                 &format!("for (int {text} = {from}; {text} < {to}; {text}++)"),
             )
         });
-        self.report(span, "GLSL has no range-based loops", fix.flatten());
+        let fix = fix
+            .flatten()
+            .or_else(|| self.loop_over_array(between, close, after));
+        self.report(span, "GLSL has no range-based loops", fix);
         self.note("use a counting loop: `for (int i = 0; i < n; i++)`");
         // The body is parsed as a loop that never runs, with an unknown loop variable.
         self.lost.push(Name(name.value));
@@ -317,6 +320,31 @@ impl Translator<'_> {
         }
         self.at += after;
         true
+    }
+
+    /// `for (float x : list) {`: a loop over the indices of an array.
+    fn loop_over_array(&self, between: usize, close: usize, after: usize) -> Option<Fix> {
+        use TokenKind as T;
+        let list = (self.kind(between + 1), between + 2) == (T::Identifier, close);
+        let is_typed = matches!(self.kind(between - 2), T::Type | T::Identifier);
+        let has_length = self.version == Version::Es300;
+        if !list || !is_typed || !has_length || self.kind(after) != T::LeftBrace {
+            return None;
+        }
+        let (ty, name) = (self.text(between - 2), self.text(between - 1));
+        let list = self.text(between + 1);
+        let index = ["i", "j", "k"]
+            .into_iter()
+            .find(|i| ![name, list].contains(i))?;
+        let header = format!("for (int {index} = 0; {index} < {list}.length(); {index}++)");
+        let edits = vec![
+            Edit::replace(self.span(0, after), header.clone()),
+            Edit::insert(
+                self.token(after).span.end,
+                format!(" {ty} {name} = {list}[{index}];"),
+            ),
+        ];
+        Some(Fix::suggestion(format!("use `{header}`"), edits))
     }
 
     /// Start and end of `range(to)`, `range(from, to)` or `from..to`.
@@ -334,6 +362,9 @@ impl Translator<'_> {
             };
         }
         let span = self.span(first, close);
+        if close == first + 1 && self.kind(first) == T::Int {
+            return Some((None, span));
+        }
         let (from, to) = self.sources.text(span).split_once("..")?;
         let to_at = span.start + from.len() as u32 + "..".len() as u32;
         let is_exclusive = to.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_');

@@ -70,8 +70,10 @@ pub enum Claim {
     /// Nothing.
     #[default]
     None,
-    /// The user declares it as a shader, by a pattern of the configuration or by its dialect.
+    /// The user declares it as a shader, by a pattern of the configuration.
     Shader,
+    /// The user names the dialect of the shaders: a file for GLSL is GLSL, whatever it contains.
+    Dialect,
 }
 
 /// What an extension indicates.
@@ -172,6 +174,10 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         return Decision::new(FileKind::Shader, "the extension indicates GLSL");
     }
     let evidence = Evidence::of(text);
+    let is_desktop = evidence.version.is_some_and(VersionLine::is_desktop);
+    if claim == Claim::Dialect && matches!(kind, Extension::Shader) && !is_desktop {
+        return Decision::new(FileKind::Shader, "the dialect is given");
+    }
     if let Some(language) = evidence.foreign() {
         return Decision::new(FileKind::Foreign(language), reason(&evidence, language));
     }
@@ -193,7 +199,7 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
         (Extension::Shared, _) if text.trim().is_empty() || evidence.has_glsl() => {
             Decision::new(FileKind::Shader, "the extension indicates GLSL")
         }
-        (Extension::Shared, Claim::None) => {
+        (Extension::Shared, Claim::None | Claim::Dialect) => {
             Decision::new(FileKind::Other, "the content is not GLSL")
         }
         (_, Claim::Shader) => Decision::new(FileKind::Shader, "declared as GLSL"),
@@ -283,6 +289,21 @@ pub fn own_directive(text: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_for_glsl_are_glsl_if_the_dialect_is_given() {
+        for text in [
+            "{} void main() {}",
+            "[] float a;",
+            "half4 a = lerp(b, c, 0.5);",
+        ] {
+            let kind = decide("a.frag", text, Claim::Dialect).kind;
+            assert_eq!(kind, FileKind::Shader, "{text}");
+        }
+        let desktop = decide("a.frag", "#version 450\nvoid main() {}", Claim::Dialect);
+        assert!(matches!(desktop.kind, FileKind::Foreign(_)));
+        assert_ne!(decide("a.txt", "{}", Claim::Dialect).kind, FileKind::Shader);
+    }
 
     #[track_caller]
     fn check(name: &str, text: &str, expected: &str) {

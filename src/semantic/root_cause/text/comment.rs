@@ -79,7 +79,13 @@ impl FaultyShader<'_> {
         let rest = rest.get(..within).unwrap_or("");
         let Some(end) = rest.find("*/") else { return };
         let before = rest.get(..end).unwrap_or("");
-        if before.contains("/*") || before.contains([';', '{', '}']) {
+        // Each line of many comments starts with a star.
+        let later = before.split('\n').skip(1).map(str::trim_start);
+        let mut later = later.filter(|l| !l.is_empty()).peekable();
+        let has_stars = later.peek().is_some() && later.all(|l| l.starts_with('*'));
+        let ends = [';', '{', '}'];
+        let code = if has_stars { &ends[1..] } else { &ends };
+        if before.contains("/*") || before.contains(code) {
             return;
         }
         let blanks = (line.text.len() - line.text.trim_start().len()) as u32;

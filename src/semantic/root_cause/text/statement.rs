@@ -6,12 +6,15 @@ use shaderlint_syntax::{
     DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, keyword_near,
 };
 
+/// Maximum number of errors that are compared with a place.
+const MAX_ERRORS: usize = 40;
 /// Maximum number of members of a struct.
 const MAX_MEMBERS: usize = 100;
 
 impl FaultyShader<'_> {
     pub(super) fn statements(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         self.lost_hash(line, all);
+        self.character(line, all);
         self.string(line, all);
         self.colon_header(line, all);
         self.member_commas(line, all);
@@ -45,12 +48,49 @@ impl FaultyShader<'_> {
         ));
     }
 
+    /// `'a'`, with or without the type `char`: a character is its code.
+    fn character(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let code = |at: usize| {
+            let quoted = line.token(at).strip_prefix('\'')?.strip_suffix('\'')?;
+            let mut chars = quoted.chars();
+            let first = chars.next().filter(|_| chars.next().is_none())?;
+            first.is_ascii().then_some(u32::from(first))
+        };
+        let mut places = 0..line.tokens.len();
+        let Some((at, code)) = places.find_map(|at| Some((at, code(at)?))) else {
+            return;
+        };
+        let span = line.span(at);
+        let mut edits = vec![Edit::replace(span, code.to_string())];
+        if let Some(ty) = (0..at).find(|&at| line.token(at) == "char") {
+            edits.push(Edit::replace(line.span(ty), "int"));
+        }
+        let message = "GLSL has no characters; use the code of the character";
+        let title = format!("use `{code}`");
+        let kind = error::INVALID_CHARACTER;
+        all.push(candidate(kind, span, message, title, edits));
+    }
+
     /// A statement with a string: it is removed, unless the string names a component.
     fn string(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         let is_quote = |at: usize| line.token(at).starts_with(['"', '\'', '“', '‘']);
         let Some(quote) = (0..line.tokens.len()).find(|&at| is_quote(at)) else {
             return;
         };
+        // The fix of another error may remove the string too: `import "a.glsl";`.
+        let place = line.span(quote);
+        let removes = |d: &&Diagnostic| {
+            let fix = d.fix.as_ref().filter(|_| d.span.start >= line.start);
+            fix.is_some_and(|f| f.edits.iter().any(|e| e.span.contains(place)))
+        };
+        if let Some(d) = self.errors.iter().take(MAX_ERRORS).find(removes) {
+            all.push(RepairCandidate {
+                edits: d.fix.as_ref().map_or(Vec::new(), |f| f.edits.clone()),
+                diagnostic: d.clone(),
+                of: None,
+                must_reduce: true,
+            });
+        }
         let starts = |&at: &usize| line.starts_statement(at);
         let Some(start) = (0..=quote).rev().find(starts) else {
             return;

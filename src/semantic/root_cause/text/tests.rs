@@ -96,3 +96,40 @@ fn notations_of_other_languages() {
     in_main("vec2 v = vec2(d); d = v[x];", "4:28 foreign-syntax");
     in_main("d = half_of(float d);", "4:17 syntax-error");
 }
+
+#[test]
+fn pointers_and_references() {
+    at_top("void grow(vec2& p) { p *= 2.0; }", "1:15 foreign-syntax");
+    at_top(
+        "float area(const vec2 &p) { return p.x * p.y; }",
+        "1:23 foreign-syntax",
+    );
+    at_top(
+        "void grow(float *x) { *x *= 2.0; }\nvoid both(float a) { grow(&a); }",
+        "1:17 foreign-syntax",
+    );
+}
+
+#[test]
+fn constructs_of_other_languages() {
+    in_main("int c = 'a'; d = float(c);", "4:13 invalid-character");
+    in_main("char c = '!'; d = float(c);", "4:14 invalid-character");
+    in_main(
+        "float w[2] = float[2](0.1, 0.2);\n    for (float x : w) { d += x; }",
+        "5:5 foreign-syntax",
+    );
+    in_main(
+        "foreach (int k in 3) { d += float(k); }",
+        "4:5 foreign-syntax",
+    );
+    at_top("buffer Data { vec4 a; } data;", "1:1 foreign-syntax");
+    at_top(
+        "layout(std430, binding = 1) buffer Data { vec4 a; } data;",
+        "1:29 foreign-syntax",
+    );
+    at_top("import { a, b } from \"./a.glsl\";", "1:1 foreign-syntax");
+    at_top(
+        "the distance; see below\n * of a point\n */",
+        "1:1 syntax-error",
+    );
+}
