@@ -11,7 +11,7 @@ pub static RULE: Rule = Rule {
     name: "loop-invariant-math",
     group: Group::Budget,
     severity: Severity::Info,
-    preset: RulePreset::Recommended,
+    preset: RulePreset::Performance,
     options: &[],
     page: include_str!("loop_invariant_math.md"),
     checks: &[Check::Program(check)],

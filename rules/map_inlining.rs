@@ -1,6 +1,7 @@
 //! Large scene functions that one function calls many times.
 
 use shaderlint_diagnostic::Severity;
+use shaderlint_lint::sample::grouped;
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::ExprId;
@@ -23,8 +24,8 @@ static CALLS: Setting<u64> = Setting::new(
 );
 static SIZE: Setting<f64> = Setting::new(
     "size",
-    150.0,
-    "Minimum size of the called function, in operations",
+    3000.0,
+    "Minimum size of all inlined copies together, in operations",
 );
 
 /// Maximum number of further calls that get a label.
@@ -45,11 +46,12 @@ fn check(cx: &mut Context, function: FunctionRef) {
             continue;
         }
         let size = cx.facts.work().size(callee);
-        let (Some(name), true) = (program.function(callee), size >= cx.option(&SIZE)) else {
+        let count = calls.len();
+        let copied = size * count as f64;
+        let (Some(name), true) = (program.function(callee), copied >= cx.option(&SIZE)) else {
             continue;
         };
         let name = program.names.text(name.name);
-        let count = calls.len();
         let Some(first) = calls.first() else {
             continue;
         };
@@ -63,10 +65,11 @@ fn check(cx: &mut Context, function: FunctionRef) {
             finding = finding.label(program.expr_span(*call), "inlined again");
         }
         finding
-            .note(
-                "compilers inline every call; with a large function, compiling the shader takes \
-                seconds",
-            )
+            .note(format!(
+                "compilers inline every call: the copies have {} operations, and compiling them \
+                takes long",
+                grouped(copied as u64)
+            ))
             .help(format!(
                 "call `{name}` once, in a loop that starts at `min(iFrame, 0)` and so \
                 is never unrolled"

@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     name: "pow-in-loop",
     group: Group::Budget,
     severity: Severity::Info,
-    preset: RulePreset::Recommended,
+    preset: RulePreset::Performance,
     options: &[],
     page: include_str!("pow_in_loop.md"),
     checks: &[Check::Builtin(check)],
@@ -18,6 +18,8 @@ pub static RULE: Rule = Rule {
 
 /// Maximum exponent that a few multiplications can replace.
 const MAX_EXPONENT: f32 = 8.0;
+/// An exponent that compilers replace by multiplications, as they do with 2.
+const MULTIPLIED: f32 = 4.0;
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Pow, &[base, exponent]) = (call.function, call.args) else {
@@ -29,8 +31,12 @@ fn check(cx: &mut Context, call: &Builtin) {
     let Some(Value::Float(power)) = program.scalar(exponent).filter(|_| is_literal) else {
         return;
     };
-    let is_integer = power.fract() == 0.0 && (2.0..=MAX_EXPONENT).contains(&power);
-    if !is_integer || program.expr(call.id).is_const || !program.ty(base).is_scalar() {
+    let is_integer = power.fract() == 0.0 && (3.0..=MAX_EXPONENT).contains(&power);
+    if !is_integer
+        || power == MULTIPLIED
+        || program.expr(call.id).is_const
+        || !program.ty(base).is_scalar()
+    {
         return;
     }
     let structure = cx.facts.structure();
@@ -52,7 +58,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     }
     let text = program.expr_text(base).to_string();
     let is_name = matches!(program.tree.expr(base).kind, ExprKind::Name(_));
-    let fix = (is_name && power <= 4.0 && cx.is_direct(call.id)).then(|| {
+    let fix = (is_name && power == 3.0 && cx.is_direct(call.id)).then(|| {
         let factors = vec![text.as_str(); power as usize];
         let product = cx.in_place_of(call.id, factors.join(" * "));
         let edit = Edit::replace(program.expr_span(call.id), product.clone());
@@ -62,7 +68,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let most = if power > 4.0 {
         "three or four multiplications"
     } else {
-        "one or two multiplications"
+        "two multiplications"
     };
     cx.report_expr(
         call.id,

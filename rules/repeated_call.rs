@@ -1,7 +1,8 @@
-//! The same expensive call twice in one statement.
+//! The same expensive call twice in one statement, where compilers do not merge the calls.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::Severity;
+use shaderlint_flow::LoopFacts;
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::{FunctionRef, Program, each_expr, each_operand};
 use shaderlint_syntax::TokenKind;
@@ -28,11 +29,13 @@ static OPERATIONS: Setting<f64> = Setting::new(
 fn check(cx: &mut Context) {
     let program = cx.program;
     let facts = cx.facts;
+    let merged = merged(cx);
     // By statement, function and spelling.
     let mut first: FxHashMap<(StmtId, FunctionRef, Vec<Word>), ExprId> = FxHashMap::default();
     for call in &program.calls {
         if facts.work().operations(call.callee) < cx.option(&OPERATIONS)
             || !facts.effects().is_pure(call.callee)
+            || merged.get(call.callee.0 as usize) != Some(&false)
         {
             continue;
         }
@@ -54,6 +57,19 @@ fn check(cx: &mut Context) {
             }
         }
     }
+}
+
+/// Most iterations of a loop that compilers unroll.
+const UNROLLED: u64 = 32;
+
+/// By function: whether compilers merge two calls with the same arguments. They inline every call and
+/// compute equal values once, but do not compare loops.
+fn merged(cx: &Context) -> Vec<bool> {
+    let loops = cx.facts.loops().all.iter();
+    let is_kept = |l: &&LoopFacts| l.bound.iterations().is_none_or(|n| n > UNROLLED);
+    let kept: FxHashSet<FunctionRef> = loops.filter(is_kept).map(|l| l.function).collect();
+    let reaching = cx.facts.calls().graph().reaching(|f| kept.contains(&f));
+    reaching.into_iter().map(|is_kept| !is_kept).collect()
 }
 
 /// Maximum length of a call that is compared, in tokens.
