@@ -78,6 +78,7 @@ mod octave_budget;
 mod out_of_range_seen;
 mod output_not_written;
 mod overwritten_parameter;
+mod period_jump;
 mod pow_in_loop;
 mod pow_negative_base;
 mod precision_missing_for_sampler;
@@ -227,6 +228,7 @@ pub static RULES: &[&Rule] = &[
     &out_of_range_seen::RULE,
     &output_not_written::RULE,
     &overwritten_parameter::RULE,
+    &period_jump::RULE,
     &pow_in_loop::RULE,
     &pow_negative_base::RULE,
     &precision_missing_for_sampler::RULE,

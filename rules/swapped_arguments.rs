@@ -19,12 +19,17 @@ fn check(cx: &mut Context, call: &Builtin) {
     let &[a, b, c] = call.args else { return };
     let program = cx.program;
     let is_known = |e| !program.values(e).is_empty();
+    // A named number: a variable that always has the same value.
+    let is_number = |e| {
+        let ranges: Vec<_> = cx.facts.range(e).collect();
+        is_known(e) || !ranges.is_empty() && ranges.iter().all(|r| r.single().is_some())
+    };
     let is_share = |e| {
         let mut values = program.values(e).iter().map(|v| v.as_float());
         values.all(|v| (0.0..=1.0).contains(&v))
     };
     let (order, why) = match call.function {
-        BuiltinId::Smoothstep if !is_known(a) && is_known(b) && is_known(c) => (
+        BuiltinId::Smoothstep if !is_number(a) && is_number(b) && is_number(c) => (
             [b, c, a],
             "the order is `smoothstep(edge0, edge1, x)`; here `edge0` varies and `x` is constant",
         ),

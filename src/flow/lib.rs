@@ -2,6 +2,7 @@
 //! assignment, liveness, value ranges, uniformity, loop bounds and static cost. Each analysis is
 //! computed on demand, once, and is immutable afterwards.
 
+mod angles;
 mod calls;
 mod definite_assignment;
 mod effects;
@@ -21,6 +22,7 @@ mod uniformity;
 mod work;
 mod writes;
 
+pub use angles::{AngleUse, angle_uses, period};
 pub use calls::{CallSite, Calls};
 pub use definite_assignment::{
     AssignmentFindings, DefiniteAssignment, PartMask, UnassignedVariable,
