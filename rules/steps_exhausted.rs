@@ -1,7 +1,7 @@
 //! Marching loops that reach their step limit before they find a hit.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::LoopFacts;
+use shaderlint_flow::{LoopFacts, RayKind};
 use shaderlint_lint::sample::{SampleRun, percent};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
@@ -31,6 +31,8 @@ fn check(cx: &mut Context) {
         let steps = l.bound.iterations();
         l.ends_early && steps.is_some_and(|steps| steps >= LEAST_STEPS)
     };
+    // Loops of fixed steps may sum up a volume, which is never complete.
+    let marches = marches.filter(|m| m.ray.kind != RayKind::Fixed);
     let loops: Vec<LoopFacts> = marches.map(|m| m.looped).filter(searches).collect();
     for looped in loops {
         let Some(given) = looped.given else { continue };

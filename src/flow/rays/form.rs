@@ -11,6 +11,8 @@ pub enum RayKind {
     Distance,
     /// From one cell of a grid to the next.
     Grid,
+    /// By steps that do not depend on the scene.
+    Fixed,
 }
 
 /// The condition with which a ray loop ends because the scene was hit.

@@ -1,10 +1,11 @@
-//! Ray loops: loops that provably move a point along a ray by what the scene returns at that point.
+//! Ray loops: loops that provably move a point along a ray.
 //!
-//! Two forms are recognised. A *distance loop* adds a step to a ray parameter (`t += k * d`) or to a
+//! Three forms are recognised. A *distance loop* adds a step to a ray parameter (`t += k * d`) or to a
 //! point (`p += direction * d`), where `d` is evaluated at a point that depends on that parameter or
 //! point, and the direction is loop-invariant. A *grid loop* moves an integer cell by at most one per
-//! component and asks a function about it. Loops over bounces, samples of a volume, fractal iterations
-//! and loops in two dimensions have neither form.
+//! component and asks a function about it. A *fixed-step loop* adds a step that does not depend on the
+//! scene; nothing is known of its hits. Loops over bounces, fractal iterations and loops in two
+//! dimensions have none of these forms.
 
 mod dependence;
 mod exits;
@@ -62,6 +63,7 @@ fn ray_loop(query: Query, id: LoopId, function: FunctionRef) -> Option<(RayLoop,
     let slice = LoopSlice::new(query, id, looped);
     let stepped = step::find(&slice)?;
     let (hit, ends_far) = exits(&slice, &stepped, looped);
+    let hit = hit.filter(|_| stepped.kind != RayKind::Fixed);
     let asked = hit.filter(|_| stepped.kind == RayKind::Grid);
     let asked = asked.map(|hit| vec![(hit.condition, 0)]);
     let ray = RayLoop {

@@ -51,6 +51,7 @@ pub(super) fn find(slice: &LoopSlice) -> Option<Stepped> {
     all.iter()
         .find_map(|c| parameter(slice, c).or_else(|| point(slice, c)))
         .or_else(|| all.iter().find_map(|c| cell(slice, c)))
+        .or_else(|| all.iter().find_map(|c| fixed(slice, c)))
 }
 
 fn carried(slice: &LoopSlice) -> Vec<CarriedVariable> {
@@ -205,6 +206,39 @@ fn cell(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
         distance: steps,
         moved: Vec::new(),
         origin: RayOrigin::Init,
+    })
+}
+
+/// `t += step`, with a function evaluated at `origin + direction * t`.
+fn fixed(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
+    let &[(head, _)] = carried.heads.as_slice() else {
+        return None;
+    };
+    if carried.ty.scalar_kind() != Some(Scalar::Float) {
+        return None;
+    }
+    let (init, added) = added(slice, head)?;
+    let (module, heads) = (slice.query.module, vec![head]);
+    let call = slice
+        .looped
+        .ops
+        .ops()
+        .find(|op| match module.op(*op).kind {
+            OpKind::Call(_, list) => {
+                let mut points = module.operands(list).iter().filter(|a| slice.is_point(**a));
+                points.any(|a| slice.depends((*a, 0), &heads, false))
+            }
+            _ => false,
+        })?;
+    let distance = vec![(call, 0)];
+    let is_ray = matches!(origin(slice, &heads, &distance), RayOrigin::Value(_));
+    is_ray.then_some(Stepped {
+        kind: RayKind::Fixed,
+        heads,
+        init: vec![init],
+        distance,
+        moved: added.sums,
+        origin: RayOrigin::Unknown,
     })
 }
 

@@ -109,6 +109,36 @@ fn a_step_by_the_distance_at_the_point_follows_a_ray() {
 }
 
 #[test]
+fn steps_may_be_fixed() {
+    check(
+        "for (float s = 0.1; s < 9.0; s += 0.02) { p = ro + rd * s; if (map(p) < 0.0) break; }",
+        "Fixed far scene",
+    );
+    check(
+        "float dt = 0.1; for (t = 0.2; t < 40.0; t += dt) { if (map(ro + t * rd) < 0.0) break; dt = 0.01 * t; }",
+        "Fixed far scene",
+    );
+    // Samples of a volume.
+    check(
+        "for (int i = 0; i < 80; i++) { d = map(ro + rd * t); o += d; if (o.x > 1.0) break; t += 0.1; }",
+        "Fixed far scene",
+    );
+    // Octaves, slices and samples on a plane are no rays.
+    check(
+        "float f = 1.0; for (int i = 0; i < 5; i++) { d += map(ro * f); f += 1.0; }",
+        "",
+    );
+    check(
+        "for (float z = 0.0; z < 1.0; z += 0.1) d += map(vec3(q, z));",
+        "",
+    );
+    check(
+        "for (float z = 0.0; z < 1.0; z += 0.1) d += length(q + z);",
+        "",
+    );
+}
+
+#[test]
 fn points_and_distances_may_be_members() {
     check_shader(
         "struct Ray { vec3 o, d; }; struct Found { vec3 at; float far; };
@@ -129,11 +159,6 @@ fn other_loops_do_not() {
     // Bounces.
     check(
         "for (int i = 0; i < 4; i++) { d = map(ro); if (d < 0.001) break; ro += rd * d; rd = reflect(rd, normal(ro)); }",
-        "",
-    );
-    // Fixed steps through a volume.
-    check(
-        "for (int i = 0; i < 80; i++) { d = map(ro + rd * t); o += d; if (o.x > 1.0) break; t += 0.1; }",
         "",
     );
     // Two dimensions.
