@@ -1,7 +1,10 @@
 //! Expensive calls that return the same value in every iteration of a loop.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::loop_invariant::{Places, is_loop_invariant, runs_each_iteration};
+use shaderlint_flow::LoopFacts;
+use shaderlint_lint::loop_invariant::{
+    InvariantLoops, Places, is_loop_invariant, runs_each_iteration,
+};
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_syntax::ast::*;
 
@@ -37,30 +40,34 @@ fn check(cx: &mut Context) {
             continue;
         };
         let around = facts.structure().outwards(stmt);
-        let Some(looped) = around.filter_map(|s| facts.loops().get(s)).find(|l| {
-            runs_each_iteration(program, l.stmt, call.expr) && l.bound.iterations() != Some(1)
-        }) else {
+        let around = around
+            .filter_map(|s| facts.loops().get(s))
+            .filter(|l| l.bound.iterations() != Some(1))
+            .filter(|l| runs_each_iteration(program, l.stmt, call.expr));
+        let is_invariant = |looped: &LoopFacts| {
+            let places = places.get_or_insert_with(|| Places::of(program, facts.writes()));
+            let extent = program.tree.stmt(looped.stmt).extent;
+            is_loop_invariant(program, facts.writes(), places, call.expr, extent)
+        };
+        let Some(loops) = InvariantLoops::of(around.copied(), is_invariant) else {
             continue;
         };
-        let places = places.get_or_insert_with(|| Places::of(program, facts.writes()));
-        let extent = program.tree.stmt(looped.stmt).extent;
-        if !is_loop_invariant(program, facts.writes(), places, call.expr, extent) {
-            continue;
-        }
         let Some(function) = program.function(call.callee) else {
             continue;
         };
         let name = program.names.text(function.name);
-        let head = program.span(Extent::token(extent.first));
-        let label = match looped.bound.iterations() {
-            Some(iterations) => format!("loop of up to {iterations} iterations"),
-            None => "in this loop".to_string(),
+        let stmt = program.tree.stmt(loops.outermost.stmt);
+        let head = program.span(Extent::token(stmt.extent.first));
+        let label = match (loops.runs, loops.count) {
+            (Some(runs), 1) => format!("loop of up to {runs} iterations"),
+            (Some(runs), _) => format!("up to {runs} calls in this loop"),
+            (None, _) => "in this loop".to_string(),
         };
         cx.report_expr(
             call.expr,
             format!("`{name}` returns the same value in every iteration"),
         )
         .label(head, label)
-        .help(format!("call `{name}` once, before the loop"));
+        .help(format!("call `{name}` once, {}", loops.before()));
     }
 }

@@ -1,8 +1,10 @@
 //! Expensive built-in functions that return the same value in every iteration of a loop.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_flow::Bound;
-use shaderlint_lint::loop_invariant::{Places, is_loop_invariant, runs_each_iteration};
+use shaderlint_flow::{Bound, LoopFacts};
+use shaderlint_lint::loop_invariant::{
+    InvariantLoops, Places, is_loop_invariant, runs_each_iteration,
+};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Program, Resolution, each_operand};
 use shaderlint_syntax::ast::*;
@@ -40,19 +42,24 @@ fn check(cx: &mut Context) {
         let Some(stmt) = facts.structure().stmt_of(id) else {
             continue;
         };
-        let mut around = facts
+        let around = facts
             .structure()
             .outwards(stmt)
-            .filter_map(|s| facts.loops().get(s));
-        let Some(looped) =
-            around.find(|l| runs_each_iteration(program, l.stmt, id) && is_long(l.bound))
-        else {
+            .filter_map(|s| facts.loops().get(s))
+            .filter(|l| runs_each_iteration(program, l.stmt, id));
+        let mut around = around.skip_while(|l| !is_long(l.bound)).copied().peekable();
+        if around.peek().is_none() {
+            continue;
+        }
+        let places = places.get_or_insert_with(|| Places::of(cx.program, facts.writes()));
+        let extent = |looped: &LoopFacts| program.tree.stmt(looped.stmt).extent;
+        let still = |e, looped: &LoopFacts| {
+            is_loop_invariant(program, facts.writes(), places, e, extent(looped))
+        };
+        let Some(loops) = InvariantLoops::of(around, |looped| still(id, looped)) else {
             continue;
         };
-        let places = places.get_or_insert_with(|| Places::of(cx.program, facts.writes()));
-        let extent = program.tree.stmt(looped.stmt).extent;
-        let still = |e| is_loop_invariant(program, facts.writes(), places, e, extent);
-        if !still(id) || calls_function(program, id) {
+        if calls_function(program, id) {
             continue;
         }
         // Only the largest invariant call is reported: that one is to be moved out.
@@ -60,7 +67,10 @@ fn check(cx: &mut Context) {
             facts.structure().parent(*p)
         });
         let is_larger = |p: &ExprId| program.builtin_called(*p).is_some_and(is_dear);
-        if outer.take(MAX_OUTER).any(|p| is_larger(&p) && still(p)) {
+        if outer
+            .take(MAX_OUTER)
+            .any(|p| is_larger(&p) && still(p, &loops.outermost))
+        {
             continue;
         }
         // One finding per statement.
@@ -68,11 +78,11 @@ fn check(cx: &mut Context) {
             continue;
         }
         let text = program.expr_text(id);
-        let head = program.span(Extent::token(extent.first));
+        let head = program.span(Extent::token(extent(&loops.outermost).first));
         let message = format!("`{text}` has the same value in every iteration");
         cx.report_expr(id, message)
             .label(head, "in this loop")
-            .help("compute it once, before the loop");
+            .help(format!("compute it once, {}", loops.before()));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Loop invariance.
 
-use shaderlint_flow::Writes;
+use shaderlint_flow::{LoopFacts, Writes};
 use shaderlint_semantic::{Program, Resolution, Storage, VariableId, each_operand};
 use shaderlint_syntax::ast::*;
 use std::collections::BTreeSet;
@@ -12,6 +12,52 @@ pub fn runs_each_iteration(program: &Program, looped: StmtId, expr: ExprId) -> b
     match tree.stmt(looped).kind {
         StmtKind::For { init, .. } => tree.stmt(init).extent.last < at,
         _ => true,
+    }
+}
+
+/// Most loops around an expression that are compared.
+const MAX_LOOPS: usize = 4;
+
+/// The loops that a computation can be moved out of.
+#[derive(Clone, Copy, Debug)]
+pub struct InvariantLoops {
+    /// The outermost of them.
+    pub outermost: LoopFacts,
+    /// Their number.
+    pub count: usize,
+    /// How often the computation runs in them; `None` if that is not known.
+    pub runs: Option<u64>,
+}
+
+impl InvariantLoops {
+    /// The loops, from the innermost one outwards, as long as the computation is invariant in them;
+    /// `None` if it is not in the innermost one.
+    pub fn of(
+        around: impl Iterator<Item = LoopFacts>,
+        mut is_invariant: impl FnMut(&LoopFacts) -> bool,
+    ) -> Option<InvariantLoops> {
+        let mut found: Option<InvariantLoops> = None;
+        for looped in around.take(MAX_LOOPS) {
+            if !is_invariant(&looped) {
+                break;
+            }
+            let (count, runs) = found.map_or((0, Some(1)), |known| (known.count, known.runs));
+            let iterations = looped.bound.iterations();
+            found = Some(InvariantLoops {
+                outermost: looped,
+                count: count + 1,
+                runs: runs.zip(iterations).map(|(a, b)| a.saturating_mul(b)),
+            });
+        }
+        found
+    }
+
+    /// What to do about the computation.
+    pub const fn before(&self) -> &'static str {
+        match self.count {
+            1 => "before the loop",
+            _ => "before the outer loop",
+        }
     }
 }
 
