@@ -162,7 +162,7 @@ uniform B { vec4 a; } B;
 highp uniform B { vec4 a; };
 //: accepted: a member of a block with a precision
 uniform B { mediump vec4 a; };
-//: refused 1 unknown-type: a buffer
+//: refused 1 foreign-syntax: a buffer
 buffer B { vec4 a; };
 //: refused 1 needs-webgl2, 100: a block in GLSL ES 1.00
 uniform B { vec4 a; };
