@@ -20,7 +20,7 @@ fn check(cx: &mut Context) {
         .facts
         .sample_run()
         .map_or(String::new(), SampleRun::sampled_note);
-    for fault in cx.facts.unreported_faults(FaultKind::OutOfRange) {
+    for fault in cx.facts.unreported_faults(FaultKind::OutOfRange, |_| true) {
         let message = match fault.number.witness.operands.first() {
             Some(index) => format!("index {index} is out of range"),
             None => "index is out of range".to_string(),

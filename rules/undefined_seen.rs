@@ -1,8 +1,8 @@
 //! Calls outside the domain of a built-in function that occurred in a sample run.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::FaultKind;
-use shaderlint_ir::OpKind;
+use shaderlint_exec::{FaultKind, NumberObservation};
+use shaderlint_ir::{OpId, OpKind};
 use shaderlint_lint::sample::{SampleRun, rounded};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
@@ -22,15 +22,21 @@ fn check(cx: &mut Context) {
         .facts
         .sample_run()
         .map_or(String::new(), SampleRun::sampled_note);
-    for fault in cx.facts.unreported_faults(FaultKind::Undefined) {
+    let module = cx.facts.module();
+    let called = |op: OpId| match module.op(op).kind {
+        OpKind::Builtin(function, _) => Some(function),
+        _ => None,
+    };
+    let concerns = |number: &NumberObservation| {
+        let operands = &number.witness.operands;
+        called(number.op).is_some_and(|function| gives_nan(function, operands))
+    };
+    for fault in cx.facts.unreported_faults(FaultKind::Undefined, concerns) {
         let op = fault.number.op;
-        let OpKind::Builtin(function, _) = cx.facts.module().op(op).kind else {
+        let (Some(function), true) = (called(op), fault.is_often()) else {
             continue;
         };
         let operands = &fault.number.witness.operands;
-        if !gives_nan(function, operands) || !fault.is_often() {
-            continue;
-        }
         let name = function.name();
         let operands: Vec<String> = operands.iter().map(|n| rounded(*n)).collect();
         let finding = cx.report_op(

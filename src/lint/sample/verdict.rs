@@ -120,16 +120,22 @@ impl UnreportedFault {
 
 impl Facts<'_> {
     /// The faults of this kind that occur on every GPU, do not depend on unknown inputs, and have not been
-    /// reported by another rule.
-    pub fn unreported_faults(&self, kind: FaultKind) -> Vec<UnreportedFault> {
+    /// reported by another rule. `concerns` selects among them before other GPUs are tried.
+    pub fn unreported_faults(
+        &self,
+        kind: FaultKind,
+        concerns: impl Fn(&NumberObservation) -> bool,
+    ) -> Vec<UnreportedFault> {
         let Some(sample_run) = self.sample_run() else {
             return Vec::new();
         };
         let numbers = sample_run.seen.numbers.iter().filter(|n| n.kind == kind);
         let is_one = |number: &&NumberObservation| {
             let is_same = |n: &NumberObservation| n.op == number.op && n.kind == kind;
-            let is_new = !self.is_reported(number.op) && self.is_known(number.op);
-            is_new && self.is_seen(|sample_run| sample_run.seen.numbers.iter().any(is_same))
+            let is_new = || !self.is_reported(number.op) && self.is_known(number.op);
+            concerns(number)
+                && is_new()
+                && self.is_seen(|sample_run| sample_run.seen.numbers.iter().any(is_same))
         };
         let unreported = numbers.filter(is_one).map(|number| {
             let watched = sample_run.seen.watched.iter();
