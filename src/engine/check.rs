@@ -51,6 +51,7 @@ pub fn check_shader(
     unknown::decide_severity(sources, part, &mut checked, hosts, &mut found.unresolved);
     let missing = version::missing(sources, part, &checked, hosts);
     checked.diagnostics.extend(missing);
+    version::lower_reserved_words(sources, part, &mut checked);
     let reported = report_shader(
         sources,
         part,

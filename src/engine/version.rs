@@ -5,6 +5,7 @@ use super::reading::code_of;
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_semantic::{Checked, Completeness, Dialect, Stage, Unit, analyze};
+use shaderlint_syntax::{Version, WordClass, classify};
 use shaderlint_text::{Edit, Role, Sources, Span, apply_edits};
 use std::sync::Arc;
 
@@ -42,6 +43,26 @@ pub fn missing(
         .note("a shader without `#version` is GLSL ES 1.00 (section 3.4)");
     let title = "add `#version 300 es` as the first line";
     Some(d.fix(Some(Fix::suggestion(title, vec![edit]))))
+}
+
+/// Lowers the errors of words that only GLSL ES 3.00 reserves to warnings, in a text without `#version`
+/// whose host is unknown: some hosts compile such a text as GLSL ES 1.00 and define `in` and `out`.
+pub fn lower_reserved_words(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
+    let readings = &part.readings;
+    let has_host = !readings.hosts.is_empty() || readings.is_compiled();
+    if has_host || readings.has_version() || checked.program.dialect.is_shadertoy() {
+        return;
+    }
+    for d in &mut checked.diagnostics {
+        let is_free = |span| classify(sources.text(span), Version::Es100) == WordClass::Plain;
+        if d.is(error::RESERVED_WORD) && is_free(d.span) {
+            d.severity = Severity::Warning;
+            d.notes.push(
+                "a host without `#version` may compile it as GLSL ES 1.00, which allows it"
+                    .to_string(),
+            );
+        }
+    }
 }
 
 /// Declares what desktop GLSL has by default.
@@ -109,4 +130,33 @@ fn errors_of(text: String, stage: Stage) -> Option<Vec<Diagnostic>> {
     let mut errors = checked.diagnostics;
     errors.retain(|d| d.severity == Severity::Error);
     Some(errors)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{NoFiles, Options, check};
+    use shaderlint_diagnostic::{Severity, error};
+
+    #[track_caller]
+    fn reserved_word(head: &str, word: &str) -> Severity {
+        let text = format!(
+            "{head}precision highp float;\nin vec2 v;\nout vec4 c;\nuniform sampler2D t;\n\
+             void main() {{ vec4 {word} = texture(t, v); c = {word}; }}\n"
+        );
+        let report = check("a.frag", &text, &Options::default(), &NoFiles);
+        let mut found = report.diagnostics.iter();
+        let found = found.find(|d| d.is(error::RESERVED_WORD));
+        found.map(|d| d.severity).expect("the word is reserved")
+    }
+
+    #[test]
+    fn words_that_one_version_reserves() {
+        assert_eq!(reserved_word("", "sample"), Severity::Warning);
+        assert_eq!(
+            reserved_word("#version 300 es\n", "sample"),
+            Severity::Error
+        );
+        // Both versions reserve it.
+        assert_eq!(reserved_word("", "cast"), Severity::Error);
+    }
 }
