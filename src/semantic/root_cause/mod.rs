@@ -24,7 +24,7 @@ use super::unit::Unit;
 use calls::MacroCalls;
 use candidate::RepairCandidate;
 use edited::EditedUnit;
-use shaderlint_diagnostic::{Diagnostic, Facet};
+use shaderlint_diagnostic::{Diagnostic, Facet, error};
 use shaderlint_syntax::Search;
 use shaderlint_text::{Edit, Span};
 
@@ -61,6 +61,14 @@ pub(super) fn attribute(
         repair(unit, program, errors, search, MAX_REPAIRS)
     });
     errors.sort_by_key(|d| (d.span.start, d.span.end));
+    // A name with an invalid character, or a reserved word, is one mistake.
+    let is_named = |d: &Diagnostic| d.is(error::INVALID_CHARACTER) || d.is(error::RESERVED_WORD);
+    let named: Vec<Span> = errors
+        .iter()
+        .filter(|d| is_named(d))
+        .map(|d| d.span)
+        .collect();
+    errors.retain(|d| !d.is(error::UNDECLARED_NAME) || named.binary_search(&d.span).is_err());
     errors
 }
 

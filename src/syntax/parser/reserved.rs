@@ -123,7 +123,7 @@ impl Parser<'_> {
             "{language} reserves it for future use ({reserved_words})"
         ));
         d = match edits {
-            Some(edits) => {
+            Some(edits) if !edits.is_empty() => {
                 let uses = edits.len();
                 let title = match uses {
                     1 => format!("rename it to `{free}`"),
@@ -131,7 +131,7 @@ impl Parser<'_> {
                 };
                 d.fix(Fix::safe(title, edits))
             }
-            None => d.help(format!("rename it, for example to `{free}`")),
+            _ => d.help(format!("rename it, for example to `{free}`")),
         };
         self.report_at(d, token);
     }

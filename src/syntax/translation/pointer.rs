@@ -29,7 +29,7 @@ impl Translator<'_> {
             _ => return false,
         };
         let (written, name) = (self.text(0), self.text(2));
-        let before = ["", "inout "][usize::from(is_plain)];
+        let before = if is_plain { "inout " } else { "" };
         let mut edits = Vec::new();
         if is_plain {
             edits.push(Edit::insert(ty.span.start, before));

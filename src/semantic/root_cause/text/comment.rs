@@ -7,7 +7,7 @@ use shaderlint_syntax::{RawKind, TokenKind, TypeWord, WordClass, classify};
 /// Number of lines after an error in which the `*/` of its comment is searched.
 const MAX_LINES: usize = 60;
 /// Marks that start a comment in other languages, or a part of `//`.
-const MARKS: &[&str] = &["/", "\\\\", "\\", "#", "--", "%", "'", ";;", "*"];
+const MARKS: &[&str] = &["\"\"\"", "/", "\\\\", "\\", "#", "--", "%", "'", ";;", "*"];
 /// Least number of words that make a sentence.
 const SENTENCE: usize = 3;
 
@@ -166,7 +166,7 @@ impl FaultyShader<'_> {
                         edits,
                     ));
                 }
-                (None, _) if self.is_sentence(line, at) => {
+                (None, _) if self.is_sentence(line, at) || is_link(rest) => {
                     let message = "missing `//` before this comment";
                     let edits = vec![Edit::insert(from, "// ")];
                     all.push(candidate(
@@ -198,6 +198,12 @@ impl FaultyShader<'_> {
             && 2 * plain > words
             && TypeWord::named(line.token(at)).is_none()
     }
+}
+
+/// Whether a text is the address of a page.
+fn is_link(text: &str) -> bool {
+    let scheme = text.split_once("://").map_or("", |(scheme, _)| scheme);
+    !scheme.is_empty() && scheme.bytes().all(|b| b.is_ascii_lowercase())
 }
 
 /// Whether a text has this many words and no end of a statement.

@@ -3,8 +3,10 @@
 use super::*;
 use shaderlint_diagnostic::error;
 
-/// Longest entity, with `&` and `;`.
-const MAX_LENGTH: usize = 10;
+/// Longest name of an entity.
+const MAX_LENGTH: usize = 8;
+/// An `&` that was escaped.
+const TWICE: &str = "&amp;";
 /// Maximum number of entities that are replaced.
 const MAX_ENTITIES: usize = 2_000;
 
@@ -53,20 +55,35 @@ impl FaultyShader<'_> {
     }
 }
 
-/// The entities of a text with their offsets.
+/// The entities of a text with their offsets, also those that were escaped twice (`&amp;lt;`) or lack
+/// the `;`.
 fn entities(text: &str) -> impl Iterator<Item = (&str, usize)> {
     text.match_indices('&').filter_map(move |(at, _)| {
         let rest = text.get(at..)?;
-        let rest = rest.get(..rest.len().min(MAX_LENGTH)).unwrap_or(rest);
-        let end = rest.find(';')? + 1;
-        let entity = rest.get(..end)?;
-        plain(entity).map(|_| (entity, at))
+        let escaped = rest.strip_prefix(TWICE);
+        let name = escaped.or(rest.strip_prefix('&'))?;
+        let len = name
+            .bytes()
+            .take(MAX_LENGTH)
+            .take_while(|b| b.is_ascii_alphanumeric() || *b == b'#')
+            .count();
+        let has_end = name.as_bytes().get(len) == Some(&b';');
+        let start = rest.len() - name.len();
+        let entity = rest.get(..start + len + usize::from(has_end))?;
+        // Without the `;`, `a &lt` may be an operator and a name.
+        let is_short = |e: &str| matches!(e, "&lt" | "&gt" | "&amp" | "&quot");
+        (plain(entity).is_some() && (entity.ends_with(';') || is_short(entity)))
+            .then_some((entity, at))
     })
 }
 
 /// The character that an entity stands for.
 fn plain(entity: &str) -> Option<char> {
-    let name = entity.strip_prefix('&')?.strip_suffix(';')?;
+    let name = entity.strip_prefix(TWICE).or(entity.strip_prefix('&'))?;
+    let name = name.strip_suffix(';').unwrap_or(name);
+    if name.is_empty() {
+        return entity.starts_with(TWICE).then_some('&');
+    }
     if let Some(digits) = name.strip_prefix('#') {
         let code = match digits.strip_prefix(['x', 'X']) {
             Some(hex) => u32::from_str_radix(hex, 16).ok()?,
@@ -101,5 +118,9 @@ mod tests {
             .filter_map(|(text, _)| plain(text))
             .collect();
         assert_eq!(found, "<>&&");
+        let twice: Vec<&str> = entities("a &amp;lt; b &lt 2 &amp; c &ampere")
+            .map(|e| e.0)
+            .collect();
+        assert_eq!(twice, ["&amp;lt;", "&lt", "&amp;"]);
     }
 }

@@ -8,6 +8,7 @@ mod comment;
 mod conflict;
 mod copy;
 mod entity;
+mod join;
 mod line;
 mod notation;
 mod space;
@@ -41,6 +42,8 @@ impl FaultyShader<'_> {
             self.pasted_marks(line, &mut all);
             self.comments(line, &mut all);
             self.spaces(line, &mut all);
+            self.joins(line, &mut all);
+            self.strays(line, &mut all);
             self.variables(line, &mut all);
             self.methods(line, &mut all);
             self.notations(line, &mut all);

@@ -214,7 +214,10 @@ impl FaultyShader<'_> {
                 edits,
             ));
         }
-        for number in one_point(text) {
+        let cut = text
+            .strip_suffix(['e', 'E'])
+            .filter(|n| n.parse::<f64>().is_ok());
+        for number in one_point(text).into_iter().chain(cut.map(decimal)) {
             let edits = vec![Edit::replace(span, number.clone())];
             all.push(candidate(
                 kind,

@@ -3,11 +3,13 @@
 use super::*;
 use shaderlint_diagnostic::error;
 use shaderlint_syntax::{
-    DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, keyword_near,
+    DIRECTIVES, RawKind, RawToken, TokenKind, TypeWord, WordClass, classify, keyword_near, tokenize,
 };
 
 /// Maximum number of errors that are compared with a place.
 const MAX_ERRORS: usize = 40;
+/// Maximum length of the statements before an `else`, in bytes.
+const MAX_BLOCK: usize = 1_500;
 /// Maximum number of members of a struct.
 const MAX_MEMBERS: usize = 100;
 
@@ -18,6 +20,8 @@ impl FaultyShader<'_> {
         self.string(line, all);
         self.colon_header(line, all);
         self.member_commas(line, all);
+        self.lost_struct(line, all);
+        self.lost_braces(line, all);
         self.typed_names(line, all);
         for at in 0..line.tokens.len() {
             self.other_case(line, at, all);
@@ -141,6 +145,50 @@ impl FaultyShader<'_> {
             "use parentheses",
             edits,
         ));
+    }
+
+    /// `if (c) a(); b(); else d();`: several statements before `else` need braces.
+    fn lost_braces(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let is_else =
+            |d: &&Diagnostic| line.errors.contains(&d.span) && self.text(d.span) == "else";
+        let Some(d) = self.errors.iter().find(is_else) else {
+            return;
+        };
+        let Some(code) = self.program.sources.code_at(line.start) else {
+            return;
+        };
+        let end = (d.span.start - code.base) as usize;
+        let from = end.saturating_sub(MAX_BLOCK);
+        let from = (from..end).find(|&i| code.text.is_char_boundary(i));
+        let before = from.and_then(|from| Some((from, code.text.get(from..end)?)));
+        let Some((from, before)) = before else { return };
+        let tokens = tokenize(before, code.base + from as u32);
+        let Some(open) = place_of_brace(before, code.base + from as u32, &tokens) else {
+            return;
+        };
+        let edits = vec![Edit::insert(open, " {"), Edit::insert(d.span.start, "} ")];
+        let fix = Fix::suggestion("enclose the statements before it in braces", edits.clone());
+        all.push(RepairCandidate {
+            edits,
+            diagnostic: d.clone().fix(fix),
+            of: None,
+            must_reduce: true,
+        });
+    }
+
+    /// `Ray { vec3 o; };`
+    fn lost_struct(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let word = line.token(0);
+        let is_name = line.kind(0) == Some(RawKind::Word)
+            && classify(word, self.program.version) == WordClass::Plain;
+        if !is_name || !line.is(1, TokenKind::LeftBrace) {
+            return;
+        }
+        let span = line.span(0);
+        let message = format!("missing `struct` before `{word}`");
+        let edits = vec![Edit::insert(span.start, "struct ")];
+        let title = format!("use `struct {word}`");
+        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
     }
 
     /// `vec3 o, vec3 d,` as members of a struct.
@@ -285,7 +333,13 @@ impl FaultyShader<'_> {
             return;
         };
         let mut edits = Vec::new();
+        let mut depth = 0_u32;
         for i in at + 2..after {
+            depth += u32::from(line.is(i - 1, TokenKind::LeftParen));
+            depth -= u32::from(line.is(i - 1, TokenKind::RightParen)).min(depth);
+            if depth != 1 {
+                continue;
+            }
             let starts = line.is(i - 1, TokenKind::LeftParen) || line.is(i - 1, TokenKind::Comma);
             let word = line.token(i);
             let is_type = TypeWord::named(word).is_some() || matches!(word, "in" | "out" | "inout");
@@ -386,4 +440,35 @@ impl FaultyShader<'_> {
             ));
         }
     }
+}
+
+/// Where the condition of the last `if` of the innermost block ends, unless a brace follows it.
+fn place_of_brace(text: &str, base: u32, tokens: &[RawToken]) -> Option<u32> {
+    use TokenKind as T;
+    let word = |t: &RawToken| {
+        let range = (t.span.start - base) as usize..(t.span.end - base) as usize;
+        text.get(range).unwrap_or("")
+    };
+    let mut depth = 0_u32;
+    let mut place = None;
+    let mut next = None;
+    for token in tokens.iter().rev() {
+        match token.kind {
+            RawKind::Whitespace | RawKind::Newline | RawKind::LineComment => continue,
+            RawKind::Operator(T::RightParen | T::RightBrace) => {
+                if depth == 0 {
+                    place = Some(token.span.end).filter(|_| next != Some(T::LeftBrace));
+                }
+                depth += 1;
+            }
+            RawKind::Operator(T::LeftParen | T::LeftBrace) => depth = depth.checked_sub(1)?,
+            RawKind::Word if depth == 0 && word(token) == "if" => return place,
+            _ => {}
+        }
+        next = match token.kind {
+            RawKind::Operator(kind) => Some(kind),
+            _ => None,
+        };
+    }
+    None
 }

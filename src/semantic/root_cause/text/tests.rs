@@ -133,3 +133,40 @@ fn constructs_of_other_languages() {
         "1:1 syntax-error",
     );
 }
+
+#[test]
+fn tokens_with_a_space_inside() {
+    in_main("d = smooth step(0.0, 1.0, d);", "4:9 syntax-error");
+    in_main("vec 2 p = vec2(d); d = p.x;", "4:5 syntax-error");
+    in_main("if (d > = 0.5) d = 0.0;", "4:11 syntax-error");
+    in_main("d + = 0.5;", "4:7 syntax-error");
+    in_main("d = half _of(d);", "4:9 syntax-error");
+}
+
+#[test]
+fn what_pasting_leaves() {
+    in_main("d = 0.1;\\n    d += 0.2;", "4:13 invalid-character");
+    in_main("d = 0.1; 🎨", "4:14 invalid-character");
+    in_main(
+        "if (d &amp;lt; 0.5 &amp;amp;&amp;amp; d &gt 0.1) d = 0.0;",
+        "4:11 invalid-character",
+    );
+    at_top("https://example.org/a", "1:1 syntax-error");
+    at_top(
+        "Ray { vec3 o; };\nfloat f(Ray r) { return r.o.x; }",
+        "1:1 syntax-error",
+    );
+    in_main("d = 1.0e;", "4:9 invalid-number");
+}
+
+#[test]
+fn several_statements_before_else() {
+    in_main(
+        "if (d > 0.2)\n    d = 0.1;\n    d += sin(d);\nelse\n    d = 0.3;",
+        "7:1 syntax-error",
+    );
+    in_main(
+        "if (d > 0.2) d = 0.1; d += 0.2; else d = 0.3;",
+        "4:37 syntax-error",
+    );
+}

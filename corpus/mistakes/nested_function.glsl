@@ -1,0 +1,8 @@
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    float square(float x) {
+        return x * x;
+    }
+    vec3 col = vec3(square(uv.x));
+    fragColor = vec4(col, 1.0);
+}

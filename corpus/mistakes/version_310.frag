@@ -1,0 +1,8 @@
+#version 310 es
+precision highp float;
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    color = vec4(uv, 0.5, 1.0);
+}
