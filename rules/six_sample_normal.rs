@@ -118,7 +118,7 @@ fn is_diagonal(cx: &Context, difference: ExprId) -> bool {
     };
     let mut axes = cx.facts.range(offset).map(|range| range.single());
     let first = axes.next().flatten();
-    first.is_some_and(|first| first != 0.0) && axes.all(|axis| axis == first.into())
+    first.is_some_and(|first| first != 0.0) && axes.all(|axis| axis == first)
 }
 
 /// The call in `f(p)` or `f(p).x`.
