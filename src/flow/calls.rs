@@ -1,6 +1,6 @@
 //! The call graph and the call sites of user-defined functions.
 
-use shaderlint_ir::{Module, OpId, OpKind, Provenance};
+use shaderlint_ir::{Function, Module, OpId, OpKind, Provenance};
 use shaderlint_semantic::{CallGraph, FunctionRef};
 use shaderlint_syntax::ast::ExprId;
 
@@ -17,6 +17,25 @@ pub struct CallSite {
     pub expr: ExprId,
 }
 
+/// The functions of a module, in the order of their operations.
+pub(crate) struct Bodies<'m>(Vec<(FunctionRef, &'m Function)>);
+
+impl<'m> Bodies<'m> {
+    pub fn of(module: &'m Module) -> Bodies<'m> {
+        let all = (0..).map(FunctionRef).zip(&module.functions);
+        let mut all: Vec<_> = all.filter(|(_, f)| f.ops.len > 0).collect();
+        all.sort_by_key(|(_, f)| f.ops.first);
+        Bodies(all)
+    }
+
+    /// The function that holds an operation; `None` at global scope.
+    pub fn around(&self, op: OpId) -> Option<FunctionRef> {
+        let next = self.0.partition_point(|(_, f)| f.ops.first <= op);
+        let (id, function) = self.0.get(next.checked_sub(1)?)?;
+        function.ops.contains(op).then_some(*id)
+    }
+}
+
 /// All call sites of a shader, indexed by callee and by caller.
 #[derive(Default, Debug)]
 pub struct Calls {
@@ -29,24 +48,14 @@ pub struct Calls {
 impl Calls {
     /// Collects the call sites of a module.
     pub fn of(module: &Module) -> Calls {
-        let mut bodies: Vec<_> = (0..)
-            .map(FunctionRef)
-            .zip(&module.functions)
-            .filter(|(_, f)| f.ops.len > 0)
-            .collect();
-        bodies.sort_by_key(|(_, f)| f.ops.first);
-        let caller = |op: OpId| {
-            let next = bodies.partition_point(|(_, f)| f.ops.first <= op);
-            let (id, function) = bodies.get(next.checked_sub(1)?)?;
-            function.ops.contains(op).then_some(*id)
-        };
+        let bodies = Bodies::of(module);
         let mut all = Vec::new();
         for (op, made) in (0..).map(OpId).zip(&module.ops) {
             if let OpKind::Call(callee, _) = made.kind
                 && let Provenance::Expr(expr) = module.provenance(op)
             {
                 all.push(CallSite {
-                    caller: caller(op),
+                    caller: bodies.around(op),
                     callee,
                     op,
                     expr,

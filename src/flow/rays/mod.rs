@@ -15,12 +15,12 @@ mod step;
 #[cfg(test)]
 mod tests;
 
-use super::calls::Calls;
+use super::calls::{Bodies, Calls};
 use super::ranges::Query;
 use dependence::LoopSlice;
 use exits::exits;
 pub use form::{HitTest, RayKind, RayLoop};
-use shaderlint_ir::{LoopId, OpId};
+use shaderlint_ir::LoopId;
 use shaderlint_semantic::FunctionRef;
 use start::Starts;
 use step::Stepped;
@@ -31,19 +31,10 @@ const MAX_LOOPS: usize = 32;
 /// The ray loops of a shader, in the order of [`shaderlint_ir::Module::loops`].
 pub fn ray_loops(query: Query, calls: &Calls) -> Vec<RayLoop> {
     let module = query.module;
-    let mut bodies: Vec<_> = (0..)
-        .map(FunctionRef)
-        .zip(&module.functions)
-        .filter(|(_, f)| f.ops.len > 0)
-        .collect();
-    bodies.sort_by_key(|(_, f)| f.ops.first);
-    let around = |op: OpId| {
-        let next = bodies.partition_point(|(_, f)| f.ops.first <= op);
-        let (id, function) = bodies.get(next.checked_sub(1)?)?;
-        function.ops.contains(op).then_some(*id)
-    };
+    let bodies = Bodies::of(module);
     let loops = (0..).map(LoopId).zip(&module.loops);
-    let all = loops.filter_map(|(id, looped)| ray_loop(query, id, around(looped.ops.first)?));
+    let all =
+        loops.filter_map(|(id, looped)| ray_loop(query, id, bodies.around(looped.ops.first)?));
     let all: Vec<(RayLoop, Stepped)> = all.collect();
     let ids: Vec<LoopId> = all.iter().map(|(ray, _)| ray.looped).collect();
     let holds = |function| all.iter().any(|(ray, _)| ray.function == function);

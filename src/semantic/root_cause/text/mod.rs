@@ -54,6 +54,17 @@ impl FaultyShader<'_> {
     }
 }
 
+/// A candidate whose fix writes another text.
+fn replacement(
+    kind: ErrorKind,
+    span: Span,
+    message: impl Into<String>,
+    text: String,
+) -> RepairCandidate {
+    let title = format!("use `{text}`");
+    candidate(kind, span, message, title, vec![Edit::replace(span, text)])
+}
+
 /// A candidate that is reported with its edits as a fix.
 fn candidate(
     kind: ErrorKind,

@@ -67,14 +67,7 @@ impl FaultyShader<'_> {
         let product = vec![base; n as usize].join(" * ");
         let text = format!("({product})");
         let message = format!("unexpected character `{c}`; GLSL has no exponents");
-        let edits = vec![Edit::replace(span, text.clone())];
-        all.push(candidate(
-            error::INVALID_CHARACTER,
-            span,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        all.push(replacement(error::INVALID_CHARACTER, span, message, text));
     }
 
     /// `45°`
@@ -182,14 +175,7 @@ impl FaultyShader<'_> {
         let span = Span::new(line.span(at).start, start + len as u32);
         let text = format!("vec3({r}, {g}, {b})");
         let message = format!("GLSL has no colors such as `#{digits}`");
-        let edits = vec![Edit::replace(span, text.clone())];
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        all.push(replacement(error::FOREIGN_SYNTAX, span, message, text));
     }
 
     /// `1.0.0`, `0..5`, `2.0x`, `0.0. 0.5`: a number with a part too many, or with what follows it.
