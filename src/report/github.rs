@@ -33,6 +33,7 @@ pub fn write(
     }
     let message = std::iter::once(placed_message(sources, d))
         .chain(d.notes.iter().chain(&d.help).cloned())
+        .chain(d.fix.iter().map(|fix| fix.title.clone()))
         .collect::<Vec<_>>()
         .join("\n");
     writeln!(out, ",title={}::{}", property(d.rule), data(&message))

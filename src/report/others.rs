@@ -32,6 +32,15 @@ pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> Stri
     }
 }
 
+/// The placed message, followed by the title of the fix, for formats without a field for it.
+pub(super) fn advised_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    let message = placed_message(sources, diagnostic);
+    match &diagnostic.fix {
+        Some(fix) => format!("{message}; {}", clean(&fix.title)),
+        None => message,
+    }
+}
+
 /// The other places of a finding: `also in lines 12, 14`, or ``also `b` (line 12), `c` (line 14)``
 /// where they have messages of their own.
 pub(super) fn others(sources: &Sources, diagnostic: &Diagnostic) -> Option<String> {

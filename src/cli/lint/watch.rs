@@ -16,6 +16,11 @@ pub fn run(args: &CheckArgs) -> io::Result<u8> {
         complain("cannot watch standard input");
         return Ok(FAILED);
     }
+    // A name that is wrong from the start is no file that an editor is about to write.
+    if let Some(missing) = args.paths.iter().find(|p| !p.exists()) {
+        complain(&format!("{}: no such file or folder", missing.display()));
+        return Ok(FAILED);
+    }
     loop {
         if io::stdout().is_terminal() {
             // Clears the screen and moves the cursor to the top.

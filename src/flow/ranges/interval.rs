@@ -758,7 +758,10 @@ fn number(value: f64, f: &mut fmt::Formatter) -> fmt::Result {
     }
     let digits = 3 - value.abs().log10().floor() as i32;
     if !(-8..=8).contains(&digits) {
-        return write!(f, "{value:e}");
+        let number = format!("{value:.3e}");
+        let (digits, exponent) = number.split_once('e').unwrap_or((&number, "0"));
+        let digits: f64 = digits.parse().unwrap_or(value);
+        return write!(f, "{digits:?}e{exponent}");
     }
     let scale = 10f64.powi(digits);
     write!(f, "{:?}", (value * scale).round() / scale)
@@ -779,6 +782,7 @@ mod tests {
         assert_eq!(Interval::ANY.max(two).to_string(), "2.0 or more");
         assert_eq!(Interval::constant(0.1 + 0.2).to_string(), "0.3");
         assert_eq!(Interval::constant(12345.678).to_string(), "12350.0");
+        assert_eq!(Interval::constant(-5.9604645e-8).to_string(), "-5.96e-8");
     }
 
     #[test]
