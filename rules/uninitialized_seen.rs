@@ -1,9 +1,7 @@
 //! Images that depend on a variable that was never assigned.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::CompileOptions;
 use shaderlint_flow::UnassignedVariable;
-use shaderlint_ir::{OpId, OpKind};
 use shaderlint_lint::sample::percent;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
@@ -18,8 +16,6 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Run(check)],
 };
 
-/// Bits of 7.25, an initial value that shaders do not use themselves.
-const RUBBISH: u32 = 0x40e8_0000;
 /// Most variables that are compared one by one.
 const MAX_SUSPECTS: usize = 8;
 
@@ -36,15 +32,15 @@ fn check(cx: &mut Context) {
         return;
     };
     let suspects = suspects(cx);
-    if suspects.is_empty() || changed(cx, None).is_none() {
+    if suspects.is_empty() || cx.facts.changed_by_initial_value(None).is_none() {
         return;
     }
     let note = sample_run.sampled_note();
     for Suspect { unset, is_in_loop } in suspects.into_iter().take(MAX_SUSPECTS) {
-        let Some(op) = declaration(cx, unset) else {
+        let Some(op) = cx.facts.initial_value(unset) else {
             continue;
         };
-        let Some(changed) = changed(cx, Some(op)) else {
+        let Some(changed) = cx.facts.changed_by_initial_value(Some(op)) else {
             continue;
         };
         let variable = cx.program.variable(unset.variable);
@@ -61,33 +57,6 @@ fn check(cx: &mut Context) {
         };
         finding.note(note.clone());
     }
-}
-
-/// The share of pixels that change visibly if one variable, or all, start with another value than 0;
-/// `None` if none do.
-fn changed(cx: &Context, undefined_at: Option<OpId>) -> Option<f64> {
-    let options = CompileOptions {
-        undefined: RUBBISH,
-        undefined_at,
-        ..CompileOptions::default()
-    };
-    let (zeros, rubbish) = (cx.facts.unwatched()?, cx.facts.compiled(&options)?);
-    let (bench, _) = cx.facts.bench()?;
-    let quads = bench.quads.div_ceil(4);
-    let changed = cx.facts.difference([zeros, &rubbish], quads)?;
-    (changed > 0.0).then_some(changed)
-}
-
-/// The operation that leaves a variable without a value where it is declared.
-fn declaration(cx: &Context, unset: UnassignedVariable) -> Option<OpId> {
-    let module = cx.facts.module();
-    module.ops.iter().find_map(|op| match op.kind {
-        OpKind::Store(place, value) => {
-            let is_own = module.place(place).variable == unset.variable;
-            (is_own && module.op(value).kind == OpKind::Undef).then_some(value)
-        }
-        _ => None,
-    })
 }
 
 /// The reads of variables that may be unassigned, without those that `uninitialized-read` reports and

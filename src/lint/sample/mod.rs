@@ -3,6 +3,7 @@
 mod bench;
 mod culprit;
 mod hit;
+mod initial_value;
 mod more_iterations;
 mod pixels;
 mod verdict;
