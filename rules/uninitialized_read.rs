@@ -44,7 +44,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
     }
     if let Some(first) = others.first() {
         let is_param = is_param(cx, first);
-        let is_unseen = others.iter().all(|u| !u.always && is_unseen(cx, *u));
+        let is_unseen = others.iter().all(|u| !u.always) && is_unseen(cx);
         let mut finding = report(cx, &others);
         if is_unseen {
             finding = finding.lower().note("no sampled pixel depends on it");
@@ -62,10 +62,8 @@ fn is_param(cx: &Context, unset: &UnassignedVariable) -> bool {
 
 /// Whether the image was sampled, and no pixel depends on the initial value of a variable: the paths
 /// that leave it unset may exclude each other.
-fn is_unseen(cx: &Context, unset: UnassignedVariable) -> bool {
-    let undefined_at = cx.facts.initial_value(unset);
-    cx.facts.sampled_image().is_some()
-        && undefined_at.is_some_and(|op| cx.facts.changed_by_initial_value(Some(op)).is_none())
+fn is_unseen(cx: &Context) -> bool {
+    cx.facts.sampled_image().is_some() && cx.facts.changed_by_initial_value(None).is_none()
 }
 
 /// Reports the reads of one function as one finding.
