@@ -15,7 +15,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 /// Size of the larger text in bytes; the smaller one has an eighth of it.
-const SIZE: usize = 40_000;
+const SIZE: usize = 24_000;
 /// Maximum ratio of the time for the larger text to eight times the time for the smaller one: 1 is
 /// linear, 8 is quadratic.
 const MAX_GROWTH: u32 = 2;
