@@ -8,7 +8,7 @@ use shaderlint_syntax::ast::Extent;
 pub static RULE: Rule = Rule {
     name: "overwritten-parameter",
     group: Group::Tidy,
-    severity: Severity::Warning,
+    severity: Severity::Info,
     preset: RulePreset::Recommended,
     options: &[],
     page: include_str!("overwritten_parameter.md"),

@@ -158,8 +158,6 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// Other places of the same mistake, with the messages that they would have on their own.
     pub others: Vec<Label>,
-    /// The function that contains the span, for findings of rules.
-    pub function: Option<Span>,
     /// Explanations: the rule of the language, or evidence.
     pub notes: Vec<String>,
     /// Suggestions, in words and code.
@@ -212,7 +210,6 @@ impl Diagnostic {
             label: String::new(),
             labels: Vec::new(),
             others: Vec::new(),
-            function: None,
             notes: Vec::new(),
             help: Vec::new(),
             macros: Vec::new(),

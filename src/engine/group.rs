@@ -5,30 +5,26 @@ use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Label, Origin, Severity, count};
 use shaderlint_text::Edit;
 
-/// Rules whose names start so list what a file does not need, which is one message per file.
-const PER_FILE: &str = "unused-";
-
 /// What findings have in common that are about the same mistake.
 #[derive(PartialEq, Eq, Hash)]
 struct SameMistake {
     rule: &'static str,
     severity: Severity,
-    /// The function, or the file if the findings are outside functions.
-    place: Option<(u32, u32)>,
-    /// What warnings say before their evidence: about different things, they are different mistakes.
-    message: Option<String>,
+    /// What warnings say before their evidence, without the code that they quote: different sentences
+    /// are about different mistakes.
+    statement: Option<String>,
     /// Places with and without a fix are kept apart, so that a fix is for all places.
     fix: Option<Applicability>,
 }
 
 impl Report {
-    /// Leaves one finding for each mistake and function, which lists the other places. Errors stay as
-    /// they are.
+    /// Leaves one finding for each mistake and file, which lists the other places. Errors stay as they
+    /// are.
     pub fn group(&mut self) {
         let mut first: FxHashMap<SameMistake, usize> = FxHashMap::default();
         let mut grouped: Vec<Diagnostic> = Vec::with_capacity(self.diagnostics.len());
         for diagnostic in std::mem::take(&mut self.diagnostics) {
-            let Some(mistake) = self.mistake(&diagnostic) else {
+            let Some(mistake) = mistake(&diagnostic) else {
                 grouped.push(diagnostic);
                 continue;
             };
@@ -45,28 +41,25 @@ impl Report {
         }
         self.diagnostics = grouped;
     }
+}
 
-    fn mistake(&self, d: &Diagnostic) -> Option<SameMistake> {
-        if d.origin != Origin::Rule || d.severity == Severity::Error {
-            return None;
-        }
-        let is_per_file = d.rule.starts_with(PER_FILE);
-        let place = || {
-            let function = d.function.map(|f| (f.start, f.end));
-            function.or_else(|| self.sources.file_at(d.span.start).map(|f| (f.base, 0)))
-        };
-        let is_named = !is_per_file && d.severity == Severity::Warning;
-        Some(SameMistake {
-            rule: d.rule,
-            severity: d.severity,
-            place: (!is_per_file).then(place).flatten(),
-            message: is_named.then(|| {
-                let statement = d.message.split_once(": ").map(|(statement, _)| statement);
-                statement.unwrap_or(&d.message).to_string()
-            }),
-            fix: d.fix.as_ref().map(|f| f.applicability),
-        })
+fn mistake(d: &Diagnostic) -> Option<SameMistake> {
+    if d.origin != Origin::Rule || d.severity == Severity::Error {
+        return None;
     }
+    let is_warning = d.severity == Severity::Warning;
+    Some(SameMistake {
+        rule: d.rule,
+        severity: d.severity,
+        statement: is_warning.then(|| statement(&d.message)),
+        fix: d.fix.as_ref().map(|f| f.applicability),
+    })
+}
+
+/// A message up to its evidence, without what is between backticks.
+fn statement(message: &str) -> String {
+    let sentence = message.split_once(": ").map_or(message, |(first, _)| first);
+    sentence.split('`').step_by(2).collect()
 }
 
 /// Adds a finding to one about the same mistake.

@@ -61,7 +61,6 @@ pub fn lint_within(
     let mut found = Vec::new();
     walk(program, &facts, rules, settings, &mut found);
     absorb(&mut found);
-    set_functions(program, &mut found);
     diagnostics.append(&mut found);
     if !facts.broken.any() {
         return SkippedRules::Nowhere;
@@ -74,26 +73,6 @@ pub fn lint_within(
     SkippedRules::Functions {
         names: broken_functions(program, &facts.broken),
         broken: facts.broken.spans().collect(),
-    }
-}
-
-/// Sets the function that contains each finding.
-fn set_functions(program: &Program, diagnostics: &mut [Diagnostic]) {
-    if diagnostics.is_empty() {
-        return;
-    }
-    let tree = &program.tree;
-    let functions = tree.items.iter().filter_map(|item| match *item {
-        Item::Function(id) => Some(program.span(tree.function(id)?.extent)),
-        _ => None,
-    });
-    let mut functions: Vec<Span> = functions.collect();
-    functions.sort_by_key(|f| f.start);
-    for diagnostic in diagnostics {
-        let at = diagnostic.span.start;
-        let before = functions.partition_point(|f| f.start <= at);
-        let function = before.checked_sub(1).and_then(|i| functions.get(i));
-        diagnostic.function = function.copied().filter(|f| at < f.end);
     }
 }
 

@@ -69,14 +69,18 @@ pub(super) fn others(sources: &Sources, diagnostic: &Diagnostic) -> Option<Strin
     ))
 }
 
-/// The line of a span, with its file if that differs from the file of `beside`.
+/// The line of a span, with its pass or file if that differs from the one of `beside`.
 fn line(sources: &Sources, span: Span, beside: Span) -> String {
-    let file = sources.file_at(span.start);
-    let line = file.map_or(1, |f| f.position(span.start).line);
-    let there = location_name(sources, span);
-    match there == location_name(sources, beside) {
-        true => line.to_string(),
-        false => format!("{line} of {there}"),
+    let Some(file) = sources.file_at(span.start) else {
+        return String::new();
+    };
+    let line = file.position(span.start).line;
+    match (sources.file_at(beside.start), &file.part) {
+        (Some(other), part) if other.path == file.path && other.part == *part => line.to_string(),
+        (Some(other), Some(part)) if other.path == file.path => {
+            format!("{line} of {}", clean(part))
+        }
+        _ => format!("{line} of {}", location_name(sources, span)),
     }
 }
 
