@@ -83,7 +83,7 @@ fn check_document(document: &Document) {
     for hint in hints(document, all, options, &[]) {
         assert!(is_inside(document, Span::at(hint.offset)), "{hint:?}");
     }
-    for action in actions(document, all) {
+    for action in actions(document, &NoFiles, all) {
         let changed = apply_edits(&document.text, 0, &action.edits);
         assert!(changed.is_ok(), "{action:?}");
     }

@@ -1,11 +1,11 @@
-//! Applies fixes to a text in rounds, checking it again after each, and counts fixable findings.
+//! Applies fixes to a text in rounds, checking it again after each.
 
 use super::check_context::{CheckContext, Keep};
 use super::document::{Report, check_text};
 use super::files::Files;
 use super::options::Options;
 use super::verify::equal;
-use shaderlint_diagnostic::{Applicability, Diagnostic};
+use shaderlint_diagnostic::Diagnostic;
 use shaderlint_exec::Equality;
 use shaderlint_lint::{Allow, CheckedSpans, Fixed, Look, Proof, Shown, fix};
 use shaderlint_semantic::{Completeness, Dialect, Pass, Program};
@@ -71,7 +71,7 @@ fn is_unchanged(before: &Program, after: &Program) -> bool {
     texts(before) == texts(after)
 }
 
-fn look(name: &str, text: &str, context: CheckContext) -> Option<Look> {
+pub(super) fn look(name: &str, text: &str, context: CheckContext) -> Option<Look> {
     let mut report = check_text(name, text, Encoding::Utf8, context);
     if report.unread.is_some() {
         return None;
@@ -114,17 +114,25 @@ impl Report {
         })
     }
 
+    /// The offset of each finding in the input text.
+    pub(super) fn offsets(&self) -> Vec<u32> {
+        let base = self.file.and_then(|id| self.sources.file(id));
+        let base = base.map_or(0, |file| file.base);
+        let offset = |found: &Diagnostic| {
+            let start = match &self.export {
+                Some(export) => export.finding(&self.sources, found.clone()).span.start,
+                None => found.span.start,
+            };
+            start.saturating_sub(base)
+        };
+        self.diagnostics.iter().map(offset).collect()
+    }
+
     /// Marks findings whose fixes were not applied. `left` has their positions as in
     /// [`Fixed::left`], in the text of this report.
     pub fn leave_alone(&mut self, left: &[Diagnostic]) {
-        let base = self.file.and_then(|id| self.sources.file(id));
-        let base = base.map_or(0, |file| file.base);
-        let place = |found: &Diagnostic| match &self.export {
-            Some(export) => export.finding(&self.sources, found.clone()).span,
-            None => found.span,
-        };
-        for found in &mut self.diagnostics {
-            let start = place(found).start.saturating_sub(base);
+        let offsets = self.offsets();
+        for (found, start) in self.diagnostics.iter_mut().zip(offsets) {
             let is_it = |l: &Diagnostic| (l.rule, l.span.start) == (found.rule, start);
             if !left.iter().any(is_it) {
                 continue;
@@ -142,32 +150,6 @@ impl Report {
     /// Number of tokens and macro calls.
     fn size(&self) -> usize {
         self.shaders.iter().map(|s| s.size).sum()
-    }
-}
-
-/// The number of findings that can be fixed.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Offer {
-    /// Findings with a safe fix. Applying them may reveal more.
-    pub safe: usize,
-    /// Findings with an unsafe fix.
-    pub others: usize,
-}
-
-impl Offer {
-    /// Counts the fixes in a report.
-    pub fn of(report: &Report) -> Offer {
-        let of = |applicability: Applicability| {
-            let mendable = report.diagnostics.iter().filter(|d| {
-                let fix = d.fix.as_ref();
-                fix.is_some_and(|f| f.applicability == applicability) && report.can_apply(d)
-            });
-            mendable.count()
-        };
-        Offer {
-            safe: of(Applicability::Safe),
-            others: of(Applicability::Unsafe),
-        }
     }
 }
 

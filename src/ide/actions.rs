@@ -33,14 +33,19 @@ pub enum ActionKind {
 }
 
 /// The actions for findings that touch a span.
-pub fn actions(document: &Document, within: Span) -> Vec<Action> {
+pub fn actions(document: &Document, files: &dyn Files, within: Span) -> Vec<Action> {
+    let report = &document.report;
+    let touches = |d: &Diagnostic| report.in_input(d.span).is_some_and(|s| s.touches(within));
+    let input = (document.path.as_str(), &*document.text);
+    let failing = report.failing_fixes(input, &document.options, files, touches);
     let mut found = Vec::new();
-    for (number, diagnostic) in document.report.diagnostics.iter().enumerate() {
-        let span = document.report.in_input(diagnostic.span);
-        if !span.is_some_and(|span| span.touches(within)) {
+    for (number, diagnostic) in report.diagnostics.iter().enumerate() {
+        if !touches(diagnostic) {
             continue;
         }
-        found.extend(of_fix(document, number, diagnostic));
+        if !failing.contains(&number) {
+            found.extend(of_fix(document, number, diagnostic));
+        }
         found.extend(suppress(document, number, diagnostic));
         found.push(Action {
             title: format!("Explain `{}`", diagnostic.rule),

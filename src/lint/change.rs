@@ -125,6 +125,25 @@ impl<'a> ErrorChange<'a> {
         !errors(self.after).any(remains)
     }
 
+    /// Whether a new error is in a line that the edits change.
+    pub fn breaks_own_line(&self, text: &str) -> bool {
+        let line = |address: u32| {
+            let offset = (address - self.seen.span.start) as usize;
+            let before = text.get(..offset).unwrap_or(text);
+            before.rfind('\n')
+        };
+        let edits = self
+            .fixed
+            .iter()
+            .flat_map(|d| &d.fix)
+            .flat_map(|f| &f.edits);
+        let lines: Vec<Option<usize>> = edits.map(|e| line(e.span.start)).collect();
+        errors(self.after).any(|d| {
+            let place = self.origin(d);
+            !self.is_known(d, place) && lines.contains(&line(place.start))
+        })
+    }
+
     /// Whether all new errors were hidden before: each is where the code could not be checked, and not
     /// in inserted text.
     pub fn only_reveals(&self) -> bool {

@@ -99,6 +99,36 @@ pub fn fix(
     }
 }
 
+/// Most bytes of text that are checked to try the fixes of errors that are offered.
+const MAX_TRIED: usize = 500_000;
+
+/// The errors whose fix fails: applied alone, the error remains, or there is another one in its line or in
+/// code that was checked before. Tries the fixes that `is_offered` selects, as far as a budget permits;
+/// `seen` is the check of `text`.
+pub fn failing_fixes<'a>(
+    text: &str,
+    seen: &'a Look,
+    is_offered: impl Fn(&Diagnostic) -> bool,
+    look: impl FnMut(&str) -> Option<Look>,
+) -> Vec<&'a Diagnostic> {
+    let mut engine = Engine {
+        look,
+        compare: without_images,
+        left: MAX_TRIED,
+        refuted: Vec::new(),
+    };
+    let fixed = Fixed::unchanged(text);
+    let offered = errors(seen).filter(|d| d.fix.is_some() && is_offered(d));
+    let fails = |d: &&Diagnostic| match engine.try_fixes(&fixed, seen, &[d]) {
+        Ok((_, after)) => {
+            let edits = d.fix.as_ref().map_or(&[][..], |fix| &fix.edits);
+            ErrorChange::new(seen, &after, edits, &[d]).breaks_own_line(text)
+        }
+        Err(harm) => matches!(harm, Harm::Errors),
+    };
+    offered.filter(fails).collect()
+}
+
 /// Compares no images: the evidence is always [`Proof::Unknown`].
 pub fn without_images(_: &Look, _: &Look) -> Proof {
     Proof::Unknown
@@ -175,8 +205,10 @@ impl Refuted {
 
 /// Why fixes are rejected.
 enum Harm {
-    /// They cause errors, change nothing, or exceed the budget.
+    /// They cause errors, or change nothing.
     Errors,
+    /// They cost too much to check.
+    Budget,
     /// They change the image.
     Image,
 }
@@ -266,7 +298,7 @@ impl<L: FnMut(&str) -> Option<Look>, C: FnMut(&Look, &Look) -> Proof> Engine<L, 
             return Err(Harm::Errors);
         }
         let cost = text.len().max(LEAST_LOOKED);
-        self.left = self.left.checked_sub(cost).ok_or(Harm::Errors)?;
+        self.left = self.left.checked_sub(cost).ok_or(Harm::Budget)?;
         let after = (self.look)(&text).ok_or(Harm::Errors)?;
         // Macros may expand a short text to many tokens.
         let expanded = (after.size * TOKEN_COST).saturating_sub(cost);
@@ -543,6 +575,30 @@ mod tests {
             fix("ddacc", Allow::Safe, hiding, without_images).text,
             "ddacc"
         );
+    }
+
+    /// `a` is an error with the fix `b`, which fails before another `b`.
+    #[test]
+    fn fixes_that_fail_alone_are_found() {
+        let errors = |text: &str| {
+            let mut look = look(text)?;
+            for found in &mut look.diagnostics {
+                found.severity = Severity::Error;
+            }
+            Some(look)
+        };
+        let check = |text: &str| {
+            let seen = errors(text).unwrap();
+            let failing = failing_fixes(text, &seen, |d| d.span.start != 4, errors);
+            failing.iter().map(|d| d.span.start).collect::<Vec<_>>()
+        };
+        assert_eq!(check("a.a."), []);
+        assert_eq!(check("a.ab.ab"), [2, 5]);
+        assert_eq!(check("a..ab"), [3]);
+        assert_eq!(check("a...ab"), []);
+        // Fixes that are not tried are offered.
+        let long = format!("ab{}", ".".repeat(MAX_TRIED));
+        assert_eq!(check(&long), []);
     }
 
     #[test]

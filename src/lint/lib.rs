@@ -35,7 +35,7 @@ pub use broken::Broken;
 pub use checked_spans::CheckedSpans;
 pub use context::{Context, Finding};
 pub use facts::{CachedFacts, Facts, ShaderContext};
-pub use fix::{Allow, Fixed, Proof, fix, keep_comments, without_images};
+pub use fix::{Allow, Fixed, Proof, failing_fixes, fix, keep_comments, without_images};
 pub use inactive_words::InactiveWords;
 pub use look::{Look, Shown};
 pub use option::{OptionType, OptionValue, RuleOption, Setting};

@@ -1,6 +1,6 @@
 //! Checkstyle XML. Columns count characters.
 
-use super::others::advised_message;
+use super::others::{placed_message, with_advice};
 use super::place::region;
 use super::xml::escape;
 use shaderlint_diagnostic::Diagnostic;
@@ -26,7 +26,7 @@ pub fn file(
             out,
             "    <error line=\"{line}\" column=\"{column}\" severity=\"{}\" message=\"{}\" source=\"shaderlint.{}\"/>",
             d.severity.name(),
-            escape(&advised_message(sources, d)),
+            escape(&with_advice(placed_message(sources, d), d)),
             d.rule
         )?;
     }

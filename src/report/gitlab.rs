@@ -1,7 +1,7 @@
 //! GitLab code quality report.
 
 use super::fingerprint::digest;
-use super::others::advised_message;
+use super::others::{placed_message, with_advice};
 use super::place::{path, region};
 use serde_json::json;
 use shaderlint_diagnostic::{Diagnostic, Severity};
@@ -26,7 +26,7 @@ pub fn write(
     // GitLab merges findings with the same fingerprint, even across files.
     let fingerprint = digest([path, fingerprint]);
     let value = json!({
-        "description": advised_message(sources, d),
+        "description": with_advice(placed_message(sources, d), d),
         "check_name": d.rule,
         "fingerprint": fingerprint,
         "severity": severity,

@@ -32,11 +32,11 @@ pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> Stri
     }
 }
 
-/// The placed message, followed by the title of the fix, for formats without a field for it.
-pub(super) fn advised_message(sources: &Sources, diagnostic: &Diagnostic) -> String {
-    let message = placed_message(sources, diagnostic);
-    match &diagnostic.fix {
-        Some(fix) => format!("{message}; {}", clean(&fix.title)),
+/// A message followed by the title of the fix or the first help, for formats without a field for it.
+pub(super) fn with_advice(message: String, diagnostic: &Diagnostic) -> String {
+    let fix = diagnostic.fix.as_ref().map(|f| &f.title);
+    match fix.or(diagnostic.help.first()) {
+        Some(advice) => format!("{message}; {}", clean(advice)),
         None => message,
     }
 }

@@ -1,6 +1,6 @@
-//! One line per finding: `path:line:column: severity[rule]: message`.
+//! One line per finding: `path:line:column: severity[rule]: message; help`.
 
-use super::others::full_message;
+use super::others::{full_message, with_advice};
 use super::place::location_name;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
@@ -17,6 +17,6 @@ pub fn write(out: &mut impl Write, sources: &Sources, diagnostic: &Diagnostic) -
         location_name(sources, span),
         diagnostic.severity.name(),
         diagnostic.rule,
-        full_message(sources, diagnostic)
+        with_advice(full_message(sources, diagnostic), diagnostic)
     )
 }

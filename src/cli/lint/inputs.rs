@@ -110,6 +110,7 @@ fn fix_and_check(
     }
     let mut report = check_content(name, &content, options, disk);
     report.leave_alone(&fix_outcome.left);
+    report.retract_failing_fixes((name, &content.text), options, disk);
     let is_written = content.encoding == Encoding::Utf8 && report.unread.is_none();
     let offer = match is_written {
         true => Offer::of(&report),

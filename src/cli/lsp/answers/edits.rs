@@ -39,7 +39,7 @@ pub fn actions(
     let mut found = Vec::new();
     if is_requested(&CodeActionKind::QuickFix) {
         let span = snapshot.span(buffer, params.range);
-        let actions = ide::actions(&document, span);
+        let actions = ide::actions(&document, &snapshot.files, span);
         let items = actions
             .iter()
             .filter_map(|action| of_finding(snapshot, buffer, &document, action));
