@@ -5,6 +5,7 @@
 //! least once, or that a search succeeds. A repeated condition has the same value as before until
 //! one of its operands changes.
 
+mod both_sides;
 mod cases;
 mod conditions;
 mod operands;

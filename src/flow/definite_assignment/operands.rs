@@ -1,7 +1,7 @@
 //! Operands whose values may not be needed.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_ir::{Binary, Module, OpId, OpKind};
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Place};
 use shaderlint_semantic::{Direction, Program, VariableId};
 
 /// By load passed as an argument: the `inout` parameter that receives it; `None` for a parameter whose
@@ -54,5 +54,47 @@ pub(super) fn chosen(module: &Module) -> Vec<bool> {
             module.each_operand(op, |o| mark(&mut chosen, o));
         }
     }
+    for op in (0..module.ops.len() as u32).map(OpId) {
+        let is_certain = chosen.get(op.0 as usize) == Some(&false);
+        if let (
+            OpKind::Select {
+                then, otherwise, ..
+            },
+            true,
+        ) = (module.op(op).kind, is_certain)
+        {
+            let arms = [then, otherwise].map(|arm| loads(module, arm));
+            for (load, place) in arms.iter().flatten() {
+                let is_same = |other: &Place| {
+                    other.variable == place.variable && module.path(other) == module.path(place)
+                };
+                let reads = |arm: &Vec<(OpId, &Place)>| arm.iter().any(|(_, other)| is_same(other));
+                if let Some(slot) = chosen.get_mut(load.0 as usize)
+                    && arms.iter().all(reads)
+                {
+                    *slot = false;
+                }
+            }
+        }
+    }
     chosen
+}
+
+/// Most operations of an arm of `?:` that are searched for loads.
+const MAX_ARM: usize = 64;
+
+/// The loads that an arm of `?:` always executes, without those of nested `?:`, `&&` and `||`.
+fn loads(module: &Module, arm: OpId) -> Vec<(OpId, &Place)> {
+    let mut found = Vec::new();
+    let mut todo = vec![arm];
+    for _ in 0..MAX_ARM {
+        let Some(op) = todo.pop() else { break };
+        match module.op(op).kind {
+            OpKind::Load(place) => found.push((op, module.place(place))),
+            OpKind::Select { condition, .. } => todo.push(condition),
+            OpKind::Binary(Binary::And | Binary::Or, left, _) => todo.push(left),
+            _ => module.each_operand(op, |o| todo.push(o)),
+        }
+    }
+    found
 }

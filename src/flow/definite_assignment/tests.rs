@@ -161,6 +161,36 @@ fn an_earlier_iteration_may_have_written() {
     );
 }
 
+/// What both operands of `?:` read is read whatever the condition is.
+#[test]
+fn both_choices_may_read_the_same() {
+    let check = |value: &str, expected| {
+        check(
+            &format!(
+                "float f(float x) {{ vec2 d; float s; for (int i = 0; i < 4; i++) {{ \
+                 s = max(s, {value}); d = vec2(x); }} return s; }}"
+            ),
+            expected,
+        );
+    };
+    check("x > 0. ? d.x : d.x * d.x", "s never, d never");
+    check("x > 0. ? 1. - d.y : sin(d.y)", "s never, d never");
+    check("x > 0. ? d.x : 1.", "s never, d read?");
+    check("x > 0. ? d.x : d.y", "s never, d read?");
+    check(
+        "x > 0. ? d.x : (x > 1. ? d.x : 2.)",
+        "s never, d read?, d read?",
+    );
+    check(
+        "x > 0. ? sin(d.x) : x < -1. ? sin(d.x) : cos(d.x)",
+        "s never, d never",
+    );
+    check(
+        "x > 0. ? sin(d.x) : x < -1. ? sin(d.x) : 1.",
+        "s never, d read?, d read?",
+    );
+}
+
 #[test]
 fn a_condition_answers_the_same_again() {
     check(

@@ -38,12 +38,14 @@ pub(super) struct AssignmentWalk<'x> {
     mentions: &'x Mentions,
     /// By operation: whether it is an operand of `?:`, `&&` or `||` whose value may not be used.
     chosen: Vec<bool>,
+    /// By read in the findings: the number of branches around it, if nothing else guards it.
+    pub(super) depths: Vec<usize>,
     state: AssignmentState,
     conditions: Conditions,
     /// By variable: the components written to so far on any path.
     ever: FxHashMap<VariableId, PartMask>,
     /// By variable: where it became unassigned.
-    since: FxHashMap<VariableId, u32>,
+    pub(super) since: FxHashMap<VariableId, u32>,
     /// Variables that must be assigned when the function returns.
     outputs: Vec<VariableId>,
     /// By load passed as an argument: the `inout` parameter that receives it; `None` for a
@@ -64,7 +66,7 @@ pub(super) struct AssignmentWalk<'x> {
     writes: Vec<(VariableId, PartMask)>,
     frames: Vec<ConstructFrame>,
     /// The enclosing branches: the operation after the condition, and the last operation.
-    branches: Vec<(u32, u32)>,
+    pub(super) branches: Vec<(u32, u32)>,
     /// The hash of the value that the enclosing `else if` chain compares with constants.
     compared: Option<u64>,
     /// The last condition after which the function, a loop or a `switch` may have been left.
@@ -73,7 +75,7 @@ pub(super) struct AssignmentWalk<'x> {
     /// The current nesting of regions.
     depth: u32,
     too_deep: bool,
-    findings: AssignmentFindings,
+    pub(super) findings: AssignmentFindings,
 }
 
 impl<'x> Visit<'x> for AssignmentWalk<'x> {
@@ -126,13 +128,16 @@ impl<'x> Visit<'x> for AssignmentWalk<'x> {
         let is_next = compared.is_some() && compared == self.compared;
         let outer = self.compared.take();
         self.state.dead |= known == Some(false);
+        let reads = self.findings.reads.len();
         self.side(condition, true, then);
+        let middle = self.findings.reads.len();
         let first = self.state.path(mark);
         self.state.undo(mark);
         self.state.dead = was_dead || known == Some(true);
         self.compared = compared;
         self.side(condition, false, otherwise);
         self.compared = outer;
+        self.join_reads(reads, middle);
         let second = self.state.path(mark);
         // An `if`/`else if` chain that compares one value with two or more constants and has no
         // `else` is taken to be exhaustive.
@@ -239,6 +244,7 @@ impl<'x> AssignmentWalk<'x> {
             module,
             mentions,
             chosen: chosen(module),
+            depths: Vec::new(),
             state: AssignmentState::new(module.variables.len()),
             conditions: Conditions::default(),
             ever: FxHashMap::default(),
@@ -320,6 +326,7 @@ impl<'x> AssignmentWalk<'x> {
         self.leave(Extent::token(end.map_or(0, |d| d.extent.last)));
         self.state.undo(0);
         let mut findings = std::mem::take(&mut self.findings);
+        self.depths.clear();
         for unset in &mut findings.outputs {
             unset.always = self.written(unset.variable) & unset.missing == 0;
         }
@@ -340,7 +347,7 @@ impl<'x> AssignmentWalk<'x> {
         !self.since.is_empty() || self.cases.is_some()
     }
 
-    fn written(&self, variable: VariableId) -> PartMask {
+    pub(super) fn written(&self, variable: VariableId) -> PartMask {
         self.ever.get(&variable).copied().unwrap_or(0)
     }
 
@@ -646,6 +653,13 @@ impl<'x> AssignmentWalk<'x> {
             }
             return self.state.put(variable, has | missing);
         }
+        let is_direct = self.exit <= since && self.chosen.get(op.0 as usize) != Some(&true);
+        let depth = if is_direct {
+            self.branches.len()
+        } else {
+            usize::MAX
+        };
+        self.depths.push(depth);
         self.findings.reads.push(UnassignedVariable {
             variable,
             at: self.named(variable, op),
