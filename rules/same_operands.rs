@@ -40,12 +40,37 @@ fn check_binary(cx: &mut Context, e: &BinaryExpr) {
         Mul | Add | ShiftLeft | ShiftRight => return,
     };
     let is_matrix = program.ty(e.left).is_matrix();
-    if is_twice(cx, e.left, e.right) && !program.expr(e.id).is_const && !is_matrix {
+    let is_mistake = !program.expr(e.id).is_const && !is_matrix && !is_short_number(cx, e);
+    if is_mistake && is_twice(cx, e.left, e.right) {
         let text = program.expr_text(e.left);
         let symbol = e.op.symbol();
         let message = format!("both operands of `{symbol}` are `{text}`; the result is {outcome}");
         cx.report_expr(e.id, message);
     }
+}
+
+/// Whether this is a short form of a vector of zeros or ones: `p - p` or `p / p` of a variable, where
+/// nothing else is added to it.
+fn is_short_number(cx: &Context, e: &BinaryExpr) -> bool {
+    let tree = &cx.program.tree;
+    let mut operand = tree.unparen(e.left);
+    while let ExprKind::Member(inner, _) = tree.expr(operand).kind {
+        operand = tree.unparen(inner);
+    }
+    let is_variable = matches!(tree.expr(operand).kind, ExprKind::Name(_));
+    if !is_variable || !matches!(e.op, BinaryOp::Sub | BinaryOp::Div) {
+        return false;
+    }
+    let structure = cx.facts.structure();
+    let is_paren = |p: &ExprId| matches!(tree.expr(*p).kind, ExprKind::Paren(_));
+    let around = std::iter::successors(structure.parent(e.id), |p| structure.parent(*p));
+    let is_alone = around.skip_while(is_paren).next().is_none_or(|p| {
+        matches!(
+            tree.expr(p).kind,
+            ExprKind::Assign(..) | ExprKind::Construct(..) | ExprKind::Comma(..)
+        )
+    });
+    is_alone && cx.program.ty(e.id).is_vector()
 }
 
 /// Compares each condition of a chain with those before it.

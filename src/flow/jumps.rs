@@ -57,11 +57,22 @@ pub fn jump(ranges: Query, uniformity: &Uniformity, (op, lane): (OpId, u32)) -> 
 
 /// Whether the arguments stay within one continuous piece of the function.
 fn is_within(ranges: Query, function: BuiltinId, operands: &[OpId], lane: u32) -> bool {
-    let of = |position: usize| {
+    let at = |position: usize| {
         let op = *operands.get(position)?;
-        Some(ranges.lane(op, ranges.module.operand_lane(op, lane)))
+        Some((op, ranges.module.operand_lane(op, lane)))
     };
+    let of = |position: usize| at(position).map(|(op, lane)| ranges.lane(op, lane));
     let Some(x) = of(0) else { return false };
+    let period = match function {
+        BuiltinId::Mod => of(1).and_then(|y| y.single()),
+        BuiltinId::Floor | BuiltinId::Ceil | BuiltinId::Fract => Some(1.0),
+        _ => None,
+    };
+    if let (Some(period), Some((op, lane))) = (period, at(0))
+        && ranges.is_between_quads(op, lane, period)
+    {
+        return true;
+    }
     match (function, of(1)) {
         // `atan(y, x)` has its branch cut where `y` changes sign at negative `x`.
         (BuiltinId::Atan, Some(right)) => {

@@ -70,6 +70,16 @@ impl Query<'_> {
         first.axis == second.axis && near * far < 0.0
     }
 
+    /// Whether `op` is a pixel coordinate, and its multiples of `period` lie between two quads of pixels, in
+    /// which derivatives are taken.
+    pub(crate) fn is_between_quads(&self, op: OpId, lane: u32, period: f64) -> bool {
+        let mut left = BUDGET;
+        self.along(op, lane, &mut left).is_some_and(|term| {
+            let pixels = period / term.place;
+            term.size == 0.0 && pixels.is_finite() && pixels % 2.0 == 0.0 && pixels != 0.0
+        })
+    }
+
     fn along(&self, op: OpId, lane: u32, left: &mut u32) -> Option<ScreenTerm> {
         *left = left.checked_sub(1)?;
         let (module, defs) = (self.module, self.defs);
