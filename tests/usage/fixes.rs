@@ -44,6 +44,17 @@ fn a_fix_can_enable_another() {
     assert_eq!(scratch.read("a.glsl"), fixed);
 }
 
+/// A name is replaced in the macros that use it, at its own place.
+#[test]
+fn names_in_macros_are_renamed() {
+    let code = "#define time iGlobalTime\n#define id(x) x\nvoid mainImage(out vec4 c, in vec2 p) {\n    \
+        c = vec4(sin(time), cos(time), id(iGlobalTime), iGlobalTime);\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let ran = scratch.run(&["--fix", "a.glsl"]);
+    assert_eq!(ran.code, 0, "{}", ran.out);
+    assert_eq!(scratch.read("a.glsl"), code.replace("iGlobalTime", "iTime"));
+}
+
 #[test]
 fn unsafe_fixes_need_an_option() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(iTime * 2.0 + 3.0);\n    c = vec4(a);\n}\n";

@@ -301,7 +301,8 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// Edits that replace every use of a name with `to`; empty if one is in a macro.
+    /// Edits that replace every use of a name with `to`, also in the macros that the text defines and calls;
+    /// empty if one cannot be edited, such as a name that `##` makes.
     pub(crate) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
         let mut edits = Vec::new();
         let mut after_dot = false;
@@ -314,11 +315,17 @@ impl ExplainContext<'_> {
             if !is_use {
                 continue;
             }
-            if !token.is_direct() {
+            let text = self.text(name);
+            let span = Span::new(token.spelled, token.spelled + text.len() as u32);
+            let is_written = self.sources.is_user(span.start) && self.sources.text(span) == text;
+            if !token.is_direct() && !is_written {
                 return Vec::new();
             }
-            edits.push(Edit::replace(token.span, to));
+            edits.push(Edit::replace(span, to));
         }
+        // A macro may be called more than once.
+        edits.sort_by_key(|e| e.span);
+        edits.dedup();
         edits
     }
 

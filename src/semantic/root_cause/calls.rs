@@ -164,8 +164,8 @@ impl MacroCalls {
 /// Moves the error to the definition or to the calls; `used` is the total number of calls.
 fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
     let Some(&first) = places.first() else { return };
-    // Undeclared names are reported once for all uses.
-    let once = d.is(error::UNDECLARED_NAME);
+    // Names that do not exist are reported once for all uses.
+    let once = d.is(error::UNDECLARED_NAME) || d.is(error::LEGACY_GLSL);
     if places.len() < used && !once {
         let body = std::mem::replace(&mut d.span, first);
         d.labels.insert(
