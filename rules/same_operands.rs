@@ -63,8 +63,8 @@ fn is_short_number(cx: &Context, e: &BinaryExpr) -> bool {
     }
     let structure = cx.facts.structure();
     let is_paren = |p: &ExprId| matches!(tree.expr(*p).kind, ExprKind::Paren(_));
-    let around = std::iter::successors(structure.parent(e.id), |p| structure.parent(*p));
-    let is_alone = around.skip_while(is_paren).next().is_none_or(|p| {
+    let mut around = std::iter::successors(structure.parent(e.id), |p| structure.parent(*p));
+    let is_alone = around.find(|p| !is_paren(p)).is_none_or(|p| {
         matches!(
             tree.expr(p).kind,
             ExprKind::Assign(..) | ExprKind::Construct(..) | ExprKind::Comma(..)

@@ -19,7 +19,7 @@ struct SameMistake {
 
 impl Report {
     /// Leaves one finding for each mistake and file, which lists the other places. Errors stay as they
-    /// are.
+    /// are, and come first.
     pub fn group(&mut self) {
         let mut first: FxHashMap<SameMistake, usize> = FxHashMap::default();
         let mut grouped: Vec<Diagnostic> = Vec::with_capacity(self.diagnostics.len());
@@ -39,6 +39,7 @@ impl Report {
         for diagnostic in &mut grouped {
             join_edits(diagnostic);
         }
+        grouped.sort_by_key(|d| d.severity != Severity::Error);
         self.diagnostics = grouped;
     }
 }

@@ -23,6 +23,7 @@ mod hosted;
 mod include;
 mod input;
 mod leading_blanks;
+mod look;
 mod offer;
 mod options;
 mod partner;

@@ -3,7 +3,7 @@
 use super::check_context::{CheckContext, Keep};
 use super::document::Report;
 use super::files::Files;
-use super::fix::look;
+use super::look::look;
 use super::options::Options;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Severity};
 use shaderlint_lint::{Settings, failing_fixes};

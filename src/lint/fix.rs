@@ -100,7 +100,7 @@ pub fn fix(
 }
 
 /// Most bytes of text that are checked to try the fixes of errors that are offered.
-const MAX_TRIED: usize = 500_000;
+const MAX_OFFERED: usize = 500_000;
 
 /// The errors whose fix fails: applied alone, the error remains, or there is another one in its line or in
 /// code that was checked before. Tries the fixes that `is_offered` selects, as far as a budget permits;
@@ -114,7 +114,7 @@ pub fn failing_fixes<'a>(
     let mut engine = Engine {
         look,
         compare: without_images,
-        left: MAX_TRIED,
+        left: MAX_OFFERED,
         refuted: Vec::new(),
     };
     let fixed = Fixed::unchanged(text);
@@ -592,13 +592,13 @@ mod tests {
             let failing = failing_fixes(text, &seen, |d| d.span.start != 4, errors);
             failing.iter().map(|d| d.span.start).collect::<Vec<_>>()
         };
-        assert_eq!(check("a.a."), []);
+        assert_eq!(check("a.a."), [0; 0]);
         assert_eq!(check("a.ab.ab"), [2, 5]);
         assert_eq!(check("a..ab"), [3]);
-        assert_eq!(check("a...ab"), []);
+        assert_eq!(check("a...ab"), [0; 0]);
         // Fixes that are not tried are offered.
-        let long = format!("ab{}", ".".repeat(MAX_TRIED));
-        assert_eq!(check(&long), []);
+        let long = format!("ab{}", ".".repeat(MAX_OFFERED));
+        assert_eq!(check(&long), [0; 0]);
     }
 
     #[test]

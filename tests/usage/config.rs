@@ -478,7 +478,7 @@ fn places_of_the_same_mistake_are_joined() {
         "(also `b` (line 7), `d` (line 8))",
     ];
     for (line, also) in lines.iter().zip(also) {
-        assert!(line.ends_with(also), "{short}");
+        assert!(line.contains(also), "{short}");
     }
     let human = scratch.run(&["-q", "a.glsl"]).out;
     assert!(

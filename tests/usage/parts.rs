@@ -150,7 +150,7 @@ fn a_typo_of_one_letter_is_reported() {
         (ran.code, ran.out.as_str()),
         (
             0,
-            "a.glsl:2:43: warning[undeclared-name]: `lightColuor` is not declared\n"
+            "a.glsl:2:43: warning[undeclared-name]: `lightColuor` is not declared; did you mean `lightColour`?\n"
         )
     );
 }

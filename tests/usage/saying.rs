@@ -78,9 +78,9 @@ void mainImage(out vec4 c, in vec2 p) {
     assert_eq!(
         scratch.places(&["a.glsl"]),
         [
+            "8:62 int-float-mix",
             "3:31 float-equality",
             "3:52 pow-negative-base",
-            "8:62 int-float-mix",
         ]
     );
     let ran = scratch.run(&["a.glsl"]);
