@@ -1,9 +1,10 @@
 //! Hashes and time in `mediump` or `lowp`.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision};
+use shaderlint_flow::Start;
+use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Unary};
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
-use shaderlint_semantic::{BuiltinId, Stage, Storage, Variable};
+use shaderlint_semantic::{BuiltinId, Stage, Storage};
 use shaderlint_syntax::TypeWord;
 use shaderlint_syntax::ast::*;
 
@@ -86,26 +87,47 @@ fn hash(cx: &Context) -> Option<PrecisionUse> {
 fn time(cx: &Context) -> Option<PrecisionUse> {
     use BuiltinId::{Cos, Fract, Mod, Sin};
     let module = cx.facts.module();
-    let is_counted = |op: &OpId| match module.op(*op).kind {
-        OpKind::Load(place) => {
-            let variable = cx.program.variable(module.place(place).variable);
-            let is_uniform = |v: &&Variable| v.storage == Storage::Uniform;
-            let uniform = variable.filter(is_uniform);
-            uniform.is_some_and(|v| cx.facts.is_time(v.name)) && is_coarse(module, *op)
-        }
-        _ => false,
-    };
     periods(module).find_map(|(_, function, arg)| {
-        let terms = parts(module, arg, &[Binary::Add, Binary::Subtract]);
+        let terms = parts(module, computed(cx, arg), &[Binary::Add, Binary::Subtract]);
         let is_period = match function {
             Fract | Mod => true,
             Sin | Cos => terms.len() > 1,
             _ => false,
         };
-        let mut all = terms.iter().flat_map(|term| factors(module, *term));
-        let counted = all.find(|op| is_period && is_counted(op))?;
+        let mut terms = terms.into_iter();
+        let counted = terms.find(|term| is_period && is_time(cx, *term))?;
         Some((counted, "a time in seconds"))
     })
+}
+
+/// The operation that computes the value of a variable.
+fn computed(cx: &Context, op: OpId) -> OpId {
+    match cx.facts.origin(op, 0) {
+        Some(Start::Made(made, _)) => made,
+        _ => op,
+    }
+}
+
+/// Whether a value is the time since the start, perhaps scaled.
+fn is_time(cx: &Context, op: OpId) -> bool {
+    use Binary::{Divide, Multiply};
+    let module = cx.facts.module();
+    let mut found = false;
+    cx.facts.trace(op, 0, |start| match start {
+        Start::Given(variable, _) => {
+            let variable = cx.program.variable(variable);
+            let uniform = variable.filter(|v| v.storage == Storage::Uniform);
+            found |= uniform.is_some_and(|v| cx.facts.is_time(v.name));
+            false
+        }
+        Start::Made(op, _) => matches!(
+            module.op(op).kind,
+            OpKind::Binary(Multiply | Divide, ..)
+                | OpKind::Unary(Unary::Negate, _)
+                | OpKind::Splat(_)
+        ),
+    });
+    found
 }
 
 /// Low-precision calls of built-in functions, and their first arguments.
