@@ -27,7 +27,8 @@ fn check(cx: &mut Context, id: FunctionRef) {
     };
     let is_lost = color.ty == Type::vector(Scalar::Float, 4)
         && function.returns.is_void()
-        && !color.direction.writes();
+        // Other hosts return the colour in another parameter.
+        && !function.params.iter().any(|p| p.direction.writes());
     if program.names.text(function.name) != "mainImage" || !is_lost {
         return;
     }

@@ -15,8 +15,8 @@ use shaderlint_diagnostic::{
 };
 use shaderlint_host::Preset;
 use shaderlint_lint::{
-    Allows, CachedFacts, CheckedSpans, Facts, ShaderContext, SkippedRules, keep_comments,
-    lint_within,
+    Allows, CachedFacts, CheckedSpans, Facts, Obstacles, ShaderContext, SkippedRules,
+    keep_comments, lint_within,
 };
 use shaderlint_rules::RULES;
 use shaderlint_semantic::{Checked, Completeness};
@@ -207,11 +207,8 @@ fn run_rules(
 ) -> (SkippedRules, usize) {
     let completeness = checked.completeness;
     let open = &checked.open;
-    // If only names are unknown, the functions that do not use them can be checked; otherwise no
-    // rule has enough information.
-    let is_known = !open.is_any || open.is_names_only;
     let is_example = part.readings.is_shown() && !part.readings.has_version();
-    if !is_known || is_example || completeness == Completeness::Excerpt {
+    if open.is_torn || is_example || completeness == Completeness::Excerpt {
         return (SkippedRules::Everywhere, 0);
     }
     let mut found = Vec::new();
@@ -226,7 +223,11 @@ fn run_rules(
     };
     let mut facts = Facts::of(program, known);
     facts.around = around;
-    let skipped = lint_within(facts, &errors, RULES, &options.settings, &mut found);
+    let obstacles = Obstacles {
+        errors: &errors,
+        unclear: &open.unclear,
+    };
+    let skipped = lint_within(facts, obstacles, RULES, &options.settings, &mut found);
     if skipped != SkippedRules::Everywhere {
         allows.apply(program, RULES, &mut found);
     }

@@ -11,6 +11,10 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ("butterchurn", include_str!("presets/butterchurn.glsl")),
     ("cesium", include_str!("presets/cesium.glsl")),
     ("gl-react", include_str!("presets/gl-react.glsl")),
+    (
+        "gl-transitions",
+        include_str!("presets/gl-transitions.glsl"),
+    ),
     ("glsl-sandbox", include_str!("presets/glsl-sandbox.glsl")),
     ("glslify", include_str!("presets/glslify.glsl")),
     ("hydra", include_str!("presets/hydra.glsl")),

@@ -13,7 +13,16 @@ use shaderlint_text::{Role, Span};
 /// Longest span of a finding in a shader with errors, in bytes: its words are looked up one by one.
 const MAX_FINDING: u32 = 256;
 
-/// The functions and declarations with errors, and those that depend on them.
+/// Where rules cannot run.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Obstacles<'d> {
+    /// The errors of the shader.
+    pub errors: &'d [Diagnostic],
+    /// Where the code that is compiled depends on the host of a shader fragment.
+    pub unclear: &'d [Span],
+}
+
+/// The functions and declarations with errors or other obstacles, and those that depend on them.
 #[derive(Default, Debug)]
 pub struct Broken<'a> {
     /// The items at global scope, in the order of the text, and whether they have errors.
@@ -29,15 +38,22 @@ pub struct Broken<'a> {
 }
 
 impl<'a> Broken<'a> {
-    /// Marks the items with errors; none if there is no error.
-    pub fn of(program: &'a Program, found: &[Diagnostic]) -> Broken<'a> {
+    /// Marks the items with obstacles, if there are any.
+    pub fn of(program: &'a Program, obstacles: Obstacles) -> Broken<'a> {
         let mut broken = Broken::default();
-        let errors = || found.iter().filter(|d| d.severity == Severity::Error);
-        if errors().next().is_none() {
+        let found = obstacles.errors.iter();
+        let errors = || found.clone().filter(|d| d.severity == Severity::Error);
+        if errors().next().is_none() && obstacles.unclear.is_empty() {
             return broken;
         }
         broken.items = items(program);
+        let mut outside: Vec<u32> = obstacles.unclear.iter().map(|s| s.start).collect();
+        outside.retain(|at| !broken.mark(*at));
+        broken.mark_macros(program, outside);
         errors().for_each(|d| broken.mark_error(program, d));
+        if !broken.any() {
+            return Broken::default();
+        }
         if broken.is_everything {
             return broken;
         }
@@ -126,29 +142,37 @@ impl<'a> Broken<'a> {
         for other in others {
             self.mark(other.start);
         }
-        let is_placed = self.mark(error.span.start) || self.mark_macro(program, error.span);
+        let at = error.span.start;
+        let is_placed = self.mark(at) || self.mark_macros(program, vec![at]);
         self.is_everything |= !is_placed;
     }
 
-    /// Marks all uses of the macro whose definition contains a span; returns whether there is one.
-    fn mark_macro(&mut self, program: &Program, place: Span) -> bool {
+    /// Marks all uses of the macros whose definitions contain one of the addresses; returns whether there is
+    /// one.
+    fn mark_macros(&mut self, program: &Program, mut addresses: Vec<u32>) -> bool {
+        addresses.sort_unstable();
         let tokens = &program.tokens;
         let extent = |m: &Macro| {
             let last = m.body.last().map_or(m.name_span, |p| p.token.span);
             m.name_span.to(last)
         };
-        let holding = tokens.macros.iter().filter(|m| !m.predefined).map(extent);
-        let Some(holding) = holding
-            .into_iter()
-            .find(|s| s.start <= place.start && place.start <= s.end)
-        else {
-            return false;
+        let holds = |s: &Span| {
+            let next = addresses.partition_point(|at| *at < s.start);
+            addresses.get(next).is_some_and(|at| *at <= s.end)
         };
-        let from_it = tokens.tokens.iter().filter(|t| !t.is_direct());
-        let from_it = from_it.filter(|t| holding.start <= t.spelled && t.spelled <= holding.end);
-        from_it.for_each(|t| {
-            self.mark(t.span.start);
-        });
+        let holding = tokens.macros.iter().filter(|m| !m.predefined).map(extent);
+        let mut holding: Vec<Span> = holding.filter(holds).collect();
+        if holding.is_empty() {
+            return false;
+        }
+        holding.sort_by_key(|s| s.start);
+        for token in tokens.tokens.iter().filter(|t| !t.is_direct()) {
+            let next = holding.partition_point(|s| s.start <= token.spelled);
+            let holder = next.checked_sub(1).and_then(|i| holding.get(i));
+            if holder.is_some_and(|s| token.spelled <= s.end) {
+                self.mark(token.span.start);
+            }
+        }
         true
     }
 

@@ -1,12 +1,11 @@
 //! Analyses of a whole shader for rules. Each is computed on first use.
 
-use super::broken::Broken;
+use super::broken::{Broken, Obstacles};
 use super::inactive_words::InactiveWords;
 use super::march::{March, marches};
 use super::sample::{SampleCache, Supplier};
 use super::words::counts;
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::Diagnostic;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use shaderlint_flow::reaching_definitions::ReachingDefinitions;
 use shaderlint_flow::{
@@ -120,8 +119,8 @@ impl<'a> Facts<'a> {
     }
 
     /// Marks the items with errors, and discards analyses computed without regard to them.
-    pub(super) fn break_at(&mut self, errors: &[Diagnostic]) {
-        self.broken = Broken::of(self.program, errors);
+    pub(super) fn break_at(&mut self, obstacles: Obstacles) {
+        self.broken = Broken::of(self.program, obstacles);
         if self.broken.any() {
             let module = self.known.module(self.program).clone();
             self.known = Arc::new(CachedFacts {

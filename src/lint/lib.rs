@@ -31,7 +31,7 @@ mod settings;
 mod suppress;
 mod words;
 
-pub use broken::Broken;
+pub use broken::{Broken, Obstacles};
 pub use checked_spans::CheckedSpans;
 pub use context::{Context, Finding};
 pub use facts::{CachedFacts, Facts, ShaderContext};

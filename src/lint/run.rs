@@ -1,7 +1,7 @@
 //! Runs rules over a shader.
 
 use super::absorb::absorb;
-use super::broken::Broken;
+use super::broken::{Broken, Obstacles};
 use super::context::Context;
 use super::facts::Facts;
 use super::rule::{BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Named, Rule, Shape};
@@ -38,14 +38,14 @@ pub fn lint(
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let facts = Facts::of(program, &Arc::default());
-    lint_within(facts, &[], rules, settings, diagnostics);
+    lint_within(facts, Obstacles::default(), rules, settings, diagnostics);
 }
 
-/// Runs the selected rules over the shader of `facts`, except for items with one of `errors`. Returns
-/// where they did not run.
+/// Runs the selected rules over the shader of `facts`, except for items with an obstacle. Returns where
+/// they did not run.
 pub fn lint_within(
     mut facts: Facts,
-    errors: &[Diagnostic],
+    obstacles: Obstacles,
     rules: &[&'static Rule],
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
@@ -53,7 +53,7 @@ pub fn lint_within(
     let program = facts.program();
     facts.samples.supplier = facts.around.supplier;
     facts.samples.limit = settings.sample_limit();
-    facts.break_at(errors);
+    facts.break_at(obstacles);
     if facts.broken.is_everything() {
         return SkippedRules::Everywhere;
     }

@@ -201,6 +201,7 @@ pub fn write_line(
 /// Writes everything after the last finding.
 pub fn end(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     let skipped = summary.skipped_functions.iter();
+    let skipped = skipped.chain(&summary.open_functions);
     let skipped: Vec<_> = skipped
         .map(|(function, file)| json!({"file": file, "function": function}))
         .collect();

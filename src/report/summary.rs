@@ -27,6 +27,10 @@ pub struct Scope {
     pub skipped_shaders: usize,
     /// The functions that rules skipped because of errors.
     pub skipped_functions: Vec<String>,
+    /// The functions of shader fragments that rules skipped because of errors or the host.
+    pub open_functions: Vec<String>,
+    /// Number of excerpts of shaders, which rules skip.
+    pub excerpts: usize,
     /// The names that hosts have to declare for the shader fragments of this input.
     pub open_names: BTreeSet<String>,
     /// Number of findings dropped because there are too many.
@@ -80,8 +84,12 @@ pub struct Summary {
     pub open_names: BTreeSet<String>,
     /// Number of shaders that rules skipped.
     pub skipped_shaders: usize,
-    /// The functions that rules skipped, in source order, each with its file.
+    /// The functions that rules skipped because of errors, in source order, each with its file.
     pub skipped_functions: Vec<(String, String)>,
+    /// Those of shader fragments, which errors or the host prevent from being checked.
+    pub open_functions: Vec<(String, String)>,
+    /// Number of excerpts of shaders, which rules skip.
+    pub excerpts: usize,
     /// How each input was interpreted, for the formats that print it.
     pub readings: Vec<(String, ReadAs)>,
 }
@@ -108,16 +116,20 @@ impl Summary {
         self.counted_infos += scope.counted_infos;
         self.known += scope.known;
         self.skipped_shaders += scope.skipped_shaders;
+        self.excerpts += scope.excerpts;
         self.parts += usize::from(!scope.open_names.is_empty());
         self.open_names.extend(scope.open_names.iter().cloned());
         self.failing += scope.failing.len();
         self.failing_rules.extend(&scope.failing);
-        // Several passes may contain the same function.
-        let mut seen = BTreeSet::new();
-        let functions = scope.skipped_functions.iter();
-        let functions: Vec<&String> = functions.filter(|f| seen.insert(*f)).collect();
-        let named = functions.iter().map(|f| (f.to_string(), input.to_string()));
-        self.skipped_functions.extend(named);
+        for (all, functions) in [
+            (&mut self.skipped_functions, &scope.skipped_functions),
+            (&mut self.open_functions, &scope.open_functions),
+        ] {
+            // Several passes may contain the same function.
+            let mut seen = BTreeSet::new();
+            let functions = functions.iter().filter(|f| seen.insert(*f));
+            all.extend(functions.map(|f| (f.to_string(), input.to_string())));
+        }
     }
 
     /// The number of findings of all severities.
@@ -165,7 +177,11 @@ impl Summary {
 
     /// Whether rules did not run somewhere, or names were not resolved.
     fn is_incomplete(&self) -> bool {
-        self.parts > 0 || self.skipped_shaders > 0 || !self.skipped_functions.is_empty()
+        self.parts > 0
+            || self.skipped_shaders > 0
+            || self.excerpts > 0
+            || !self.skipped_functions.is_empty()
+            || !self.open_functions.is_empty()
     }
 
     /// The lines of the summary.
@@ -223,28 +239,31 @@ impl Summary {
     /// The lines about functions and shaders that rules skipped.
     fn skipped(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        let functions = &self.skipped_functions;
-        if !functions.is_empty() {
-            let is_one_file = self.files == 1;
-            let name = |(function, file): &(String, String)| match is_one_file {
-                true => format!("`{function}`"),
-                false => format!("`{function}` in {file}"),
-            };
-            let cause = match self.errors + self.hidden + self.known {
-                0 => "unknown names",
-                _ => "errors",
-            };
-            lines.push(format!(
-                "Rules skipped {} with {cause}: {}",
-                count(functions.len(), "function"),
-                list(functions.iter().map(name), MAX_NAMES)
-            ));
+        let name = |(function, file): &(String, String)| match self.files {
+            1 => format!("`{function}`"),
+            _ => format!("`{function}` in {file}"),
+        };
+        for (functions, cause) in [
+            (&self.skipped_functions, "with errors"),
+            (&self.open_functions, "with errors or unknown names"),
+        ] {
+            if !functions.is_empty() {
+                lines.push(format!(
+                    "Rules skipped {} {cause}: {}",
+                    count(functions.len(), "function"),
+                    list(functions.iter().map(name), MAX_NAMES)
+                ));
+            }
         }
         if self.skipped_shaders > 0 {
             lines.push(format!(
                 "Rules skipped {} with errors outside functions",
                 count(self.skipped_shaders, "shader")
             ));
+        }
+        if self.excerpts > 0 {
+            let excerpts = count(self.excerpts, "incomplete excerpt");
+            lines.push(format!("Rules skipped {excerpts}"));
         }
         if self.parts > 0 {
             let files = match self.parts {

@@ -50,6 +50,7 @@ pub fn analyze_chunk(readings: &[Unit], search: &mut Search) -> Option<Checked> 
         if !search.pays(analysis.program.size()) {
             // The results of the other readings are unknown.
             analysis.open.is_any = true;
+            analysis.open.is_torn = true;
             analysis.open.unknown.clear();
             analysis
                 .diagnostics
@@ -62,9 +63,12 @@ pub fn analyze_chunk(readings: &[Unit], search: &mut Search) -> Option<Checked> 
             ..
         } = analyze_within(other, search);
         let is_reported = |d: &Diagnostic| found.iter().any(|o| o.span.touches(d.span));
-        analysis
-            .diagnostics
-            .retain(|d| d.severity != Severity::Error || is_reported(d));
+        let (diagnostics, unclear): (Vec<_>, Vec<_>) = std::mem::take(&mut analysis.diagnostics)
+            .into_iter()
+            .partition(|d| d.severity != Severity::Error || is_reported(d));
+        analysis.diagnostics = diagnostics;
+        let unclear = unclear.iter().map(|d| d.span);
+        analysis.open.unclear.extend(unclear);
         keep_common(&mut analysis.open.unknown, &open.unknown);
     }
     Some(analysis)

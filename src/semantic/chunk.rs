@@ -7,7 +7,9 @@
 
 use super::program::{Function, Program};
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Certainty, Diagnostic, Lack, MacroUse, Severity, Subject, error};
+use shaderlint_diagnostic::{
+    Certainty, Diagnostic, Facet, Lack, MacroUse, Severity, Subject, error,
+};
 use shaderlint_syntax::{
     DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
     set,
@@ -40,8 +42,11 @@ pub struct Open {
     pub names: BTreeSet<String>,
     /// Whether any finding depends on the completion.
     pub is_any: bool,
-    /// Whether only undeclared names are unresolved, so that code without them is fully known.
-    pub is_names_only: bool,
+    /// Whether code may be missing anywhere, so that nothing about the fragment is known.
+    pub is_torn: bool,
+    /// Where the code that a browser compiles depends on the host: errors that a host may resolve,
+    /// conditional groups, and names that another group declares.
+    pub unclear: Vec<Span>,
     /// Findings about those names in source order, one per name at its first use. Their severity
     /// depends on what is known about the host.
     pub unknown: Vec<Diagnostic>,
@@ -61,6 +66,8 @@ pub(super) fn keep_certain(
         || diagnostics
             .iter()
             .any(|d| d.certainty() == Certainty::Syntax && part.is_excused(d));
+    let mut unclear = Vec::new();
+    let mut is_displaced = false;
     diagnostics.retain_mut(|d| {
         if d.lacks() == Some(Lack::Name) {
             names.insert(program.sources.text(d.span).to_string());
@@ -74,24 +81,37 @@ pub(super) fn keep_certain(
                 .push("the host may define another overload".to_string());
             return true;
         }
-        part.is_certain(d, is_torn)
+        let is_certain = part.is_certain(d, is_torn);
+        if !is_certain && !is_absent(d) {
+            is_displaced |= d.subject.is_brace() || d.has(Facet::Moves);
+            unclear.push(d.span);
+        }
+        is_certain
     });
     let dropped = count - diagnostics.len();
-    let is_undecided = part
-        .program
-        .tokens
-        .undecided
-        .iter()
-        .any(|g| part.is_user(*g));
-    let is_any = dropped > 0 || is_undecided;
-    let is_names_only = dropped == unknown.len() && !is_undecided && !is_torn;
+    let tokens = &part.program.tokens;
+    let is_undecided = tokens.undecided.iter().any(|g| part.is_user(*g));
+    unclear.extend(tokens.forks.iter().map(|at| Span::at(*at)));
+    unclear.extend(part.uses_of_groups());
+    unclear.retain(|span| program.sources.is_user(span.start));
     unknown.sort_by_key(|d| d.span.start);
     Open {
         names,
-        is_any,
-        is_names_only,
+        is_any: dropped > 0 || is_undecided,
+        is_torn: is_torn || is_displaced,
+        unclear,
         unknown,
     }
+}
+
+/// Whether an error is about what a host adds around a fragment, which means the same without it.
+fn is_absent(d: &Diagnostic) -> bool {
+    let kinds = [
+        error::MISSING_MAIN,
+        error::MISSING_PRECISION,
+        error::UNWRAPPED_MAINIMAGE,
+    ];
+    kinds.iter().any(|kind| d.is(*kind))
 }
 
 /// A shader fragment under analysis.
@@ -104,8 +124,8 @@ struct ChunkReader<'p> {
     known: FxHashSet<Name>,
     /// Functions declared by the fragment or its host, and where.
     own_functions: Vec<(Name, Span)>,
-    /// Names with another declaration in a skipped group.
-    ambiguous: FxHashSet<Name>,
+    /// Names that skipped groups declare.
+    groups: GroupNames,
     /// Calls of macros with an empty body.
     empty_calls: Vec<Span>,
 }
@@ -125,7 +145,7 @@ impl<'p> ChunkReader<'p> {
             places,
             known: known_names(program),
             own_functions: program.functions.iter().filter_map(place).collect(),
-            ambiguous: ambiguous_names(program),
+            groups: GroupNames::of(program),
             empty_calls: empty_calls(program),
         }
     }
@@ -466,7 +486,7 @@ impl<'p> ChunkReader<'p> {
     }
 
     fn is_ambiguous(&self, token: Token) -> bool {
-        self.ambiguous.contains(&Name(token.value))
+        self.groups.ambiguous.contains(&Name(token.value))
     }
 
     /// Whether a host may define a macro differently: it defines the macro itself, or tests it
@@ -486,6 +506,21 @@ impl<'p> ChunkReader<'p> {
     /// Whether a position is in a group that the host may skip.
     fn is_undecided(&self, span: Span) -> bool {
         !span.is_empty() && self.program.tokens.is_undecided(span)
+    }
+
+    /// Where the fragment uses names that skipped groups declare too.
+    fn uses_of_groups(&self) -> impl Iterator<Item = Span> {
+        let tokens = self.program.tokens.tokens.iter();
+        let is_use = |t: &&Token| {
+            t.kind == TokenKind::Identifier && self.groups.all.contains(&Name(t.value))
+        };
+        let all = &self.program.tokens;
+        let is_call = |e: &&Expansion| {
+            let definition = all.macros.get(e.definition.0 as usize);
+            definition.is_some_and(|m| self.groups.all.contains(&m.name))
+        };
+        let calls = all.expansions.iter().filter(is_call).map(|e| e.call);
+        tokens.filter(is_use).map(|t| t.span).chain(calls)
     }
 
     /// Whether the function with its name or header at a position contains a group that the host
@@ -565,44 +600,62 @@ fn empty_calls(program: &Program) -> Vec<Span> {
     calls.map(|e| e.call).take(MAX_EMPTY_CALLS).collect()
 }
 
-/// Names that a skipped group declares differently than the fragment does, or as a macro.
-fn ambiguous_names(program: &Program) -> FxHashSet<Name> {
-    let mut found = FxHashSet::default();
-    let tokens = &program.tokens;
-    if tokens.undecided.is_empty() || program.tokens.inactive.is_empty() {
-        return found;
-    }
-    // Declared names, each with the word of its type.
-    let mut declared: FxHashSet<(Name, &str)> = FxHashSet::default();
-    let mut names: FxHashSet<Name> = FxHashSet::default();
-    for pair in program.tokens.tokens.windows(2) {
-        let [ty, name] = pair else { continue };
-        let is_type = matches!(
-            ty.kind,
-            TokenKind::Type | TokenKind::Identifier | TokenKind::Void
-        );
-        if is_type && name.kind == TokenKind::Identifier && name.is_direct() {
-            declared.insert((Name(name.value), program.sources.text(ty.span)));
-            names.insert(Name(name.value));
+/// Names that skipped groups declare, and the fragment declares too.
+#[derive(Default)]
+struct GroupNames {
+    /// Those that the group declares differently, or as a macro.
+    ambiguous: FxHashSet<Name>,
+    /// Macros, and what is declared at global scope: their values depend on the host.
+    all: FxHashSet<Name>,
+}
+
+impl GroupNames {
+    fn of(program: &Program) -> GroupNames {
+        let mut found = GroupNames::default();
+        let tokens = &program.tokens;
+        if tokens.undecided.is_empty() || program.tokens.inactive.is_empty() {
+            return found;
         }
-    }
-    let is_user = |span: &Span| program.sources.is_user(span.start);
-    let inactive = program.tokens.inactive.iter();
-    for span in inactive.filter(|s| is_user(s) && tokens.is_undecided(**s)) {
-        for (before, word) in word_pairs(program.sources.text(*span)) {
-            let Some(name) = program.names.get(word) else {
-                continue;
-            };
-            let is_macro = before == "define";
-            let is_other = names.contains(&name)
-                && !declared.contains(&(name, before))
-                && !is_statement_word(before);
-            if is_macro || is_other {
-                found.insert(name);
+        // Declared names, each with the word of its type.
+        let mut declared: FxHashSet<(Name, &str)> = FxHashSet::default();
+        let mut names: FxHashSet<Name> = FxHashSet::default();
+        for pair in program.tokens.tokens.windows(2) {
+            let [ty, name] = pair else { continue };
+            let is_type = matches!(
+                ty.kind,
+                TokenKind::Type | TokenKind::Identifier | TokenKind::Void
+            );
+            if is_type && name.kind == TokenKind::Identifier && name.is_direct() {
+                declared.insert((Name(name.value), program.sources.text(ty.span)));
+                names.insert(Name(name.value));
             }
         }
+        let variables = program.variables.iter().filter(|v| v.function.is_none());
+        let mut globals: FxHashSet<Name> = variables.map(|v| v.name).collect();
+        globals.extend(program.functions.iter().map(|f| f.name));
+        globals.extend(program.structs.iter().filter_map(|s| s.name));
+        let is_user = |span: &Span| program.sources.is_user(span.start);
+        let inactive = program.tokens.inactive.iter();
+        let mut alternatives = tokens.alternatives.iter().peekable();
+        for span in inactive.filter(|s| is_user(s) && tokens.is_undecided(**s)) {
+            while alternatives.next_if(|a| a.start < span.start).is_some() {}
+            let is_alternative = alternatives.next_if_eq(&span).is_some();
+            for (before, word) in word_pairs(program.sources.text(*span)) {
+                let Some(name) = program.names.get(word) else {
+                    continue;
+                };
+                let is_macro = before == "define";
+                let is_again = names.contains(&name) && !is_statement_word(before);
+                if is_alternative && (is_macro || is_again && globals.contains(&name)) {
+                    found.all.insert(name);
+                }
+                if is_macro || is_again && !declared.contains(&(name, before)) {
+                    found.ambiguous.insert(name);
+                }
+            }
+        }
+        found
     }
-    found
 }
 
 /// Whether a word before a name means that it is not declared there.

@@ -224,6 +224,47 @@ fn hosts_are_identified_by_names_imports_and_packages() {
     assert!(reported.contains("for three.js"), "{reported}");
 }
 
+/// Rules run in a fragment where its host changes nothing.
+#[test]
+fn rules_run_in_fragments() {
+    let code = "\
+#ifdef SHARP
+#define STEPS 64
+float soft(float x) { return x; }
+#else
+#define STEPS 8
+float soft(float x) { return x * x; }
+#endif
+float plain(vec2 p) { float k; return p.x + k; }
+float split(vec2 p) {
+    float k;
+#ifdef FAST
+    k = 1.0;
+#endif
+    return p.x + k;
+}
+float calls(vec2 p) { float k; return soft(p.x) + k; }
+float macro(vec2 p) { float k; return p.x / float(STEPS) + k; }
+float open(vec2 p) { float k; return noise(p) + k; }
+#ifdef LATE
+float late(vec2 p) { float k; return p.x + k; }
+#endif
+";
+    let scratch = Scratch::new(&[("a.glsl", code)]);
+    let ran = scratch.run(&["--info", "--format", "short", "a.glsl"]);
+    let out: Vec<&str> = ran.out.lines().collect();
+    let found = out.iter().filter(|l| l.contains("uninitialized-read"));
+    let found: Vec<&str> = found.filter_map(|l| l.get(..l.find(": ")?)).collect();
+    assert_eq!(found, ["a.glsl:8:45"], "{}", ran.out);
+    let ran = scratch.run(&["a.glsl"]);
+    let skipped = "Rules skipped 5 functions with errors or unknown names: `soft`, `split`, `calls`, `macro`, `open`\n";
+    assert!(ran.out.contains(skipped), "{}", ran.out);
+    // Without anything of a host, all is checked.
+    scratch.write("a.glsl", "float half_of(float x) { return x / 2.0; }\n");
+    let out = scratch.run(&["a.glsl"]).out;
+    assert_eq!(out, "All checks passed (1 shader in 1 file)\n");
+}
+
 #[test]
 fn unchecked_names_are_summarised() {
     let scratch = Scratch::new(&[

@@ -302,14 +302,15 @@ fn scope_of(shaders: &[Shader]) -> Scope {
         scope.open_names.extend(shader.holes.iter().cloned());
         match &shader.skipped {
             SkippedRules::Functions { names, .. } => {
-                scope.skipped_functions.extend(names.iter().cloned())
+                let functions = match shader.completeness {
+                    Completeness::Complete => &mut scope.skipped_functions,
+                    _ => &mut scope.open_functions,
+                };
+                functions.extend(names.iter().cloned());
             }
-            SkippedRules::Everywhere
-                if shader.has_errors && shader.completeness == Completeness::Complete =>
-            {
-                scope.skipped_shaders += 1;
-            }
-            SkippedRules::Everywhere | SkippedRules::Nowhere => {}
+            SkippedRules::Everywhere if shader.has_errors => scope.skipped_shaders += 1,
+            SkippedRules::Everywhere => scope.excerpts += 1,
+            SkippedRules::Nowhere => {}
         }
     }
     scope

@@ -107,8 +107,12 @@ fn describe(shader: &Shader, report: &Report) -> String {
     let part = part.map_or(String::new(), |p| format!(" ({p})"));
     let skipped = match (shader.completeness, &shader.skipped) {
         (_, SkippedRules::Nowhere) => String::new(),
-        (_, SkippedRules::Functions { names, .. }) => {
-            format!(", rules skipped `{}` because of errors", names.join("`, `"))
+        (completeness, SkippedRules::Functions { names, .. }) => {
+            let cause = match completeness {
+                Completeness::Complete => "because of errors",
+                _ => "because of errors or unknown names",
+            };
+            format!(", rules skipped `{}` {cause}", names.join("`, `"))
         }
         (Completeness::Excerpt, SkippedRules::Everywhere) => ", excerpt: rules skipped".to_string(),
         (Completeness::Chunk | Completeness::Piece, SkippedRules::Everywhere) => {

@@ -125,10 +125,16 @@ impl Preprocessor<'_> {
             _ => self.unknown_directive(span, first),
         }
         match (was_skipping, self.is_skipping()) {
-            (false, true) => self.skipped_from = Some(end),
+            (false, true) => {
+                self.skipped_from = Some(end);
+                self.skips_alternative = self.groups.last().is_some_and(|g| g.is_undecided);
+            }
             (true, false) => {
                 if let Some(from) = self.skipped_from.take() {
-                    self.out.inactive.push(Span::new(from, span.start));
+                    let skipped = Span::new(from, span.start);
+                    self.out.inactive.push(skipped);
+                    let alternative = Some(skipped).filter(|_| self.skips_alternative);
+                    self.out.alternatives.extend(alternative);
                 }
             }
             _ => {}

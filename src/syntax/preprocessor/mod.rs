@@ -57,6 +57,10 @@ pub struct Tokens {
     /// Groups from `#if` to `#endif` whose condition tests an undefined name, in source order, without
     /// those inside another one. Include guards are not listed.
     pub undecided: Vec<Span>,
+    /// Where each such group starts and ends, also those inside another one.
+    pub forks: Vec<u32>,
+    /// The inactive code of such groups, without what other conditions inside them make inactive.
+    pub alternatives: Vec<Span>,
     /// All `#extension` directives, in source order.
     pub extensions: Vec<ExtensionUse>,
     /// Span of the `#version` directive.
@@ -168,6 +172,8 @@ struct Preprocessor<'a> {
     groups: Vec<ConditionGroup>,
     /// Start of the skipped text, while text is skipped.
     skipped_from: Option<u32>,
+    /// Whether the skipped group has a condition that a host decides.
+    skips_alternative: bool,
     at_line_start: bool,
     /// End of the line of the current directive.
     line_end: u32,
@@ -218,6 +224,7 @@ impl<'a> Preprocessor<'a> {
             macro_of: Vec::new(),
             groups: Vec::new(),
             skipped_from: None,
+            skips_alternative: false,
             at_line_start: true,
             line_end: 0,
             seen_directive: false,

@@ -1,0 +1,28 @@
+// GL Transitions
+//
+// A transition between two images is a shader fragment, GLSL ES 1.00, without main(). It defines
+// `vec4 transition(vec2 uv)`, with uv from 0 to 1 and y up, which returns the colour of a pixel. The
+// host inserts the declarations below before it and appends main().
+//
+// `progress` goes from 0 to 1, and `ratio` is the width divided by the height of the canvas. The
+// parameters of a transition are uniforms that it declares itself, with a default value in a
+// comment: `uniform float size; // = 0.1`.
+//
+// source: gl-transition 1.13.0, src/index.js; gl-transitions 1.71.0, README.md
+// package: gl-transition gl-transitions
+// word: getFromColor getToColor
+// version: 100
+// names: all
+// entry: transition
+#ifdef FRAGMENT_SHADER
+precision highp float;
+varying vec2 _uv;
+uniform sampler2D from;
+uniform sampler2D to;
+uniform float progress; // = control, usual
+uniform float ratio; // = aspect, usual
+uniform float _fromR; // = aspect, own
+uniform float _toR; // = aspect, own
+vec4 getFromColor(vec2 uv);
+vec4 getToColor(vec2 uv);
+#endif
