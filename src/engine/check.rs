@@ -220,6 +220,7 @@ fn run_rules(
         embedder: part.embedder,
         mipmapped: part.mipmapped,
         supplier: (completeness == Completeness::Complete).then_some(&supply),
+        is_fragment: completeness != Completeness::Complete,
     };
     let mut facts = Facts::of(program, known);
     facts.around = around;

@@ -32,6 +32,8 @@ pub struct ShaderContext<'a> {
     pub mipmapped: [Option<bool>; 4],
     /// Supplies the inputs of a sample run; `None` if the shader must not be run.
     pub supplier: Option<&'a dyn Supplier>,
+    /// Whether a host adds code that may use what the shader declares.
+    pub is_fragment: bool,
 }
 
 /// A bias that always selects the sharpest mipmap level.
@@ -422,10 +424,10 @@ impl<'a> Facts<'a> {
     }
 
     /// Addresses of the last file: its declarations can be used in it only. An earlier file, such as
-    /// ShaderToy's Common, may be used by other passes. `None` for a text without an entry function, which
-    /// others may include.
+    /// ShaderToy's Common, may be used by other passes. `None` for a fragment and for a text without an entry
+    /// function, which others may include.
     pub fn own_file(&self) -> Option<Span> {
-        self.entry()?;
+        self.entry().filter(|_| !self.around.is_fragment)?;
         let end = self.program.tokens.tokens.last()?.span.start;
         Some(self.program.sources.file_at(end)?.span())
     }
