@@ -20,6 +20,11 @@ pub static RULE: Rule = Rule {
 const VALUES: [f64; 7] = [0.0, 1.0, 0.5, -1.0, 2.0, 10.0, 100.0];
 /// Times in seconds at which pixels are compared.
 const TIMES: [f64; 2] = [2.3, 10.7];
+/// Frames with a dragged and with a just clicked mouse.
+const DRAGGED: usize = 5;
+const CLICKED: usize = 6;
+/// Number of quads around the mouse, 3 by 3.
+const POINTERS: usize = 9;
 /// Number of quads per round: few at first, since most uniforms affect many pixels.
 const QUADS: [usize; 2] = [8, 256];
 
@@ -42,7 +47,7 @@ fn check(cx: &mut Context) {
             continue;
         };
         let values = match way {
-            Way::Mouse => "with the mouse at several positions, released and pressed".to_string(),
+            Way::Mouse => "with the mouse released, clicked, held and dragged".to_string(),
             Way::Values => format!(
                 "with the values {}",
                 VALUES.map(|v| v.to_string()).join(", ")
@@ -52,7 +57,8 @@ fn check(cx: &mut Context) {
             mention,
             format!("`{name}` is read, but has no effect on the image"),
         );
-        let pixels = grouped(QUADS[1] as u64 * 4);
+        let near = if way == Way::Mouse { POINTERS } else { 0 };
+        let pixels = grouped((QUADS[1] + near) as u64 * 4);
         finding.note(format!("{pixels} sampled pixels are identical {values}"));
     }
 }
@@ -75,17 +81,20 @@ fn way(cx: &Context, code: &Bytecode, slot: &UniformSlot) -> Option<Way> {
     if names(&still, &late) {
         return None;
     }
-    if names(&still, &pressed(0.0, 100.0)) {
+    if names(&still, &pressed(0.0, pointer(1))) {
         return Some(Way::Mouse);
     }
     (!supplier.knows(&slot.name)).then_some(Way::Values)
 }
 
-fn pressed(time: f64, place: f64) -> Instant {
-    let press = Press {
-        at: [place, place * 0.7],
-        is_down: true,
-    };
+/// The place of the mouse in a frame, in pixels.
+fn pointer(number: usize) -> [f64; 2] {
+    let place = 90.0 * number as f64;
+    [place, place * 0.7]
+}
+
+fn pressed(time: f64, at: [f64; 2]) -> Instant {
+    let press = Press { at, is_down: true };
     Instant {
         time,
         mouse: Some(press),
@@ -97,16 +106,32 @@ fn changes(cx: &Context, code: &Bytecode, slot: &UniformSlot, way: Way) -> Optio
     let (bench, supplier) = cx.facts.bench()?;
     let count = (slot.ty.element().components() * slot.ty.array.max(1)) as usize;
     for quads in QUADS {
-        let quads = quads_all_over(SIZE, quads, 0);
+        let mut quads = quads_all_over(SIZE, quads, 0);
+        if way == Way::Mouse {
+            // A pointer may be drawn where the mouse is.
+            let [x, y] = pointer(1).map(|lane| lane as u32 & !1);
+            quads.extend((0..POINTERS as u32).map(|i| [x + i % 3 * 4 - 4, y + i / 3 * 4 - 4]));
+        }
         for time in TIMES {
             let frame = |number: usize| {
                 let instant = match (way, number) {
-                    (Way::Mouse, 1..) => pressed(time, 90.0 * number as f64),
+                    (Way::Mouse, 1..) => pressed(time, pointer(number)),
                     _ => Instant::at(time),
                 };
                 let mut draw = supplier.draw(code, SIZE, &instant);
-                if let (Way::Values, Some(value)) = (way, VALUES.get(number)) {
-                    draw.set(&slot.name, &vec![*value; count]);
+                let [x, y] = pointer(number);
+                match (way, VALUES.get(number)) {
+                    (Way::Values, Some(value)) => {
+                        draw.set(&slot.name, &vec![*value; count]);
+                    }
+                    // ShaderToy's mouse while it is dragged, and in the frame of the click.
+                    (Way::Mouse, _) if count == 4 && number == DRAGGED => {
+                        draw.set(&slot.name, &[x, y, 0.5 * x, -0.5 * y]);
+                    }
+                    (Way::Mouse, _) if count == 4 && number == CLICKED => {
+                        draw.set(&slot.name, &[x, y, x, y]);
+                    }
+                    _ => {}
                 }
                 let sampled = bench.sample_draw(draw, &quads)?;
                 Some((sampled.outputs, sampled.covered))
