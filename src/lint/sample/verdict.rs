@@ -16,7 +16,7 @@ pub struct Verdict {
 }
 
 /// Fewest evaluations without a fault that count as evidence.
-const LEAST_VISITS: u64 = 1000;
+const LEAST_VISITS: u64 = 256;
 
 impl Facts<'_> {
     /// Evidence from a sample run for faults of an operation; `None` if it ran rarely, or depends on
