@@ -16,11 +16,11 @@ impl Checker<'_> {
         if l.ty.is_error() || r.ty.is_error() {
             return self.poisoned(op);
         }
-        if op.is_bitwise() || op == BinaryOp::Rem {
-            self.require(Feature::IntegerOperators, id);
-        }
         match typing::binary(self.types(), op, l.ty, r.ty) {
             Ok(ty) => {
+                if op.is_bitwise() || op == BinaryOp::Rem {
+                    self.require(Feature::IntegerOperators, id);
+                }
                 let constant = if l.is_const && r.is_const {
                     self.fold_binary(op, l, r)
                 } else {

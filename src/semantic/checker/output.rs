@@ -71,7 +71,14 @@ impl Checker<'_> {
                 }
             }
         }
-        if outputs.len() > 1 {
+        let mut others = outputs.iter().skip(1).map(|o| o.ident.name);
+        let has_others = outputs
+            .first()
+            .is_some_and(|o| others.any(|name| name != o.ident.name));
+        // A misspelled qualifier may have been the location.
+        let is_unknown =
+            |p: &Problem| matches!(p.what, ProblemKind::Layout(LayoutError::UnknownNumber(_)));
+        if has_others && !self.problems.iter().any(is_unknown) {
             self.check_locations_given(&outputs);
         }
     }

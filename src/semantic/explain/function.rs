@@ -33,14 +33,7 @@ impl Explain for FunctionError {
                     None => d,
                 }
             }
-            E::NoReturn(name, expected) => {
-                let (name, expected) = (c.text(name), c.name_of(expected));
-                let message =
-                    format!("`{name}` must return `{expected}`, but no path returns a value");
-                c.error(error::MISSING_RETURN, at, message).note(
-                    "a function that is not `void` needs a `return` with a value (section 6.1)",
-                )
-            }
+            E::NoReturn(name, returned) => c.no_return(name, returned, at),
             E::VoidParameter => c
                 .error(error::VOID_VALUE, at, "a parameter cannot have type `void`")
                 .note("`void` is only allowed in `f(void)`, a function without parameters"),
@@ -81,6 +74,42 @@ impl Explain for FunctionError {
 }
 
 impl<'a> ExplainContext<'a> {
+    /// A function of type `returned` that returns nothing. `at` contains its name.
+    fn no_return(&self, name: Name, returned: Type, at: Extent) -> Diagnostic {
+        let (name, expected) = (self.text(name), self.name_of(returned));
+        let message = format!("`{name}` must return `{expected}`, but no path returns a value");
+        let d = self
+            .error(error::MISSING_RETURN, at, message)
+            .note("a function that is not `void` needs a `return` with a value (section 6.1)");
+        match self.last_value(at, returned) {
+            Some(value) => {
+                let edits = vec![Edit::insert(value.start, "return ")];
+                d.label(value, "this value is not returned")
+                    .fix(Fix::suggestion("add `return`", edits))
+            }
+            None => d,
+        }
+    }
+
+    /// The value that the last statement of a function computes and drops, if the function returns its
+    /// type. `at` contains the name of the function.
+    fn last_value(&self, at: Extent, expected: Type) -> Option<Span> {
+        let mut functions = self.tree.functions.iter();
+        let function =
+            functions.find(|f| f.body.is_some() && at.contains(Extent::token(f.ident.token)))?;
+        let StmtKind::Block(body) = self.tree.stmt(function.body?).kind else {
+            return None;
+        };
+        let last = self.tree.block(body).last()?;
+        let StmtKind::Expr(value) = self.tree.stmt(*last).kind else {
+            return None;
+        };
+        let is_value = !matches!(self.tree.expr(value).kind, ExprKind::Assign(..));
+        let extent = self.tree.expr(value).extent;
+        let is_it = is_value && self.ty(value) == expected && self.is_direct(extent);
+        is_it.then(|| self.expr_span(value))
+    }
+
     /// The text of the second of two functions if both consist of the same tokens.
     fn identical_copy(&self, first: TokenId, second: TokenId) -> Option<Span> {
         let around = |token: TokenId| {

@@ -19,7 +19,12 @@ impl Explain for LayoutError {
             E::UnknownNumber(word) => {
                 let word = c.text(word);
                 let d = report(&format!("unknown layout qualifier `{word} = ...`"));
-                let d = d.fix(c.without_layout(at));
+                let near = Some("location").filter(|known| known.starts_with(word));
+                let renamed = near.map(|known| {
+                    let edits = vec![Edit::replace(c.token_span(at.first), known)];
+                    Fix::suggestion(format!("use `{known}`"), edits)
+                });
+                let d = d.fix(renamed.or_else(|| c.without_layout(at)));
                 match word {
                     "binding" | "offset" => {
                         d.note("it was added in GLSL ES 3.10, which WebGL2 does not support")

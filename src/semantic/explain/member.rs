@@ -120,6 +120,7 @@ impl ExplainContext<'_> {
         let sets = SWIZZLES.iter().filter(|s| letters(s)).count();
         if text.chars().all(|c| "xyzwrgbastpq".contains(c)) && sets > 1 {
             d.note("`xyzw`, `rgba` and `stpq` cannot be mixed (section 5.5)")
+                .fix(self.in_one_set(text, token))
         } else if text.len() > 4 {
             d.note("a swizzle has at most four components (section 5.5)")
         } else if text == LENGTH {
@@ -127,6 +128,18 @@ impl ExplainContext<'_> {
         } else {
             d.note("the components are `xyzw`, `rgba` or `stpq` (section 5.5)")
         }
+    }
+
+    /// Writes a swizzle with the letters of its first one.
+    fn in_one_set(&self, text: &str, token: TokenId) -> Option<Fix> {
+        let set = SWIZZLES
+            .iter()
+            .find(|set| text.starts_with(|c| set.contains(c)))?;
+        let place = |c: char| SWIZZLES.iter().find_map(|set| set.find(c));
+        let letters = text.chars().map(|c| set.chars().nth(place(c)?));
+        let letters: String = letters.collect::<Option<_>>()?;
+        let edits = vec![Edit::replace(self.token_span(token), letters.clone())];
+        Some(Fix::suggestion(format!("use `.{letters}`"), edits))
     }
 
     /// An index on a type without elements.

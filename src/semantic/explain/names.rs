@@ -1,6 +1,7 @@
 //! Messages for [`NameError`]: reserved, redeclared and undeclared names, with suggestions.
 
 use super::*;
+use crate::typing::SWIZZLES;
 use shaderlint_syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
 
 /// Longest distance to a closing bracket, in tokens.
@@ -378,7 +379,9 @@ impl ExplainContext<'_> {
         if let Some(d) = (!is_call).then(of_block).flatten() {
             return d;
         }
-        match self.nearest_name(text, is_call) {
+        let near = self.nearest_name(text, is_call);
+        let near = near.or_else(|| self.lost_dot(text).filter(|_| !is_call));
+        match near.or_else(|| self.without_double(text, is_call)) {
             Some(near) => {
                 let span = self.token_span(token);
                 let edit = Edit::replace(span, near.clone());
@@ -389,6 +392,44 @@ impl ExplainContext<'_> {
             }
             None => d,
         }
+    }
+
+    /// `p.y` for `py`: a vector in scope and one of its swizzles.
+    fn lost_dot(&self, text: &str) -> Option<String> {
+        let splits = (1..text.len()).filter_map(|at| text.split_at_checked(at));
+        let mut found = splits.filter(|(object, letters)| {
+            let name = self.names.get(object);
+            let ty = match name.and_then(|name| self.scopes().get(name)) {
+                Some(Binding::Variable(id)) => self.variables.get(id.0 as usize).map(|v| v.ty),
+                _ => None,
+            };
+            let size = ty
+                .filter(|ty| ty.is_vector())
+                .map_or(0, |ty| ty.components() as usize);
+            letters.len() <= 4
+                && SWIZZLES.iter().any(|set| {
+                    let has = |c: char| set.find(c).is_some_and(|at| at < size);
+                    letters.chars().all(has)
+                })
+        });
+        let (object, letters) = found.next()?;
+        Some(format!("{object}.{letters}"))
+    }
+
+    /// `h` for `hh`: a name in scope with one letter less, where a letter is doubled.
+    fn without_double(&self, text: &str, is_call: bool) -> Option<String> {
+        let letters = text.as_bytes().windows(2).zip(1..);
+        let mut doubled = letters.filter(|(pair, _)| pair.first() == pair.last());
+        doubled.find_map(|(_, at)| {
+            let name = format!("{}{}", text.get(..at)?, text.get(at + 1..)?);
+            let binding = self.scopes().get(self.names.get(&name)?)?;
+            let is_it = match binding {
+                Binding::Variable(_) => !is_call,
+                Binding::Function => is_call,
+                _ => false,
+            };
+            is_it.then_some(name)
+        })
     }
 
     /// The declaration of a variable of this name in the current function, in a block that has

@@ -20,9 +20,9 @@ impl Explain for QualifierError {
             E::NoParameter => report("`inout` is only allowed on parameters"),
             E::NoAttribute => report("`attribute` is only allowed in vertex shaders"),
             E::Together => report("these qualifiers cannot be combined"),
-            E::Twice => {
-                report(&format!("`{word}` repeats a qualifier of the same kind")).note(ORDER)
-            }
+            E::Twice => report(&format!("`{word}` repeats a qualifier of the same kind"))
+                .note(ORDER)
+                .fix(c.without_word(at.first)),
             E::InvariantLayout => report("`invariant` and `layout` cannot be combined").note(ORDER),
             E::Order => report(&format!("qualifier `{word}` is in the wrong order"))
                 .note(ORDER)

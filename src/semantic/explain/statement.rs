@@ -22,9 +22,14 @@ impl Explain for StatementError {
     fn explain(self, c: &ExplainContext, at: Extent) -> Diagnostic {
         use StatementError as E;
         let misplaced = |message| c.error(error::MISPLACED_JUMP, at, message);
+        // Its `;` stays, which may be all there is after an `if`.
+        let word = || {
+            let edits = vec![Edit::delete(c.token_span(at.first))];
+            Fix::suggestion("remove it", edits)
+        };
         match self {
-            E::Break => misplaced("`break` outside of a loop or `switch`"),
-            E::Continue => misplaced("`continue` outside of a loop"),
+            E::Break => misplaced("`break` outside of a loop or `switch`").fix(word()),
+            E::Continue => misplaced("`continue` outside of a loop").fix(word()),
             E::Discard => misplaced("`discard` outside of a fragment shader"),
             E::Condition(of, ty) => {
                 let message = condition_message(of, &c.name_of(ty));

@@ -160,7 +160,13 @@ fn names_that_are_typos_or_of_other_languages() {
         "float3 w = float3(1.);",
         "`float3` is not a GLSL type; use `vec3` => vec3 w = vec3(1.);",
     );
-    check("f = ff;", "`ff` is not declared");
+    check("f = ff;", "`ff` is not declared => f = f;");
+    check(
+        "f = vx + vg;",
+        "`vx` is not declared => f = v.x + vg;; `vg` is not declared => f = vx + v.g;",
+    );
+    check("f = vz;", "`vz` is not declared");
+    check("f = fx;", "`fx` is not declared");
     check(
         "f = own2(v, f);",
         "function `own2` is not declared => f = own(v, f);",
@@ -222,4 +228,55 @@ fn fixes_of_whole_shaders() {
             assert!(left.is_empty(), "{after}: {left:?}");
         }
     }
+}
+
+#[test]
+fn what_is_superfluous_is_removed() {
+    check("break;", "`break` outside of a loop or `switch` => ;");
+    check(
+        "if (f > 1.) continue;",
+        "`continue` outside of a loop => if (f > 1.) ;",
+    );
+    check(
+        "const float k;",
+        "constant `k` has no initializer => float k;",
+    );
+    check(
+        "highp lowp float k;",
+        "`lowp` repeats a qualifier of the same kind => highp float k;",
+    );
+    check("v = v.xg;", "invalid swizzle `xg` on `vec2` => v = v.xy;");
+    check("v = v.ry;", "invalid swizzle `ry` on `vec2` => v = v.rg;");
+    let all = |text: &str| {
+        let found = analyze_fragment(text);
+        let fix = |d: &shaderlint_diagnostic::Diagnostic| {
+            let fix = d
+                .fix
+                .as_ref()
+                .map(|f| apply_edits(text, 0, &f.edits).unwrap());
+            fix.unwrap_or_default()
+        };
+        found.diagnostics.iter().map(fix).collect::<Vec<_>>()
+    };
+    let declared = |before: &str, after: &str| {
+        let text = |line: &str| {
+            format!("#version 300 es\nprecision highp float;\n{line}\nvoid main() {{}}\n")
+        };
+        assert_eq!(all(&text(before)), [text(after)], "{before}");
+    };
+    declared("uniform float k = 1.0, l;", "uniform float k, l;");
+    declared("uniform vec2 k = vec2(1.0, 2.0);", "uniform vec2 k;");
+    declared("sampler2D image;", "uniform sampler2D image;");
+    declared(
+        "float f(float x, float k = 2.0) { return x * k; }",
+        "float f(float x, float k) { return x * k; }",
+    );
+    declared(
+        "vec2 f(float x) {\n    float y = x;\n    vec2(x, y);\n}",
+        "vec2 f(float x) {\n    float y = x;\n    return vec2(x, y);\n}",
+    );
+    declared(
+        "layout(loc = 1) out vec4 other;",
+        "layout(location = 1) out vec4 other;",
+    );
 }

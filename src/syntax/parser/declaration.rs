@@ -635,6 +635,8 @@ impl Parser<'_> {
     /// `= value` after a parameter, a default argument of C++: reports and skips it.
     fn default_argument(&mut self) -> Parsed<()> {
         let first = self.advance();
+        let before = first.checked_sub(1);
+        let before = before.map_or(0, |t| self.token(t as usize).span.end);
         let mark = self.tree.exprs.len();
         let value = self.root_assignment();
         self.tree.exprs.truncate(mark);
@@ -642,7 +644,11 @@ impl Parser<'_> {
         let span = self.span(self.extent_from(first));
         let d = Diagnostic::error(error::FOREIGN_SYNTAX, span, "GLSL has no default arguments")
             .note("a call must pass every argument")
-            .help("add an overload with fewer parameters");
+            .help("add an overload with fewer parameters")
+            .fix(Fix::suggestion(
+                "remove the default value",
+                vec![Edit::delete(Span::new(before, span.end))],
+            ));
         let token = self.token(first as usize);
         self.report_at(d, &token);
         Ok(())

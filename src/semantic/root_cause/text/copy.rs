@@ -80,7 +80,7 @@ impl FaultyShader<'_> {
     }
 
     /// Where the function that contains an address starts.
-    fn function_around(&self, address: u32) -> Option<u32> {
+    pub(super) fn function_around(&self, address: u32) -> Option<u32> {
         let program = self.program;
         let start = |token: u32| Some(program.token(token)?.span);
         let functions = program.tree.functions.iter().filter(|f| f.body.is_some());
@@ -92,7 +92,7 @@ impl FaultyShader<'_> {
     }
 
     /// The code from an address to the brace that closes the first one after it.
-    fn braced_from(&self, start: u32) -> Option<Span> {
+    pub(super) fn braced_from(&self, start: u32) -> Option<Span> {
         let code = self.program.sources.code_at(start)?;
         let mut lexer = Lexer::new(code.text.get((start - code.base) as usize..)?, start);
         let mut depth = 0_u32;

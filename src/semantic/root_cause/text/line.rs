@@ -104,6 +104,7 @@ fn is_textual(d: &Diagnostic) -> bool {
         error::INVALID_SWITCH,
         error::FOREIGN_SYNTAX,
         error::NOT_A_FUNCTION,
+        error::RESERVED_WORD,
     ];
     let facets = [Facet::Grammar, Facet::Reads, Facet::Directive];
     kinds.into_iter().any(|k| d.is(k)) || facets.into_iter().any(|f| d.has(f))

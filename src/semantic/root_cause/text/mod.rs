@@ -8,6 +8,7 @@ mod comment;
 mod conflict;
 mod copy;
 mod entity;
+mod function;
 mod join;
 mod line;
 mod notation;
@@ -16,6 +17,7 @@ mod statement;
 #[cfg(test)]
 mod tests;
 mod variable;
+mod word;
 
 use super::FaultyShader;
 use super::candidate::RepairCandidate;
@@ -24,7 +26,7 @@ use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_text::{Edit, Span};
 
 /// Maximum number of candidates for one shader.
-const MAX_CANDIDATES: usize = 40;
+const MAX_CANDIDATES: usize = 60;
 
 impl FaultyShader<'_> {
     /// Candidate repairs of the text on the lines of errors, the most certain first.
@@ -48,6 +50,8 @@ impl FaultyShader<'_> {
             self.methods(line, &mut all);
             self.notations(line, &mut all);
             self.statements(line, &mut all);
+            self.words(line, &mut all);
+            self.functions(line, &mut all);
         }
         all.truncate(MAX_CANDIDATES);
         all

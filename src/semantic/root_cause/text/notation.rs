@@ -127,11 +127,16 @@ impl FaultyShader<'_> {
     fn quoted_number(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
         let quote = |i: usize| matches!(line.token(i), "\"" | "'" | "“" | "”" | "‘" | "’" | "`");
         let is_number = |i: usize| matches!(line.kind(i), Some(RawKind::Integer | RawKind::Float));
-        if !quote(at) || !is_number(at + 1) || !quote(at + 2) {
-            return;
-        }
-        let span = line.span(at).to(line.span(at + 2));
-        let text = line.token(at + 1);
+        let (span, text) = if quote(at) && is_number(at + 1) && quote(at + 2) {
+            let span = line.span(at).to(line.span(at + 2));
+            (span, line.token(at + 1))
+        } else {
+            let whole = line.token(at).strip_prefix('"');
+            match whole.and_then(|t| t.strip_suffix('"')) {
+                Some(number) if number.parse::<f32>().is_ok() => (line.span(at), number),
+                _ => return,
+            }
+        };
         let edits = vec![Edit::replace(span, text)];
         let message = "unexpected quotation marks around a number";
         all.push(candidate(

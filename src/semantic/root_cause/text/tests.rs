@@ -170,3 +170,63 @@ fn several_statements_before_else() {
         "4:37 syntax-error",
     );
 }
+
+#[test]
+fn functions_of_other_languages() {
+    at_top("function f(x) { return sin(x); }", "1:1 foreign-syntax");
+    at_top("sub f(a, b) { return a * b.xyz; }", "1:1 foreign-syntax");
+    at_top("auto f(vec2 p) { return p.yx; }", "1:1 foreign-syntax");
+    at_top(
+        "proc f(vec2 p)\n{\n    return vec3(p, 1.0);\n}",
+        "1:1 foreign-syntax",
+    );
+    in_main(
+        "auto k = [](float x) { return 0.5 * x; }; d = k(d);",
+        "4:14 foreign-syntax",
+    );
+    in_main("const k = (x) => x * x; d = k(d);", "4:15 foreign-syntax");
+    in_main(
+        "var k = [&](vec2 p, float s) -> vec2 { return p * s; }; d = k(vec2(d), 2.0).x;",
+        "4:13 foreign-syntax",
+    );
+    at_top("const f = (x) => x * x;", "1:11 foreign-syntax");
+}
+
+#[test]
+fn blocks_of_other_languages() {
+    in_main(
+        "loop { d += 0.1; if (d > 1.0) break; }",
+        "4:5 foreign-syntax",
+    );
+    in_main(
+        "try { d = 1.0; } catch (e) { d = 0.0; }",
+        "4:5 foreign-syntax",
+    );
+    in_main(
+        "try {\n        d = 1.0;\n    } except {\n        d = 0.0;\n    }",
+        "4:5 foreign-syntax",
+    );
+    in_main("unless (d > 1.0) d = 0.5;", "4:5 foreign-syntax");
+    in_main("if (d > 1.0) { d = 0.5; end", "4:29 foreign-syntax");
+    in_main(
+        "for (int i = 0; i < 4; i++) { d += 0.5; done",
+        "4:45 foreign-syntax",
+    );
+}
+
+#[test]
+fn words_and_marks() {
+    in_main("d = this.d + 1.0;", "4:9 reserved-word");
+    in_main("float k <- 2.0; d *= k;", "4:13 syntax-error");
+    in_main("vec2 q <- vec2(d); d = q.x;", "4:12 syntax-error");
+    in_main("float my-value = 2.0; d *= my-value;", "4:11 syntax-error");
+    in_main("float = 2.0; d *= scale;", "4:11 syntax-error");
+    in_main("vec2 = vec2(d); d = size.x + size.y;", "4:10 syntax-error");
+    at_top(
+        "void f(ouput vec4 c) { c = vec4(1.0); }",
+        "1:8 syntax-error",
+    );
+    at_top("void f(float x, inn vec4 c) { }", "1:17 syntax-error");
+    in_main("d *= \"0.5\";", "4:10 invalid-character");
+    in_main("d = max(d, \"2\");", "4:16 invalid-character");
+}

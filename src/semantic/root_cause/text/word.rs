@@ -1,0 +1,209 @@
+//! Single words and marks of other languages: `this.x`, `x <- 1.0`, `my-value`, `loop {`, `unless (x)`,
+//! `ouput vec4 c`, a lost name, `end` for a brace.
+
+use super::*;
+use shaderlint_diagnostic::error;
+use shaderlint_syntax::{RawKind, TokenKind, WordClass, classify};
+
+/// Most names that are tried for a declaration without one.
+const MAX_NAMES: usize = 3;
+/// Most places where a name with a hyphen is replaced.
+const MAX_HYPHENS: usize = 100;
+/// The qualifiers of parameters.
+const DIRECTIONS: [&str; 3] = ["in", "out", "inout"];
+
+impl FaultyShader<'_> {
+    pub(super) fn words(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        for at in 0..line.tokens.len() {
+            self.this(line, at, all);
+            self.left_arrow(line, at, all);
+            self.hyphen(line, at, all);
+            self.lost_name(line, at, all);
+            self.direction(line, at, all);
+        }
+        self.foreign_block(line, all);
+        self.word_for_brace(line, all);
+    }
+
+    fn is_plain(&self, line: &FaultyLine, at: usize) -> bool {
+        line.kind(at) == Some(RawKind::Word)
+            && classify(line.token(at), self.program.version) == WordClass::Plain
+    }
+
+    fn is_type_word(&self, line: &FaultyLine, at: usize) -> bool {
+        let class = classify(line.token(at), self.program.version);
+        line.kind(at) == Some(RawKind::Word) && matches!(class, WordClass::Type(_))
+    }
+
+    /// `this.x`
+    fn this(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        if line.token(at) != "this" || !line.is(at + 1, TokenKind::Dot) {
+            return;
+        }
+        let span = line.span(at);
+        let edits = vec![Edit::delete(span.to(line.span(at + 1)))];
+        let (kind, message) = (error::RESERVED_WORD, "GLSL has no `this`");
+        all.push(candidate(kind, span, message, "remove `this.`", edits));
+    }
+
+    /// `float x <- 1.0;`
+    fn left_arrow(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_arrow = line.is(at, TokenKind::Less)
+            && line.is(at + 1, TokenKind::Minus)
+            && line.touches_next(at);
+        let before = at.checked_sub(1);
+        if !is_arrow || before.is_none_or(|at| line.kind(at) != Some(RawKind::Word)) {
+            return;
+        }
+        let span = line.span(at).to(line.span(at + 1));
+        let edits = vec![Edit::replace(span, "=")];
+        let message = "unexpected `<-`; assignments use `=`";
+        all.push(candidate(
+            error::SYNTAX_ERROR,
+            span,
+            message,
+            "use `=`",
+            edits,
+        ));
+    }
+
+    /// `float my-value = 1.0;`
+    fn hyphen(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_name = self.is_type_word(line, at)
+            && self.is_plain(line, at + 1)
+            && line.is(at + 2, TokenKind::Minus)
+            && self.is_plain(line, at + 3)
+            && line.touches_next(at + 1)
+            && line.touches_next(at + 2);
+        let Some(code) = self.program.sources.code_at(line.start).filter(|_| is_name) else {
+            return;
+        };
+        let span = line.span(at + 1).to(line.span(at + 3));
+        let name = line.of(span);
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let places = code.text.match_indices(name).filter(|(from, _)| {
+            let before = code.text.get(..*from).and_then(|t| t.chars().next_back());
+            let after = code
+                .text
+                .get(from + name.len()..)
+                .and_then(|t| t.chars().next());
+            !before.is_some_and(is_part) && !after.is_some_and(is_part)
+        });
+        let text = name.replace('-', "_");
+        let edits = places.take(MAX_HYPHENS).map(|(from, _)| {
+            let start = code.base + from as u32;
+            Edit::replace(Span::new(start, start + name.len() as u32), text.clone())
+        });
+        let message = format!("unexpected `-` in the name `{name}`");
+        let (kind, title) = (error::SYNTAX_ERROR, format!("use `{text}`"));
+        all.push(candidate(kind, span, message, title, edits.collect()));
+    }
+
+    /// `float = 0.0;`: the name may be one that is undeclared later.
+    fn lost_name(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        if !self.is_type_word(line, at) || !line.is(at + 1, TokenKind::Equal) {
+            return;
+        }
+        let span = line.span(at + 1);
+        let later = self.errors.iter().filter(|d| {
+            d.is(error::UNDECLARED_NAME) && d.span.start > span.start && self.is_user(d.span)
+        });
+        for d in later.take(MAX_NAMES) {
+            let name = self.program.sources.text(d.span);
+            let edits = vec![Edit::insert(line.span(at).end, format!(" {name}"))];
+            let message = "expected a name, found `=`";
+            let title = format!("add the name `{name}`");
+            all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        }
+    }
+
+    /// `ouput vec4 color` in a parameter list.
+    fn direction(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_first = at.checked_sub(1).is_some_and(|before| {
+            line.is(before, TokenKind::LeftParen) || line.is(before, TokenKind::Comma)
+        });
+        let is_parameter = is_first
+            && self.is_plain(line, at)
+            && self.is_type_word(line, at + 1)
+            && self.is_plain(line, at + 2);
+        if !is_parameter {
+            return;
+        }
+        let word = line.token(at);
+        let mut near = DIRECTIONS.map(|known| (strsim::damerau_levenshtein(known, word), known));
+        near.sort_unstable();
+        for (_, known) in near {
+            let span = line.span(at);
+            let edits = vec![Edit::replace(span, known)];
+            let message = format!("`{word}` is not a qualifier");
+            let title = format!("use `{known}`");
+            all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        }
+    }
+
+    /// `loop {`, `try { ... } catch (e) { ... }`, `unless (x) ...`
+    fn foreign_block(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let starts = |&at: &usize| line.starts_statement(at) && self.is_plain(line, at);
+        for at in (0..line.tokens.len()).filter(starts) {
+            let (word, span) = (line.token(at), line.span(at));
+            let kind = error::FOREIGN_SYNTAX;
+            let message = format!("GLSL has no `{word}` statement");
+            let mut push = |title: &str, edits| {
+                all.push(candidate(kind, span, message.clone(), title, edits));
+            };
+            if line.is(at + 1, TokenKind::LeftBrace) {
+                let mut edits = vec![Edit::delete(span)];
+                edits.extend(self.handler_after(span.start).map(Edit::delete));
+                push("remove it", edits);
+                push("use `for (;;)`", vec![Edit::replace(span, "for (;;)")]);
+            }
+            if word == "unless"
+                && line.is(at + 1, TokenKind::LeftParen)
+                && let Some(after) = line.after(at + 1)
+            {
+                let word = Span::new(span.start, line.span(at + 1).start);
+                let edits = vec![
+                    Edit::replace(word, "if (!"),
+                    Edit::insert(line.span(after - 1).end, ")"),
+                ];
+                push("use `if (!(...))`", edits);
+            }
+        }
+    }
+
+    /// `catch (e) { ... }` after a block: a word that is no GLSL, and its block.
+    fn handler_after(&self, block: u32) -> Option<Span> {
+        let end = self.braced_from(block)?.end;
+        let code = self.program.sources.code_at(end)?;
+        let rest = code.text.get((end - code.base) as usize..)?;
+        let start = end + (rest.len() - rest.trim_start().len()) as u32;
+        let word = rest
+            .trim_start()
+            .split(|c: char| !c.is_ascii_alphanumeric())
+            .next()?;
+        let is_plain = classify(word, self.program.version) == WordClass::Plain;
+        let header = rest.trim_start().split('{').next()?;
+        (!word.is_empty() && is_plain && !header.contains([';', '=', '}']))
+            .then(|| self.braced_from(start))?
+    }
+
+    /// `if (x) { y(); end`
+    fn word_for_brace(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let Some(last) = line.tokens.len().checked_sub(1) else {
+            return;
+        };
+        if !line.starts_statement(last) || !self.is_plain(line, last) {
+            return;
+        }
+        let (word, span) = (line.token(last), line.span(last));
+        let message = format!("GLSL has no `{word}`; a block ends with `}}`");
+        let edits = vec![Edit::replace(span, "}")];
+        all.push(candidate(
+            error::FOREIGN_SYNTAX,
+            span,
+            message,
+            "use `}`",
+            edits,
+        ));
+    }
+}
