@@ -29,7 +29,6 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             }),
             error::LEGACY_GLSL => match program.sources.text(found.span) {
                 "varying" => varying(program, found.span).or_else(|| found.fix.clone()),
-                "gl_FragColor" if found.fix.is_none() => output(program),
                 _ => continue,
             },
             error::INVALID_QUALIFIER => initial(program, found.span),
@@ -63,24 +62,6 @@ fn is_user(program: &Program, span: Span) -> bool {
 fn span_of(program: &Program, token: TokenId) -> Option<Span> {
     let token = program.token(token)?;
     token.is_direct().then_some(token.span)
-}
-
-/// Replaces `gl_FragColor` in `mainImage` by its first parameter.
-fn output(program: &Program) -> Option<Fix> {
-    let main = entry(program)?;
-    let color = program.tree.params(main.params).first()?.ident?;
-    let color = program.names.text(color.name);
-    let inside = program.span(main.extent);
-    let old = program.names.get("gl_FragColor")?;
-    let uses = program.tokens.tokens.iter();
-    let uses = uses.filter(|t| t.kind == TokenKind::Identifier && t.value == old.0);
-    let edits: Option<Vec<Edit>> = uses
-        .map(|t| {
-            let is_plain = t.is_direct() && inside.contains(t.span);
-            is_plain.then(|| Edit::replace(t.span, color))
-        })
-        .collect();
-    Some(Fix::safe(format!("assign to `{color}`"), edits?))
 }
 
 /// Removes a `layout` that desktop GLSL accepts and WebGL2 does not: the stages match by name.

@@ -113,7 +113,9 @@ impl Checker<'_> {
     }
 
     pub(super) fn wrong_entry(&mut self, decl: &FunctionDecl) {
-        if let Some(entry) = self.dialect.host().entry {
+        // An error in the header is the cause.
+        let is_reported = self.problems.iter().any(|p| decl.header.contains(p.at));
+        if let Some(entry) = self.dialect.host().entry.filter(|_| !is_reported) {
             self.reject(decl.header, EntryError::Signature(entry));
         }
     }

@@ -34,8 +34,11 @@ impl Explain for EntryError {
             E::Signature(entry) => {
                 let name = entry.name;
                 let message = format!("`{name}` has the wrong signature for ShaderToy");
-                c.error(error::MAINIMAGE_SIGNATURE, at, message)
-                    .help(format!("declare it as `{}`", entry.signature))
+                let d = c.error(error::MAINIMAGE_SIGNATURE, at, message);
+                match c.swapped_parameters(at) {
+                    Some(fix) => d.fix(fix),
+                    None => d.help(format!("declare it as `{}`", entry.signature)),
+                }
             }
             E::MainParameters if c.called_entry().is_some() => {
                 let name = c.called_entry().map_or("", |entry| entry.name);
@@ -106,6 +109,20 @@ impl ExplainContext<'_> {
     fn function_at(&self, at: Extent) -> Option<&FunctionDecl> {
         let mut all = self.tree.functions.iter();
         all.find(|f| f.header.first <= at.first && at.first <= f.header.last)
+    }
+
+    /// `void mainImage(in vec2 p, out vec4 color)`: the parameters in the other order.
+    fn swapped_parameters(&self, at: Extent) -> Option<Fix> {
+        let function = self.function_at(at)?;
+        let &[first, second] = self.tree.params(function.params) else {
+            return None;
+        };
+        let spans = [first, second].map(|param| self.span(param.extent));
+        let [a, b] = spans.map(|span| self.sources.text(span));
+        let edits = vec![Edit::replace(spans[0], b), Edit::replace(spans[1], a)];
+        let is_swapped =
+            a.contains("vec2") && b.contains("vec4") && self.is_direct(function.header);
+        is_swapped.then(|| Fix::suggestion("swap the parameters", edits))
     }
 
     /// `void main(out vec4 color, in vec2 p)`, as `mainImage` is declared: the parameters become an

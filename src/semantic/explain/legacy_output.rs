@@ -29,7 +29,10 @@ impl ExplainContext<'_> {
         };
         let d = self.error_at(error::LEGACY_GLSL, token, message);
         if self.is_called_by_host() {
-            return d.help("assign to the first parameter of `mainImage` instead");
+            return match self.host_output(name) {
+                Some(fix) => d.fix(fix),
+                None => d.help("assign to the first parameter of `mainImage` instead"),
+            };
         }
         let d = d.note("a WebGL2 fragment shader must declare its outputs");
         let outputs = self.declared_outputs();
@@ -45,6 +48,25 @@ impl ExplainContext<'_> {
             }
             None => d.help("assign to the declared output of the same location"),
         }
+    }
+
+    /// Replaces the output by the first parameter of the entry function, if all uses are in it.
+    fn host_output(&self, name: Name) -> Option<Fix> {
+        let entry = self.dialect.host().entry?;
+        let mut functions = self.tree.functions.iter().filter(|f| f.body.is_some());
+        let function = functions.find(|f| self.text(f.ident.name) == entry.name)?;
+        let color = self.text(self.tree.params(function.params).first()?.ident?.name);
+        let inside = self.span(function.extent);
+        let uses = self.output_uses(name, false)?;
+        let edits = uses.iter().map(|used| {
+            inside
+                .contains(used.span)
+                .then(|| Edit::replace(used.span, color))
+        });
+        Some(Fix::safe(
+            format!("assign to `{color}`"),
+            edits.collect::<Option<_>>()?,
+        ))
     }
 
     /// The fragment outputs that the shader declares.

@@ -206,7 +206,22 @@ impl ExplainContext<'_> {
             T::Semicolon | T::LeftBrace | T::RightBrace | T::RightParen | T::Else | T::Colon
         );
         let is_alone = starts && self.token(token + 1).kind == T::Semicolon;
-        let (keyword, kind) = keyword_near(text).filter(|_| is_alone)?;
+        // All letters of a keyword in another order are a typo if nothing else fits.
+        let sorted = |word: &str| {
+            let mut letters = word.as_bytes().to_vec();
+            letters.sort_unstable();
+            letters
+        };
+        let mixed = [
+            ("break", T::Break),
+            ("continue", T::Continue),
+            ("discard", T::Discard),
+        ];
+        let mixed = mixed
+            .into_iter()
+            .find(|(word, _)| sorted(word) == sorted(text));
+        let near = keyword_near(text).or(mixed);
+        let (keyword, kind) = near.filter(|_| is_alone)?;
         matches!(kind, T::Break | T::Continue | T::Discard | T::Return).then(|| {
             let edit = Edit::replace(self.token_span(token), keyword);
             Fix::suggestion(format!("did you mean `{keyword}`?"), vec![edit])
@@ -380,6 +395,7 @@ impl ExplainContext<'_> {
             return d;
         }
         let near = self.nearest_name(text, is_call);
+        let near = near.or_else(|| self.with_prefix(text).filter(|_| !is_call));
         let near = near.or_else(|| self.lost_dot(text).filter(|_| !is_call));
         match near.or_else(|| self.without_double(text, is_call)) {
             Some(near) => {
@@ -392,6 +408,35 @@ impl ExplainContext<'_> {
             }
             None => d,
         }
+    }
+
+    /// `iTime` for `time`, `uColor` or `u_color` for `color`: the only variable in scope with this name and
+    /// the short prefix of a host or of a storage.
+    fn with_prefix(&self, text: &str) -> Option<String> {
+        if !self.affords(self.names.len()) {
+            return None;
+        }
+        let is_it = |name: &str| {
+            let split = name
+                .len()
+                .checked_sub(text.len())
+                .filter(|n| (1..=2).contains(n));
+            let Some((prefix, rest)) = split.and_then(|at| name.split_at_checked(at)) else {
+                return false;
+            };
+            let starts =
+                prefix.ends_with('_') || rest.starts_with(|c: char| c.is_ascii_uppercase());
+            starts
+                && prefix.starts_with(|c: char| c.is_ascii_lowercase())
+                && rest.eq_ignore_ascii_case(text)
+        };
+        let variables = self.scopes().visible();
+        let variables = variables.filter(|(_, b)| matches!(b, Binding::Variable(_)));
+        let mut found = variables
+            .map(|(name, _)| self.text(name))
+            .filter(|name| is_it(name));
+        let first = found.next()?;
+        found.next().is_none().then(|| first.to_string())
     }
 
     /// `p.y` for `py`: a vector in scope and one of its swizzles.

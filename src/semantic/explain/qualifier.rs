@@ -55,10 +55,21 @@ impl Explain for QualifierError {
             E::NoPrecision(ty) => report(&format!("`{}` cannot have a precision", c.name_of(ty))),
             E::MissingPrecision(ty) => c.missing_precision(ty, at),
             E::DefaultPrecision => {
-                report(&format!("cannot set a default precision for `{written}`")).note(
-                    "only `float`, `int` and samplers have one; vectors follow `float` \
-                     (section 4.5.4)",
-                )
+                let scalar = match written.find("vec").or(written.find("mat")) {
+                    Some(0) => Some("float"),
+                    Some(1) if !written.starts_with('b') => Some("int"),
+                    _ => None,
+                };
+                let fix = scalar.map(|scalar| {
+                    let edits = vec![Edit::replace(c.span(at), scalar)];
+                    Fix::suggestion(format!("use `{scalar}`"), edits)
+                });
+                report(&format!("cannot set a default precision for `{written}`"))
+                    .note(
+                        "only `float`, `int` and samplers have one; vectors follow `float` \
+                         (section 4.5.4)",
+                    )
+                    .fix(fix)
             }
         }
     }

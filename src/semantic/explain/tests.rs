@@ -166,6 +166,12 @@ fn names_that_are_typos_or_of_other_languages() {
         "`vx` is not declared => f = v.x + vg;; `vg` is not declared => f = vx + v.g;",
     );
     check("f = vz;", "`vz` is not declared");
+    check("f = Size.x;", "`Size` is not declared => f = size.x;");
+    check(
+        "int uStep = 2; i = step2 + Step;",
+        "`step2` is not declared; `Step` is not declared => int uStep = 2; i = step2 + uStep;",
+    );
+    check("brake;", "`brake` is not declared => break;");
     check("f = fx;", "`fx` is not declared");
     check(
         "f = own2(v, f);",
@@ -266,6 +272,8 @@ fn what_is_superfluous_is_removed() {
     };
     declared("uniform float k = 1.0, l;", "uniform float k, l;");
     declared("uniform vec2 k = vec2(1.0, 2.0);", "uniform vec2 k;");
+    declared("precision highp vec3;", "precision highp float;");
+    declared("precision mediump uvec2;", "precision mediump int;");
     declared("sampler2D image;", "uniform sampler2D image;");
     declared(
         "float f(float x, float k = 2.0) { return x * k; }",

@@ -227,6 +227,15 @@ fn words_and_marks() {
         "1:8 syntax-error",
     );
     at_top("void f(float x, inn vec4 c) { }", "1:17 syntax-error");
+    in_main("float &k = d; k += 1.0; d = k;", "4:11 foreign-syntax");
+    in_main("d *= 2.0px;", "4:10 invalid-number");
+    in_main("d = sin(45.0deg);", "4:13 invalid-number");
+    in_main("d = max(d, 1.5em);", "4:16 invalid-number");
+    at_top(
+        "struct Ray { vec3 o = vec3(0.0); vec3 d; };",
+        "1:21 foreign-syntax",
+    );
+    at_top("precision float mediump;", "1:11 syntax-error");
     in_main("d *= \"0.5\";", "4:10 invalid-character");
     in_main("d = max(d, \"2\");", "4:16 invalid-character");
 }

@@ -20,7 +20,11 @@ impl FaultyShader<'_> {
             self.hyphen(line, at, all);
             self.lost_name(line, at, all);
             self.direction(line, at, all);
+            self.reference(line, at, all);
+            self.member_value(line, at, all);
+            self.number_suffix(line, at, all);
         }
+        self.precision_order(line, all);
         self.foreign_block(line, all);
         self.word_for_brace(line, all);
     }
@@ -138,6 +142,76 @@ impl FaultyShader<'_> {
             let message = format!("`{word}` is not a qualifier");
             let title = format!("use `{known}`");
             all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        }
+    }
+
+    /// `vec2 &n = uv;`
+    fn reference(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_reference = self.is_type_word(line, at)
+            && line.is(at + 1, TokenKind::And)
+            && self.is_plain(line, at + 2)
+            && line.is(at + 3, TokenKind::Equal);
+        if is_reference {
+            let span = line.span(at + 1);
+            let edits = vec![Edit::delete(span)];
+            let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no references");
+            all.push(candidate(kind, span, message, "remove `&`", edits));
+        }
+    }
+
+    /// `struct Ray { vec3 o = vec3(0.0); };`
+    fn member_value(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let span = line.span(at);
+        let is_it = |d: &Diagnostic| d.is(error::FOREIGN_SYNTAX) && d.span.start == span.start;
+        let is_reported = self.errors.iter().any(is_it);
+        if !is_reported || !line.is(at, TokenKind::Equal) || at == 0 {
+            return;
+        }
+        let end = (at..line.tokens.len()).find(|&at| line.is(at, TokenKind::Semicolon));
+        let Some(end) = end else { return };
+        let edits = vec![Edit::delete(Span::new(
+            line.span(at - 1).end,
+            line.span(end).start,
+        ))];
+        let (kind, message) = (error::FOREIGN_SYNTAX, "a member cannot have an initializer");
+        all.push(candidate(
+            kind,
+            span,
+            message,
+            "remove the initializer",
+            edits,
+        ));
+    }
+
+    /// `2.0px`, `45.0deg`: a number with a unit.
+    fn number_suffix(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let (text, span) = (line.token(at), line.span(at));
+        let number = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let unit = text.get(number.len()..).unwrap_or("");
+        let is_number = line.kind(at) == Some(RawKind::BadNumber)
+            && number.parse::<f32>().is_ok()
+            && !unit.is_empty();
+        if !is_number {
+            return;
+        }
+        let value = match unit {
+            "deg" => format!("radians({number})"),
+            _ => number.to_string(),
+        };
+        let message = format!("GLSL has no units such as `{unit}`");
+        all.push(replacement(error::INVALID_NUMBER, span, message, value));
+    }
+
+    /// `precision float highp;`
+    fn precision_order(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let is_swapped = line.token(0) == "precision"
+            && self.is_type_word(line, 1)
+            && matches!(line.token(2), "highp" | "mediump" | "lowp");
+        if is_swapped {
+            let span = line.span(1).to(line.span(2));
+            let text = format!("{} {}", line.token(2), line.token(1));
+            let message = format!("expected a precision, found `{}`", line.token(1));
+            all.push(replacement(error::SYNTAX_ERROR, span, message, text));
         }
     }
 
