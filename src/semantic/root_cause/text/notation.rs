@@ -304,6 +304,7 @@ fn one_point(text: &str) -> Vec<String> {
     }
     let filled: Vec<&str> = parts.iter().copied().filter(|p| !p.is_empty()).collect();
     match filled[..] {
+        [only] if text.starts_with('.') => vec![format!("0.{only}")],
         [only] => vec![format!("{only}.0")],
         [whole, rest, ..] => vec![format!("{whole}.{rest}")],
         [] => Vec::new(),
@@ -321,6 +322,8 @@ mod tests {
             ("1..0", "1.0"),
             ("0..5", "0.5"),
             ("1..", "1.0"),
+            (".5.", "0.5"),
+            ("..25", "0.25"),
         ] {
             assert_eq!(one_point(text), [expected], "{text}");
         }

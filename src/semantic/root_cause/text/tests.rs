@@ -236,6 +236,21 @@ fn words_and_marks() {
         "1:21 foreign-syntax",
     );
     at_top("precision float mediump;", "1:11 syntax-error");
+    in_main("d =* 0.5;", "4:7 syntax-error");
+    in_main("d =/ half_of(d);", "4:7 syntax-error");
+    in_main("d **= 2.0;", "4:7 foreign-syntax");
+    in_main(
+        "vec3 q = vec3(d); q **= 2.0; d = q.x;",
+        "4:25 foreign-syntax",
+    );
+    in_main("vec2 q = vec2(d); d = sin q.x + 1.0;", "4:27 syntax-error");
+    in_main("d = abs d - 1.0;", "4:9 syntax-error");
+    in_main("discard(d);", "4:12 syntax-error");
+    in_main("if (not d > 0.5) d = 1.0;", "4:9 foreign-syntax");
+    in_main(
+        "if (d < 0.1 || not half_of(d) > 0.5) d = 1.0;",
+        "4:20 foreign-syntax",
+    );
     in_main("d *= \"0.5\";", "4:10 invalid-character");
     in_main("d = max(d, \"2\");", "4:16 invalid-character");
 }

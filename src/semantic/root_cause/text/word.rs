@@ -2,6 +2,7 @@
 //! `ouput vec4 c`, a lost name, `end` for a brace.
 
 use super::*;
+use crate::builtins::BuiltinId;
 use shaderlint_diagnostic::error;
 use shaderlint_syntax::{RawKind, TokenKind, WordClass, classify};
 
@@ -23,6 +24,10 @@ impl FaultyShader<'_> {
             self.reference(line, at, all);
             self.member_value(line, at, all);
             self.number_suffix(line, at, all);
+            self.swapped_operator(line, at, all);
+            self.power_assignment(line, at, all);
+            self.bare_argument(line, at, all);
+            self.negated_words(line, at, all);
         }
         self.precision_order(line, all);
         self.foreign_block(line, all);
@@ -200,6 +205,127 @@ impl FaultyShader<'_> {
         };
         let message = format!("GLSL has no units such as `{unit}`");
         all.push(replacement(error::INVALID_NUMBER, span, message, value));
+    }
+
+    /// `c =* 0.5;`
+    fn swapped_operator(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let operator = ["*", "/", "%"]
+            .into_iter()
+            .find(|o| *o == line.token(at + 1));
+        let Some(operator) =
+            operator.filter(|_| line.is(at, TokenKind::Equal) && line.touches_next(at))
+        else {
+            return;
+        };
+        let span = line.span(at).to(line.span(at + 1));
+        let message = format!("unexpected `={operator}`");
+        let text = format!("{operator}=");
+        all.push(replacement(error::SYNTAX_ERROR, span, message, text));
+    }
+
+    /// `x **= 2.0;`
+    fn power_assignment(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_power = line.is(at, TokenKind::Star)
+            && line.is(at + 1, TokenKind::StarEqual)
+            && line.touches_next(at);
+        let starts = |&at: &usize| line.starts_statement(at);
+        let first = (0..at).rev().find(starts).filter(|_| is_power);
+        let end = (at..line.tokens.len()).find(|&at| line.is(at, TokenKind::Semicolon));
+        let (Some(first), Some(end)) = (first, end) else {
+            return;
+        };
+        let base = line.of(line.span(first).to(line.span(at - 1)));
+        let exponent = line.of(line.span(at + 2).to(line.span(end - 1)));
+        let span = line.span(first).to(line.span(end - 1));
+        for ty in ["", "vec2", "vec3", "vec4"] {
+            let exponent = match ty {
+                "" => exponent.to_string(),
+                ty => format!("{ty}({exponent})"),
+            };
+            let text = format!("{base} = pow({base}, {exponent})");
+            let edits = vec![Edit::replace(span, text.clone())];
+            let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no operator `**=`");
+            let operator = line.span(at).to(line.span(at + 1));
+            all.push(candidate(
+                kind,
+                operator,
+                message,
+                format!("use `{text}`"),
+                edits,
+            ));
+        }
+    }
+
+    /// `abs p`, `discard(c);`
+    fn bare_argument(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let (word, span) = (line.token(at), line.span(at));
+        if word == "discard" && line.is(at + 1, TokenKind::LeftParen) {
+            if let Some(after) = line.after(at + 1) {
+                let arguments = line.span(at + 1).to(line.span(after - 1));
+                let edits = vec![Edit::delete(arguments)];
+                let (kind, message) = (error::SYNTAX_ERROR, "`discard` has no arguments");
+                all.push(candidate(kind, arguments, message, "remove them", edits));
+            }
+            return;
+        }
+        if BuiltinId::named(word).is_none() || !self.is_plain(line, at + 1) {
+            return;
+        }
+        let mut last = at + 1;
+        while line.is(last + 1, TokenKind::Dot) && line.kind(last + 2) == Some(RawKind::Word) {
+            last += 2;
+        }
+        let argument = line.span(at + 1).to(line.span(last));
+        let text = format!("{word}({})", line.of(argument));
+        let message = format!("arguments of `{word}` must be in parentheses");
+        let whole = span.to(argument);
+        let edits = vec![Edit::replace(whole, text.clone())];
+        all.push(candidate(
+            error::SYNTAX_ERROR,
+            whole,
+            message,
+            format!("use `{text}`"),
+            edits,
+        ));
+    }
+
+    /// `if (not x > 0.5)`: the word negates the comparison, where `!` would negate `x`.
+    fn negated_words(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_not = BuiltinId::named(line.token(at)) == Some(BuiltinId::Not);
+        if !is_not || line.is(at + 1, TokenKind::LeftParen) {
+            return;
+        }
+        let mut depth = 0_u32;
+        let end = (at + 1..line.tokens.len()).find(|&at| match line.kind(at) {
+            Some(RawKind::Operator(TokenKind::LeftParen)) => {
+                depth += 1;
+                false
+            }
+            Some(RawKind::Operator(TokenKind::RightParen)) if depth > 0 => {
+                depth -= 1;
+                false
+            }
+            Some(RawKind::Operator(
+                TokenKind::RightParen | TokenKind::AndAnd | TokenKind::OrOr | TokenKind::Semicolon,
+            )) => depth == 0,
+            _ => depth == 0 && matches!(line.token(at), "and" | "or"),
+        });
+        let compares = |at: usize| matches!(line.token(at), "<" | ">" | "<=" | ">=" | "==" | "!=");
+        let Some(end) = end.filter(|end| (at + 1..*end).any(compares)) else {
+            return;
+        };
+        let inner = line.span(at + 1).to(line.span(end - 1));
+        let text = format!("!({})", line.of(inner));
+        let span = line.span(at);
+        let edits = vec![Edit::replace(span.to(inner), text.clone())];
+        let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no operator `not`");
+        all.push(candidate(
+            kind,
+            span,
+            message,
+            format!("use `{text}`"),
+            edits,
+        ));
     }
 
     /// `precision float highp;`
