@@ -1,5 +1,6 @@
 //! Variables that are read before they are assigned.
 
+use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{PartMask, UnassignedVariable};
 use shaderlint_lint::{Check, Context, Finding, Group, Rule, RulePreset};
@@ -24,13 +25,11 @@ fn check(cx: &mut Context, function: FunctionRef) {
         return;
     };
     let certain = |u: &&UnassignedVariable| u.always || !u.guarded;
-    let mut reads: Vec<UnassignedVariable> = Vec::new();
-    for unset in found.reads.iter().filter(certain) {
-        // A value in the declaration is the fix for all reads of a variable.
-        if reads.iter().all(|known| known.variable != unset.variable) {
-            reads.push(*unset);
-        }
-    }
+    // A value in the declaration is the fix for all reads of a variable.
+    let mut known = FxHashSet::default();
+    let reads = found.reads.iter().filter(certain);
+    let reads = reads.filter(|unset| known.insert(unset.variable));
+    let reads: Vec<UnassignedVariable> = reads.copied().collect();
     let is_entry = cx.facts.entry() == Some(function);
     let (outputs, others): (Vec<_>, Vec<_>) =
         reads.into_iter().partition(|u| is_entry && is_param(cx, u));
