@@ -101,12 +101,16 @@ impl<'a> ErrorChange<'a> {
         Span::new(of(d.span.start), of(d.span.end))
     }
 
-    /// Whether the same error was there before, and the edits were not meant to fix it.
-    fn is_known(&self, d: &Diagnostic, place: Span) -> bool {
+    /// The same error before the edits, if they were not meant to fix it.
+    fn known(&self, d: &Diagnostic, place: Span) -> Option<&'a Diagnostic> {
         let is_same = |s: &Diagnostic| {
             s.span.start == place.start && s.rule == d.rule && s.message == d.message
         };
-        errors(self.seen).any(|s| is_same(s) && !self.fixed.iter().any(|m| std::ptr::eq(*m, s)))
+        errors(self.seen).find(|s| is_same(s) && !self.fixed.iter().any(|m| std::ptr::eq(*m, *s)))
+    }
+
+    fn is_known(&self, d: &Diagnostic, place: Span) -> bool {
+        self.known(d, place).is_some()
     }
 
     /// Whether the errors that the edits fix are gone, and did not only move.
@@ -125,8 +129,9 @@ impl<'a> ErrorChange<'a> {
         !errors(self.after).any(remains)
     }
 
-    /// Whether a new error is in a line that the edits change.
-    pub fn breaks_own_line(&self, text: &str) -> bool {
+    /// Whether a line that the edits change has another error for which there is no fix: a new one, or one
+    /// that was there before, of the same mistake.
+    pub fn leaves_line_broken(&self, text: &str) -> bool {
         let line = |address: u32| {
             let offset = (address - self.seen.span.start) as usize;
             let before = text.get(..offset).unwrap_or(text);
@@ -140,7 +145,10 @@ impl<'a> ErrorChange<'a> {
         let lines: Vec<Option<usize>> = edits.map(|e| line(e.span.start)).collect();
         errors(self.after).any(|d| {
             let place = self.origin(d);
-            !self.is_known(d, place) && lines.contains(&line(place.start))
+            let is_fixable = self
+                .known(d, place)
+                .is_some_and(|known| known.fix.is_some());
+            !is_fixable && lines.contains(&line(place.start))
         })
     }
 

@@ -102,9 +102,9 @@ pub fn fix(
 /// Most bytes of text that are checked to try the fixes of errors that are offered.
 const MAX_OFFERED: usize = 500_000;
 
-/// The errors whose fix fails: applied alone, the error remains, or there is another one in its line or in
-/// code that was checked before. Tries the fixes that `is_offered` selects, as far as a budget permits;
-/// `seen` is the check of `text`.
+/// The errors whose fix fails: applied alone, the error remains, or there is a new one in code that was
+/// checked before, or one without a fix in its line. Tries the fixes that `is_offered` selects, as far as
+/// a budget permits; `seen` is the check of `text`.
 pub fn failing_fixes<'a>(
     text: &str,
     seen: &'a Look,
@@ -122,7 +122,7 @@ pub fn failing_fixes<'a>(
     let fails = |d: &&Diagnostic| match engine.try_fixes(&fixed, seen, &[d]) {
         Ok((_, after)) => {
             let edits = d.fix.as_ref().map_or(&[][..], |fix| &fix.edits);
-            ErrorChange::new(seen, &after, edits, &[d]).breaks_own_line(text)
+            ErrorChange::new(seen, &after, edits, &[d]).leaves_line_broken(text)
         }
         Err(harm) => matches!(harm, Harm::Errors),
     };
@@ -596,6 +596,9 @@ mod tests {
         assert_eq!(check("a.ab.ab"), [2, 5]);
         assert_eq!(check("a..ab"), [3]);
         assert_eq!(check("a...ab"), [0; 0]);
+        // Another error, reported at the start, has no fix.
+        assert_eq!(check("a.bb"), [0]);
+        assert_eq!(check(".\na.bb"), [0; 0]);
         // Fixes that are not tried are offered.
         let long = format!("ab{}", ".".repeat(MAX_OFFERED));
         assert_eq!(check(&long), [0; 0]);
