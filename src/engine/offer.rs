@@ -81,7 +81,7 @@ impl Report {
         let offsets = self.offsets();
         // The same error in a check of the front end alone.
         let number = |d: &Diagnostic| {
-            let offset = d.span.start - seen.span.start;
+            let offset = d.span.start.saturating_sub(seen.span.start);
             let is_one = |(own, at): (&Diagnostic, &u32)| {
                 *at == offset && own.rule == d.rule && own.message == d.message && is_offered(own)
             };

@@ -133,7 +133,7 @@ impl<'a> ErrorChange<'a> {
     /// that was there before, of the same mistake.
     pub fn leaves_line_broken(&self, text: &str) -> bool {
         let line = |address: u32| {
-            let offset = (address - self.seen.span.start) as usize;
+            let offset = address.saturating_sub(self.seen.span.start) as usize;
             let before = text.get(..offset).unwrap_or(text);
             before.rfind('\n')
         };

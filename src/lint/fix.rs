@@ -118,7 +118,12 @@ pub fn failing_fixes<'a>(
         refuted: Vec::new(),
     };
     let fixed = Fixed::unchanged(text);
-    let offered = errors(seen).filter(|d| d.fix.is_some() && is_offered(d));
+    // Edits of included files are not tried.
+    let is_inside = |d: &&Diagnostic| {
+        let edits = d.fix.iter().flat_map(|fix| &fix.edits);
+        d.fix.is_some() && edits.into_iter().all(|e| seen.span.contains(e.span))
+    };
+    let offered = errors(seen).filter(|d| is_inside(d) && is_offered(d));
     let fails = |d: &&Diagnostic| match engine.try_fixes(&fixed, seen, &[d]) {
         Ok((_, after)) => {
             let edits = d.fix.as_ref().map_or(&[][..], |fix| &fix.edits);
