@@ -11,6 +11,7 @@ mod call;
 pub(super) mod calls;
 mod candidate;
 mod conditional;
+mod consequences;
 mod definition;
 mod edited;
 mod literal;
@@ -61,6 +62,7 @@ pub(super) fn attribute(
         repair(unit, program, errors, search, MAX_REPAIRS)
     });
     errors.sort_by_key(|d| (d.span.start, d.span.end));
+    consequences::keep_causes(program, &mut errors);
     // A name with an invalid character, or a reserved word, is one mistake.
     let is_named = |d: &Diagnostic| d.is(error::INVALID_CHARACTER) || d.is(error::RESERVED_WORD);
     let named: Vec<Span> = errors

@@ -188,3 +188,21 @@ fn rechecks_of_a_long_text_are_not_paid() {
     let long = reported(13_000_000);
     assert!(!long.is_empty() && long != reported(10), "{long:?}");
 }
+
+/// After what cannot be read, names and types of the same statement are no mistakes of their own.
+#[test]
+fn the_first_error_of_a_statement_is_its_cause() {
+    let errors = |statement: &str| {
+        let shader = main_with(
+            "",
+            &format!("float d = 0.5;\n{statement}\ncolor = vec4(d);"),
+        );
+        found(&shader).0
+    };
+    assert_eq!(errors("match d + x => 1.0;"), ["4:1 unknown-type"]);
+    assert_eq!(errors("given wave > 0.5 then y;"), ["4:1 unknown-type"]);
+    assert_eq!(errors("d = (a b c) + x;"), ["4:8 syntax-error"]);
+    // Each statement has its own.
+    let both = errors("match d + x => 1.0; d = x;");
+    assert_eq!(both, ["4:1 unknown-type", "4:25 undeclared-name"]);
+}
