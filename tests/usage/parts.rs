@@ -224,6 +224,24 @@ fn hosts_are_identified_by_names_imports_and_packages() {
     assert!(reported.contains("for three.js"), "{reported}");
 }
 
+/// A host whose names are all known.
+#[test]
+fn transitions_are_checked_with_the_names_of_their_host() {
+    let code = "uniform float softness; // = 0.1\nvec4 transition(vec2 uv) {\n    \
+        float shown = smoothstep(uv.x, uv.x + softness, progres * (1.0 + softness));\n    \
+        return mix(getFromColor(uv), getToColor(uv), shown) * pow(sin(uv.x), 2.0);\n}\n";
+    let scratch = Scratch::new(&[
+        ("wrong.glsl", code),
+        ("right.glsl", &code.replace("progres ", "progress ")),
+    ]);
+    let ran = scratch.run(&["--no-run", "--format", "short", "wrong.glsl"]);
+    let typo = "wrong.glsl:3:53: warning[undeclared-name]: `progres` is not declared; did you mean `progress`?";
+    assert!(ran.out.starts_with(typo), "{}", ran.out);
+    let ran = scratch.run(&["--no-run", "--format", "short", "right.glsl"]);
+    let base = "right.glsl:4:63: warning[pow-negative-base]";
+    assert!(ran.out.starts_with(base), "{}", ran.out);
+}
+
 /// Rules run in a fragment where its host changes nothing.
 #[test]
 fn rules_run_in_fragments() {

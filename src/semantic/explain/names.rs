@@ -331,10 +331,13 @@ impl ExplainContext<'_> {
             if !is_use {
                 continue;
             }
+            if token.is_direct() {
+                edits.push(Edit::replace(token.span, to));
+                continue;
+            }
             let text = self.text(name);
             let span = Span::new(token.spelled, token.spelled + text.len() as u32);
-            let is_written = self.sources.is_user(span.start) && self.sources.text(span) == text;
-            if !token.is_direct() && !is_written {
+            if !self.sources.is_user(span.start) || self.sources.text(span) != text {
                 return Vec::new();
             }
             edits.push(Edit::replace(span, to));

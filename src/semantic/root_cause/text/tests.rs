@@ -214,6 +214,16 @@ fn blocks_of_other_languages() {
     );
 }
 
+/// A word alone on a line is an undeclared name unless a brace is missing.
+#[test]
+fn names_are_not_taken_for_braces() {
+    let code = "#version 300 es\nprecision highp float;\nout vec4 color;\nvoid main() {\n    \
+                color = vec4(mix(\n        1.0,\n        2.0,\n        progress\n    ));\n}\n";
+    let found = crate::analyze_fragment(code).diagnostics;
+    let messages: Vec<&str> = found.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(messages, ["`progress` is not declared"]);
+}
+
 #[test]
 fn words_and_marks() {
     in_main("d = this.d + 1.0;", "4:9 reserved-word");

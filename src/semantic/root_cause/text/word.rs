@@ -392,7 +392,8 @@ impl FaultyShader<'_> {
         let Some(last) = line.tokens.len().checked_sub(1) else {
             return;
         };
-        if !line.starts_statement(last) || !self.is_plain(line, last) {
+        let is_open = self.errors.iter().any(|d| d.is(error::UNCLOSED_DELIMITER));
+        if !is_open || !line.starts_statement(last) || !self.is_plain(line, last) {
             return;
         }
         let (word, span) = (line.token(last), line.span(last));
