@@ -19,10 +19,10 @@ precision highp float;
 varying vec2 _uv;
 uniform sampler2D from;
 uniform sampler2D to;
-uniform float progress; // = control, usual
-uniform float ratio; // = aspect, usual
-uniform float _fromR; // = aspect, own
-uniform float _toR; // = aspect, own
+uniform float progress; // = control
+uniform float ratio; // = aspect
+uniform float _fromR; // = aspect
+uniform float _toR; // = aspect
 vec4 getFromColor(vec2 uv);
 vec4 getToColor(vec2 uv);
 #endif
