@@ -20,7 +20,9 @@ pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use language::{ES_100, ES_300, Feature, LanguageProfile};
 pub use lexer::{Lexer, tokenize, unsplice};
 pub use names::{Name, Names, TypeWord, Version, WordClass, classify};
-pub use parser::{Choice, Correction, Parse, ParseOptions, keyword_near, parse, parse_corrected};
+pub use parser::{
+    Choice, Correction, Parse, ParseOptions, has_same_letters, keyword_near, parse, parse_corrected,
+};
 pub use preprocessor::{
     DIRECTIVES, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses,
     preprocess,

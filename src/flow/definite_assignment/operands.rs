@@ -56,28 +56,31 @@ pub(super) fn chosen(module: &Module) -> Vec<bool> {
     }
     for op in (0..module.ops.len() as u32).map(OpId) {
         let is_certain = chosen.get(op.0 as usize) == Some(&false);
-        if let (
-            OpKind::Select {
-                then, otherwise, ..
-            },
-            true,
-        ) = (module.op(op).kind, is_certain)
+        if let OpKind::Select {
+            then, otherwise, ..
+        } = module.op(op).kind
+            && is_certain
         {
-            let arms = [then, otherwise].map(|arm| loads(module, arm));
-            for (load, place) in arms.iter().flatten() {
-                let is_same = |other: &Place| {
-                    other.variable == place.variable && module.path(other) == module.path(place)
-                };
-                let reads = |arm: &Vec<(OpId, &Place)>| arm.iter().any(|(_, other)| is_same(other));
-                if let Some(slot) = chosen.get_mut(load.0 as usize)
-                    && arms.iter().all(reads)
-                {
-                    *slot = false;
-                }
-            }
+            clear_common(module, [then, otherwise], &mut chosen);
         }
     }
     chosen
+}
+
+/// What both arms of `?:` load is loaded whatever the condition is.
+fn clear_common(module: &Module, arms: [OpId; 2], chosen: &mut [bool]) {
+    let arms = arms.map(|arm| loads(module, arm));
+    for (load, place) in arms.iter().flatten() {
+        let is_same = |other: &Place| {
+            other.variable == place.variable && module.path(other) == module.path(place)
+        };
+        let reads = |arm: &Vec<(OpId, &Place)>| arm.iter().any(|(_, other)| is_same(other));
+        if let Some(slot) = chosen.get_mut(load.0 as usize)
+            && arms.iter().all(reads)
+        {
+            *slot = false;
+        }
+    }
 }
 
 /// Most operations of an arm of `?:` that are searched for loads.

@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::typing::SWIZZLES;
-use shaderlint_syntax::{TypeWord, WordClass, classify, keyword_near, type_in_another_case};
+use shaderlint_syntax::{
+    TypeWord, WordClass, classify, has_same_letters, keyword_near, type_in_another_case,
+};
 
 /// Longest distance to a closing bracket, in tokens.
 const MAX_BRACKETED: TokenId = 200;
@@ -207,11 +209,6 @@ impl ExplainContext<'_> {
         );
         let is_alone = starts && self.token(token + 1).kind == T::Semicolon;
         // All letters of a keyword in another order are a typo if nothing else fits.
-        let sorted = |word: &str| {
-            let mut letters = word.as_bytes().to_vec();
-            letters.sort_unstable();
-            letters
-        };
         let mixed = [
             ("break", T::Break),
             ("continue", T::Continue),
@@ -219,7 +216,7 @@ impl ExplainContext<'_> {
         ];
         let mixed = mixed
             .into_iter()
-            .find(|(word, _)| sorted(word) == sorted(text));
+            .find(|(word, _)| has_same_letters(word, text));
         let near = keyword_near(text).or(mixed);
         let (keyword, kind) = near.filter(|_| is_alone)?;
         matches!(kind, T::Break | T::Continue | T::Discard | T::Return).then(|| {

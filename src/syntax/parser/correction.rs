@@ -393,19 +393,24 @@ pub fn keyword_near(word: &str) -> Option<(&'static str, TokenKind)> {
     found.copied()
 }
 
+/// Whether two words have the same letters, perhaps in another order.
+pub fn has_same_letters(one: &str, other: &str) -> bool {
+    let letters = |word: &str| {
+        let mut letters = word.as_bytes().to_vec();
+        letters.sort_unstable();
+        letters
+    };
+    letters(one) == letters(other)
+}
+
 fn is_typo(word: &str, keyword: &str) -> bool {
     let most = (keyword.len() - 1) / 3;
     if word.len().abs_diff(keyword.len()) > most {
         return false;
     }
-    let letters = |text: &str| {
-        let mut letters = text.as_bytes().to_vec();
-        letters.sort_unstable();
-        letters
-    };
     let word = word.to_ascii_lowercase();
     let distance = strsim::damerau_levenshtein(keyword, &word);
-    distance <= most || (distance == 1 && letters(keyword) == letters(&word))
+    distance <= most || (distance == 1 && has_same_letters(keyword, &word))
 }
 
 /// Maximum distance at which a matching bracket is searched, in tokens.

@@ -13,8 +13,8 @@ mod reserved;
 mod statement;
 mod token_repair;
 
-pub use correction::keyword_near;
 pub use correction::{Choice, Correction};
+pub use correction::{has_same_letters, keyword_near};
 
 use super::ast::*;
 use super::names::{Name, Names, Version};

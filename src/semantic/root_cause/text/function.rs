@@ -70,7 +70,8 @@ impl FaultyShader<'_> {
         else {
             return;
         };
-        let captures = match line.is(equal + 1, TokenKind::LeftBracket) {
+        let is_lambda = line.is(equal + 1, TokenKind::LeftBracket);
+        let captures = match is_lambda {
             true => line.after(equal + 1),
             false => Some(equal + 1),
         };
@@ -81,7 +82,6 @@ impl FaultyShader<'_> {
             return;
         };
         let is_arrow = |at: usize, kind| line.is(at, kind) && line.is(at + 1, TokenKind::Greater);
-        let is_lambda = line.is(equal + 1, TokenKind::LeftBracket);
         let body = match (is_lambda, is_arrow(after, TokenKind::Equal)) {
             (true, false) => {
                 (after..line.tokens.len()).find(|&at| line.is(at, TokenKind::LeftBrace))

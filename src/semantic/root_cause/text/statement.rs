@@ -179,9 +179,7 @@ impl FaultyShader<'_> {
     /// `Ray { vec3 o; };`
     fn lost_struct(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         let word = line.token(0);
-        let is_name = line.kind(0) == Some(RawKind::Word)
-            && classify(word, self.program.version) == WordClass::Plain;
-        if !is_name || !line.is(1, TokenKind::LeftBrace) {
+        if !self.is_plain(line, 0) || !line.is(1, TokenKind::LeftBrace) {
             return;
         }
         let span = line.span(0);

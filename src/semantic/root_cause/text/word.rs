@@ -34,11 +34,13 @@ impl FaultyShader<'_> {
         self.word_for_brace(line, all);
     }
 
-    fn is_plain(&self, line: &FaultyLine, at: usize) -> bool {
+    /// Whether a token is an ordinary identifier.
+    pub(super) fn is_plain(&self, line: &FaultyLine, at: usize) -> bool {
         line.kind(at) == Some(RawKind::Word)
             && classify(line.token(at), self.program.version) == WordClass::Plain
     }
 
+    /// Whether a token is the name of a built-in type.
     fn is_type_word(&self, line: &FaultyLine, at: usize) -> bool {
         let class = classify(line.token(at), self.program.version);
         line.kind(at) == Some(RawKind::Word) && matches!(class, WordClass::Type(_))
@@ -143,10 +145,9 @@ impl FaultyShader<'_> {
         near.sort_unstable();
         for (_, known) in near {
             let span = line.span(at);
-            let edits = vec![Edit::replace(span, known)];
             let message = format!("`{word}` is not a qualifier");
-            let title = format!("use `{known}`");
-            all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+            let kind = error::SYNTAX_ERROR;
+            all.push(replacement(kind, span, message, known.into()));
         }
     }
 
@@ -279,14 +280,7 @@ impl FaultyShader<'_> {
         let text = format!("{word}({})", line.of(argument));
         let message = format!("arguments of `{word}` must be in parentheses");
         let whole = span.to(argument);
-        let edits = vec![Edit::replace(whole, text.clone())];
-        all.push(candidate(
-            error::SYNTAX_ERROR,
-            whole,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        all.push(replacement(error::SYNTAX_ERROR, whole, message, text));
     }
 
     /// `if (not x > 0.5)`: the word negates the comparison, where `!` would negate `x`.
@@ -398,13 +392,11 @@ impl FaultyShader<'_> {
         }
         let (word, span) = (line.token(last), line.span(last));
         let message = format!("GLSL has no `{word}`; a block ends with `}}`");
-        let edits = vec![Edit::replace(span, "}")];
-        all.push(candidate(
+        all.push(replacement(
             error::FOREIGN_SYNTAX,
             span,
             message,
-            "use `}`",
-            edits,
+            "}".into(),
         ));
     }
 }
