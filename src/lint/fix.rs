@@ -126,8 +126,10 @@ pub fn failing_fixes<'a>(
     let offered = errors(seen).filter(|d| is_inside(d) && is_offered(d));
     let fails = |d: &&Diagnostic| match engine.try_fixes(&fixed, seen, &[d]) {
         Ok((_, after)) => {
-            let edits = d.fix.as_ref().map_or(&[][..], |fix| &fix.edits);
-            ErrorChange::new(seen, &after, edits, &[d]).leaves_line_broken(text)
+            // As they were applied.
+            let mut edits = d.fix.as_ref().map_or(Vec::new(), |fix| fix.edits.clone());
+            end_lines_alike(&mut edits, text);
+            ErrorChange::new(seen, &after, &edits, &[d]).leaves_line_broken(text)
         }
         Err(harm) => matches!(harm, Harm::Errors),
     };
