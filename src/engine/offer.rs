@@ -136,4 +136,14 @@ mod tests {
         let [fixes, help] = offered("a.json", &export);
         assert_eq!((fixes.len(), help.as_slice()), (0, &works[..]));
     }
+
+    /// A fix that adds a line is tried with the line breaks of the text.
+    #[test]
+    fn line_breaks_move_no_error() {
+        let text = "#version 300 es\nprecision highp vec3;\nout vec4 c;\nuniform float k;\n\
+                    void main() { c = vec4(k); }\n";
+        let [fixes, _] = offered("a.frag", text);
+        assert_eq!(fixes.len(), 2, "{fixes:?}");
+        assert_eq!(offered("a.frag", &text.replace('\n', "\r\n"))[0], fixes);
+    }
 }
