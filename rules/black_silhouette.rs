@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Observations, Watch};
-use shaderlint_lint::sample::{Hit, SampleRun, SampledPixel};
+use shaderlint_lint::sample::{Hit, Round, SampleRun, SampledPixel, share};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use std::collections::BTreeMap;
 
@@ -20,17 +20,26 @@ pub static RULE: Rule = Rule {
 const BLACK: f32 = 3.0 / 255.0;
 /// Least shares of the sampled quads that are entirely black, and entirely lit.
 const SHARES: [f64; 2] = [0.03, 0.03];
+/// The same shares of a few pixels.
+const LIKELY: f64 = 0.01;
 /// Least share of black pixels that hit a surface, of lit pixels that miss, and of hits that are
 /// black.
 const NEARLY_ALL: f64 = 0.99;
 
 fn check(cx: &mut Context) {
-    let Some(sample_run) = cx.facts.sampled_image() else {
-        return;
-    };
-    if cx.facts.hits().is_empty() {
+    if !cx.facts.is_image_known() || cx.facts.hits().is_empty() {
         return;
     }
+    let both = |few: &SampleRun| {
+        let black = share(few.drawn(), is_black);
+        (LIKELY..=1.0 - LIKELY).contains(&black)
+    };
+    if !cx.facts.round(Round::Second).is_some_and(both) {
+        return;
+    }
+    let Some(sample_run) = cx.facts.sample_run() else {
+        return;
+    };
     let Some(usual) = halves(cx, sample_run) else {
         return;
     };
@@ -62,15 +71,15 @@ fn is_black_where_hit(hit: &Hit, [black, lit]: &[Observations; 2]) -> bool {
         return false;
     };
     let shares = [
-        share(black.0, black.1),
-        share(lit.1, lit.0),
-        share(black.0, lit.0),
+        part(black.0, black.1),
+        part(lit.1, lit.0),
+        part(black.0, lit.0),
     ];
     shares.iter().all(|share| *share >= NEARLY_ALL)
 }
 
 /// The share of `some` in the sum of both; 0 if both are 0.
-fn share(some: u64, others: u64) -> f64 {
+fn part(some: u64, others: u64) -> f64 {
     some as f64 / (some + others).max(1) as f64
 }
 

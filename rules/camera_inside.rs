@@ -1,7 +1,7 @@
 //! Rays that stop at their first step because the camera is inside an object.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{RayCounts, grouped};
+use shaderlint_lint::sample::{RayCounts, SampleRun, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
@@ -15,14 +15,11 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let Some(note) = cx
-        .facts
-        .sampled_image()
-        .map(|sample_run| sample_run.sampled_note())
-    else {
+    if !cx.facts.is_image_known() {
         return;
-    };
+    }
     for outcome in cx.facts.stuck_marches() {
+        let note = cx.facts.sample_run().map(SampleRun::sampled_note);
         let RayCounts { rays, hits, .. } = outcome.counts;
         let extent = cx.program.tree.stmt(outcome.march.looped.stmt).extent;
         cx.facts.mark_blank();
@@ -35,7 +32,7 @@ fn check(cx: &mut Context) {
                 grouped(hits),
                 grouped(rays)
             ))
-            .note(note.clone())
+            .note(note.unwrap_or_default())
             .help("move the camera to an empty part of the scene");
     }
 }

@@ -24,6 +24,9 @@ const LIT_SURFACE: f64 = 0.03;
 const SURFACE: f64 = 0.25;
 
 fn check(cx: &mut Context) {
+    if !cx.facts.may_look(may_be_dark) {
+        return;
+    }
     let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
@@ -71,6 +74,11 @@ fn check(cx: &mut Context) {
         "check for a light that reaches nothing, a colour multiplied by zero, or a camera that \
         faces away",
     );
+}
+
+/// Whether few of the first pixels are lit: more than in a dark frame by chance.
+fn may_be_dark(first: &SampleRun) -> bool {
+    share(first.drawn(), |l| luminance(l.shown()) > DARK) <= 4.0 * LIT_SURFACE
 }
 
 /// Whether at most this share of the pixels is lit at every instant.

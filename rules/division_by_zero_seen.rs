@@ -2,7 +2,6 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
-use shaderlint_lint::sample::SampleRun;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 
@@ -17,10 +16,6 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let note = cx
-        .facts
-        .sample_run()
-        .map_or(String::new(), SampleRun::sampled_note);
     for fault in cx
         .facts
         .unreported_faults(FaultKind::DivisionByZero, |_| true)
@@ -36,7 +31,7 @@ fn check(cx: &mut Context) {
             (true, true) => "zero is divided by zero; the result is NaN",
             (true, false) => "the divisor is zero; the result is infinite",
         };
-        let finding = cx.report_op(op, what).note(fault.words).note(note.clone());
+        let finding = cx.report_op(op, what).note(fault.words).note(fault.sampled);
         if is_float && !is_nothing {
             finding.lower();
         }

@@ -4,7 +4,7 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Watch;
 use shaderlint_flow::{HitTest, RayKind};
 use shaderlint_lint::march::March;
-use shaderlint_lint::sample::{SampleRun, grouped, percent};
+use shaderlint_lint::sample::{Round, SampleRun, grouped, percent};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 
@@ -28,9 +28,6 @@ const FAR: f64 = 1000.0;
 const SHOWN: f64 = 1_000_000.0;
 
 fn check(cx: &mut Context) {
-    let Some(sample_run) = cx.facts.sample_run() else {
-        return;
-    };
     let facts = cx.facts;
     for (march, hit) in facts.camera_marches() {
         let March { looped, ray, .. } = march;
@@ -47,9 +44,15 @@ fn check(cx: &mut Context) {
                 l.exhausted_pixels as f64 / sample_run.pixels.max(1) as f64
             })
         };
-        if !facts.is_seen(|sample_run| share(sample_run) >= OFTEN) {
+        let may_be = |few: &SampleRun| share(few) >= OFTEN / 2.0;
+        if !facts.round(Round::Second).is_some_and(may_be)
+            || !facts.is_seen(|sample_run| share(sample_run) >= OFTEN)
+        {
             continue;
         }
+        let Some(sample_run) = facts.sample_run() else {
+            continue;
+        };
         let Some(distance) = farthest(cx, hit).filter(|distance| *distance >= FAR) else {
             continue;
         };

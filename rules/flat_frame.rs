@@ -20,6 +20,15 @@ pub static RULE: Rule = Rule {
 const NEAR: f32 = 1.5 / 255.0;
 
 fn check(cx: &mut Context) {
+    // Two different pixels are enough, unless rays that miss draw a background.
+    let is_flat = |sample_run: &SampleRun| sample_run.all(is_flat);
+    let missed = match cx.facts.is_image_known() {
+        true => cx.facts.missing_marches(),
+        false => return,
+    };
+    if missed.is_empty() && !cx.facts.may_look(is_flat) {
+        return;
+    }
     let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
@@ -32,8 +41,7 @@ fn check(cx: &mut Context) {
     if is_reported {
         return;
     }
-    let is_flat = |sample_run: &SampleRun| sample_run.all(is_flat);
-    if !missed(cx, sample_run)
+    if !report_missed(cx, &missed, sample_run)
         && !sample_run.shows_a_number()
         && cx.facts.is_computed()
         && cx.facts.is_seen(is_flat)
@@ -48,8 +56,7 @@ fn check(cx: &mut Context) {
 
 /// Reports the condition that ends rays at a hit, if all rays from the camera miss; returns whether they
 /// do.
-fn missed(cx: &mut Context, sample_run: &SampleRun) -> bool {
-    let missed = cx.facts.missing_marches();
+fn report_missed(cx: &mut Context, missed: &[MarchOutcome], sample_run: &SampleRun) -> bool {
     let Some(first) = missed.first() else {
         return false;
     };

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile};
 use shaderlint_ir::OpKind;
-use shaderlint_lint::sample::percent;
+use shaderlint_lint::sample::{Round, percent};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
@@ -19,13 +19,15 @@ pub static RULE: Rule = Rule {
 
 /// Least share of the pixels that look different.
 const SEEN: f64 = 0.2;
+/// The same share of the first pixels: smaller than in such an image by chance.
+const LIKELY: f64 = 0.08;
 /// How many quads are run at each instant.
 const QUADS: usize = 32;
 
 fn check(cx: &mut Context) {
-    let Some(sample_run) = cx.facts.sampled_image() else {
+    if !cx.facts.is_image_known() {
         return;
-    };
+    }
     let module = cx.facts.module();
     let hashes = |(op, number): (&shaderlint_ir::Op, u32)| {
         let is_fract = matches!(op.kind, OpKind::Builtin(BuiltinId::Fract, _));
@@ -38,12 +40,22 @@ fn check(cx: &mut Context) {
         gpu_profile: GpuProfile::Inexact(ErrorDirection::Either),
         ..CompileOptions::default()
     };
-    let (Some(exact), Some(imprecise)) = (cx.facts.unwatched(), cx.facts.compiled(&imprecise))
-    else {
+    let Some(imprecise) = cx.facts.compiled(&imprecise) else {
         return;
     };
-    let changed = cx.facts.difference([exact, &imprecise], QUADS);
+    let is_likely = |share: f64| share >= LIKELY;
+    let few = cx.facts.changed_in(Round::First, &imprecise);
+    if !few.is_some_and(is_likely) {
+        return;
+    }
+    let Some((bench, _)) = cx.facts.bench() else {
+        return;
+    };
+    let changed = cx.facts.difference([bench.watched(), &imprecise], QUADS);
     let Some(changed) = changed.filter(|share| *share >= SEEN) else {
+        return;
+    };
+    let Some(sample_run) = cx.facts.sample_run() else {
         return;
     };
     let note = sample_run.sampled_note();

@@ -18,10 +18,15 @@ pub static RULE: Rule = Rule {
 const GRAY: f32 = 0.08;
 /// Least share of the pixels that look gray.
 const MOST: f64 = 0.995;
+/// Largest share of coloured pixels among the first ones: more than in a gray image by chance.
+const FEW: f64 = 0.05;
 /// Pixels up to this luminance show no colour.
 const DARK: f32 = 12.0 / 255.0;
 
 fn check(cx: &mut Context) {
+    if !cx.facts.may_look(may_be_gray) {
+        return;
+    }
     let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };
@@ -34,6 +39,12 @@ fn check(cx: &mut Context) {
     finding
         .note(note)
         .help("increase the differences between channels; a few hundredths look gray");
+}
+
+/// Whether nearly none of the first pixels has a visible colour.
+fn may_be_gray(first: &SampleRun) -> bool {
+    let is_colored = |l: &SampledPixel| luminance(l.shown()) > DARK && saturation(l.shown()) > GRAY;
+    share(first.drawn(), is_colored) <= FEW
 }
 
 /// Whether no pixel has a visible colour, although the channels differ.

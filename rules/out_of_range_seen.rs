@@ -2,7 +2,6 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
-use shaderlint_lint::sample::SampleRun;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
@@ -16,16 +15,12 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let note = cx
-        .facts
-        .sample_run()
-        .map_or(String::new(), SampleRun::sampled_note);
     for fault in cx.facts.unreported_faults(FaultKind::OutOfRange, |_| true) {
         let message = match fault.number.witness.operands.first() {
             Some(index) => format!("index {index} is out of range"),
             None => "index is out of range".to_string(),
         };
         let finding = cx.report_op(fault.number.op, message);
-        finding.note(fault.words).note(note.clone());
+        finding.note(fault.words).note(fault.sampled);
     }
 }

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{LoopFacts, RayKind};
-use shaderlint_lint::sample::{SampleRun, percent};
+use shaderlint_lint::sample::{Round, SampleRun, percent};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {
@@ -23,9 +23,9 @@ const OFTEN: f64 = 0.005;
 const SEEN: f64 = 0.01;
 
 fn check(cx: &mut Context) {
-    let Some(sample_run) = cx.facts.sampled_image() else {
+    if !cx.facts.is_image_known() {
         return;
-    };
+    }
     let marches = cx.facts.marches().iter();
     let searches = |l: &LoopFacts| {
         let steps = l.bound.iterations();
@@ -42,10 +42,9 @@ fn check(cx: &mut Context) {
                 l.exhausted_pixels as f64 / sample_run.pixels.max(1) as f64
             })
         };
-        if !cx
-            .facts
-            .is_seen(|sample_run| exhausted(sample_run) >= OFTEN)
-        {
+        let may_be = |few: &SampleRun| exhausted(few) > 0.0;
+        let is_often = |sample_run: &SampleRun| exhausted(sample_run) >= OFTEN;
+        if !cx.facts.round(Round::Second).is_some_and(may_be) {
             continue;
         }
         let Some(changed) = cx
@@ -53,6 +52,12 @@ fn check(cx: &mut Context) {
             .change_by_more_iterations(&looped)
             .filter(|c| *c >= SEEN)
         else {
+            continue;
+        };
+        if !cx.facts.is_seen(is_often) {
+            continue;
+        }
+        let Some(sample_run) = cx.facts.sample_run() else {
             continue;
         };
         let (out, note) = (percent(exhausted(sample_run)), sample_run.sampled_note());

@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{FaultKind, NumberObservation};
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::sample::{SampleRun, rounded};
+use shaderlint_lint::sample::rounded;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
@@ -18,10 +18,6 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let note = cx
-        .facts
-        .sample_run()
-        .map_or(String::new(), SampleRun::sampled_note);
     let module = cx.facts.module();
     let called = |op: OpId| match module.op(op).kind {
         OpKind::Builtin(function, _) => Some(function),
@@ -52,7 +48,7 @@ fn check(cx: &mut Context) {
                 "the argument is outside the domain of `{name}` (section 8); many GPUs return NaN"
             ))
             .note(fault.words)
-            .note(note.clone());
+            .note(fault.sampled);
         cx.facts.mark_reported(Some(op));
     }
 }

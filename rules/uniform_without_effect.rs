@@ -29,12 +29,13 @@ const POINTERS: usize = 9;
 const QUADS: [usize; 2] = [8, 256];
 
 fn check(cx: &mut Context) {
-    if cx.facts.is_blank() || cx.facts.sampled_image().is_none() {
+    if cx.facts.is_blank() || !cx.facts.is_image_known() {
         return;
     }
-    let Some(code) = cx.facts.unwatched() else {
+    let Some((bench, _)) = cx.facts.bench() else {
         return;
     };
+    let code = bench.watched();
     for slot in &code.uniforms {
         let Some(way) = way(cx, code, slot) else {
             continue;
@@ -104,10 +105,10 @@ fn pressed(time: f64, at: [f64; 2]) -> Instant {
 /// Whether some value of a uniform changes some pixel.
 fn changes(cx: &Context, code: &Bytecode, slot: &UniformSlot, way: Way) -> Option<bool> {
     let (bench, supplier) = cx.facts.bench()?;
-    let count = (slot.ty.element().components() * slot.ty.array.max(1)) as usize;
-    for quads in QUADS {
-        let mut quads = quads_all_over(SIZE, quads, 0);
-        if way == Way::Mouse {
+    let scalars = (slot.ty.element().components() * slot.ty.array.max(1)) as usize;
+    for count in QUADS {
+        let mut quads = quads_all_over(SIZE, count, 0);
+        if way == Way::Mouse && count == QUADS[1] {
             // A pointer may be drawn where the mouse is.
             let [x, y] = pointer(1).map(|lane| lane as u32 & !1);
             quads.extend((0..POINTERS as u32).map(|i| [x + i % 3 * 4 - 4, y + i / 3 * 4 - 4]));
@@ -122,13 +123,13 @@ fn changes(cx: &Context, code: &Bytecode, slot: &UniformSlot, way: Way) -> Optio
                 let [x, y] = pointer(number);
                 match (way, VALUES.get(number)) {
                     (Way::Values, Some(value)) => {
-                        draw.set(&slot.name, &vec![*value; count]);
+                        draw.set(&slot.name, &vec![*value; scalars]);
                     }
                     // ShaderToy's mouse while it is dragged, and in the frame of the click.
-                    (Way::Mouse, _) if count == 4 && number == DRAGGED => {
+                    (Way::Mouse, _) if scalars == 4 && number == DRAGGED => {
                         draw.set(&slot.name, &[x, y, 0.5 * x, -0.5 * y]);
                     }
-                    (Way::Mouse, _) if count == 4 && number == CLICKED => {
+                    (Way::Mouse, _) if scalars == 4 && number == CLICKED => {
                         draw.set(&slot.name, &[x, y, x, y]);
                     }
                     _ => {}

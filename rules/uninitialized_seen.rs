@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::UnassignedVariable;
-use shaderlint_lint::sample::percent;
+use shaderlint_lint::sample::{SampleRun, percent};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
 
@@ -28,14 +28,16 @@ struct Suspect {
 }
 
 fn check(cx: &mut Context) {
-    let Some(sample_run) = cx.facts.sampled_image() else {
+    if !cx.facts.is_image_known() {
         return;
-    };
+    }
     let suspects = suspects(cx);
     if suspects.is_empty() || cx.facts.changed_by_initial_value(None).is_none() {
         return;
     }
-    let note = sample_run.sampled_note();
+    let Some(note) = cx.facts.sample_run().map(SampleRun::sampled_note) else {
+        return;
+    };
     for Suspect { unset, is_in_loop } in suspects.into_iter().take(MAX_SUSPECTS) {
         let Some(op) = cx.facts.initial_value(unset) else {
             continue;

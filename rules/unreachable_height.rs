@@ -35,10 +35,24 @@ struct Bands {
 }
 
 fn check(cx: &mut Context) {
-    let bands = bands(cx);
-    let Some(sample_run) = cx.facts.sampled_image().filter(|_| !bands.is_empty()) else {
+    if !cx.facts.is_image_known() {
         return;
+    }
+    let mut bands = bands(cx);
+    bands.retain(|bands| {
+        let is_bounded = !cx.facts.may_move(bands.value) || proves(cx, bands);
+        is_bounded && cx.facts.is_known(bands.first())
+    });
+    if bands.is_empty() {
+        return;
+    }
+    let may_be_missed = |few: &SampleRun| {
+        let mut all = bands.iter();
+        all.any(|bands| Reached::of(few, bands).is_none_or(|seen| seen.is_below()))
     };
+    if !cx.facts.compared().is_some_and(may_be_missed) {
+        return;
+    }
     let mut runs = cx.facts.smaller_runs(Watch::Comparisons);
     let Some(Some(usual)) = runs.next() else {
         return;
@@ -47,16 +61,15 @@ fn check(cx: &mut Context) {
     let missed = bands
         .into_iter()
         .filter_map(missed)
-        .filter(|(seen, bands)| {
-            let is_known = cx.facts.is_known(bands.first());
-            let is_bounded = !cx.facts.may_move(bands.value) || proves(cx, bands);
-            is_known && is_bounded && seen.distinguishes && seen.is_below() && !grows(&usual, bands)
-        });
+        .filter(|(seen, bands)| seen.distinguishes && seen.is_below() && !grows(&usual, bands));
     let missed: Vec<(Reached, Bands)> = missed.collect();
     if missed.is_empty() {
         return;
     }
     let Some(later) = cx.facts.later_run(Watch::Comparisons) else {
+        return;
+    };
+    let Some(sample_run) = cx.facts.sample_run() else {
         return;
     };
     let others: Vec<SampleRun> = runs.flatten().chain([later]).collect();

@@ -16,8 +16,14 @@ pub static RULE: Rule = Rule {
 
 /// Smallest share of pixels that are too bright.
 const MOST: f64 = 0.9;
+/// The same share of the first pixels: fewer than in such an image by chance.
+const LIKELY: f64 = 0.75;
 
 fn check(cx: &mut Context) {
+    let may_be = |first: &SampleRun| share(first.drawn(), is_too_bright) >= LIKELY;
+    if !cx.facts.may_look(may_be) {
+        return;
+    }
     let Some(sample_run) = cx.facts.sampled_image() else {
         return;
     };

@@ -207,7 +207,7 @@ fn output_is_verified() {
     );
     folder.works(
         "plain.glsl --main rewrite --verify -o plain.frag",
-        "Image: identical on 8832 pixels",
+        "Image: identical on 9152 pixels",
     );
 }
 
@@ -224,7 +224,7 @@ fn repairs_are_verified() {
     let old = "precision highp float;\nvarying vec2 place;\nuniform float time;\n\
                uniform sampler2D back;\nvoid main() {\n    \
                gl_FragColor = texture2D(back, place) * sin(time);\n}\n";
-    let same = "Image: identical on 8832 pixels".to_string();
+    let same = "Image: identical on 9152 pixels".to_string();
     assert_eq!(reported("old.frag", old), (Some(0), same));
     let toy = "void mainImage(out vec4 c, in vec2 p) { c = texture2D(iChannel0, p); }\n";
     let since = ", compared with the repaired code: the original does not compile";

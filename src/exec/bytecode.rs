@@ -1,6 +1,7 @@
 //! The bytecode that the VM executes: a register machine over 32 pixels.
 
 use super::compile::options::ErrorDirection;
+use super::observations::FaultKind;
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
@@ -65,6 +66,12 @@ pub struct Bytecode {
 }
 
 impl Bytecode {
+    /// The operations that are checked for faults while they run.
+    pub fn checked(&self) -> impl Iterator<Item = (OpId, FaultKind)> {
+        let sites = self.checks.iter();
+        sites.flat_map(|site| site.checked.kinds().iter().map(|kind| (site.op, *kind)))
+    }
+
     /// The memory in bytes that one thread needs to run the code: code, registers, uniforms and
     /// inputs, without textures and statistics.
     pub fn bytes(&self) -> usize {

@@ -70,8 +70,11 @@ fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
 /// (stratified) sampling. Quads that share a tile are neighbours, so that they diverge less. `seed`
 /// varies the positions.
 pub fn quads_all_over([width, height]: [u32; 2], count: usize, seed: u32) -> Vec<[u32; 2]> {
-    let cells = (count.max(1) as f64 * f64::from(width) / f64::from(height.max(1))).sqrt();
-    let across = (cells.round() as u32).clamp(1, (width / 2).max(1));
+    let cells = (count.max(1) as f64 * f64::from(width) / f64::from(height.max(1))).sqrt() as u32;
+    // Of the two nearest numbers of columns, the one that leaves out fewer quads.
+    let used = |across: &u32| count as u32 / across.max(&1) * across;
+    let columns = [cells, cells + 1].into_iter().max_by_key(used);
+    let across = columns.unwrap_or(1).clamp(1, (width / 2).max(1));
     let up = (count as u32 / across).clamp(1, (height / 2).max(1));
     let side = [width / across, height / up].map(|side| side.max(1));
     let all = (0..up).flat_map(|y| (0..across).map(move |x| [x, y]));
@@ -216,6 +219,20 @@ impl Drawn {
 fn put<T: Copy>(all: &mut [T], at: usize, value: Option<&T>) {
     if let (Some(slot), Some(value)) = (all.get_mut(at), value) {
         *slot = *value;
+    }
+}
+
+impl Sampled {
+    /// Adds more pixels of the same draw.
+    pub fn add(&mut self, more: Sampled) {
+        self.pixels.extend(more.pixels);
+        for (own, more) in self.outputs.iter_mut().zip(more.outputs) {
+            own.extend(more);
+        }
+        self.covered.extend(more.covered);
+        self.cost.extend(more.cost);
+        self.spent += more.spent;
+        self.seen.add(more.seen);
     }
 }
 

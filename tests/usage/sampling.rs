@@ -13,7 +13,7 @@ fn run_samples_sets_the_number_of_pixels() {
     assert_eq!(reported.code, 0);
     assert!(reported.out.contains("[dark-frame]"));
     assert!(
-        reported.out.contains("sampled 1,920 pixels"),
+        reported.out.contains("sampled 1,968 pixels"),
         "{}",
         reported.out
     );

@@ -93,7 +93,7 @@ pub struct CheckArgs {
     /// Static analysis only: do not execute shaders
     #[arg(long, help_heading = "Rules")]
     pub no_run: bool,
-    /// Sample N pixels of each shader, however long it takes, instead of up to 9216
+    /// Sample N pixels of each shader, however long it takes, instead of up to 4096
     #[arg(
         long,
         value_name = "N",

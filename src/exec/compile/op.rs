@@ -263,12 +263,24 @@ impl Compiler<'_> {
         self.push(Instr::Compare(number));
     }
 
+    /// Whether an operation divides by constants, of which none is zero.
+    fn has_constant_divisor(&self, op: OpId) -> bool {
+        let OpKind::Binary(_, _, divisor) = self.module.op(op).kind else {
+            return false;
+        };
+        let lanes = self.module.constant(divisor);
+        !lanes.is_empty() && lanes.iter().all(|lane| lane.as_float() != 0.0)
+    }
+
     /// Adds a fault check.
     pub fn check(&mut self, op: OpId, checked: FaultCheck, result: Reg, operands: &[Reg]) {
         let checked = match checked {
             _ if self.watches(Watch::Numbers) => checked,
             _ if !self.watches(Watch::Faults) => return,
             FaultCheck::Float => return,
+            FaultCheck::Quotient | FaultCheck::Divisor(_) if self.has_constant_divisor(op) => {
+                return;
+            }
             FaultCheck::Quotient => FaultCheck::Divisor(Scalar::Float),
             FaultCheck::Divisor(_)
             | FaultCheck::Index

@@ -331,7 +331,7 @@ impl Ends {
 
 impl FaultCheck {
     /// The kinds of faults that a check may report.
-    const fn kinds(self) -> &'static [FaultKind] {
+    pub const fn kinds(self) -> &'static [FaultKind] {
         match self {
             FaultCheck::Float => &[FaultKind::Nan, FaultKind::Infinite],
             FaultCheck::Quotient => &[

@@ -4,7 +4,7 @@
 use super::{INSTANTS, Instant, SampleFrame, SampleRun, Supplier};
 use crate::facts::Facts;
 use shaderlint_exec::{
-    Bytecode, CompileOptions, Draw, LANES, Observations, Sampled, Watch, quads_all_over, sample,
+    Bytecode, CompileOptions, Draw, LANES, Sampled, Watch, quads_all_over, sample,
 };
 use shaderlint_semantic::Stage;
 
@@ -21,10 +21,10 @@ pub struct SampleLimit {
 }
 
 impl Default for SampleLimit {
-    /// With 9,216 pixels, a defect on one of 2,000 pixels is missed in less than 1 % of runs.
+    /// With 4,096 pixels, a defect on one of 900 pixels is missed in less than 1 % of runs.
     fn default() -> SampleLimit {
         SampleLimit {
-            pixels: 9216,
+            pixels: 4096,
             insists: false,
         }
     }
@@ -57,17 +57,40 @@ const MOST_INSTRUCTIONS: usize = 60_000;
 /// link. Each of them is set by name in every draw.
 const MOST_UNIFORMS: usize = 4 * 1_024;
 const MOST_VARYINGS: usize = 4 * 32;
-/// Number of quads for the cost estimate: enough to fill the lanes three times.
-const PRICED: usize = 24;
 /// Most instructions of 32 pixels if the user sets the number of pixels.
 const MOST_FUEL: u64 = 20_000_000;
+
+/// How far a sample run goes. Each round continues the previous one.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Round {
+    /// 128 pixels: one step of the VM at each instant. Enough to see that an image is neither dark nor
+    /// flat.
+    First,
+    /// 512 pixels: a fault in 1 % of the evaluations is missed in less than 1 % of runs.
+    Second,
+    /// All pixels, once there is something to claim.
+    Last,
+}
+
+impl Round {
+    /// Number of rounds.
+    pub const COUNT: usize = 3;
+
+    /// Number of pixels of this round and those before.
+    const fn pixels(self) -> Option<u32> {
+        match self {
+            Round::First => Some(128),
+            Round::Second => Some(512),
+            Round::Last => None,
+        }
+    }
+}
 
 /// A shader that is ready for sample runs.
 pub struct Bench {
     /// Bytecode that watches for faults.
     code: Bytecode,
-    /// Number of quads per instant.
-    pub quads: usize,
+    limit: SampleLimit,
     /// Most instructions of 32 pixels.
     fuel: u64,
     /// Most instructions of all pixels of an instant.
@@ -75,8 +98,8 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Compiles a shader, and estimates how many pixels fit into the budget.
-    pub(super) fn of(facts: &Facts, supplier: &dyn Supplier) -> Option<Bench> {
+    /// Compiles a shader; `None` if it is too large or cannot be run.
+    pub(super) fn of(facts: &Facts) -> Option<Bench> {
         let limit = facts.samples.limit;
         let program = facts.program();
         let entry = facts.entry()?;
@@ -94,25 +117,17 @@ impl Bench {
         if code.uniforms.len() > MOST_UNIFORMS || code.inputs.len() > MOST_VARYINGS {
             return None;
         }
-        let pixels = u64::from(limit.pixels);
-        let mut bench = Bench {
+        // An instant may use twice its share of the budget, since one may cost more than another.
+        let (fuel, budget) = match limit.insists {
+            true => (MOST_FUEL, u64::MAX),
+            false => (BUDGET / LEAST_PIXELS, BUDGET / LANES as u64 / 2),
+        };
+        Some(Bench {
             code,
-            quads: 0,
-            fuel: MOST_FUEL,
-            budget: u64::MAX,
-        };
-        if !limit.insists {
-            bench.fuel = BUDGET / LEAST_PIXELS;
-            // Twice the share of an instant, since one may cost more than another.
-            bench.budget = BUDGET / LANES as u64 / 2;
-        }
-        let affordable = match limit.insists {
-            true => pixels,
-            false => pixels.min(BUDGET / bench.price(supplier)?.max(1)),
-        };
-        let by_instant = affordable / 4 / INSTANTS.len() as u64;
-        bench.quads = by_instant as usize;
-        (limit.insists || affordable >= LEAST_PIXELS.min(pixels)).then_some(bench)
+            limit,
+            fuel,
+            budget,
+        })
     }
 
     /// The bytecode that watches for faults.
@@ -120,16 +135,35 @@ impl Bench {
         &self.code
     }
 
-    /// Instructions per pixel, estimated from a few quads all over the frame.
-    fn price(&self, supplier: &dyn Supplier) -> Option<u64> {
-        let few = quads_all_over(SIZE, PRICED, 0);
-        let (mut spent, mut pixels) = (0, 0);
-        for instant in [INSTANTS.first()?, INSTANTS.last()?] {
-            let sampled = self.sample(&self.code, supplier, instant, &few)?;
-            spent += sampled.spent * LANES as u64;
-            pixels += sampled.pixels.len() as u64;
-        }
-        spent.checked_div(pixels)
+    /// Number of quads per instant of a round and those before; `None` if fewer fit into the budget than
+    /// are worth it.
+    pub(super) fn quads(&self, round: Round, first: Option<&SampleRun>) -> Option<usize> {
+        let pixels = round.pixels().unwrap_or(u32::MAX).min(self.limit.pixels);
+        let least = LEAST_PIXELS.min(pixels.into());
+        let affordable = match first {
+            Some(first) if !self.limit.insists => BUDGET / first.price().max(1),
+            _ => u64::MAX,
+        };
+        let pixels = affordable.min(pixels.into());
+        (pixels >= least).then_some(pixels as usize / 4 / INSTANTS.len())
+    }
+
+    /// Continues a sample run from one number of quads per instant to another; `None` if they exceed the
+    /// budget.
+    pub(super) fn extend(
+        &self,
+        sample_run: &SampleRun,
+        supplier: &dyn Supplier,
+        quads: usize,
+        round: Round,
+    ) -> Option<SampleRun> {
+        let before = sample_run.pixels as usize / 4 / INSTANTS.len();
+        let seed = round as u32 * INSTANTS.len() as u32;
+        let more = quads.saturating_sub(before);
+        let more = self.run_at(&INSTANTS, &self.code, supplier, (more, seed))?;
+        let mut all = sample_run.clone();
+        all.add(more);
+        Some(all)
     }
 
     /// Runs some quads at an instant; `None` if they exceed the budget.
@@ -151,23 +185,19 @@ impl Bench {
 
     /// Runs this number of quads at every instant; `None` if they exceed the budget.
     pub fn run(&self, code: &Bytecode, supplier: &dyn Supplier, quads: usize) -> Option<SampleRun> {
-        self.run_at(&INSTANTS, code, supplier, quads)
+        self.run_at(&INSTANTS, code, supplier, (quads, 0))
     }
 
-    /// Runs this number of quads at some instants; `None` if they exceed the budget.
+    /// Runs this number of quads at some instants, from this seed on; `None` if they exceed the budget.
     pub fn run_at(
         &self,
         instants: &[Instant],
         code: &Bytecode,
         supplier: &dyn Supplier,
-        quads: usize,
+        (quads, seed): (usize, u32),
     ) -> Option<SampleRun> {
-        let mut sample_run = SampleRun {
-            pixels: 0,
-            seen: Observations::default(),
-            frames: Vec::with_capacity(instants.len()),
-        };
-        for (instant, number) in instants.iter().zip(0..) {
+        let mut sample_run = SampleRun::empty();
+        for (instant, number) in instants.iter().zip(seed..) {
             let sampled = self.sample(
                 code,
                 supplier,

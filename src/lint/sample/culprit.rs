@@ -1,7 +1,7 @@
 //! The operation that made a pixel NaN or infinite.
 
-use super::SampleRun;
 use super::bench::colors;
+use super::{Round, SampleRun};
 use crate::context::Context;
 use crate::facts::Facts;
 use rustc_hash::FxHashSet;
@@ -28,12 +28,10 @@ impl Facts<'_> {
     pub fn culprit(&self, kind: FaultKind, is_broken: fn(f32) -> bool) -> Option<Culprit> {
         let is_hit = |color: &[f32; 3]| color.iter().any(|lane| is_broken(*lane));
         let has_one = |sample_run: &SampleRun| sample_run.drawn().any(|pixel| is_hit(&pixel.color));
-        let sample_run = self
-            .sampled_image()
-            .filter(|sample_run| has_one(sample_run))?;
-        if !self.is_seen(has_one) {
+        if !self.is_image_known() || !self.round(Round::Second).is_some_and(has_one) {
             return None;
         }
+        let sample_run = self.sample_run().filter(|_| self.is_seen(has_one))?;
         let share = super::share(sample_run.drawn(), |pixel| is_hit(&pixel.color));
         let (instant, pixel) = sample_run.frames.iter().find_map(|frame| {
             let found = frame.drawn().find(|pixel| is_hit(&pixel.color))?;

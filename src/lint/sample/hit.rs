@@ -1,6 +1,6 @@
 //! What sampled rays hit: the outcome of marching loops, and the conditions after them.
 
-use super::{INSTANTS, SampleFrame, SampleRun};
+use super::{INSTANTS, Round, SampleFrame, SampleRun};
 use crate::facts::Facts;
 use crate::march::{March, MarchGoal};
 use shaderlint_exec::{Observations, Watch};
@@ -150,6 +150,9 @@ fn operation(facts: &Facts, module: &Module, op: OpId) -> f64 {
 /// Smallest share of rays that end at their first step, and of pixels with such a ray.
 const STUCK: f64 = 0.98;
 
+/// The same share in a few pixels.
+const LIKELY: f64 = 0.9;
+
 /// Share of all steps from which rays count as out of steps.
 const TIRED: f64 = 0.9;
 /// Fewest steps of a loop that can run out of them.
@@ -178,11 +181,10 @@ impl Facts<'_> {
     /// at every instant.
     pub fn stuck_marches(&self) -> &[MarchOutcome] {
         self.samples.stuck.get_or_init(|| {
-            // The usual run, which is there already, rules most loops out.
+            // The first pixels rule most loops out.
             let mut likely = self.camera_marches().filter(|(march, _)| {
-                let is_stuck = |frame: &SampleFrame| self.stays(march, &frame.sampled.seen);
-                let is_all = |sample_run: &SampleRun| sample_run.frames.iter().all(is_stuck);
-                self.sample_run().is_some_and(is_all)
+                let stays = |sample_run: &SampleRun| self.stays(march, &sample_run.seen);
+                self.round(Round::First).is_some_and(stays)
             });
             match likely.next().is_some() {
                 true => self.outcomes(|counts, march, pixels| {
@@ -214,14 +216,40 @@ impl Facts<'_> {
         }
     }
 
-    /// Whether a few rays hit something, which is faster than a run.
+    /// Whether a few rays hit something.
     fn may_hit(&self) -> bool {
-        let few = || {
-            let code = self.comparing()?;
-            let (bench, supplier) = self.bench()?;
-            bench.run(&code, supplier, PROBED)
+        let first = self.round(Round::First);
+        let hit = |(_, test): (&March, HitTest)| {
+            let branch = self.branch(&test);
+            let observed = first?.seen.branches.iter().find(|b| Some(b.at) == branch)?;
+            let hits = if test.truth {
+                observed.taken
+            } else {
+                observed.skipped
+            };
+            (hits > 0).then_some(())
         };
-        few().is_none_or(|sample_run| {
+        first.is_none()
+            || self.camera_marches().any(|march| hit(march).is_some())
+            || self.compares_hit()
+    }
+
+    /// The `if` that branches on the comparison of a hit test.
+    fn branch(&self, test: &HitTest) -> Option<Provenance> {
+        let module = self.module();
+        let bodies = module.functions.iter().filter_map(|f| f.body);
+        let mut steps = bodies.flat_map(|body| module.steps_in(module.steps(body)));
+        steps.find_map(|step| match *step {
+            Step::If {
+                condition, origin, ..
+            } if condition == test.condition => Some(origin),
+            _ => None,
+        })
+    }
+
+    /// Whether a comparison of a few rays ends in a hit.
+    fn compares_hit(&self) -> bool {
+        self.compared().is_none_or(|sample_run| {
             let mut marches = self.camera_marches();
             marches.any(|(_, test)| {
                 self.tested(&test, &sample_run.seen)
@@ -322,9 +350,10 @@ impl Facts<'_> {
 
     /// The uniforms whose values differ between instants.
     fn changing_uniforms(&self) -> Vec<String> {
-        let Some(((_, supplier), code)) = self.bench().zip(self.unwatched()) else {
+        let Some((bench, supplier)) = self.bench() else {
             return Vec::new();
         };
+        let code = bench.watched();
         let draws = INSTANTS.map(|instant| supplier.draw(code, super::SIZE, &instant));
         let Some((first, others)) = draws.split_first() else {
             return Vec::new();
@@ -341,9 +370,6 @@ impl Facts<'_> {
         let once: u32 = looped.histogram.iter().take(3).sum();
         let reached = looped.pixels as f64 / seen.pixels.max(1) as f64;
         let left = f64::from(once) / looped.pixels.max(1) as f64;
-        reached >= STUCK && left >= STUCK
+        reached >= LIKELY && left >= LIKELY
     }
 }
-
-/// Number of quads in which a first hit is looked for.
-const PROBED: usize = 24;

@@ -17,10 +17,9 @@ impl Facts<'_> {
             undefined_at,
             ..CompileOptions::default()
         };
-        let (zeros, rubbish) = (self.unwatched()?, self.compiled(&options)?);
         let (bench, _) = self.bench()?;
-        let quads = bench.quads.div_ceil(4);
-        let changed = self.difference([zeros, &rubbish], quads)?;
+        let rubbish = self.compiled(&options)?;
+        let changed = self.difference([bench.watched(), &rubbish], self.fewer_quads()?)?;
         (changed > 0.0).then_some(changed)
     }
 

@@ -5,18 +5,21 @@ mod culprit;
 mod hit;
 mod initial_value;
 mod more_iterations;
+mod open;
 mod pixels;
 mod verdict;
 
 use super::facts::Facts;
 use rustc_hash::FxHashSet;
-use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile, Observations, Sampled, Watch};
+use shaderlint_exec::{
+    CompileOptions, ErrorDirection, GpuProfile, LANES, Observations, Sampled, Watch,
+};
 use shaderlint_flow::{Uniformity, Varying};
 use shaderlint_ir::{Module, OpId, Root};
 use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
 use std::cell::{Cell, OnceCell, RefCell};
 
-pub use bench::{Bench, SIZE, SampleLimit, colors};
+pub use bench::{Bench, Round, SIZE, SampleLimit, colors};
 pub use culprit::{Culprit, grouped, percent, report_broken, rounded};
 pub use hit::{Hit, MarchOutcome, RayCounts};
 pub use more_iterations::is_apart;
@@ -133,6 +136,35 @@ pub struct SampleFrame {
 }
 
 impl SampleRun {
+    /// Nothing, at the instants of a sample run.
+    fn empty() -> SampleRun {
+        SampleRun {
+            pixels: 0,
+            seen: Observations::default(),
+            frames: Vec::new(),
+        }
+    }
+
+    /// Adds more pixels at the same instants.
+    fn add(&mut self, more: SampleRun) {
+        self.pixels += more.pixels;
+        self.seen.add(more.seen);
+        if self.frames.is_empty() {
+            self.frames = more.frames;
+            return;
+        }
+        for (own, more) in self.frames.iter_mut().zip(more.frames) {
+            own.sampled.add(more.sampled);
+            own.colors.extend(more.colors);
+        }
+    }
+
+    /// Instructions per pixel, as for one lane.
+    fn price(&self) -> u64 {
+        let spent: u64 = self.frames.iter().map(|frame| frame.sampled.spent).sum();
+        (spent * LANES as u64).checked_div(self.pixels).unwrap_or(0)
+    }
+
     /// What was sampled, as a note of a finding.
     pub fn sampled_note(&self) -> String {
         let times = self.frames.iter().map(|s| s.instant.time.to_string());
@@ -154,20 +186,23 @@ const GPU_PROFILES: [GpuProfile; 3] = [
     GpuProfile::Mobile,
 ];
 
+/// Number of quads per instant of the first run that watches comparisons.
+const COMPARED: usize = 24;
+
 /// Cached results of the sample runs of a shader.
 #[derive(Default)]
 pub(crate) struct SampleCache<'a> {
     pub supplier: Option<&'a dyn Supplier>,
     pub limit: SampleLimit,
     bench: OnceCell<Option<Bench>>,
-    unwatched: OnceCell<Option<Bytecode>>,
-    usual: OnceCell<Option<SampleRun>>,
+    rounds: [OnceCell<Option<SampleRun>>; Round::COUNT],
     gpu_profiles: [OnceCell<Option<SampleRun>>; GPU_PROFILES.len()],
     unknown: OnceCell<Uniformity>,
     hits: OnceCell<Vec<Hit>>,
     stuck: OnceCell<Vec<MarchOutcome>>,
     moving: OnceCell<Uniformity>,
     later: OnceCell<Option<SampleRun>>,
+    compared: OnceCell<Option<SampleRun>>,
     /// Operations that other rules have reported.
     reported: RefCell<FxHashSet<OpId>>,
     /// Whether a rule has reported that nothing is visible.
@@ -179,17 +214,37 @@ impl<'a> Facts<'a> {
     /// off.
     pub fn bench(&self) -> Option<(&Bench, &'a dyn Supplier)> {
         let supplier = self.samples.supplier?;
-        let bench = self.samples.bench.get_or_init(|| Bench::of(self, supplier));
+        let bench = self.samples.bench.get_or_init(|| Bench::of(self));
         bench.as_ref().map(|bench| (bench, supplier))
     }
 
-    /// The sample run of the shader.
+    /// The sample run of the shader, with all pixels: what a claim is made of.
     pub fn sample_run(&self) -> Option<&SampleRun> {
-        let run = || {
+        self.round(Round::Last)
+    }
+
+    /// The sample run up to a round. Only what the first rounds leave open is worth the last.
+    pub fn round(&self, round: Round) -> Option<&SampleRun> {
+        let [first, second, last] = &self.samples.rounds;
+        let extend = |before: Option<&SampleRun>| {
             let (bench, supplier) = self.bench()?;
-            bench.run(bench.watched(), supplier, bench.quads)
+            let quads = bench.quads(round, before)?;
+            match before {
+                Some(before) => bench.extend(before, supplier, quads, round),
+                None => bench.extend(&SampleRun::empty(), supplier, quads, round),
+            }
         };
-        self.samples.usual.get_or_init(run).as_ref()
+        let run = match round {
+            Round::First => first.get_or_init(|| extend(None)),
+            Round::Second => second.get_or_init(|| extend(Some(self.round(Round::First)?))),
+            Round::Last => last.get_or_init(|| extend(Some(self.round(Round::Second)?))),
+        };
+        run.as_ref()
+    }
+
+    /// Whether the image is known, and the first pixels do not refute a claim about it.
+    pub fn may_look(&self, test: impl FnOnce(&SampleRun) -> bool) -> bool {
+        self.is_image_known() && self.round(Round::First).is_some_and(test)
     }
 
     /// Whether a test holds for the sample run, and on all GPU profiles.
@@ -219,8 +274,15 @@ impl<'a> Facts<'a> {
             gpu_profile,
             ..CompileOptions::default()
         };
-        let code = self.compiled(&options)?;
-        bench.run(&code, supplier, bench.quads.div_ceil(4))
+        let quads = self.fewer_quads()?;
+        bench.run(&self.compiled(&options)?, supplier, quads)
+    }
+
+    /// Half of the quads of the sample run, per instant.
+    fn fewer_quads(&self) -> Option<usize> {
+        let (bench, _) = self.bench()?;
+        let quads = bench.quads(Round::Last, self.round(Round::First))?;
+        Some(quads.div_ceil(2))
     }
 
     /// A small run at later instants that watches for these events.
@@ -230,8 +292,8 @@ impl<'a> Facts<'a> {
             watch,
             ..CompileOptions::default()
         };
-        let code = self.compiled(&options)?;
-        bench.run_at(&LATER, &code, supplier, bench.quads.div_ceil(4))
+        let quads = self.fewer_quads()?;
+        bench.run_at(&LATER, &self.compiled(&options)?, supplier, (quads, 0))
     }
 
     /// Whether a test holds at later instants, with other places of the mouse.
@@ -241,19 +303,19 @@ impl<'a> Facts<'a> {
         later.as_ref().is_some_and(test)
     }
 
-    /// The bytecode that watches comparisons.
-    fn comparing(&self) -> Option<Bytecode> {
-        let options = CompileOptions {
-            watch: Watch::Comparisons,
-            ..CompileOptions::default()
+    /// A run of few pixels that watches comparisons.
+    pub fn compared(&self) -> Option<&SampleRun> {
+        let run = || {
+            let options = CompileOptions {
+                watch: Watch::Comparisons,
+                ..CompileOptions::default()
+            };
+            // What a small run tells is asked only if the shader can be run further.
+            self.fewer_quads()?;
+            let (bench, supplier) = self.bench()?;
+            bench.run(&self.compiled(&options)?, supplier, COMPARED)
         };
-        self.compiled(&options)
-    }
-
-    /// The bytecode of the shader, without watching for events.
-    pub fn unwatched(&self) -> Option<&Bytecode> {
-        let compile = || self.compiled(&CompileOptions::default());
-        self.samples.unwatched.get_or_init(compile).as_ref()
+        self.samples.compared.get_or_init(run).as_ref()
     }
 
     /// The bytecode of the shader; `None` if it cannot be run, or is too large.
@@ -287,16 +349,24 @@ impl<'a> Facts<'a> {
 
     /// The sample run, if its colours are shown as an image and do not depend on unknown inputs.
     pub fn sampled_image(&self) -> Option<&SampleRun> {
-        let sample_run = self.sample_run()?;
+        match self.is_image_known() {
+            true => self.sample_run(),
+            false => None,
+        }
+    }
+
+    /// Whether the outputs are shown as an image and do not depend on unknown inputs.
+    pub fn is_image_known(&self) -> bool {
         let is_shown = match self.program().dialect {
             Dialect::ShaderToy(pass) => pass == Pass::Image,
             _ => true,
         };
+        if !is_shown || self.samples.supplier.is_none() {
+            return false;
+        }
         let outputs = self.outputs();
-        let unknown = self.unknown();
         let mut given = outputs.iter().map(|v| Varying::Variable(*v));
-        let is_known = is_shown && outputs.len() == 1 && !given.any(|v| unknown.varies(v));
-        is_known.then_some(sample_run)
+        outputs.len() == 1 && !given.any(|v| self.unknown().varies(v))
     }
 
     /// Whether the image depends on the pixel coordinates.

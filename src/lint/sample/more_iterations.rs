@@ -1,7 +1,7 @@
 //! Change of the image if a loop may run more iterations.
 
 use super::bench::colors;
-use super::{INSTANTS, SIZE, SampledPixel};
+use super::{INSTANTS, Round, SIZE, SampledPixel};
 use crate::facts::Facts;
 use shaderlint_exec::{Bytecode, CompileOptions, compile, quads_all_over};
 use shaderlint_flow::LoopFacts;
@@ -18,7 +18,23 @@ impl Facts<'_> {
         let (bench, _) = self.bench()?;
         let longer = self.with_doubled_iterations(looped)?;
         let after = compile(self.program(), &longer, &CompileOptions::default()).ok()?;
-        self.difference([self.unwatched()?, &after], bench.quads.div_ceil(4))
+        // Most loops that run out of steps leave nothing to see.
+        self.changed_in(Round::Second, &after)
+            .filter(|c| *c > 0.0)?;
+        self.difference([bench.watched(), &after], self.fewer_quads()?)
+    }
+
+    /// The share of the pixels of a round that look different with other bytecode.
+    pub fn changed_in(&self, round: Round, code: &Bytecode) -> Option<f64> {
+        let before = self.round(round)?;
+        let (bench, supplier) = self.bench()?;
+        let mut changed = 0;
+        for frame in &before.frames {
+            let after = bench.sample(code, supplier, &frame.instant, &frame.quads())?;
+            let all = frame.colors.iter().zip(colors(code, &after));
+            changed += all.filter(|(a, b)| is_apart(**a, *b)).count();
+        }
+        Some(changed as f64 / before.pixels.max(1) as f64)
     }
 
     /// The share of sampled pixels that differ visibly between two versions of the bytecode.

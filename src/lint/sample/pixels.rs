@@ -1,6 +1,7 @@
 //! Colours of sampled pixels.
 
-use super::{SampleFrame, SampleRun};
+use super::{Instant, Round, SampleFrame, SampleRun};
+use crate::facts::Facts;
 
 /// A sampled pixel that was not discarded.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,6 +32,12 @@ impl SampledPixel {
 }
 
 impl SampleFrame {
+    /// The sampled quads, by their lower left pixels.
+    pub fn quads(&self) -> Vec<[u32; 2]> {
+        let quads = self.sampled.pixels.chunks(4);
+        quads.filter_map(|quad| quad.first().copied()).collect()
+    }
+
     /// The pixels that were not discarded.
     pub fn drawn(&self) -> impl Iterator<Item = SampledPixel> {
         let all = self.sampled.pixels.iter().zip(&self.colors);
@@ -41,6 +48,18 @@ impl SampleFrame {
             at: *at,
             color: *color,
         })
+    }
+}
+
+impl Facts<'_> {
+    /// Whether the first pixels change in time.
+    pub fn changes_later(&self) -> Option<bool> {
+        let first = self.round(Round::First)?.frames.first()?;
+        let (bench, supplier) = self.bench()?;
+        let later = Instant::at(first.instant.time + 1.7);
+        let after = bench.sample(bench.watched(), supplier, &later, &first.quads())?;
+        let before = &first.sampled;
+        Some(before.outputs != after.outputs || before.covered != after.covered)
     }
 }
 

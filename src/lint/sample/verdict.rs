@@ -1,6 +1,6 @@
 //! Evidence from a sample run for findings of the static analysis.
 
-use super::{SampleRun, grouped, percent};
+use super::{Round, SampleRun, grouped, percent};
 use crate::facts::Facts;
 use shaderlint_exec::{FaultKind, LoopObservation, NumberObservation, Observations};
 use shaderlint_ir::OpId;
@@ -22,8 +22,17 @@ impl Facts<'_> {
     /// Evidence from a sample run for faults of an operation; `None` if it ran rarely, or depends on
     /// unknown inputs.
     pub(crate) fn verdict(&self, op: OpId, kinds: &[FaultKind]) -> Option<Verdict> {
-        let sample_run = self.sample_run().filter(|_| self.is_known(op))?;
+        if !self.is_known(op) {
+            return None;
+        }
         let is_one = |kind: FaultKind, other: OpId| other == op && kinds.contains(&kind);
+        let occurs = |sample_run: &&SampleRun| {
+            let mut numbers = sample_run.seen.numbers.iter();
+            numbers.any(|n| is_one(n.kind, n.op))
+        };
+        // One occurrence is enough; that there is none needs all pixels.
+        let few = self.round(Round::Second).filter(occurs);
+        let sample_run = few.or_else(|| self.sample_run())?;
         let watched = sample_run.seen.watched.iter();
         let visits = watched
             .filter(|w| is_one(w.kind, w.op))
@@ -75,7 +84,7 @@ impl Facts<'_> {
 
     /// The sampled iteration counts of a loop, as a note; `None` if they depend on unknown inputs.
     pub fn iterations_note(&self, stmt: StmtId) -> Option<String> {
-        let sample_run = self.sample_run()?;
+        let sample_run = self.round(Round::Second)?;
         let seen = self.loop_observation(&sample_run.seen, stmt)?;
         let mut ops = self.module().looped(seen.id)?.ops.ops();
         if seen.entries == 0 || !ops.all(|op| self.is_known(op)) {
@@ -106,6 +115,8 @@ pub struct UnreportedFault {
     pub visits: u64,
     /// How often the fault occurred and where first, as a note.
     pub words: String,
+    /// What was sampled, as a note.
+    pub sampled: String,
 }
 
 /// Least share of the evaluations in which a frequent fault occurs.
@@ -126,16 +137,23 @@ impl Facts<'_> {
         kind: FaultKind,
         concerns: impl Fn(&NumberObservation) -> bool,
     ) -> Vec<UnreportedFault> {
-        let Some(sample_run) = self.sample_run() else {
+        let is_same =
+            |a: &NumberObservation, b: &NumberObservation| a.op == b.op && a.kind == b.kind;
+        let may_be = |number: &NumberObservation| {
+            number.kind == kind && concerns(number) && self.is_open(number.op, kind)
+        };
+        if !self.has_open(kind) {
+            return Vec::new();
+        }
+        let few = self.round(Round::Second);
+        let is_open = few.is_some_and(|few| few.seen.numbers.iter().any(may_be));
+        let Some(sample_run) = few.filter(|_| is_open).and_then(|_| self.sample_run()) else {
             return Vec::new();
         };
-        let numbers = sample_run.seen.numbers.iter().filter(|n| n.kind == kind);
+        let numbers = sample_run.seen.numbers.iter();
         let is_one = |number: &&NumberObservation| {
-            let is_same = |n: &NumberObservation| n.op == number.op && n.kind == kind;
-            let is_new = || !self.is_reported(number.op) && self.is_known(number.op);
-            concerns(number)
-                && is_new()
-                && self.is_seen(|sample_run| sample_run.seen.numbers.iter().any(is_same))
+            let occurs = |run: &SampleRun| run.seen.numbers.iter().any(|n| is_same(n, number));
+            may_be(number) && self.is_seen(occurs)
         };
         let unreported = numbers.filter(is_one).map(|number| {
             let watched = sample_run.seen.watched.iter();
@@ -150,6 +168,7 @@ impl Facts<'_> {
                     grouped(times),
                     grouped(visits)
                 ),
+                sampled: sample_run.sampled_note(),
             }
         });
         unreported.collect()
