@@ -1,6 +1,6 @@
 //! The environment of a check: options and files.
 
-use super::files::Files;
+use super::files::{Dependency, Files};
 use super::options::Options;
 
 /// What is kept of a checked shader.
@@ -31,5 +31,11 @@ impl<'a> CheckContext<'a> {
             files,
             keep: Keep::Findings,
         }
+    }
+
+    /// Whether the file of this name is checked in the same run.
+    pub fn is_checked(&self, name: &str) -> bool {
+        self.files.depends_on(Dependency::Checked(name));
+        self.options.checked.contains(name)
     }
 }

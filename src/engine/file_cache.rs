@@ -1,6 +1,6 @@
 //! A cache of files and folders, so that each is read once per run.
 
-use super::files::Files;
+use super::files::{Dependency, Files};
 use super::include::passes::Passes;
 use super::include::scan::IncludedFile;
 use super::repository::{RepositoryWords, top};
@@ -26,6 +26,7 @@ pub struct FileCache {
 impl FileCache {
     /// A file, read again if it has changed.
     pub(super) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
+        files.depends_on(Dependency::Text(real));
         of_version(&self.texts, files, real, || {
             Some(IncludedFile::new(files.load(real).ok()?))
         })
@@ -34,6 +35,7 @@ impl FileCache {
     /// The files in a folder that are named like passes, listed again if files were added or
     /// removed.
     pub(super) fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
+        files.depends_on(Dependency::Names(folder));
         let found = of_version(&self.passes, files, folder, || {
             Some(Passes::inside(files, folder))
         });
@@ -44,8 +46,10 @@ impl FileCache {
     pub(super) fn packages(
         &self,
         folder: &Path,
+        files: &dyn Files,
         find: impl FnOnce() -> BTreeSet<String>,
     ) -> Arc<BTreeSet<String>> {
+        files.depends_on(Dependency::Repository);
         kept(&self.packages, folder, find)
     }
 
@@ -68,6 +72,7 @@ impl FileCache {
         files: &dyn Files,
         ask: impl FnOnce(&RepositoryWords) -> T,
     ) -> T {
+        files.depends_on(Dependency::Repository);
         let folder = file.parent().unwrap_or(Path::new(""));
         let top = kept(&self.tops, folder, || top(file, files));
         let words = kept(&self.words, &top, OnceLock::new);

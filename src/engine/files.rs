@@ -37,6 +37,22 @@ pub trait Files: Sync {
     fn version(&self, _path: &Path) -> Option<u64> {
         None
     }
+
+    /// Notes what a check depends on that it does not ask here, because it is known already.
+    fn depends_on(&self, _what: Dependency<'_>) {}
+}
+
+/// What a check depends on, besides its own text and options and what it asks [`Files`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Dependency<'a> {
+    /// The text of a file.
+    Text(&'a Path),
+    /// The names in a folder.
+    Names(&'a Path),
+    /// Whether the file of this name is checked in the same run.
+    Checked(&'a str),
+    /// All code of the repository.
+    Repository,
 }
 
 /// The type of a directory entry.

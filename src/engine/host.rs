@@ -27,7 +27,8 @@ const MAX_HOSTS: usize = 4;
 fn packages(name: &str, context: CheckContext) -> Arc<BTreeSet<String>> {
     let file = plain(&context.files.here().join(name));
     let folder = file.parent().unwrap_or(Path::new(""));
-    context.options.file_cache.packages(folder, || {
+    let (files, cache) = (context.files, &context.options.file_cache);
+    cache.packages(folder, files, || {
         let mut all = BTreeSet::new();
         for above in folder.ancestors().take(MAX_FOLDERS) {
             all.extend(names_in(context.files, &above.join("package.json")));

@@ -44,7 +44,7 @@ mod version;
 pub use analysis::Analysis;
 pub use document::{Report, Unread};
 pub use file_cache::FileCache;
-pub use files::{FileType, Files, LoadError, MAX_LOADED, NoFiles};
+pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use fix::fix_text;
 pub use format::{Formatting, format};
 pub use include::{Absence, MissingInclude};

@@ -52,6 +52,22 @@ impl Options {
         }
     }
 
+    /// All options that the result of a check depends on, as text; not the files of the run, which a check
+    /// asks for by name.
+    pub fn fingerprint(&self) -> String {
+        let Options {
+            dialect,
+            settings,
+            host,
+            includes,
+            checked: _,
+            desktop,
+            claim,
+            file_cache: _,
+        } = self;
+        format!("{dialect:?} {settings:?} {host:?} {includes:?} {desktop:?} {claim:?}")
+    }
+
     /// What the user declares about the file.
     pub(super) fn claimed(&self) -> Claim {
         match self.claim {

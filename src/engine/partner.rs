@@ -39,7 +39,7 @@ const WORDS: [(&str, &str); 8] = [
 /// The name and text of the file with the other stage.
 fn find(name: &str, context: CheckContext) -> Option<(String, Arc<str>)> {
     let (other, stage) = counterpart(name)?;
-    if stage == Stage::Vertex && context.options.checked.contains(&other) {
+    if stage == Stage::Vertex && context.is_checked(&other) {
         return None;
     }
     let text = context.files.load(Path::new(&other)).ok()?;

@@ -1,6 +1,7 @@
 //! The summary: what was checked, what was found, and where rules did not run.
 
 use super::place::list;
+use serde::{Deserialize, Serialize};
 use shaderlint_diagnostic::{Diagnostic, Severity, count};
 use std::collections::BTreeSet;
 
@@ -8,16 +9,16 @@ use std::collections::BTreeSet;
 const MAX_NAMES: usize = 5;
 
 /// How an input was interpreted.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
+#[derive(Clone, PartialEq, Eq, Default, Debug, Deserialize, Serialize)]
 pub struct ReadAs {
     /// The hosts of its shaders, as names that `--host` accepts.
-    pub hosts: Vec<&'static str>,
+    pub hosts: Vec<String>,
     /// A description, as `-v` prints it.
     pub read_as: String,
 }
 
 /// What was checked in one input, and what was not.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
+#[derive(Clone, PartialEq, Eq, Default, Debug, Deserialize, Serialize)]
 pub struct Scope {
     /// Number of shaders.
     pub shaders: usize,
@@ -42,6 +43,7 @@ pub struct Scope {
     /// Number of findings in the baseline.
     pub known: usize,
     /// For each finding of a rule with `fail = true`, the name of the rule.
+    #[serde(skip)]
     pub failing: Vec<&'static str>,
 }
 

@@ -2,6 +2,7 @@
 //! fixes, baselines, and every output format, read by a parser.
 
 mod baselines;
+mod cache;
 mod commands;
 mod config;
 mod fixes;

@@ -131,6 +131,9 @@ pub struct CheckArgs {
     /// Print the number of findings of each rule instead of the findings
     #[arg(long, conflicts_with = "diff", help_heading = "Output")]
     pub statistics: bool,
+    /// Check unchanged files again, and leave `.shaderlint_cache` alone
+    #[arg(long, help_heading = "Files")]
+    pub no_cache: bool,
     /// Check again whenever a file changes
     #[arg(long, help_heading = "Output")]
     pub watch: bool,

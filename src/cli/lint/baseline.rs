@@ -6,7 +6,7 @@ use super::super::config::{Configs, absolute};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::args::{CheckArgs, Talk};
-use super::inputs::{Outcome, check_all};
+use super::inputs::{CheckMode, Outcome, check_all};
 use crate::diagnostic::{Diagnostic, count};
 use crate::report::fingerprints;
 use crate::text::Sources;
@@ -147,37 +147,43 @@ pub fn write(args: &CheckArgs, inputs: &[InputFile], configs: &Configs) -> io::R
     let folder = folder_of(path);
     let mut all_well = true;
     let mut written = 0;
-    check_all(inputs, configs, None, &mut |input, outcome| {
-        match outcome {
-            Outcome::Checked(mut report, ..) => {
-                let found = &mut report.diagnostics;
-                if let Ok(options) = configs.options(Path::new(&input.name)) {
-                    found.retain(|d| options.settings.reports(d.rule));
+    check_all(
+        inputs,
+        configs,
+        CheckMode::default(),
+        &mut |input, outcome| {
+            match outcome {
+                Outcome::Checked(checked) => {
+                    let mut report = checked.report;
+                    let found = &mut report.diagnostics;
+                    if let Ok(options) = configs.options(Path::new(&input.name)) {
+                        found.retain(|d| options.settings.reports(d.rule));
+                    }
+                    let prints = fingerprints(&report.sources, found);
+                    let entries = found.iter().zip(prints);
+                    let entries = entries.map(|(d, p)| entry(d.rule, &p));
+                    let entries: Vec<Value> = entries.collect();
+                    written += entries.len();
+                    if !entries.is_empty() {
+                        files.insert(named(&folder, &input.name), entries);
+                    }
+                    if let Some(old) = &mut old {
+                        old.filter(&input.name, &report.sources, found);
+                    }
                 }
-                let prints = fingerprints(&report.sources, found);
-                let entries = found.iter().zip(prints);
-                let entries = entries.map(|(d, p)| entry(d.rule, &p));
-                let entries: Vec<Value> = entries.collect();
-                written += entries.len();
-                if !entries.is_empty() {
-                    files.insert(named(&folder, &input.name), entries);
+                Outcome::Skipped(..) => {}
+                Outcome::Failed(message) => {
+                    print_message(&format!("{}: {message}", input.name));
+                    all_well = false;
                 }
-                if let Some(old) = &mut old {
-                    old.filter(&input.name, &report.sources, found);
+                Outcome::Misconfigured(message) => {
+                    print_message(&message);
+                    all_well = false;
                 }
             }
-            Outcome::Skipped(..) => {}
-            Outcome::Failed(message) => {
-                print_message(&format!("{}: {message}", input.name));
-                all_well = false;
-            }
-            Outcome::Misconfigured(message) => {
-                print_message(&message);
-                all_well = false;
-            }
-        }
-        Ok(())
-    })?;
+            Ok(())
+        },
+    )?;
     let old = old.as_ref();
     for (file, known) in old.iter().flat_map(|o| &o.known) {
         let kept = known.iter().map(|k| entry(&k.rule, &k.fingerprint));

@@ -5,13 +5,13 @@ use super::super::config::Configs;
 use super::super::input::{InputFile, collect};
 use super::args::{CheckArgs, Talk};
 use super::baseline::{self, Baseline};
+use super::cache::FindingCache;
 use super::fix::{AppliedFixes, FixMode};
-use super::inputs::{Outcome, check_all};
-use super::verbose::Recognition;
+use super::inputs::{CheckMode, CheckedInput, Outcome, check_all};
 use super::{explain, verbose};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Completeness, Offer, Report, Shader};
-use crate::lint::{Proof, SkippedRules};
+use crate::engine::{Offer, Report};
+use crate::lint::Proof;
 use crate::report::{Format, Reporter, Scope, Summary};
 use std::collections::{BTreeMap, HashSet};
 use std::io::{self, BufWriter, Write};
@@ -99,12 +99,19 @@ fn check_inputs(
         printer.left = all.left;
         remaining_fix_mode = None;
     }
-    check_all(
-        inputs,
-        configs,
-        remaining_fix_mode,
-        &mut |input, outcome| printer.outcome(input, outcome),
-    )?;
+    // Fixes and baselines are about more of a report than the cache keeps.
+    let is_cached = fix_mode.is_none() && args.baseline.is_none() && args.talk() != Talk::Verbose;
+    let cache = (is_cached && !args.no_cache)
+        .then(FindingCache::here)
+        .flatten();
+    let mode = CheckMode {
+        fix: remaining_fix_mode,
+        shows_readings: printer.reporter.shows_readings(),
+        cache: cache.as_ref(),
+    };
+    check_all(inputs, configs, mode, &mut |input, outcome| {
+        printer.outcome(input, outcome)
+    })?;
     if printer.talk >= Talk::Normal
         && let Some(baseline) = &printer.baseline
     {
@@ -158,8 +165,13 @@ struct FindingPrinter<'a> {
 
 impl FindingPrinter<'_> {
     fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
-        let (report, fix_outcome, offer) = match outcome {
-            Outcome::Checked(report, fix_outcome, offer) => (report, fix_outcome, offer),
+        let CheckedInput {
+            report,
+            scope,
+            fixed,
+            offer,
+        } = match outcome {
+            Outcome::Checked(checked) => *checked,
             Outcome::Skipped(reason, applied) => {
                 let is_printed = input.is_explicit && self.talk >= Talk::Normal;
                 if is_printed || self.talk == Talk::Verbose {
@@ -185,11 +197,11 @@ impl FindingPrinter<'_> {
         if self.talk == Talk::Verbose {
             self.print_message(&verbose::read(input, &report, self.configs))?;
         }
-        self.proofs(&input.name, &fix_outcome.proofs)?;
-        if let Some(applied) = fix_outcome.applied {
+        self.proofs(&input.name, &fixed.proofs)?;
+        if let Some(applied) = fixed.applied {
             self.applied(input, applied)?;
         }
-        self.report(input, *report, offer)
+        self.report(input, report, scope, offer)
     }
 
     /// Prints a message on standard error.
@@ -229,6 +241,7 @@ impl FindingPrinter<'_> {
         &mut self,
         input: &InputFile,
         mut report: Report,
+        mut scope: Scope,
         mut offer: Offer,
     ) -> io::Result<()> {
         if let Some(left) = self.left.get(&input.name) {
@@ -237,17 +250,6 @@ impl FindingPrinter<'_> {
         }
         let options = self.configs.options(Path::new(&input.name)).ok();
         let settings = options.as_ref().map(|o| &o.settings);
-        let mut scope = scope_of(&report.shaders);
-        scope.left_out = report.left_out;
-        scope.counted_infos = report.counted_infos;
-        if self.reporter.shows_readings() {
-            scope.read_as = Some(verbose::reading(
-                &input.name,
-                &report,
-                self.configs,
-                Recognition::WhereComposed,
-            ));
-        }
         let found = &mut report.diagnostics;
         if let Some(settings) = settings {
             let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
@@ -292,30 +294,6 @@ impl FindingPrinter<'_> {
     }
 }
 
-/// What was checked, as the summary counts it.
-fn scope_of(shaders: &[Shader]) -> Scope {
-    let mut scope = Scope {
-        shaders: shaders.len(),
-        ..Scope::default()
-    };
-    for shader in shaders {
-        scope.open_names.extend(shader.holes.iter().cloned());
-        match &shader.skipped {
-            SkippedRules::Functions { names, .. } => {
-                let functions = match shader.completeness {
-                    Completeness::Complete => &mut scope.skipped_functions,
-                    _ => &mut scope.open_functions,
-                };
-                functions.extend(names.iter().cloned());
-            }
-            SkippedRules::Everywhere if shader.has_errors => scope.skipped_shaders += 1,
-            SkippedRules::Everywhere => scope.excerpts += 1,
-            SkippedRules::Nowhere => {}
-        }
-    }
-    scope
-}
-
 /// The results of fixing all inputs.
 #[derive(Default)]
 struct AllFixed {
@@ -333,12 +311,21 @@ struct AllFixed {
 fn fix_all(inputs: &[InputFile], configs: &Configs, fix_mode: FixMode) -> io::Result<AllFixed> {
     /// Fixing a file may allow more fixes in the files that include it.
     const ROUNDS: usize = 3;
+    let mode = CheckMode {
+        fix: Some(fix_mode),
+        ..CheckMode::default()
+    };
     let mut all = AllFixed::default();
     for round in 0..ROUNDS {
         let before = all.fixed;
         let mut includes = false;
-        check_all(inputs, configs, Some(fix_mode), &mut |input, outcome| {
-            if let Outcome::Checked(report, fix_outcome, _) = outcome {
+        check_all(inputs, configs, mode, &mut |input, outcome| {
+            if let Outcome::Checked(checked) = outcome {
+                let CheckedInput {
+                    report,
+                    fixed: fix_outcome,
+                    ..
+                } = *checked;
                 includes |= report.includes();
                 let proofs = all.proofs.entry(input.name.clone()).or_default();
                 proofs.extend(fix_outcome.proofs);

@@ -4,8 +4,12 @@ use super::super::config::Configs;
 use super::super::disk::Disk;
 use super::super::input::{InputFile, read};
 use super::super::parallel::in_order;
+use super::cache::{Entry, FindingCache, Key, Recorder};
 use super::fix::{AppliedFixes, FixMode, FixOutcome};
-use crate::engine::{Offer, Options, Report, Unread, check_content};
+use super::scope::scope_of;
+use super::verbose::{self, Recognition};
+use crate::engine::{Files, Offer, Options, Report, Unread, check_content};
+use crate::report::Scope;
 use crate::text::{Content, Encoding};
 use std::collections::BTreeSet;
 use std::io;
@@ -16,7 +20,7 @@ use std::sync::Arc;
 /// The result of one input.
 pub enum Outcome {
     /// The findings that remain after fixing, and the fixes on offer.
-    Checked(Box<Report>, FixOutcome, Offer),
+    Checked(Box<CheckedInput>),
     /// Not a file that is checked, with the reason. Standard input is passed through unchanged.
     Skipped(String, Option<AppliedFixes>),
     /// An error prevented the check, with its message.
@@ -25,18 +29,41 @@ pub enum Outcome {
     Misconfigured(Arc<str>),
 }
 
+/// A checked input.
+pub struct CheckedInput {
+    /// The findings. If they were in the cache, only what is printed is known.
+    pub report: Report,
+    /// What was checked.
+    pub scope: Scope,
+    /// The fixes that were applied.
+    pub fixed: FixOutcome,
+    /// The fixes on offer.
+    pub offer: Offer,
+}
+
+/// How inputs are checked.
+#[derive(Clone, Copy, Default)]
+pub struct CheckMode<'a> {
+    /// The fixes to apply first.
+    pub fix: Option<FixMode>,
+    /// Whether the output says how inputs were interpreted.
+    pub shows_readings: bool,
+    /// Findings of unchanged files.
+    pub cache: Option<&'a FindingCache>,
+}
+
 /// Fixes all inputs if asked to, checks them, and passes the outcomes to `print` in order.
 pub fn check_all(
     inputs: &[InputFile],
     configs: &Configs,
-    fix_mode: Option<FixMode>,
+    mode: CheckMode<'_>,
     print: &mut impl FnMut(&InputFile, Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
     let run = &CheckRun {
         configs,
         checked: Arc::new(inputs.iter().map(|i| i.name.clone()).collect()),
         disk: Disk::new(),
-        fix_mode,
+        mode,
     };
     let work = |index: usize| {
         inputs
@@ -55,7 +82,7 @@ struct CheckRun<'a> {
     /// The names of all inputs.
     checked: Arc<BTreeSet<String>>,
     disk: Disk,
-    fix_mode: Option<FixMode>,
+    mode: CheckMode<'a>,
 }
 
 fn check_input(input: &InputFile, run: &CheckRun) -> Outcome {
@@ -67,54 +94,108 @@ fn check_input(input: &InputFile, run: &CheckRun) -> Outcome {
         Ok(content) => content,
         Err(message) => return Outcome::Failed(message),
     };
+    let key = run.mode.cache.and_then(|cache| {
+        let key = cache.key(input, &content, &options, run.mode.shows_readings)?;
+        Some((cache, key))
+    });
     let options = Options {
         checked: run.checked.clone(),
         claim: input.claim,
         ..Options::clone(&options)
     };
+    if let Some(known) = key.and_then(|key| known(key, &content, &options)) {
+        return Outcome::Checked(Box::new(known));
+    }
+    let recorder = Recorder::new(&run.disk);
     // A panic loses the result of one file only.
-    let checked = catch_unwind(AssertUnwindSafe(|| {
-        fix_and_check(input, content, &options, run)
+    let checked = catch_unwind(AssertUnwindSafe(|| match key {
+        Some(_) => fix_and_check(input, &content, (&options, &recorder), run),
+        None => fix_and_check(input, &content, (&options, &run.disk), run),
     }));
-    let Ok((report, fix_outcome, offer)) = checked else {
+    let Ok(checked) = checked else {
         return Outcome::Failed(
             "internal error: shaderlint crashed on this file; please report it".into(),
         );
     };
-    match report.unread {
-        None => Outcome::Checked(Box::new(report), fix_outcome, offer),
+    if let (Some(key), None) = (key, &checked.report.unread) {
+        keep(key, &checked, (&content, &options), recorder);
+    }
+    match checked.report.unread {
+        None => Outcome::Checked(Box::new(checked)),
         Some(Unread::Skipped(decision)) => {
-            Outcome::Skipped(decision.to_string(), fix_outcome.applied)
+            Outcome::Skipped(decision.to_string(), checked.fixed.applied)
         }
         Some(Unread::Export(error)) if !input.is_explicit => {
-            Outcome::Skipped(error.to_string(), fix_outcome.applied)
+            Outcome::Skipped(error.to_string(), checked.fixed.applied)
         }
         Some(error @ (Unread::Export(_) | Unread::TooLarge)) => Outcome::Failed(error.to_string()),
     }
 }
 
+/// The result of an earlier run, if nothing has changed since.
+fn known(
+    (cache, key): (&FindingCache, Key),
+    content: &Content,
+    options: &Options,
+) -> Option<CheckedInput> {
+    let (report, scope, offer) = cache.find(key, options)?.report(&content.text)?;
+    Some(CheckedInput {
+        report,
+        scope,
+        fixed: FixOutcome::default(),
+        offer,
+    })
+}
+
+/// Keeps a result for later runs, unless it depends on the whole repository.
+fn keep(
+    (cache, key): (&FindingCache, Key),
+    checked: &CheckedInput,
+    (content, options): (&Content, &Options),
+    recorder: Recorder<'_>,
+) {
+    let Some(asked) = recorder.asked() else {
+        return;
+    };
+    let depends_on = asked.into_iter().map(|question| {
+        let digest = cache.answers.digest(&question, options);
+        (question, digest)
+    });
+    let result = (&checked.report, &checked.scope, checked.offer);
+    cache.keep(key, &Entry::of(result, &content.text, depends_on.collect()));
+}
+
 /// Fixes and checks one input.
 fn fix_and_check(
     input: &InputFile,
-    mut content: Content,
-    options: &Options,
+    content: &Content,
+    (options, files): (&Options, &dyn Files),
     run: &CheckRun,
-) -> (Report, FixOutcome, Offer) {
-    let (name, disk) = (&input.name, &run.disk);
-    let (text, fix_outcome) = match run.fix_mode {
-        Some(fix_mode) => fix_mode.apply(input, &content, options, disk),
+) -> CheckedInput {
+    let name = &input.name;
+    let (text, fixed) = match run.mode.fix {
+        Some(fix_mode) => fix_mode.apply(input, content, options, &run.disk),
         None => (None, FixOutcome::default()),
     };
-    if let Some(text) = text {
-        content = Content::utf8(&text);
-    }
-    let mut report = check_content(name, &content, options, disk);
-    report.leave_alone(&fix_outcome.left);
-    report.retract_failing_fixes((name, &content.text), options, disk);
+    let written = text.map(|text| Content::utf8(&text));
+    let content = written.as_ref().unwrap_or(content);
+    let mut report = check_content(name, content, options, files);
+    report.leave_alone(&fixed.left);
+    report.retract_failing_fixes((name, &content.text), options, files);
     let is_written = content.encoding == Encoding::Utf8 && report.unread.is_none();
     let offer = match is_written {
         true => Offer::of(&report),
         false => Offer::default(),
     };
-    (report, fix_outcome, offer)
+    let mut scope = scope_of(&report);
+    if run.mode.shows_readings {
+        let how = Recognition::WhereComposed;
+        scope.read_as = Some(verbose::reading(name, &report, run.configs, how));
+    }
+    CheckedInput {
+        report,
+        scope,
+        fixed,
+        offer,
+    }
 }

@@ -3,6 +3,7 @@
 
 mod args;
 mod baseline;
+mod cache;
 mod check;
 pub mod explain;
 mod fix;
@@ -10,6 +11,7 @@ pub mod init;
 mod inputs;
 pub mod ir;
 pub mod reduce;
+mod scope;
 mod verbose;
 mod watch;
 

@@ -76,7 +76,10 @@ pub fn reading(name: &str, report: &Report, configs: &Configs, recognition: Reco
         hosts.extend(given.filter(|name| !name.is_empty()).or(shown));
     }
     hosts.dedup();
-    ReadAs { hosts, read_as }
+    ReadAs {
+        hosts: hosts.into_iter().map(str::to_string).collect(),
+        read_as,
+    }
 }
 
 /// The host of a shader file and the signs that show it, as `shaderport` detects it. `None` for

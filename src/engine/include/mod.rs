@@ -214,7 +214,7 @@ impl Spreader<'_, '_> {
         };
         self.seen.insert(found.real.clone(), seen);
         let id = self.add(&found.name, text)?;
-        if self.context.options.checked.contains(&found.name) {
+        if self.context.is_checked(&found.name) {
             self.found.hushed.0.insert(id, Hush::All);
         }
         self.open(found.name, found.real, id, found.file);
