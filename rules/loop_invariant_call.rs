@@ -30,25 +30,32 @@ fn check(cx: &mut Context) {
     let facts = cx.facts;
     let mut places: Option<Places> = None;
     for call in &program.calls {
-        if facts.work().operations(call.callee) < cx.option(&OPERATIONS)
-            || !facts.effects().is_pure(call.callee)
-            || program.expr(call.expr).is_const
-        {
+        if program.expr(call.expr).is_const {
             continue;
         }
         let Some(stmt) = facts.structure().stmt_of(call.expr) else {
             continue;
         };
-        let around = facts.structure().outwards(stmt);
-        let around = around
+        let mut is_invariant_in = |looped: StmtId| {
+            let places = places.get_or_insert_with(|| Places::of(program, facts.writes()));
+            let extent = program.tree.stmt(looped).extent;
+            runs_each_iteration(program, looped, call.expr)
+                && is_loop_invariant(program, facts.writes(), places, call.expr, extent)
+        };
+        let outwards = || facts.structure().outwards(stmt);
+        let is_loop = |stmt: &StmtId| program.tree.stmt(*stmt).kind.is_loop();
+        // What the text shows comes first: costs and iterations need the ranges of all values.
+        if !outwards().filter(is_loop).any(&mut is_invariant_in)
+            || facts.work().operations(call.callee) < cx.option(&OPERATIONS)
+            || !facts.effects().is_pure(call.callee)
+        {
+            continue;
+        }
+        let around = outwards()
             .filter_map(|s| facts.loops().get(s))
             .filter(|l| l.bound.iterations() != Some(1))
             .filter(|l| runs_each_iteration(program, l.stmt, call.expr));
-        let is_invariant = |looped: &LoopFacts| {
-            let places = places.get_or_insert_with(|| Places::of(program, facts.writes()));
-            let extent = program.tree.stmt(looped.stmt).extent;
-            is_loop_invariant(program, facts.writes(), places, call.expr, extent)
-        };
+        let is_invariant = |looped: &LoopFacts| is_invariant_in(looped.stmt);
         let Some(loops) = InvariantLoops::of(around.copied(), is_invariant) else {
             continue;
         };

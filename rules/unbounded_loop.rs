@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
-use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
+use shaderlint_syntax::ast::{Extent, StmtId};
 
 pub static RULE: Rule = Rule {
     name: "unbounded-loop",
@@ -18,10 +18,7 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context, stmt: StmtId) {
     let tree = &cx.program.tree;
     let node = tree.stmt(stmt);
-    if !matches!(
-        node.kind,
-        StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. }
-    ) {
+    if !node.kind.is_loop() {
         return;
     }
     let found = cx.facts.loops().get(stmt);

@@ -15,6 +15,7 @@ mod near;
 
 pub use meaning::{
     COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,
+    is_one_name,
 };
 
 use list::FILES;

@@ -186,6 +186,11 @@ pub struct Meanings {
     pub varyings: Vec<VaryingRow>,
 }
 
+/// Whether only one name matches the name of a row.
+pub fn is_one_name(row: &str) -> bool {
+    !row.contains('#')
+}
+
 /// Whether a name matches the name of a row, in which `#` stands for a number.
 pub fn is_named(row: &str, name: &str) -> bool {
     let Some((before, after)) = row.split_once('#') else {

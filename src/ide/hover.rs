@@ -13,7 +13,7 @@ use shaderlint_lint::Facts;
 use shaderlint_port::bindings;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{BuiltinId, Program, Scalar, Storage, Type, Value};
-use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId, StmtKind};
+use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId};
 use shaderlint_text::Span;
 
 /// A hover text.
@@ -318,13 +318,7 @@ fn without_name(
         .filter(|(t, _)| t.is_direct() && touches(t.span));
     let (token, id) = near.max_by_key(|(t, _)| t.span.start)?;
     let stmts = program.tree.stmts.iter().zip(0..);
-    let mut loops = stmts.filter(|(s, _)| {
-        let is_loop = matches!(
-            s.kind,
-            StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. }
-        );
-        is_loop && s.extent.first == id
-    });
+    let mut loops = stmts.filter(|(s, _)| s.kind.is_loop() && s.extent.first == id);
     if let Some((_, stmt)) = loops.next() {
         return Some((token.span, of_loop(facts, StmtId(stmt), seen)?));
     }

@@ -316,6 +316,16 @@ pub enum StmtKind {
     Discard,
 }
 
+impl StmtKind {
+    /// Whether it is a loop.
+    pub const fn is_loop(&self) -> bool {
+        matches!(
+            self,
+            StmtKind::For { .. } | StmtKind::While { .. } | StmtKind::Do { .. }
+        )
+    }
+}
+
 /// A type as written: `vec3`, `S`, `struct { ... }`, each optionally with `[size]`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TypeSpec {

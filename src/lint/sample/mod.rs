@@ -355,13 +355,14 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// Whether the outputs are shown as an image and do not depend on unknown inputs.
+    /// Whether shaders are run, the outputs are shown as an image, and they do not depend on unknown inputs.
     pub fn is_image_known(&self) -> bool {
         let is_shown = match self.program().dialect {
             Dialect::ShaderToy(pass) => pass == Pass::Image,
             _ => true,
         };
-        if !is_shown || self.samples.supplier.is_none() {
+        let is_off = self.samples.supplier.is_none() || self.samples.limit.pixels == 0;
+        if !is_shown || is_off {
             return false;
         }
         let outputs = self.outputs();

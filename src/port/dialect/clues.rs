@@ -2,7 +2,7 @@
 
 use super::SiblingTexts;
 use super::complete::{Completion, completions_of};
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_semantic::{Guess, Program, Storage, guess};
 use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::Role;
@@ -61,9 +61,7 @@ pub struct Clues<'t> {
     /// Whether it has statements outside of functions, and no entry function.
     pub is_body: bool,
     has_output: bool,
-    words: FxHashSet<&'t str>,
-    conditions: FxHashSet<&'t str>,
-    code: FxHashSet<&'t str>,
+    words: FxHashMap<&'t str, WordUses>,
     declared: FxHashSet<String>,
 }
 
@@ -99,25 +97,18 @@ impl<'t> Clues<'t> {
     /// The properties that follow from the words of a text alone.
     pub(super) fn unread(text: &'t str, name: &'t str, siblings: &'t SiblingTexts) -> Clues<'t> {
         let guess = guess(text);
-        let TextWords {
-            words,
-            conditions,
-            code,
-            asked,
-        } = words(text);
+        let TextWords { words, asked } = words(text);
         Clues {
             text,
             name,
             siblings,
             asked,
-            is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains("mainImage"),
+            is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains_key("mainImage"),
             guess,
             uniforms: Vec::new(),
             inputs: Vec::new(),
             has_output: false,
             words,
-            conditions,
-            code,
             declared: FxHashSet::default(),
         }
     }
@@ -183,17 +174,17 @@ impl<'t> Clues<'t> {
 
     /// Whether a word occurs in the text, not counting comments.
     pub fn has_word(&self, word: &str) -> bool {
-        self.words.contains(word)
+        self.words.contains_key(word)
     }
 
     /// Whether an `#if` uses the value of a word.
     pub fn is_condition(&self, word: &str) -> bool {
-        self.conditions.contains(word)
+        self.words.get(word).is_some_and(|uses| uses.in_condition)
     }
 
     /// Whether a word occurs outside of conditions.
     pub fn is_read(&self, word: &str) -> bool {
-        self.code.contains(word)
+        self.words.get(word).is_some_and(|uses| uses.in_code)
     }
 
     /// Whether the text declares a name.
@@ -208,7 +199,7 @@ impl<'t> Clues<'t> {
 
     /// The undeclared words of the text that satisfy a predicate.
     pub fn free_words(&self, is_searched: impl Fn(&str) -> bool) -> Vec<&'t str> {
-        let all = self.words.iter().copied();
+        let all = self.words.keys().copied();
         let mut found: Vec<&str> = all
             .filter(|w| is_searched(w) && !self.declares(w))
             .collect();
@@ -223,14 +214,19 @@ impl<'t> Clues<'t> {
     }
 }
 
+/// Where a word of a text occurs.
+#[derive(Clone, Copy, Default)]
+struct WordUses {
+    /// In an `#if` that uses its value.
+    in_condition: bool,
+    /// Outside of conditions.
+    in_code: bool,
+}
+
 /// The words of a text.
 #[derive(Default)]
 struct TextWords<'t> {
-    words: FxHashSet<&'t str>,
-    /// Words whose values `#if` uses.
-    conditions: FxHashSet<&'t str>,
-    /// Words that occur outside of conditions.
-    code: FxHashSet<&'t str>,
+    words: FxHashMap<&'t str, WordUses>,
     /// The version in its `#version`.
     asked: VersionAsked,
 }
@@ -254,10 +250,10 @@ fn words(text: &str) -> TextWords<'_> {
                     let line = text.get(end..).and_then(|rest| rest.lines().next());
                     found.asked = VersionAsked::of(line.unwrap_or(""));
                 }
-                found.words.insert(word);
+                let uses = found.words.entry(word).or_default();
                 match condition {
-                    "" => drop(found.code.insert(word)),
-                    "if" | "elif" if before != "defined" => drop(found.conditions.insert(word)),
+                    "" => uses.in_code = true,
+                    "if" | "elif" if before != "defined" => uses.in_condition = true,
                     _ => {}
                 }
                 if after_hash && matches!(word, "if" | "elif" | "ifdef" | "ifndef" | "undef") {

@@ -391,8 +391,23 @@ pub(super) struct Directive<'t> {
     pub(super) rest: &'t str,
 }
 
+/// Whether a text may contain one of the given directives; a match may also be in a comment.
+pub(super) fn may_have_directives(text: &str, is_searched: impl Fn(&str) -> bool) -> bool {
+    let mut after = text.split('#').skip(1).map(str::trim_start);
+    after.any(|rest| {
+        // A comment or the end of a line may lie between.
+        let word = rest
+            .split(|c: char| !c.is_alphanumeric() && c != '_')
+            .next();
+        rest.starts_with(['/', '\\']) || word.is_some_and(&is_searched)
+    })
+}
+
 /// The lines of a text with the given directives.
 pub(super) fn directives(text: &str, is_searched: impl Fn(&str) -> bool) -> Vec<Directive<'_>> {
+    if !may_have_directives(text, &is_searched) {
+        return Vec::new();
+    }
     let mut lexer = Lexer::new(text, 0);
     let mut found: Vec<Directive> = Vec::new();
     let mut hash = None;

@@ -32,7 +32,7 @@ pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_after, completions_of, declarations, has_images, without_own};
-use shaderlint_host::{Feed, Preset, TextSign, is_named, preset, presets};
+use shaderlint_host::{Feed, Preset, TextSign, is_named, is_one_name, preset, presets};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -454,6 +454,7 @@ fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
         let declared = clues.uniforms.iter().chain(&clues.inputs).find(is_row);
         match declared {
             Some(d) => Some(d.name.clone()),
+            None if declares && is_one_name(name) => clues.is_free(name).then(|| name.to_string()),
             None if declares => {
                 let free = clues.free_words(|w| is_named(name, w));
                 free.first().map(|w| w.to_string())

@@ -19,6 +19,14 @@ pub(super) static CODE: HostCode = HostCode {
 };
 
 fn signs(clues: &Clues) -> Vec<Sign> {
+    let mut marks = clues.text.match_indices('!');
+    let is_comment = |at: usize| {
+        let before = clues.text.get(..at).unwrap_or("");
+        before.ends_with("//") || before.ends_with("/*")
+    };
+    if !marks.any(|(at, _)| is_comment(at)) {
+        return Vec::new();
+    }
     let described = commands(clues.text).next();
     let sign = described.map(|c| Sign::new(format!("`//! {}[...]`", c.word), 2 * OWN));
     sign.into_iter().collect()

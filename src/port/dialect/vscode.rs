@@ -41,9 +41,7 @@ fn signs(clues: &Clues) -> Vec<Sign> {
 
 /// Whether a text may contain directives of the host; a match may also be in a comment.
 pub(super) fn may_have_directives(text: &str) -> bool {
-    let after = text.split('#').skip(1).map(str::trim_start);
-    let mut words = after.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next());
-    words.any(is_ours)
+    complete::may_have_directives(text, is_ours)
 }
 
 /// The lines of a text with directives of the host.
