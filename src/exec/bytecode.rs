@@ -388,7 +388,7 @@ pub(super) enum F1 {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[rustfmt::skip]
 pub(super) enum F2 {
-    Add, Subtract, Multiply, Divide, Min, Max, Modulo, Pow, Atan2, Step,
+    Add, Subtract, Multiply, Divide, Min, Max, MinNumber, MaxNumber, Modulo, Pow, Atan2, Step,
     Less, LessEqual, Equal, NotEqual,
     IntAdd, IntSubtract, IntMultiply, IntDivide, IntRemainder, UintDivide, UintRemainder,
     IntLess, IntLessEqual, UintLess, UintLessEqual, SameBits, OtherBits,

@@ -125,6 +125,70 @@ fn values() {
     );
 }
 
+/// The values that Chromium gives for programs that write to the operands of the same expression.
+#[test]
+fn operands_that_are_variables_are_loaded_last() {
+    let global = "float G = 1.0; int I = 1; vec3 V = vec3(1, 2, 3); float A[4] = float[4](10.0, 20.0, 30.0, 40.0);
+        float f() { G = 5.0; return 10.0; } float h() { G += 1.0; return G; }
+        int fi() { I = 2; return 3; } vec3 fv() { V = vec3(7, 8, 9); return vec3(0); }
+        float two(float a, float b) { return a * 10.0 + b; }
+        float o(inout float x) { x += 3.0; return x; }";
+    let programs = [
+        ("r = G + f();", 15),
+        ("r = f() + G;", 15),
+        ("r = (G + 0.0) + f();", 11),
+        ("r = G * 2.0 + f();", 12),
+        ("r = (G) + f();", 15),
+        ("r = two(G, f());", 60),
+        ("r = two(x, o(x));", 44),
+        ("r = two(x++, x);", 12),
+        ("r = two(x, x++);", 21),
+        ("vec2 q = vec2(G, f()); r = q.x * 10.0 + q.y;", 60),
+        ("r = max(G, f() * 0.1);", 5),
+        ("r = x + (x = 4.0);", 8),
+        ("r = x++ + x;", 3),
+        ("x += o(x); r = x;", 8),
+        ("A[I] += float(fi()); r = A[1] + A[2] * 2.0;", 83),
+        ("r = A[I] + float(fi());", 23),
+        ("r = V[I] + fv().x + float(fi());", 11),
+        ("r = V.zyx.x + fv().x;", 9),
+        ("r = (true ? x : y) + o(x);", 8),
+        ("r = (y > 1.0 ? x : y) + o(x);", 5),
+        ("r = (x, x) + o(x);", 8),
+        ("r = (G == f() * 0.5) ? 1.0 : 2.0;", 1),
+        ("r = G + h() * 10.0 + G;", 24),
+        ("v += v.yx * (v.x = 3.0); r = v.x * 10.0 + v.y;", 101),
+        (
+            "mat2 m = mat2(G, f(), G, h()); r = m[0][0] + m[0][1] + m[1][0] + m[1][1] * 10.0;",
+            82,
+        ),
+    ];
+    for (program, expected) in programs {
+        let main =
+            format!("float r, x = 1.0, y = 2.0; vec2 v = vec2(1, 2); {program} color = vec4(r);");
+        let code = format!(
+            "#version 300 es\nprecision highp float;\nout vec4 color;\n{global}\nvoid main() {{ {main} }}"
+        );
+        assert_eq!(row(&code, 1), [[expected as f32; 4]], "{program}");
+    }
+}
+
+/// Chromium returns the second operand if one of them is NaN.
+#[test]
+fn bounds_of_nan() {
+    let nan = "uintBitsToFloat(0x7fc00000u + uint(n - 3))";
+    check(
+        &format!("vec4(min({nan}, x), max({nan}, x), clamp({nan}, x, 2.0), clamp(x, {nan}, 2.0))"),
+        [0.5, 0.5, 0.5, 2.0],
+    );
+    check(
+        &format!(
+            "vec4(isnan(min(x, {nan})), isnan(max(x, {nan})), isnan(clamp(x, 0.0, {nan})), fract({nan}) < 1.0)"
+        ),
+        [1.0; 4],
+    );
+}
+
 #[test]
 fn functions() {
     check(
@@ -514,6 +578,11 @@ fn gpu_profiles_differ_where_gpus_do() {
         assert!(0.0 < off && off < 0.001, "{direction:?}: {off}");
     }
     assert_eq!(most(plain, GpuProfile::Mobile), 0.0);
+    let bounded = "max(q.x, sqrt(-q.y))";
+    assert!(render(bounded, GpuProfile::Exact)[0].is_nan());
+    for gpu_profile in [GpuProfile::Inexact(ErrorDirection::Out), GpuProfile::Mobile] {
+        assert_eq!(render(bounded, gpu_profile)[0], 0.5);
+    }
 }
 
 /// Names, declaration order and helper functions do not change the bytecode; a constant does.

@@ -92,6 +92,19 @@ fn values() {
 }
 
 #[test]
+fn variables_are_loaded_after_what_may_write_to_them() {
+    check(
+        "float y = 1.0; float z = y + (y = 2.0);",
+        "local y: float = 1.0\ny = 2.0\nlocal z: float = y + 2.0",
+    );
+    // Without a write, nothing is in another order than in the text.
+    check(
+        "float y = x * v.x + v.y;",
+        "local y: float = (x * v.x) + v.y",
+    );
+}
+
+#[test]
 fn what_may_not_run_is_control_flow() {
     check(
         "bool b = x > 0.0 && 1.0 / x < 2.0;",

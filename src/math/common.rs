@@ -36,12 +36,11 @@ pub fn round_even(x: f32x8) -> f32x8 {
     small.bitselect(integer, x)
 }
 
-/// `fract(x)`; less than 1 even for tiny negative numbers, where the difference rounds to 1.
+/// `fract(x)`; less than 1 even for tiny negative numbers, where the difference rounds to 1, and for
+/// NaN and infinity, as in Chromium.
 #[inline(always)]
 pub fn fract(x: f32x8) -> f32x8 {
-    let rest = x - floor(x);
-    let below = f32x8::splat(1.0_f32.next_down());
-    rest.simd_gt(below).bitselect(below, rest)
+    min(x - floor(x), f32x8::splat(1.0_f32.next_down()))
 }
 
 /// `mod(x, y)`
@@ -59,20 +58,32 @@ pub fn sign(x: f32x8) -> f32x8 {
     above - below
 }
 
-/// `min(x, y)`; the other operand if one is NaN, as the instruction of GPUs returns (`minNum` of
-/// IEEE 754-2008).
+/// `min(x, y)`: `x < y ? x : y`, thus `y` if one of them is NaN, as in Chromium on a CPU. GLSL leaves
+/// this open; GPUs do as [`min_number`].
 #[inline(always)]
 pub fn min(x: f32x8, y: f32x8) -> f32x8 {
+    x.simd_lt(y).bitselect(x, y)
+}
+
+/// `max(x, y)`: `x > y ? x : y`, thus `y` if one of them is NaN, as for [`min`].
+#[inline(always)]
+pub fn max(x: f32x8, y: f32x8) -> f32x8 {
+    x.simd_gt(y).bitselect(x, y)
+}
+
+/// `min(x, y)` as the instruction of GPUs: the other operand if one is NaN (`minNum` of IEEE 754-2008).
+#[inline(always)]
+pub fn min_number(x: f32x8, y: f32x8) -> f32x8 {
     (x.simd_lt(y) | y.simd_ne(y)).bitselect(x, y)
 }
 
-/// `max(x, y)`; the other operand if one is NaN, as for [`min`].
+/// `max(x, y)` as the instruction of GPUs, as for [`min_number`].
 #[inline(always)]
-pub fn max(x: f32x8, y: f32x8) -> f32x8 {
+pub fn max_number(x: f32x8, y: f32x8) -> f32x8 {
     (x.simd_gt(y) | y.simd_ne(y)).bitselect(x, y)
 }
 
-/// `clamp(x, low, high)`; `low` if `x` is NaN.
+/// `clamp(x, low, high)`; `low` if `x` is NaN, unless `high` is less.
 #[inline(always)]
 pub fn clamp(x: f32x8, low: f32x8, high: f32x8) -> f32x8 {
     min(max(x, low), high)

@@ -15,7 +15,8 @@ mod single;
 mod trigonometric;
 
 pub use common::{
-    ceil, floor, fract, max, min, mix, modulo, round_even, sign, smoothstep, step, trunc,
+    ceil, floor, fract, max, max_number, min, min_number, mix, modulo, round_even, sign,
+    smoothstep, step, trunc,
 };
 pub use exponential::{
     acosh, asinh, atanh, cosh, exp, exp2, inverse_sqrt, log, log2, pow, sinh, sqrt, tanh,

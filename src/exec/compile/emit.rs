@@ -401,6 +401,11 @@ impl<'p> Compiler<'p> {
             let product = self.then_two(F2::Multiply, log, b);
             return self.then_one(F1::Exp2, product);
         }
+        let f = match (f, self.options.gpu_profile) {
+            (F2::Min, GpuProfile::Inexact(_) | GpuProfile::Mobile) => F2::MinNumber,
+            (F2::Max, GpuProfile::Inexact(_) | GpuProfile::Mobile) => F2::MaxNumber,
+            _ => f,
+        };
         let made = self.pure(Instr::Two(f, 0, a, b), &[a, b]);
         match f {
             F2::Divide => self.imprecise(ImpreciseOp::Quotient, made, b),

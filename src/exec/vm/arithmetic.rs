@@ -210,6 +210,8 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         F2::Divide => float_two(bank, to, a, b, |x, y| x / y),
         F2::Min => float_two(bank, to, a, b, m::min),
         F2::Max => float_two(bank, to, a, b, m::max),
+        F2::MinNumber => float_two(bank, to, a, b, m::min_number),
+        F2::MaxNumber => float_two(bank, to, a, b, m::max_number),
         F2::Modulo => float_two(bank, to, a, b, m::modulo),
         F2::Pow => float_two(bank, to, a, b, m::pow),
         F2::Atan2 => float_two(bank, to, a, b, m::atan2),

@@ -1,8 +1,9 @@
-//! Lowering of calls: arguments are evaluated left to right and passed by value; `out` arguments
+//! Lowering of calls: arguments are evaluated in [order](super::order) and passed by value; `out` arguments
 //! are copied back after the call (copy-in, copy-out).
 
 use super::super::form::*;
 use super::Lowerer;
+use super::order::Operand;
 use super::place::AssignTarget;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Type};
@@ -13,22 +14,28 @@ impl Lowerer<'_> {
     pub(super) fn call(&mut self, function: FunctionRef, args: List, ty: Type) -> OpId {
         let program = self.program;
         let params = program.function(function).map_or(&[][..], |f| &f.params);
+        let args = program.tree.args(args);
+        let count = self.writing.count_before(args) as u32;
         let mut operands = Vec::with_capacity(params.len());
         let mut back: Vec<(u32, AssignTarget, Type)> = Vec::new();
-        for ((number, param), &arg) in (0..).zip(params).zip(program.tree.args(args)) {
+        for ((number, param), &arg) in (0..).zip(params).zip(args) {
             let operand = match param.direction {
-                Direction::In | Direction::ConstIn => self.value(arg),
+                Direction::In | Direction::ConstIn => self.before(arg, number < count),
                 Direction::Out | Direction::Inout => {
                     let target = self.target(arg);
                     back.push((number, target, param.ty));
                     match param.direction {
-                        Direction::Inout => self.read(target, param.ty),
-                        _ => self.op(OpKind::Undef, param.ty),
+                        Direction::Inout => Operand::Target(target, param.ty),
+                        _ => Operand::Value(self.op(OpKind::Undef, param.ty)),
                     }
                 }
             };
             operands.push(operand);
         }
+        let loaded = operands
+            .into_iter()
+            .map(|operand| self.load_operand(operand));
+        let operands: Vec<OpId> = loaded.collect();
         let operands = self.operands(&operands);
         let call = self.op(OpKind::Call(function, operands), ty);
         self.take_back(call, &back);
@@ -44,14 +51,20 @@ impl Lowerer<'_> {
             Some(overload) => OpKind::Builtin(overload.function, operands),
             None => OpKind::Unknown,
         };
-        let mut operands = Vec::with_capacity(args.len as usize);
+        let args = program.tree.args(args);
+        let count = self.writing.count_before(args) as u32;
+        let mut operands = Vec::with_capacity(args.len());
         let mut back = Vec::new();
-        for (number, &arg) in (0..).zip(program.tree.args(args)) {
+        for (number, &arg) in (0..).zip(args) {
             match out >> number & 1 {
-                0 => operands.push(self.value(arg)),
+                0 => operands.push(self.before(arg, number < count)),
                 _ => back.push((number, self.target(arg), program.ty(arg))),
             }
         }
+        let loaded = operands
+            .into_iter()
+            .map(|operand| self.load_operand(operand));
+        let operands: Vec<OpId> = loaded.collect();
         let operands = self.operands(&operands);
         let call = self.op(kind(operands), ty);
         self.take_back(call, &back);

@@ -72,10 +72,10 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Lowers arguments in order.
+    /// Lowers arguments.
     pub(super) fn values(&mut self, args: List) -> Vec<OpId> {
-        let args = self.program.tree.args(args);
-        args.iter().map(|a| self.value(*a)).collect()
+        let program = self.program;
+        self.in_order(program.tree.args(args))
     }
 
     /// Lowers a variable or a part of a value.
@@ -165,11 +165,13 @@ impl Lowerer<'_> {
 
     fn binary(&mut self, op: BinaryOp, left: ExprId, right: ExprId, ty: Type) -> OpId {
         let is_cut_short = matches!(op, BinaryOp::And | BinaryOp::Or);
-        let left = self.value(left);
         if is_cut_short && !self.is_simple(right) {
+            let left = self.value(left);
             return self.cut_short(matches!(op, BinaryOp::And), left, right);
         }
+        let left = self.before(left, self.writing.has(right));
         let right = self.value(right);
+        let left = self.load_operand(left);
         self.operate(op, left, right, ty)
     }
 

@@ -7,9 +7,11 @@
 mod call;
 mod construct;
 mod expression;
+mod order;
 mod place;
 mod precision;
 mod statement;
+mod writing;
 
 use super::form::*;
 use precision::{DefaultPrecisions, Returned};
@@ -17,6 +19,7 @@ use shaderlint_semantic::{
     Constant, Direction, FunctionRef, Program, Scalar, Storage, Type, Value, VariableId,
 };
 use shaderlint_syntax::ast::{DeclId, DeclKind, ExprId, FunctionId, Item, List, TokenId};
+use writing::Writing;
 
 /// Maximum nesting of expressions and statements; deeper ones become unknown. Browsers reject trees
 /// deeper than 256.
@@ -27,6 +30,7 @@ pub fn lower(program: &Program) -> Module {
     let exprs = program.tree.exprs.len();
     let mut lowerer = Lowerer {
         program,
+        writing: Writing::of(program),
         module: Module {
             stage: Some(program.stage),
             by_expr: vec![None; exprs],
@@ -53,6 +57,7 @@ pub fn lower(program: &Program) -> Module {
 
 struct Lowerer<'p> {
     program: &'p Program,
+    writing: Writing,
     module: Module,
     precisions: DefaultPrecisions,
     returned: Returned,
