@@ -1,12 +1,12 @@
 //! Renders a draw call: the whole image, or sampled quads of it.
 
-use super::bytecode::Bytecode;
+use super::bytecode::{Bytecode, OutputSlot};
 use super::draw::{Draw, Stop};
 use super::observations::Observations;
 use super::row::LANES;
 use super::vm::{Tile, Vm};
 use shaderlint_math::hash;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::Mutex;
 
 /// A rendered image. Rows are ordered bottom to top, like `gl_FragCoord`.
 #[derive(Clone, Debug)]
@@ -91,56 +91,104 @@ pub fn quads_all_over([width, height]: [u32; 2], count: usize, seed: u32) -> Vec
     spread.collect()
 }
 
-/// The quads of a group of 8x4 pixels.
-fn quads_of(size: [u32; 2], index: u32) -> Vec<[u32; 2]> {
-    let across = size[0].div_ceil(8).max(1);
-    let (x, y) = (index % across * 8, index / across * 4);
-    let quads = (0..8).map(|q| [x + q % 4 * 2, y + q / 4 * 2]);
-    quads
-        .filter(|[x, y]| *x < size[0] && *y < size[1])
-        .collect()
-}
+/// The width and height of a group of pixels, a tile of a complete image.
+const GROUP: [usize; 2] = [8, 4];
 
-/// The results of a thread, in the order of the requested pixels.
-#[derive(Default)]
-struct PixelResults {
-    pixels: Vec<[u32; 2]>,
-    outputs: Vec<Vec<[u32; 4]>>,
-    covered: Vec<bool>,
-    cost: Vec<u32>,
-    ran: Vec<u32>,
-    iterations: Vec<u32>,
-}
+/// By row and column in a group: the lane.
+const LANE_AT: [[usize; GROUP[0]]; GROUP[1]] = {
+    let mut lanes = [[0; GROUP[0]]; GROUP[1]];
+    let mut at = 0;
+    while at < LANES {
+        let (x, y) = (at % GROUP[0], at / GROUP[0]);
+        lanes[y][x] = 16 * (y / 2) + 4 * (x / 2) + 2 * (y % 2) + x % 2;
+        at += 1;
+    }
+    lanes
+};
 
-impl PixelResults {
-    fn of(code: &Bytecode) -> PixelResults {
-        PixelResults {
-            outputs: vec![Vec::new(); code.outputs.len()],
-            ..PixelResults::default()
+/// The tile of the group of pixels with this lower left pixel.
+fn group_at(size: [u32; 2], [left, below]: [u32; 2]) -> Tile {
+    let mut tile = Tile {
+        pixels: [[0; 2]; LANES],
+        requested: 0,
+    };
+    let is_inside = |[x, y]: [u32; 2]| x < size[0] && y < size[1];
+    // Quads outside of the image duplicate the last one inside as helper lanes.
+    let mut last = [left, below];
+    for (lane, pixel) in (0..).zip(&mut tile.pixels) {
+        let quad = [left + lane / 4 % 4 * 2, below + lane / 16 * 2];
+        let offset = [lane & 1, lane >> 1 & 1];
+        if is_inside(quad) {
+            last = quad;
+        }
+        *pixel = [last[0] + offset[0], last[1] + offset[1]];
+        if last == quad && is_inside(*pixel) {
+            tile.requested |= 1 << lane;
         }
     }
+    tile
+}
 
-    /// Copies the wanted pixels of a tile.
-    fn take(&mut self, vm: &Vm<'_>, code: &Bytecode, tile: &Tile, covered: u32) {
-        let requested = (0..LANES).filter(|lane| tile.requested >> lane & 1 == 1);
+/// The part of an image that a row of groups draws.
+struct Band<'d> {
+    /// By output.
+    outputs: Vec<&'d mut [[u32; 4]]>,
+    covered: &'d mut [bool],
+    cost: &'d mut [u32],
+    ran: &'d mut [u32],
+    iterations: &'d mut [u32],
+}
+
+impl Band<'_> {
+    /// Draws all groups.
+    fn draw(&mut self, vm: &mut Vm<'_>, draw: &Draw<'_>, below: u32) -> Result<(), Stop> {
+        for left in (0..draw.size[0]).step_by(GROUP[0]) {
+            let covered = vm.run(&group_at(draw.size, [left, below]))?;
+            self.take(vm, draw, left as usize, covered);
+        }
+        Ok(())
+    }
+
+    /// Copies the results of the group at a column.
+    fn take(&mut self, vm: &Vm<'_>, draw: &Draw<'_>, left: usize, covered: u32) {
+        let place = (draw.size[0] as usize, left);
         let (cost, iterations) = (vm.watched.cost(), vm.watched.iterations());
-        for lane in requested.clone() {
-            self.pixels.extend(tile.pixels.get(lane));
-            self.covered.push(covered >> lane & 1 == 1);
-            self.cost.extend(cost.get(lane));
-            self.ran.push(vm.watched.ran());
-            self.iterations.extend(iterations.get(lane));
-        }
-        for (slot, given) in code.outputs.iter().zip(&mut self.outputs) {
-            let mut rows = [[0; LANES]; 4];
-            for (row, reg) in rows.iter_mut().zip(&slot.regs) {
-                *row = vm.row(*reg).bits();
-            }
-            for lane in requested.clone() {
-                given.push(rows.map(|row| row.get(lane).copied().unwrap_or(0)));
-            }
+        let ran = vm.watched.ran();
+        put(self.covered, place, |lane| covered >> lane & 1 == 1);
+        put(self.cost, place, |lane| at(&cost, lane));
+        put(self.ran, place, |_| ran);
+        put(self.iterations, place, |lane| at(&iterations, lane));
+        for (slot, output) in draw.code.outputs.iter().zip(&mut self.outputs) {
+            let rows = scalars_of(vm, slot);
+            put(output, place, |lane| {
+                rows.each_ref().map(|row| at(row, lane))
+            });
         }
     }
+}
+
+/// Sets the pixels of the group at a column of a band.
+#[inline(always)]
+fn put<T>(band: &mut [T], (width, left): (usize, usize), value: impl Fn(usize) -> T) {
+    for (row, lanes) in band.chunks_mut(width).zip(&LANE_AT) {
+        for (slot, lane) in row.iter_mut().skip(left).zip(lanes) {
+            *slot = value(*lane);
+        }
+    }
+}
+
+#[inline(always)]
+fn at(row: &[u32; LANES], lane: usize) -> u32 {
+    row.get(lane).copied().unwrap_or(0)
+}
+
+/// The first four scalars of an output.
+fn scalars_of(vm: &Vm<'_>, slot: &OutputSlot) -> [[u32; LANES]; 4] {
+    let mut rows = [[0; LANES]; 4];
+    for (row, reg) in rows.iter_mut().zip(&slot.regs) {
+        *row = vm.row(*reg).bits();
+    }
+    rows
 }
 
 /// Renders all pixels with `threads` threads.
@@ -150,28 +198,6 @@ impl PixelResults {
 pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
     let size = draw.size;
     let count = size.iter().map(|n| *n as usize).product();
-    let tiles = size[0].div_ceil(8) * size[1].div_ceil(4);
-    let next = AtomicU32::new(0);
-    let work = || -> Result<(PixelResults, Observations), Stop> {
-        let mut vm = Vm::new(draw);
-        let mut given = PixelResults::of(draw.code);
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= tiles {
-                return Ok((given, vm.finish()));
-            }
-            let tile = tile_of(size, &quads_of(size, index));
-            let covered = vm.run(&tile)?;
-            given.take(&vm, draw.code, &tile, covered);
-        }
-    };
-    let parts = match threads.clamp(1, tiles.max(1) as usize) {
-        1 => vec![work()],
-        threads => std::thread::scope(|scope| {
-            let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-            handles.into_iter().filter_map(|h| h.join().ok()).collect()
-        }),
-    };
     let mut drawn = Drawn {
         size,
         outputs: vec![vec![[0; 4]; count]; draw.code.outputs.len()],
@@ -181,11 +207,31 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
         iterations: vec![0; count],
         seen: Observations::default(),
     };
+    let bands = drawn.bands();
+    let threads = threads.clamp(1, bands.len().max(1));
+    let next = Mutex::new((0..).step_by(GROUP[1]).zip(bands));
+    let work = || -> Result<Observations, Stop> {
+        let mut vm = Vm::new(draw);
+        loop {
+            let Some((below, mut band)) = next.lock().ok().and_then(|mut next| next.next()) else {
+                return Ok(vm.finish());
+            };
+            band.draw(&mut vm, draw, below)?;
+        }
+    };
+    let parts = match threads {
+        1 => vec![work()],
+        threads => std::thread::scope(|scope| {
+            let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+            handles.into_iter().filter_map(|h| h.join().ok()).collect()
+        }),
+    };
+    let mut seen = Observations::default();
     for part in parts {
-        let (given, seen) = part?;
-        drawn.seen.add(seen);
-        drawn.place(&given);
+        seen.add(part?);
     }
+    drop(next);
+    drawn.seen = seen;
     Ok(drawn)
 }
 
@@ -201,28 +247,41 @@ impl Drawn {
         self.cost.iter().copied().max().unwrap_or(0)
     }
 
-    /// Copies pixels to their positions in the image.
-    fn place(&mut self, given: &PixelResults) {
-        for (n, [x, y]) in given.pixels.iter().enumerate() {
-            let at = *y as usize * self.size[0] as usize + *x as usize;
-            put(&mut self.covered, at, given.covered.get(n));
-            put(&mut self.cost, at, given.cost.get(n));
-            put(&mut self.ran, at, given.ran.get(n));
-            put(&mut self.iterations, at, given.iterations.get(n));
-            for (all, own) in self.outputs.iter_mut().zip(&given.outputs) {
-                put(all, at, own.get(n));
-            }
-        }
-    }
-}
-
-fn put<T: Copy>(all: &mut [T], at: usize, value: Option<&T>) {
-    if let (Some(slot), Some(value)) = (all.get_mut(at), value) {
-        *slot = *value;
+    /// The bands of the image, from below.
+    fn bands(&mut self) -> Vec<Band<'_>> {
+        let len = (GROUP[1] * self.size[0] as usize).max(1);
+        let mut outputs: Vec<_> = self.outputs.iter_mut().map(|o| o.chunks_mut(len)).collect();
+        let covered = self.covered.chunks_mut(len);
+        let counts = self.cost.chunks_mut(len).zip(self.ran.chunks_mut(len));
+        let all = covered.zip(counts).zip(self.iterations.chunks_mut(len));
+        let bands = all.map(|((covered, (cost, ran)), iterations)| Band {
+            outputs: outputs.iter_mut().filter_map(Iterator::next).collect(),
+            covered,
+            cost,
+            ran,
+            iterations,
+        });
+        bands.collect()
     }
 }
 
 impl Sampled {
+    /// Adds the requested pixels of a tile.
+    fn take(&mut self, vm: &Vm<'_>, code: &Bytecode, tile: &Tile, covered: u32) {
+        let requested = (0..LANES).filter(|lane| tile.requested >> lane & 1 == 1);
+        let cost = vm.watched.cost();
+        for lane in requested.clone() {
+            self.pixels.extend(tile.pixels.get(lane));
+            self.covered.push(covered >> lane & 1 == 1);
+            self.cost.push(at(&cost, lane));
+        }
+        for (slot, output) in code.outputs.iter().zip(&mut self.outputs) {
+            let rows = scalars_of(vm, slot);
+            let pixel = |lane: usize| rows.each_ref().map(|row| at(row, lane));
+            output.extend(requested.clone().map(pixel));
+        }
+    }
+
     /// Adds more pixels of the same draw.
     pub fn add(&mut self, more: Sampled) {
         self.pixels.extend(more.pixels);
@@ -242,18 +301,21 @@ impl Sampled {
 /// Why the run was aborted.
 pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
     let mut vm = Vm::new(draw);
-    let mut given = PixelResults::of(draw.code);
+    let count = quads.len() * 4;
+    let mut sampled = Sampled {
+        pixels: Vec::with_capacity(count),
+        outputs: vec![Vec::with_capacity(count); draw.code.outputs.len()],
+        covered: Vec::with_capacity(count),
+        cost: Vec::with_capacity(count),
+        spent: 0,
+        seen: Observations::default(),
+    };
     for quads in quads.chunks(LANES / 4) {
         let tile = tile_of(draw.size, quads);
         let covered = vm.run(&tile)?;
-        given.take(&vm, draw.code, &tile, covered);
+        sampled.take(&vm, draw.code, &tile, covered);
     }
-    Ok(Sampled {
-        pixels: given.pixels,
-        outputs: given.outputs,
-        covered: given.covered,
-        cost: given.cost,
-        spent: vm.spent,
-        seen: vm.finish(),
-    })
+    sampled.spent = vm.spent;
+    sampled.seen = vm.finish();
+    Ok(sampled)
 }

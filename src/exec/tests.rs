@@ -688,3 +688,18 @@ fn quads_are_real_and_all_over_the_image() {
         assert_ne!(quads, quads_all_over(size, count, 2));
     }
 }
+
+/// Groups of pixels at the right and upper edge are partly outside of the image.
+#[test]
+fn every_pixel_of_an_image_has_its_own_place() {
+    let text = format!("{HEAD}void main() {{ color = gl_FragCoord; }}");
+    for size in [[1, 1], [13, 7], [16, 8], [5, 9], [61, 37]] {
+        let drawn = drawn(&text, size);
+        let found = drawn.outputs.first().unwrap().iter();
+        let found: Vec<[f32; 2]> = found.map(|p| [p[0], p[1]].map(f32::from_bits)).collect();
+        let rows = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y]));
+        let expected: Vec<_> = rows.map(|pixel| pixel.map(|n| n as f32 + 0.5)).collect();
+        assert_eq!(found, expected, "{size:?}");
+        assert_eq!(drawn.seen.pixels, u64::from(size[0] * size[1]));
+    }
+}

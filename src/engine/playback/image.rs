@@ -1,6 +1,7 @@
 //! The image of a draw, and its statistics.
 
 use shaderlint_exec::{Bytecode, Drawn};
+use shaderlint_semantic::Scalar;
 
 /// An image, bottom row first.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,7 +34,33 @@ pub struct ImageFacts {
 }
 
 /// Maximum number of colours counted.
-const MAX_COLORS: usize = 1 << 16;
+const MAX_COLORS: u32 = 1 << 16;
+
+/// Counts distinct colours.
+#[derive(Default)]
+struct Colors {
+    /// By colour: a bit that is set if it was counted. Empty before the first colour.
+    counted: Vec<u64>,
+    count: u32,
+    last: [u8; 3],
+}
+
+impl Colors {
+    fn add(&mut self, color @ [r, g, b]: [u8; 3]) {
+        if self.counted.is_empty() {
+            self.counted = vec![0; 1 << 18];
+        } else if color == self.last || self.count == MAX_COLORS {
+            return;
+        }
+        self.last = color;
+        let number = u32::from_be_bytes([0, r, g, b]);
+        if let Some(word) = self.counted.get_mut(number as usize / 64) {
+            let bit = 1 << (number % 64);
+            self.count += u32::from(*word & bit == 0);
+            *word |= bit;
+        }
+    }
+}
 
 /// Converts a value to a byte, rounded as in a framebuffer; NaN becomes 0.
 fn byte(number: f32) -> u8 {
@@ -45,10 +72,16 @@ impl RenderedImage {
     pub fn of(code: &Bytecode, drawn: &Drawn, output: usize) -> RenderedImage {
         let mut pixels = Vec::new();
         if let (Some(slot), Some(bits)) = (code.outputs.get(output), drawn.outputs.get(output)) {
+            let lanes = slot.lanes();
+            let scalar = slot.ty.scalar_kind();
+            let is_plain = lanes == 4 && scalar.is_none_or(|scalar| scalar == Scalar::Float);
             let all = bits.iter().zip(&drawn.covered);
             pixels.extend(all.map(|(bits, is_covered)| {
+                if is_plain && *is_covered {
+                    return bits.map(f32::from_bits);
+                }
                 let mut pixel = [0.0, 0.0, 0.0, 1.0];
-                for (lane, bits) in pixel.iter_mut().zip(bits).take(slot.lanes()) {
+                for (lane, bits) in pixel.iter_mut().zip(bits).take(lanes) {
                     *lane = if *is_covered { slot.number(*bits) } else { 0.0 };
                 }
                 pixel
@@ -68,25 +101,26 @@ impl RenderedImage {
     /// The 8-bit image, top row first, three bytes per pixel.
     pub fn bytes(&self) -> Vec<u8> {
         let width = self.size[0].max(1) as usize;
-        let rows = self.pixels.chunks_exact(width).rev();
-        rows.flatten()
-            .flat_map(|pixel| RenderedImage::shown(*pixel))
-            .collect()
+        let mut bytes = Vec::with_capacity(3 * self.pixels.len());
+        for row in self.pixels.chunks_exact(width).rev() {
+            for pixel in row {
+                bytes.extend_from_slice(&RenderedImage::shown(*pixel));
+            }
+        }
+        bytes
     }
 
     /// The statistics of the image; `covered` says which pixels were not discarded.
     pub fn facts(&self, covered: &[bool]) -> ImageFacts {
         let mut facts = ImageFacts::default();
         let mut counts = [0_u64; 3];
-        let mut colors = rustc_hash::FxHashSet::default();
+        let mut colors = Colors::default();
         facts.least = [f64::INFINITY; 3];
         facts.most = [f64::NEG_INFINITY; 3];
         for (pixel, is_covered) in self.pixels.iter().zip(covered) {
             let [r, g, b, _] = *pixel;
             let shown = RenderedImage::shown(*pixel);
-            if colors.len() < MAX_COLORS {
-                colors.insert(shown);
-            }
+            colors.add(shown);
             facts.black += u64::from(shown == [0; 3]);
             facts.discarded += u64::from(!is_covered);
             let has_nan = [r, g, b].iter().any(|n| n.is_nan());
@@ -114,7 +148,7 @@ impl RenderedImage {
                 (*least, *most) = (0.0, 0.0);
             }
         }
-        facts.colors = colors.len() as u32;
+        facts.colors = colors.count;
         facts
     }
 }

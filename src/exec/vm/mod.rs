@@ -163,12 +163,16 @@ impl<'d> Vm<'d> {
     /// Loads the inputs of the tile's pixels.
     fn inputs(&mut self) {
         let draw = self.draw;
+        let [x, y] = [0, 1].map(|axis| {
+            let pixels = &self.tile.pixels;
+            pixels.map(|pixel| pixel.get(axis).copied().unwrap_or(0) as f32 + 0.5)
+        });
         for (slot, planes) in self.code.inputs.iter().zip(&draw.inputs) {
             for (reg, [base, across, up]) in slot.regs.iter().zip(planes) {
-                let values = self
-                    .tile
-                    .pixels
-                    .map(|[x, y]| base + across * (x as f32 + 0.5) + up * (y as f32 + 0.5));
+                let mut values = [0.0; LANES];
+                for ((value, x), y) in values.iter_mut().zip(x).zip(y) {
+                    *value = base + across * x + up * y;
+                }
                 let row = match slot.ty.scalar_kind() {
                     Some(Scalar::Bool) => {
                         Row::of_bits(values.map(|v| if v == 0.0 { 0 } else { u32::MAX }))
