@@ -119,18 +119,28 @@ impl Vm<'_> {
     }
 }
 
+/// As [`apply_two`].
+#[inline(always)]
 fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
-    use math as m;
     match f {
         F1::Negate => float_one(bank, to, a, |x| -x),
         F1::Abs => float_one(bank, to, a, |x| x.abs()),
+        F1::Sqrt => float_one(bank, to, a, math::sqrt),
+        F1::Not => one(bank, to, a, |a| !a),
+        _ => apply_one_rarer(bank, f, to, a),
+    }
+}
+
+#[inline(never)]
+fn apply_one_rarer(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
+    use math as m;
+    match f {
         F1::Sign => float_one(bank, to, a, m::sign),
         F1::Floor => float_one(bank, to, a, m::floor),
         F1::Ceil => float_one(bank, to, a, m::ceil),
         F1::Trunc => float_one(bank, to, a, m::trunc),
         F1::RoundEven => float_one(bank, to, a, m::round_even),
         F1::Fract => float_one(bank, to, a, m::fract),
-        F1::Sqrt => float_one(bank, to, a, m::sqrt),
         F1::InverseSqrt => float_one(bank, to, a, m::inverse_sqrt),
         F1::Sin => float_one(bank, to, a, m::sin),
         F1::Cos => float_one(bank, to, a, m::cos),
@@ -158,7 +168,6 @@ fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
             let (low, high) = (a.simd_lt(i32x8::ZERO), a.simd_gt(i32x8::ZERO));
             low - high
         }),
-        F1::Not => one(bank, to, a, |a| !a),
         F1::FloatOfInt => one(bank, to, a, |a| of_floats(m::float_of_int(a))),
         F1::FloatOfUint => one(bank, to, a, |a| of_floats(m::float_of_uint(unsigned(a)))),
         F1::IntOfFloat => one(bank, to, a, |a| m::int_of_float(floats(a))),
@@ -175,6 +184,8 @@ fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
         }),
         F1::DifferenceX => one(bank, to, a, |a| difference(a, 1)),
         F1::DifferenceY => one(bank, to, a, |a| difference(a, 2)),
+        // Part of the loop.
+        F1::Negate | F1::Abs | F1::Sqrt | F1::Not => {}
     }
 }
 
@@ -201,6 +212,8 @@ fn difference(a: i32x8, neighbour: usize) -> i32x8 {
     of_floats(f32x8::new(made))
 }
 
+/// The most frequent binary operations are part of the VM's loop: a call took longer than they do.
+#[inline(always)]
 fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
     use math as m;
     match f {
@@ -210,17 +223,29 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         F2::Divide => float_two(bank, to, a, b, |x, y| x / y),
         F2::Min => float_two(bank, to, a, b, m::min),
         F2::Max => float_two(bank, to, a, b, m::max),
+        F2::Less => float_two(bank, to, a, b, |x, y| x.simd_lt(y)),
+        F2::LessEqual => float_two(bank, to, a, b, |x, y| x.simd_le(y)),
+        F2::IntAdd => two(bank, to, a, b, |a, b| a + b),
+        F2::IntLess => two(bank, to, a, b, |a, b| a.simd_lt(b)),
+        F2::And => two(bank, to, a, b, |a, b| a & b),
+        F2::Or => two(bank, to, a, b, |a, b| a | b),
+        F2::Xor => two(bank, to, a, b, |a, b| a ^ b),
+        _ => apply_two_rarer(bank, f, to, a, b),
+    }
+}
+
+#[inline(never)]
+fn apply_two_rarer(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
+    use math as m;
+    match f {
         F2::MinNumber => float_two(bank, to, a, b, m::min_number),
         F2::MaxNumber => float_two(bank, to, a, b, m::max_number),
         F2::Modulo => float_two(bank, to, a, b, m::modulo),
         F2::Pow => float_two(bank, to, a, b, m::pow),
         F2::Atan2 => float_two(bank, to, a, b, m::atan2),
         F2::Step => float_two(bank, to, a, b, m::step),
-        F2::Less => float_two(bank, to, a, b, |x, y| x.simd_lt(y)),
-        F2::LessEqual => float_two(bank, to, a, b, |x, y| x.simd_le(y)),
         F2::Equal => float_two(bank, to, a, b, |x, y| x.simd_eq(y)),
         F2::NotEqual => two(bank, to, a, b, |a, b| !truth(floats(a).simd_eq(floats(b)))),
-        F2::IntAdd => two(bank, to, a, b, |a, b| a + b),
         F2::IntSubtract => two(bank, to, a, b, |a, b| a - b),
         F2::IntMultiply => two(bank, to, a, b, |a, b| a * b),
         F2::IntDivide => two(bank, to, a, b, m::divide_int),
@@ -231,7 +256,6 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         F2::UintRemainder => two(bank, to, a, b, |a, b| {
             of_unsigned(m::remainder_uint(unsigned(a), unsigned(b)))
         }),
-        F2::IntLess => two(bank, to, a, b, |a, b| a.simd_lt(b)),
         F2::IntLessEqual => two(bank, to, a, b, |a, b| !a.simd_gt(b)),
         F2::UintLess => two(bank, to, a, b, |a, b| {
             sign_flipped(a).simd_lt(sign_flipped(b))
@@ -241,9 +265,6 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         }),
         F2::SameBits => two(bank, to, a, b, |a, b| a.simd_eq(b)),
         F2::OtherBits => two(bank, to, a, b, |a, b| !a.simd_eq(b)),
-        F2::And => two(bank, to, a, b, |a, b| a & b),
-        F2::Or => two(bank, to, a, b, |a, b| a | b),
-        F2::Xor => two(bank, to, a, b, |a, b| a ^ b),
         F2::ShiftLeft => two(bank, to, a, b, |a, b| {
             of_unsigned(m::shift_left(unsigned(a), unsigned(b)))
         }),
@@ -271,9 +292,14 @@ fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
         F2::PackUnorm => two(bank, to, a, b, |a, b| {
             of_unsigned(m::pack_unorm(floats(a), floats(b)))
         }),
+        // Part of the loop.
+        F2::Add | F2::Subtract | F2::Multiply | F2::Divide | F2::Min | F2::Max => {}
+        F2::Less | F2::LessEqual | F2::IntAdd | F2::IntLess | F2::And | F2::Or | F2::Xor => {}
     }
 }
 
+/// As [`apply_two`].
+#[inline(always)]
 fn apply_three(bank: &mut Bank, f: F3, regs: [Reg; 4]) {
     match f {
         F3::MultiplyAdd => three(bank, regs, |a, b, c| {
