@@ -2,6 +2,7 @@
 
 #![expect(clippy::needless_range_loop, reason = "the registers may alias")]
 
+use super::following::Following;
 use super::{Bank, Vm};
 use crate::bytecode::{F1, F2, F3, Instr, Reg};
 use crate::gpu_profile;
@@ -43,6 +44,27 @@ fn three(bank: &mut Bank, [to, a, b, c]: [Reg; 4], f: impl Fn(i32x8, i32x8, i32x
     }
 }
 
+/// A binary operation on floats, and all that follow with the same operation.
+#[inline(always)]
+fn float_twos(
+    bank: &mut Bank,
+    following: &mut Following<'_>,
+    (f, mut to, mut a, mut b): (F2, Reg, Reg, Reg),
+    apply: impl Fn(f32x8, f32x8) -> f32x8,
+) {
+    loop {
+        float_two(bank, to, a, b, &apply);
+        let next = following.next_if(|instr| match instr {
+            Instr::Two(other, to, a, b) if other == f => Some((to, a, b)),
+            _ => None,
+        });
+        match next {
+            Some(regs) => (to, a, b) = regs,
+            None => return,
+        }
+    }
+}
+
 /// A unary operation on floats.
 #[inline(always)]
 fn float_one(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(f32x8) -> f32x8) {
@@ -64,14 +86,15 @@ fn sign_flipped(lanes: i32x8) -> i32x8 {
 impl Vm<'_> {
     /// Executes an instruction that does not jump.
     #[inline(always)]
-    pub(super) fn straight(&mut self, instr: &Instr) {
+    pub(super) fn straight(&mut self, instr: &Instr, following: &mut Following<'_>) {
         match *instr {
             Instr::Move(to, a) => self.set(to, Row(self.get(a))),
             Instr::MoveActive(to, a) => {
                 if self.active == u32::MAX {
                     self.set(to, Row(self.get(a)));
                 } else {
-                    let (kept, new, lanes) = (self.get(to), self.get(a), self.spread());
+                    let (kept, new) = (self.get(to), self.get(a));
+                    let lanes = self.expanded().lanes;
                     let mut made = kept;
                     for (((made, kept), new), lanes) in
                         made.iter_mut().zip(kept).zip(new).zip(lanes)
@@ -81,8 +104,10 @@ impl Vm<'_> {
                     self.set(to, Row(made));
                 }
             }
-            Instr::Two(f, to, a, b) => apply_two(&mut self.bank, f, to, a, b),
-            Instr::Three(f, to, a, b, c) => apply_three(&mut self.bank, f, [to, a, b, c]),
+            Instr::Two(f, to, a, b) => apply_two(&mut self.bank, following, f, [to, a, b]),
+            Instr::Three(f, to, a, b, c) => {
+                apply_three(&mut self.bank, following, f, [to, a, b, c]);
+            }
             Instr::One(f, to, a) => apply_one(&mut self.bank, f, to, a),
             Instr::Word(to, at) => {
                 let bits = self.draw.memory.get(at as usize).copied().unwrap_or(0);
@@ -94,8 +119,8 @@ impl Vm<'_> {
             Instr::Lookup(site) => self.ask(site),
             Instr::Enter(number) => self.watched.enter(number, self.active),
             Instr::Iterate(number) => {
-                let lanes = self.spread();
-                self.watched.iterate(number, &lanes);
+                self.expanded();
+                self.watched.iterate(number, &self.expanded);
             }
             Instr::Exhaust(number, condition) => {
                 let ends = self.active & !super::mask_of(&self.get(condition));
@@ -104,13 +129,12 @@ impl Vm<'_> {
             Instr::Leave(number) => self.watched.leave(number, self.requested),
             Instr::Branch(number, condition) => {
                 let holds = super::mask_of(&self.get(condition));
-                let came = self.active & self.requested;
-                self.watched.branch(number, came & holds, came & !holds);
+                self.expanded();
+                self.watched.branch(number, &self.expanded, holds);
             }
             Instr::Spend { cost, by } => {
-                let lanes = self.spread();
-                let pixels = (self.active & self.requested).count_ones();
-                self.watched.spend([cost, by], pixels, &lanes);
+                self.expanded();
+                self.watched.spend([cost, by], &self.expanded);
             }
             Instr::Check(check_operands) => self.check_operands(check_operands),
             Instr::Compare(number) => self.compare(number),
@@ -214,12 +238,12 @@ fn difference(a: i32x8, neighbour: usize) -> i32x8 {
 
 /// The most frequent binary operations are part of the VM's loop: a call took longer than they do.
 #[inline(always)]
-fn apply_two(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
+fn apply_two(bank: &mut Bank, following: &mut Following<'_>, f: F2, [to, a, b]: [Reg; 3]) {
     use math as m;
     match f {
-        F2::Add => float_two(bank, to, a, b, |x, y| x + y),
-        F2::Subtract => float_two(bank, to, a, b, |x, y| x - y),
-        F2::Multiply => float_two(bank, to, a, b, |x, y| x * y),
+        F2::Add => float_twos(bank, following, (F2::Add, to, a, b), |x, y| x + y),
+        F2::Subtract => float_twos(bank, following, (F2::Subtract, to, a, b), |x, y| x - y),
+        F2::Multiply => float_twos(bank, following, (F2::Multiply, to, a, b), |x, y| x * y),
         F2::Divide => float_two(bank, to, a, b, |x, y| x / y),
         F2::Min => float_two(bank, to, a, b, m::min),
         F2::Max => float_two(bank, to, a, b, m::max),
@@ -300,11 +324,21 @@ fn apply_two_rarer(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
 
 /// As [`apply_two`].
 #[inline(always)]
-fn apply_three(bank: &mut Bank, f: F3, regs: [Reg; 4]) {
+fn apply_three(bank: &mut Bank, following: &mut Following<'_>, f: F3, mut regs: [Reg; 4]) {
     match f {
-        F3::MultiplyAdd => three(bank, regs, |a, b, c| {
-            of_floats(floats(a) * floats(b) + floats(c))
-        }),
+        F3::MultiplyAdd => loop {
+            three(bank, regs, |a, b, c| {
+                of_floats(floats(a) * floats(b) + floats(c))
+            });
+            let next = following.next_if(|instr| match instr {
+                Instr::Three(F3::MultiplyAdd, to, a, b, c) => Some([to, a, b, c]),
+                _ => None,
+            });
+            match next {
+                Some(next) => regs = next,
+                None => return,
+            }
+        },
         F3::Select => three(bank, regs, |a, b, c| a.bitselect(b, c)),
         F3::Mix => three(bank, regs, |a, b, c| {
             of_floats(math::mix(floats(a), floats(b), floats(c)))

@@ -3,14 +3,18 @@
 //! The execution mask has one bit per lane. Registers of inactive lanes may hold anything;
 //! variables that outlive a construct are written only in active lanes.
 
+mod active;
 mod arithmetic;
 mod array;
+mod following;
 mod texture;
 mod watch;
 
 use super::bytecode::{Bytecode, EMPTY, Instr, InstrIndex, Reg};
 use super::draw::{Draw, Stop};
 use super::row::{LANES, PARTS, Row};
+use active::ActiveLanes;
+use following::Following;
 use shaderlint_semantic::Scalar;
 use watch::Watched;
 use wide::i32x8;
@@ -38,23 +42,13 @@ pub(super) struct Vm<'d> {
     live: u32,
     /// The lanes that are counted in statistics.
     requested: u32,
-    /// Cache of an expanded mask: the mask, and the register with all bits set in its lanes.
-    spread: (u32, [i32x8; PARTS]),
+    /// What follows from the execution mask, or from an earlier one.
+    expanded: ActiveLanes,
     fuel: u64,
     /// The number of instructions executed so far.
     pub spent: u64,
     tile: Tile,
     pub watched: Watched,
-}
-
-/// Expands a mask to all bits set in its lanes.
-fn spread(mask: u32) -> [i32x8; PARTS] {
-    const BITS: [i32; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
-    let bits = i32x8::new(BITS);
-    std::array::from_fn(|part| {
-        let own = i32x8::splat((mask >> (8 * part)) as i32 & 0xff);
-        (own & bits).simd_eq(bits)
-    })
 }
 
 /// A bit mask of the lanes whose highest bit is set.
@@ -74,7 +68,7 @@ impl<'d> Vm<'d> {
             active: u32::MAX,
             live: u32::MAX,
             requested: 0,
-            spread: (u32::MAX, spread(u32::MAX)),
+            expanded: ActiveLanes::of(u32::MAX, 0),
             fuel: 0,
             spent: code.uniform_prologue.len() as u64,
             tile: Tile {
@@ -87,7 +81,7 @@ impl<'d> Vm<'d> {
             vm.set(*reg, Row::splat(*bits));
         }
         for instr in &code.uniform_prologue {
-            vm.straight(instr);
+            vm.straight(instr, &mut Following { body: &[], at: 0 });
         }
         vm
     }
@@ -111,18 +105,19 @@ impl<'d> Vm<'d> {
         };
         let allowed = left.min(self.draw.fuel);
         self.fuel = allowed;
-        let mut at: InstrIndex = 0;
-        while let Some(instr) = code.body.get(at as usize) {
-            at += 1;
-            match self.jump(instr) {
-                Some(JumpTarget::To(target)) => at = target,
+        let body = code.body.as_slice();
+        let mut following = Following { body, at: 0 };
+        while let Some(instr) = body.get(following.at) {
+            following.at += 1;
+            match self.jump(instr, &mut following) {
+                Some(JumpTarget::To(target)) => following.at = target as usize,
                 Some(JumpTarget::Back(target)) => {
-                    let cost = (at - target) as u64;
+                    let cost = (following.at - target as usize) as u64;
                     let Some(rest) = self.fuel.checked_sub(cost) else {
                         return Err(out_of_fuel(self));
                     };
                     self.fuel = rest;
-                    at = target;
+                    following.at = target as usize;
                 }
                 None => {}
             }
@@ -186,12 +181,13 @@ impl<'d> Vm<'d> {
         }
     }
 
-    /// The execution mask, expanded to all bits.
-    fn spread(&mut self) -> [i32x8; PARTS] {
-        if self.spread.0 != self.active {
-            self.spread = (self.active, spread(self.active));
+    /// The active lanes.
+    #[inline(always)]
+    fn expanded(&mut self) -> &ActiveLanes {
+        if self.expanded.mask != self.active {
+            self.expanded = ActiveLanes::of(self.active, self.requested);
         }
-        self.spread.1
+        &self.expanded
     }
 
     fn kept(&self, slot: u16) -> u32 {
@@ -213,7 +209,7 @@ impl<'d> Vm<'d> {
 
     /// Executes an instruction. Returns the jump to take.
     #[inline(always)]
-    fn jump(&mut self, instr: &Instr) -> Option<JumpTarget> {
+    fn jump(&mut self, instr: &Instr, following: &mut Following<'_>) -> Option<JumpTarget> {
         match *instr {
             Instr::If {
                 condition,
@@ -268,7 +264,7 @@ impl<'d> Vm<'d> {
             }
             Instr::SkipIfNone(to) => return self.unless_any(to),
             Instr::Back(to) => return Some(JumpTarget::Back(to)),
-            _ => self.straight(instr),
+            _ => self.straight(instr, following),
         }
         None
     }

@@ -1,5 +1,6 @@
 //! Collects the statistics of a run.
 
+use super::active::ActiveLanes;
 use super::{Tile, Vm, mask_of};
 use crate::bytecode::{Bytecode, CallPath, FaultCheck, OperandCheck, Reg};
 use crate::observations::{
@@ -17,10 +18,14 @@ const MAX_ITERATIONS: usize = 1024;
 
 /// The statistics so far, and those of the current tile.
 pub(crate) struct Watched {
-    /// By lane: the cost in this tile.
+    /// By lane: the cost in this tile, of operations that not all lanes executed.
     cost: [i32x8; PARTS],
-    /// By lane: the iterations of all loops in this tile.
+    /// The cost in this tile of operations that all lanes executed.
+    shared_cost: u32,
+    /// By lane: the iterations of all loops in this tile that not all lanes executed.
     iterations: [i32x8; PARTS],
+    /// The iterations of all loops in this tile that all lanes executed.
+    shared_iterations: u32,
     /// The operations executed for this tile, counted once for all its pixels.
     ran: u32,
     /// By call path: the cost summed over pixels.
@@ -44,8 +49,10 @@ struct Ends {
 struct LoopCount {
     /// The lanes inside it.
     entered: u32,
-    /// By lane: the iterations of this entry.
+    /// By lane: the iterations of this entry that not all lanes executed.
     iterations: [i32x8; PARTS],
+    /// The iterations of this entry that all lanes executed.
+    shared: u32,
     /// By lane: the maximum iterations of an entry in this tile.
     most: [u32; LANES],
     /// The lanes that entered it in this tile, and those for which its condition became false.
@@ -58,13 +65,16 @@ impl Watched {
         let loops = code.loops.iter().map(|_| LoopCount {
             entered: 0,
             iterations: Row::ZERO.0,
+            shared: 0,
             most: [0; LANES],
             came: 0,
             exhausted: 0,
         });
         Watched {
             cost: Row::ZERO.0,
+            shared_cost: 0,
             iterations: Row::ZERO.0,
+            shared_iterations: 0,
             ran: 0,
             paid: vec![0; code.calls.len()],
             loops: loops.collect(),
@@ -104,23 +114,33 @@ impl Watched {
 
     /// By lane: the cost in this tile.
     pub fn cost(&self) -> [u32; LANES] {
-        Row(self.cost).bits()
+        counts(self.cost, self.shared_cost)
     }
 
     /// By lane: the iterations of all loops in this tile.
     pub fn iterations(&self) -> [u32; LANES] {
-        Row(self.iterations).bits()
+        counts(self.iterations, self.shared_iterations)
     }
 
     pub fn enter(&mut self, index: u32, active: u32) {
         if let Some(count) = self.loops.get_mut(index as usize) {
             count.entered = active;
             count.iterations = Row::ZERO.0;
+            count.shared = 0;
         }
     }
 
-    pub fn iterate(&mut self, index: u32, lanes: &[i32x8; PARTS]) {
-        if let Some(count) = self.loops.get_mut(index as usize) {
+    pub fn iterate(&mut self, index: u32, active: &ActiveLanes) {
+        let count = self.loops.get_mut(index as usize);
+        if active.mask == u32::MAX {
+            self.shared_iterations += 1;
+            if let Some(count) = count {
+                count.shared += 1;
+            }
+            return;
+        }
+        let lanes = &active.lanes;
+        if let Some(count) = count {
             for (iterations, lanes) in count.iterations.iter_mut().zip(lanes) {
                 *iterations -= *lanes;
             }
@@ -149,7 +169,7 @@ impl Watched {
         let lanes = count.entered & requested;
         count.came |= lanes;
         seen.entries += lanes.count_ones() as u64;
-        let iterations = Row(count.iterations).bits();
+        let iterations = counts(count.iterations, count.shared);
         for ((lane, most), iterations) in count.most.iter_mut().enumerate().zip(iterations) {
             if lanes >> lane & 1 == 1 {
                 *most = iterations.max(*most);
@@ -158,10 +178,12 @@ impl Watched {
         }
     }
 
-    pub fn branch(&mut self, index: u32, held: u32, failed: u32) {
+    /// Records how many of the active lanes take each side of a branch.
+    pub fn branch(&mut self, index: u32, active: &ActiveLanes, holds: u32) {
         if let Some(seen) = self.seen.branches.get_mut(index as usize) {
-            seen.taken += held.count_ones() as u64;
-            seen.skipped += failed.count_ones() as u64;
+            let held = active.requested_where(holds);
+            seen.taken += held as u64;
+            seen.skipped += (active.pixels - held) as u64;
         }
     }
 
@@ -171,17 +193,21 @@ impl Watched {
         self.ran
     }
 
-    /// Charges lanes for operations. `pixels` is the number of them that are counted.
-    pub fn spend(&mut self, [cost, by]: [u32; 2], pixels: u32, lanes: &[i32x8; PARTS]) {
-        if pixels > 0 {
+    /// Charges the active lanes for operations.
+    pub fn spend(&mut self, [cost, by]: [u32; 2], active: &ActiveLanes) {
+        if active.pixels > 0 {
             self.ran = self.ran.saturating_add(cost);
         }
         if let Some(paid) = self.paid.get_mut(by as usize) {
-            *paid += cost as u64 * pixels as u64;
+            *paid += cost as u64 * active.pixels as u64;
+        }
+        if active.mask == u32::MAX {
+            self.shared_cost = self.shared_cost.wrapping_add(cost);
+            return;
         }
         let cost = i32x8::splat(cost as i32);
-        for (paid, lanes) in self.cost.iter_mut().zip(lanes) {
-            *paid += *lanes & cost;
+        for (paid, lanes) in self.cost.iter_mut().zip(active.lanes) {
+            *paid += lanes & cost;
         }
     }
 
@@ -189,6 +215,7 @@ impl Watched {
     pub fn open(&mut self) {
         self.cost = Row::ZERO.0;
         self.iterations = Row::ZERO.0;
+        (self.shared_cost, self.shared_iterations) = (0, 0);
         self.ran = 0;
         for count in &mut self.loops {
             (count.came, count.exhausted) = (0, 0);
@@ -228,6 +255,11 @@ impl Watched {
             witness: witness(),
         });
     }
+}
+
+/// By lane: a count, of which a part is shared by all lanes.
+fn counts(own: [i32x8; PARTS], shared: u32) -> [u32; LANES] {
+    Row(own).bits().map(|own| own.wrapping_add(shared))
 }
 
 /// The cost of each function, from the costs of all call paths that contain it.
@@ -469,7 +501,7 @@ impl Vm<'_> {
             return;
         };
         let came = self.active & self.requested;
-        let lanes = super::spread(came);
+        let lanes = super::active::spread(came);
         let holds = self.row(comparison.result).mask();
         let sides = [comparison.left, comparison.right].map(|reg| self.row(reg).0);
         let Some(ends) = self.watched.compared.get_mut(comparison.site as usize) else {
@@ -574,6 +606,7 @@ impl Vm<'_> {
     pub(super) fn open(&mut self, tile: &Tile) {
         self.tile = *tile;
         self.requested = tile.requested;
+        self.expanded = ActiveLanes::of(u32::MAX, tile.requested);
         self.watched.open();
     }
 }
