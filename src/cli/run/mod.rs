@@ -86,13 +86,14 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     let progress = Progress::new(1);
     let drawn = own.drawn(&moment, &progress)?;
     drop(progress);
+    let image = RenderedImage::of(own.code(), &drawn, 0);
     let bitmap = match (args.heatmap, &args.show) {
-        (Some(heat), _) => heat_map(heat, &own, &drawn),
+        (Some(heat), _) => heat_map(heat, &image, &drawn),
         (None, Some(show)) => show::render(show, own.code(), &drawn),
-        (None, None) => bitmap(&own, &drawn),
+        (None, None) => bitmap(&image),
     };
     let output = write(args, &bitmap, &loaded.read)?;
-    let mut facts = facts_of(&loaded, &own, &drawn, args);
+    let mut facts = facts_of(&loaded, &own, (&drawn, &image), args);
     facts.output.clone_from(&output);
     facts.notes = notes;
     Ok((
@@ -104,15 +105,15 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     ))
 }
 
-/// The image of the first output as 8-bit colours.
-fn bitmap(shot: &Shot, drawn: &Drawn) -> Bitmap {
+/// An image as 8-bit colours.
+fn bitmap(image: &RenderedImage) -> Bitmap {
     Bitmap {
-        size: drawn.size,
-        bytes: RenderedImage::of(shot.code(), drawn, 0).bytes(),
+        size: image.size,
+        bytes: image.bytes(),
     }
 }
 
-fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
+fn heat_map(heat: Heat, image: &RenderedImage, drawn: &Drawn) -> Bitmap {
     let counts = |all: &[u32]| all.iter().map(|n| f64::from(*n)).collect::<Vec<_>>();
     let (values, title) = match heat {
         Heat::Steps => (counts(&drawn.iterations), "STEPS"),
@@ -126,7 +127,6 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
             (pairs.map(waited).collect(), "OVERDRAW IN 8X4, %")
         }
         Heat::Nan => {
-            let image = RenderedImage::of(shot.code(), drawn, 0);
             let is_bad = |pixel: &[f32; 4]| pixel.iter().any(|lane| !lane.is_finite());
             let values = image.pixels.iter().map(|p| f64::from(u8::from(is_bad(p))));
             (values.collect(), "NOT FINITE")
@@ -135,11 +135,20 @@ fn heat_map(heat: Heat, shot: &Shot, drawn: &Drawn) -> Bitmap {
     heat::map(drawn.size, &values, title)
 }
 
-fn facts_of(loaded: &Loaded, shot: &Shot, drawn: &Drawn, args: &RunArgs) -> RunFacts {
+/// The facts of a frame; `image` is its first output.
+fn facts_of(
+    loaded: &Loaded,
+    shot: &Shot,
+    (drawn, image): (&Drawn, &RenderedImage),
+    args: &RunArgs,
+) -> RunFacts {
     let code = shot.code();
     let program = loaded.program(shot);
     let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
-        let facts = RenderedImage::of(code, drawn, at).facts(&drawn.covered);
+        let facts = match at {
+            0 => image.facts(&drawn.covered),
+            at => RenderedImage::of(code, drawn, at).facts(&drawn.covered),
+        };
         let ty = program.map_or(String::new(), |p| p.type_name(slot.ty));
         let lanes = slot.ty.components();
         OutputFacts::of(&slot.name, (ty, lanes), &facts, drawn.covered.len())
