@@ -95,6 +95,7 @@ pub fn quads_all_over([width, height]: [u32; 2], count: usize, seed: u32) -> Vec
 const GROUP: [usize; 2] = [8, 4];
 
 /// By row and column in a group: the lane.
+#[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
 const LANE_AT: [[usize; GROUP[0]]; GROUP[1]] = {
     let mut lanes = [[0; GROUP[0]]; GROUP[1]];
     let mut at = 0;
