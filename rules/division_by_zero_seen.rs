@@ -1,7 +1,9 @@
 //! Divisions by zero that occurred in a sample run.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_exec::FaultKind;
+use shaderlint_exec::{FaultKind, NumberObservation};
+use shaderlint_ir::OpId;
+use shaderlint_lint::sample::OFTEN;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 
@@ -16,15 +18,12 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    for fault in cx
-        .facts
-        .unreported_faults(FaultKind::DivisionByZero, |_| true)
-    {
+    let facts = cx.facts;
+    let is_float = |op: OpId| facts.module().scalar(op) == Some(Scalar::Float);
+    let concerns = |number: &NumberObservation, share: f64| share >= OFTEN || !is_float(number.op);
+    for fault in facts.unreported_faults(FaultKind::DivisionByZero, concerns) {
         let op = fault.number.op;
-        let is_float = cx.facts.module().scalar(op) == Some(Scalar::Float);
-        if is_float && !fault.is_often() {
-            continue;
-        }
+        let is_float = is_float(op);
         let is_nothing = fault.number.witness.operands.first() == Some(&0.0);
         let what = match (is_float, is_nothing) {
             (false, _) => "the divisor is zero; the result is undefined",

@@ -15,7 +15,10 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    for fault in cx.facts.unreported_faults(FaultKind::OutOfRange, |_| true) {
+    for fault in cx
+        .facts
+        .unreported_faults(FaultKind::OutOfRange, |_, _| true)
+    {
         let message = match fault.number.witness.operands.first() {
             Some(index) => format!("index {index} is out of range"),
             None => "index is out of range".to_string(),

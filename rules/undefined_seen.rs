@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{FaultKind, NumberObservation};
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::sample::rounded;
+use shaderlint_lint::sample::{OFTEN, rounded};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
@@ -23,13 +23,13 @@ fn check(cx: &mut Context) {
         OpKind::Builtin(function, _) => Some(function),
         _ => None,
     };
-    let concerns = |number: &NumberObservation| {
+    let concerns = |number: &NumberObservation, share: f64| {
         let operands = &number.witness.operands;
-        called(number.op).is_some_and(|function| gives_nan(function, operands))
+        share >= OFTEN && called(number.op).is_some_and(|function| gives_nan(function, operands))
     };
     for fault in cx.facts.unreported_faults(FaultKind::Undefined, concerns) {
         let op = fault.number.op;
-        let (Some(function), true) = (called(op), fault.is_often()) else {
+        let Some(function) = called(op) else {
             continue;
         };
         let operands = &fault.number.witness.operands;

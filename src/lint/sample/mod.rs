@@ -24,7 +24,7 @@ pub use culprit::{Culprit, grouped, percent, report_broken, rounded};
 pub use hit::{Hit, MarchOutcome, RayCounts};
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};
-pub use verdict::{UnreportedFault, Verdict};
+pub use verdict::{OFTEN, UnreportedFault, Verdict};
 
 use shaderlint_exec::{Bytecode, Draw};
 

@@ -111,58 +111,66 @@ impl Facts<'_> {
 pub struct UnreportedFault {
     /// The operation, and the first sample of the fault.
     pub number: NumberObservation,
-    /// Number of sampled evaluations of the operation.
-    pub visits: u64,
     /// How often the fault occurred and where first, as a note.
     pub words: String,
     /// What was sampled, as a note.
     pub sampled: String,
 }
 
-/// Least share of the evaluations in which a frequent fault occurs.
-const OFTEN: f64 = 0.01;
+/// Least share of the evaluations of a fault that affects more than a line or a point of the image, which
+/// the code may account for.
+pub const OFTEN: f64 = 0.01;
 
-impl UnreportedFault {
-    /// Whether it affects more than a line or a point of the image, which the code may account for.
-    pub fn is_often(&self) -> bool {
-        self.number.times as f64 / self.visits.max(1) as f64 >= OFTEN
-    }
+/// By how much the share in a few pixels may be too small by chance.
+const CHANCE: f64 = 3.0;
+
+/// How often an operation was evaluated.
+fn visits(sample_run: &SampleRun, number: &NumberObservation) -> u64 {
+    let watched = sample_run.seen.watched.iter();
+    let same = watched.filter(|w| w.op == number.op && w.kind == number.kind);
+    same.map(|w| w.visits).max().unwrap_or(0)
+}
+
+/// The share of the evaluations of an operation in which a fault occurred.
+fn share_of(sample_run: &SampleRun, number: &NumberObservation) -> f64 {
+    number.times as f64 / visits(sample_run, number).max(1) as f64
 }
 
 impl Facts<'_> {
     /// The faults of this kind that occur on every GPU, do not depend on unknown inputs, and have not been
-    /// reported by another rule. `concerns` selects among them before other GPUs are tried.
+    /// reported by another rule. `concerns` selects among them, by their share of the evaluations too,
+    /// before other GPUs are tried.
     pub fn unreported_faults(
         &self,
         kind: FaultKind,
-        concerns: impl Fn(&NumberObservation) -> bool,
+        concerns: impl Fn(&NumberObservation, f64) -> bool,
     ) -> Vec<UnreportedFault> {
         let is_same =
             |a: &NumberObservation, b: &NumberObservation| a.op == b.op && a.kind == b.kind;
-        let may_be = |number: &NumberObservation| {
-            number.kind == kind && concerns(number) && self.is_open(number.op, kind)
+        let may_be = |number: &NumberObservation, share: f64| {
+            number.kind == kind && concerns(number, share) && self.is_open(number.op, kind)
         };
         if !self.has_open(kind) {
             return Vec::new();
         }
         let few = self.round(Round::Second);
-        let is_open = few.is_some_and(|few| few.seen.numbers.iter().any(may_be));
+        let is_open = few.is_some_and(|few| {
+            let mut numbers = few.seen.numbers.iter();
+            numbers.any(|number| may_be(number, CHANCE * share_of(few, number)))
+        });
         let Some(sample_run) = few.filter(|_| is_open).and_then(|_| self.sample_run()) else {
             return Vec::new();
         };
         let numbers = sample_run.seen.numbers.iter();
         let is_one = |number: &&NumberObservation| {
             let occurs = |run: &SampleRun| run.seen.numbers.iter().any(|n| is_same(n, number));
-            may_be(number) && self.is_seen(occurs)
+            may_be(number, share_of(sample_run, number)) && self.is_seen(occurs)
         };
         let unreported = numbers.filter(is_one).map(|number| {
-            let watched = sample_run.seen.watched.iter();
-            let same = watched.filter(|w| w.op == number.op && w.kind == kind);
-            let visits = same.map(|w| w.visits).max().unwrap_or(0);
+            let visits = visits(sample_run, number);
             let (times, place) = (number.times, place(sample_run, number));
             UnreportedFault {
                 number: number.clone(),
-                visits,
                 words: format!(
                     "occurred in {} of {} sampled evaluations, first {place}",
                     grouped(times),
