@@ -148,6 +148,7 @@ fn another_build_of_the_program_checks_again() {
         .output();
     let out = String::from_utf8(done.unwrap().stdout).unwrap();
     assert!(out.contains("may be negative"), "{out}");
+    assert_eq!(entries(&scratch).len(), 1);
 }
 
 #[test]

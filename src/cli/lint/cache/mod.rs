@@ -79,13 +79,15 @@ impl FindingCache {
         let options = self.digest(options);
         let text = xxh3_128(content.text.as_bytes());
         let about = format!(
-            "{:x} {options:x} {} {:?} {:?} {readings}",
-            self.run, input.name, input.claim, content.encoding
+            "{options:x} {} {:?} {:?} {readings}",
+            input.name, input.claim, content.encoding
         );
+        // Another text or program replaces the entry.
         let file = format!("{} {about}", path.display());
+        let valid_for = format!("{:x} {text:x} {about}", self.run);
         Some(Key {
             file: xxh3_128(file.as_bytes()),
-            valid_for: xxh3_128(format!("{text:x} {about}").as_bytes()),
+            valid_for: xxh3_128(valid_for.as_bytes()),
         })
     }
 
