@@ -263,7 +263,7 @@ impl Compiler<'_> {
         self.push(Instr::Compare(number));
     }
 
-    /// Whether an operation divides by constants, of which none is zero.
+    /// Whether an operation divides by constants other than zero.
     fn has_constant_divisor(&self, op: OpId) -> bool {
         let OpKind::Binary(_, _, divisor) = self.module.op(op).kind else {
             return false;

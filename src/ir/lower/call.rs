@@ -32,10 +32,7 @@ impl Lowerer<'_> {
             };
             operands.push(operand);
         }
-        let loaded = operands
-            .into_iter()
-            .map(|operand| self.load_operand(operand));
-        let operands: Vec<OpId> = loaded.collect();
+        let operands = self.load_operands(operands);
         let operands = self.operands(&operands);
         let call = self.op(OpKind::Call(function, operands), ty);
         self.take_back(call, &back);
@@ -61,10 +58,7 @@ impl Lowerer<'_> {
                 _ => back.push((number, self.target(arg), program.ty(arg))),
             }
         }
-        let loaded = operands
-            .into_iter()
-            .map(|operand| self.load_operand(operand));
-        let operands: Vec<OpId> = loaded.collect();
+        let operands = self.load_operands(operands);
         let operands = self.operands(&operands);
         let call = self.op(kind(operands), ty);
         self.take_back(call, &back);

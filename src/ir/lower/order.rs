@@ -25,7 +25,14 @@ impl Lowerer<'_> {
         for (at, &operand) in operands.iter().enumerate() {
             open.push(self.before(operand, at < count));
         }
-        let loaded = open.into_iter().map(|operand| self.load_operand(operand));
+        self.load_operands(open)
+    }
+
+    /// The values of operands that were all evaluated.
+    pub(super) fn load_operands(&mut self, operands: Vec<Operand>) -> Vec<OpId> {
+        let loaded = operands
+            .into_iter()
+            .map(|operand| self.load_operand(operand));
         loaded.collect()
     }
 

@@ -136,12 +136,12 @@ impl Bench {
     }
 
     /// Number of quads per instant of a round and those before; `None` if fewer fit into the budget than
-    /// are worth it.
-    pub(super) fn quads(&self, round: Round, first: Option<&SampleRun>) -> Option<usize> {
+    /// are worth it, by the price of the rounds `before`.
+    pub(super) fn quads(&self, round: Round, before: Option<&SampleRun>) -> Option<usize> {
         let pixels = round.pixels().unwrap_or(u32::MAX).min(self.limit.pixels);
         let least = LEAST_PIXELS.min(pixels.into());
-        let affordable = match first {
-            Some(first) if !self.limit.insists => BUDGET / first.price().max(1),
+        let affordable = match before {
+            Some(before) if !self.limit.insists => BUDGET / before.price().max(1),
             _ => u64::MAX,
         };
         let pixels = affordable.min(pixels.into());

@@ -198,6 +198,7 @@ pub(crate) struct SampleCache<'a> {
     rounds: [OnceCell<Option<SampleRun>>; Round::COUNT],
     gpu_profiles: [OnceCell<Option<SampleRun>>; GPU_PROFILES.len()],
     unknown: OnceCell<Uniformity>,
+    is_image_known: OnceCell<bool>,
     hits: OnceCell<Vec<Hit>>,
     stuck: OnceCell<Vec<MarchOutcome>>,
     moving: OnceCell<Uniformity>,
@@ -357,6 +358,11 @@ impl<'a> Facts<'a> {
 
     /// Whether shaders are run, the outputs are shown as an image, and they do not depend on unknown inputs.
     pub fn is_image_known(&self) -> bool {
+        let is_known = &self.samples.is_image_known;
+        *is_known.get_or_init(|| self.knows_image())
+    }
+
+    fn knows_image(&self) -> bool {
         let is_shown = match self.program().dialect {
             Dialect::ShaderToy(pass) => pass == Pass::Image,
             _ => true,

@@ -19,7 +19,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use xxhash_rust::xxh3::xxh3_128;
 
 /// Name of the folder.
@@ -62,7 +62,7 @@ impl FindingCache {
             folder: top.join(FOLDER),
             run: xxh3_128(format!("{}\n{}", program()?, here.display()).as_bytes()),
             options: Mutex::default(),
-            answers: Answers::default(),
+            answers: Answers::new(),
             is_broken: AtomicBool::new(false),
         })
     }
@@ -92,7 +92,7 @@ impl FindingCache {
     }
 
     fn digest(&self, options: &Arc<Options>) -> u128 {
-        let mut known = self.options.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = recorder::lock(&self.options);
         let address = Arc::as_ptr(options) as usize;
         let (_, digest) = known.entry(address).or_insert_with(|| {
             let digest = xxh3_128(options.fingerprint().as_bytes());

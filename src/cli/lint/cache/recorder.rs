@@ -1,13 +1,12 @@
 //! Notes what a check asks about other files, and answers it again later.
 
+use super::super::super::disk::Disk;
 use crate::engine::{Dependency, FileType, Files, LoadError, Options};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use xxhash_rust::xxh3::xxh3_128;
-
-use super::super::super::disk::Disk;
 
 /// A question about another file.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Deserialize, Serialize)]
@@ -25,29 +24,35 @@ pub enum Question {
 }
 
 /// Digests of the answers of this run, so that each file is read once.
-#[derive(Default)]
 pub struct Answers {
+    disk: Disk,
     known: Mutex<HashMap<Question, u128>>,
 }
 
 impl Answers {
+    /// Nothing was asked yet.
+    pub fn new() -> Answers {
+        Answers {
+            disk: Disk::new(),
+            known: Mutex::default(),
+        }
+    }
+
     /// The digest of the current answer.
     pub fn digest(&self, question: &Question, options: &Options) -> u128 {
         if let Question::Checked(name) = question {
             return options.checked.contains(name).into();
         }
-        let lock = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = lock().get(question) {
+        if let Some(known) = lock(&self.known).get(question) {
             return *known;
         }
-        let digest = digest(question);
-        lock().insert(question.clone(), digest);
+        let digest = digest(question, &self.disk);
+        lock(&self.known).insert(question.clone(), digest);
         digest
     }
 }
 
-fn digest(question: &Question) -> u128 {
-    let disk = Disk::new();
+fn digest(question: &Question, disk: &Disk) -> u128 {
     let answer = match question {
         Question::Text(path) => match disk.load(path) {
             Ok(text) => return xxh3_128(text.as_bytes()),
@@ -90,11 +95,7 @@ impl<'a> Recorder<'a> {
     }
 
     fn note(&self, question: Question) {
-        let mut asked = self
-            .questions
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        if let Some(asked) = asked.as_mut() {
+        if let Some(asked) = lock(&self.questions).as_mut() {
             asked.insert(question);
         }
     }
@@ -134,13 +135,12 @@ impl Files for Recorder<'_> {
             Dependency::Text(path) => self.note(Question::Text(path.to_path_buf())),
             Dependency::Names(folder) => self.note(Question::Names(folder.to_path_buf())),
             Dependency::Checked(name) => self.note(Question::Checked(name.to_string())),
-            Dependency::Repository => {
-                let mut asked = self
-                    .questions
-                    .lock()
-                    .unwrap_or_else(PoisonError::into_inner);
-                *asked = None;
-            }
+            Dependency::Repository => *lock(&self.questions) = None,
         }
     }
+}
+
+/// The content of a mutex, also after a panic of another check.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
