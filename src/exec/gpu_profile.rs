@@ -5,58 +5,53 @@
 use super::bytecode::ImpreciseOp;
 use super::compile::options::ErrorDirection;
 use super::row::{floats, of_floats};
+use fearless_simd::{f32x8, prelude::*};
 use std::f32::consts::PI;
-use wide::{f32x8, i32x8};
-
-const ALL: f32x8 = f32x8::new([f32::from_bits(u32::MAX); 8]);
 
 /// One ULP (unit in the last place) of a number between 1 and 2.
 const UNIT: f32 = 1.0 / 8_388_608.0;
 
 /// A result with the maximum permitted error for its operand.
-#[inline]
-pub(super) fn imprecise(
+#[inline(always)]
+pub(super) fn imprecise<S: Simd>(
     what: ImpreciseOp,
     direction: ErrorDirection,
-    result: f32x8,
-    operand: f32x8,
-) -> f32x8 {
-    let size = operand.abs();
+    result: f32x8<S>,
+    operand: f32x8<S>,
+) -> f32x8<S> {
+    let (size, one) = (operand.abs(), f32x8::splat(result.token(), 1.0));
     let side = match direction {
-        ErrorDirection::Out => f32x8::ONE,
-        ErrorDirection::In => -f32x8::ONE,
+        ErrorDirection::Out => one,
+        ErrorDirection::In => -one,
         ErrorDirection::Either => {
             // Multiplicative hash: the top bits of the product are pseudo-random.
-            let thrown = of_floats(result) * i32x8::splat(0x9e37_79b1_u32 as i32);
-            let sign = thrown & i32x8::splat(i32::MIN);
-            floats(sign | of_floats(f32x8::ONE))
+            let thrown = of_floats(result) * 0x9e37_79b1;
+            floats((thrown & 0x8000_0000) | of_floats(one))
         }
     };
-    let units = |count: f32x8| result * (f32x8::ONE + side * count * UNIT);
+    let units = |count: f32x8<S>| result * (one + side * count * UNIT);
     let made = match what {
-        ImpreciseOp::Quotient => units(f32x8::splat(2.5)),
-        ImpreciseOp::InverseSqrt => units(f32x8::splat(2.0)),
+        ImpreciseOp::Quotient => units(one * 2.5),
+        ImpreciseOp::InverseSqrt => units(one * 2.0),
         ImpreciseOp::Exponential => units(size * 2.0 + 3.0),
         ImpreciseOp::Logarithm => {
-            let is_near_one = operand.simd_ge(f32x8::HALF) & operand.simd_le(f32x8::splat(2.0));
-            let near = result + side * f32x8::splat(4.0 * UNIT);
-            is_near_one.bitselect(near, units(f32x8::splat(3.0)))
+            let is_near_one = operand.simd_ge(0.5) & operand.simd_le(2.0);
+            let near = result + side * (4.0 * UNIT);
+            is_near_one.select(near, units(one * 3.0))
         }
         ImpreciseOp::Sine => {
-            let within = f32x8::splat(1.0 / 2048.0);
-            let error = size
-                .simd_le(f32x8::splat(PI))
-                .bitselect(within, size * (1.0 / 4096.0));
+            let within = one * (1.0 / 2048.0);
+            let error = size.simd_le(PI).select(within, size * (1.0 / 4096.0));
             let made = result + side * error;
-            made.fast_max(-f32x8::ONE).fast_min(f32x8::ONE)
+            let above = made.simd_gt(-one).select(made, -one);
+            above.simd_lt(one).select(above, one)
         }
-        ImpreciseOp::ArcTangent => units(f32x8::splat(4096.0)),
+        ImpreciseOp::ArcTangent => units(one * 4096.0),
     };
     // Always exact: zero, NaN and infinity.
-    let is_usual = (result.simd_eq(f32x8::ZERO) | result.is_nan() | result.is_inf()) ^ ALL;
-    let keeps_zero = !matches!(what, ImpreciseOp::Sine);
-    match keeps_zero {
-        true => is_usual.bitselect(made, result),
-        false => (result.is_nan() ^ ALL).bitselect(made, result),
-    }
+    let is_exact = match what {
+        ImpreciseOp::Sine => result.is_nan(),
+        _ => result.simd_eq(0.0) | !result.is_finite(),
+    };
+    is_exact.select(result, made)
 }

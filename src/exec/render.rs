@@ -187,7 +187,7 @@ fn at(row: &[u32; LANES], lane: usize) -> u32 {
 fn scalars_of(vm: &Vm<'_>, slot: &OutputSlot) -> [[u32; LANES]; 4] {
     let mut rows = [[0; LANES]; 4];
     for (row, reg) in rows.iter_mut().zip(&slot.regs) {
-        *row = vm.row(*reg).bits();
+        *row = vm.row(*reg).0;
     }
     rows
 }

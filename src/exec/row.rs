@@ -4,7 +4,7 @@
 //! `gl_FragCoord`. A register holds bits; operations interpret them as floats or integers. `true`
 //! has all bits set, `false` none.
 
-use wide::{f32x8, i32x8, u32x8};
+use fearless_simd::{f32x8, i32x8, mask32x8, prelude::*, u32x8};
 
 /// Number of lanes: pixels executed at a time.
 pub const LANES: usize = 32;
@@ -14,67 +14,91 @@ pub(super) const PARTS: usize = LANES / 8;
 
 /// One scalar per lane, as bits.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row(pub [i32x8; PARTS]);
+#[repr(align(64))]
+pub(super) struct Row(pub [u32; LANES]);
 
 /// Reinterprets eight lanes as floats.
 #[inline(always)]
-pub(super) fn floats(bits: i32x8) -> f32x8 {
-    bytemuck::cast(bits)
+pub(super) fn floats<S: Simd>(bits: u32x8<S>) -> f32x8<S> {
+    bits.bitcast()
 }
 
-/// Reinterprets eight lanes as unsigned integers.
+/// Reinterprets eight lanes as signed integers.
 #[inline(always)]
-pub(super) fn unsigned(bits: i32x8) -> u32x8 {
-    bytemuck::cast(bits)
+pub(super) fn signed<S: Simd>(bits: u32x8<S>) -> i32x8<S> {
+    bits.bitcast()
 }
 
 /// Reinterprets eight floats as bits.
 #[inline(always)]
-pub(super) fn of_floats(values: f32x8) -> i32x8 {
-    bytemuck::cast(values)
+pub(super) fn of_floats<S: Simd>(values: f32x8<S>) -> u32x8<S> {
+    values.bitcast()
 }
 
-/// Reinterprets eight unsigned integers as bits.
+/// Reinterprets eight signed integers as bits.
 #[inline(always)]
-pub(super) fn of_unsigned(values: u32x8) -> i32x8 {
-    bytemuck::cast(values)
+pub(super) fn of_signed<S: Simd>(values: i32x8<S>) -> u32x8<S> {
+    values.bitcast()
+}
+
+/// Eight truth values as bits.
+#[inline(always)]
+pub(super) fn truth<S: Simd>(holds: mask32x8<S>) -> u32x8<S> {
+    let simd = holds.token();
+    holds.select(u32x8::splat(simd, u32::MAX), u32x8::splat(simd, 0))
+}
+
+/// By bit: that of `a` where it is set in `chosen`, else that of `b`.
+#[inline(always)]
+pub(super) fn bit_select<S: Simd>(chosen: u32x8<S>, a: u32x8<S>, b: u32x8<S>) -> u32x8<S> {
+    (a & chosen) | (b & !chosen)
 }
 
 impl Row {
     /// All bits clear: zero of every type, and `false`.
-    pub const ZERO: Row = Row([i32x8::ZERO; PARTS]);
+    pub const ZERO: Row = Row([0; LANES]);
 
     /// The same bits in every lane.
-    pub fn splat(bits: u32) -> Row {
-        Row([i32x8::splat(bits as i32); PARTS])
+    pub const fn splat(bits: u32) -> Row {
+        Row([bits; LANES])
     }
 
-    /// A register from the bits of each lane.
-    pub fn of_bits(bits: [u32; LANES]) -> Row {
-        Row(bytemuck::cast(bits))
+    /// Eight of the lanes.
+    #[expect(clippy::indexing_slicing, reason = "`part` is less than `PARTS`")]
+    #[inline(always)]
+    pub fn part<S: Simd>(&self, simd: S, part: usize) -> u32x8<S> {
+        self.0.as_chunks::<8>().0[part].simd_into(simd)
     }
 
-    /// The bits of each lane.
-    pub fn bits(self) -> [u32; LANES] {
-        bytemuck::cast(self.0)
+    /// Sets eight of the lanes.
+    #[expect(clippy::indexing_slicing, reason = "`part` is less than `PARTS`")]
+    #[inline(always)]
+    pub fn set_part<S: Simd>(&mut self, part: usize, bits: u32x8<S>) {
+        self.0.as_chunks_mut::<8>().0[part] = bits.into();
     }
 
     /// Each lane as a float.
     pub fn floats(self) -> [f32; LANES] {
-        bytemuck::cast(self.0)
+        self.0.map(f32::from_bits)
     }
 
     /// A register from the float of each lane.
     pub fn of_floats(values: [f32; LANES]) -> Row {
-        Row(bytemuck::cast(values))
+        Row(values.map(f32::to_bits))
     }
 
     /// A bit mask of the lanes whose highest bit is set, i.e. where a boolean is true.
     #[inline(always)]
-    pub fn mask(self) -> u32 {
+    pub fn mask<S: Simd>(&self, simd: S) -> u32 {
+        self.mask_where(simd, |part| signed(part).simd_lt(0))
+    }
+
+    /// A bit mask of the lanes for which a test holds.
+    #[inline(always)]
+    pub fn mask_where<S: Simd>(&self, simd: S, test: impl Fn(u32x8<S>) -> mask32x8<S>) -> u32 {
         let mut mask = 0;
-        for (part, at) in self.0.iter().zip(0..) {
-            mask |= part.to_bitmask() << (8 * at);
+        for part in 0..PARTS {
+            mask |= (test(self.part(simd, part)).to_bitmask() as u32) << (8 * part);
         }
         mask
     }

@@ -2,67 +2,60 @@
 //!
 //! Multiplications and additions are never fused, so that results are identical on all machines.
 
-use wide::{f32x8, f64x8, u64x8};
+use fearless_simd::{f32x8, f64x8, prelude::*, u64x8};
 
 /// Adding and subtracting it rounds a double to the nearest integer; the low bits of the sum are
 /// that integer.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
+/// The same number in every lane, for the instructions of another vector.
+#[inline(always)]
+pub(super) fn number<S: Simd>(of: f64x8<S>, number: f64) -> f64x8<S> {
+    f64x8::splat(of.token(), number)
+}
+
 /// Converts floats to doubles.
 #[inline(always)]
-pub(super) fn widen(x: f32x8) -> f64x8 {
-    f64x8::from(x.to_array().map(f64::from))
+pub(super) fn widen<S: Simd>(x: f32x8<S>) -> f64x8<S> {
+    let (low, high) = x.widen();
+    low.combine(high)
 }
 
 /// Rounds doubles to the nearest floats.
 #[inline(always)]
-pub(super) fn narrow(x: f64x8) -> f32x8 {
-    f32x8::from(x.to_array().map(|x| x as f32))
-}
-
-/// Reinterprets doubles as bits.
-#[inline(always)]
-pub(super) fn bits(x: f64x8) -> u64x8 {
-    bytemuck::cast(x)
-}
-
-/// Reinterprets bits as doubles.
-#[inline(always)]
-pub(super) fn of_bits(x: u64x8) -> f64x8 {
-    bytemuck::cast(x)
+pub(super) fn narrow<S: Simd>(x: f64x8<S>) -> f32x8<S> {
+    let (low, high) = x.split();
+    low.narrow(high)
 }
 
 /// Rounds to the nearest integer, for magnitudes below 2^51. Also returns a number whose low bits
 /// are that integer in two's complement.
 #[inline(always)]
-pub(super) fn round(x: f64x8) -> (f64x8, u64x8) {
-    let sum = x + f64x8::splat(ROUNDER);
-    (sum - f64x8::splat(ROUNDER), bits(sum))
+pub(super) fn round<S: Simd>(x: f64x8<S>) -> (f64x8<S>, u64x8<S>) {
+    let sum = x + ROUNDER;
+    (sum - ROUNDER, sum.bitcast())
 }
 
 /// `c[0] + c[1] * x + c[2] * x * x ...`
 #[inline(always)]
-pub(super) fn polynomial<const N: usize>(x: f64x8, coefficients: [f64; N]) -> f64x8 {
-    let mut sum = f64x8::ZERO;
+pub(super) fn polynomial<S: Simd, const N: usize>(x: f64x8<S>, coefficients: [f64; N]) -> f64x8<S> {
+    let mut sum = number(x, 0.0);
     for (at, c) in coefficients.into_iter().rev().enumerate() {
-        sum = if at == 0 {
-            f64x8::splat(c)
-        } else {
-            sum * x + f64x8::splat(c)
-        };
+        sum = if at == 0 { number(x, c) } else { sum * x + c };
     }
     sum
 }
 
 /// `2^x`. Beyond the range of floats, any number that overflows or underflows a float.
 #[inline(always)]
-pub(super) fn exp2(x: f64x8) -> f64x8 {
-    let within = x
-        .fast_max(f64x8::splat(-400.0))
-        .fast_min(f64x8::splat(400.0));
+pub(super) fn exp2<S: Simd>(x: f64x8<S>) -> f64x8<S> {
+    let low = number(x, -400.0);
+    let above = x.simd_gt(low).select(x, low);
+    let high = number(x, 400.0);
+    let within = above.simd_lt(high).select(above, high);
     let (integer, bits) = round(within);
     let r = within - integer;
-    let power = f64x8::splat(1.0)
+    let power = 1.0
         + r * polynomial(
             r,
             [
@@ -75,24 +68,23 @@ pub(super) fn exp2(x: f64x8) -> f64x8 {
                 1.529734162283227e-5,
             ],
         );
-    let scale = of_bits((bits << 52_u32) + u64x8::splat(0x3ff0_0000_0000_0000));
-    x.is_nan().bitselect(x, power * scale)
+    let scale: f64x8<S> = ((bits << 52) + 0x3ff0_0000_0000_0000).bitcast();
+    x.is_nan().select(x, power * scale)
 }
 
 /// The binary logarithm of a positive finite number.
 #[inline(always)]
-pub(super) fn log2(x: f64x8) -> f64x8 {
+pub(super) fn log2<S: Simd>(x: f64x8<S>) -> f64x8<S> {
     // The exponent is chosen such that the mantissa lies between sqrt(1/2) and sqrt(2).
-    let from = u64x8::splat(0x3fe6_a09e_667f_3bcd);
-    let bias = u64x8::splat(0x3ff0_0000_0000_0000);
-    let shifted = bits(x) - from + bias;
-    let exponent = shifted >> 52_u32;
-    let m = of_bits((shifted & u64x8::splat(0x000f_ffff_ffff_ffff)) + from);
+    let from = 0x3fe6_a09e_667f_3bcd;
+    let bias = 0x3ff0_0000_0000_0000;
+    let shifted = x.bitcast::<u64x8<S>>() - from + bias;
+    let exponent = shifted >> 52;
+    let m: f64x8<S> = ((shifted & 0x000f_ffff_ffff_ffff) + from).bitcast();
     // An integer in the low bits of the double 2^52 becomes a double by subtracting 2^52.
-    let integer = of_bits(exponent | u64x8::splat(0x4330_0000_0000_0000))
-        - f64x8::splat(4_503_599_627_370_496.0 + 1023.0);
-    let one = f64x8::splat(1.0);
-    let s = (m - one) / (m + one);
+    let integer = (exponent | 0x4330_0000_0000_0000).bitcast::<f64x8<S>>()
+        - (4_503_599_627_370_496.0 + 1023.0);
+    let s = (m - 1.0) / (m + 1.0);
     let series = polynomial(
         s * s,
         [
@@ -109,15 +101,14 @@ pub(super) fn log2(x: f64x8) -> f64x8 {
 
 /// The arc tangent of a non-negative number, including infinity.
 #[inline(always)]
-pub(super) fn atan(x: f64x8) -> f64x8 {
-    let one = f64x8::splat(1.0);
-    let large = x.simd_gt(f64x8::splat(2.414_213_562_373_095));
-    let middle = x.simd_gt(f64x8::splat(0.414_213_562_373_095_03));
-    let rotated = (x - one) / (x + one);
-    let small = large.bitselect(-one / x, middle.bitselect(rotated, x));
-    let from = large.bitselect(
-        f64x8::splat(std::f64::consts::FRAC_PI_2),
-        middle & f64x8::splat(std::f64::consts::FRAC_PI_4),
+pub(super) fn atan<S: Simd>(x: f64x8<S>) -> f64x8<S> {
+    let large = x.simd_gt(2.414_213_562_373_095);
+    let middle = x.simd_gt(0.414_213_562_373_095_03);
+    let rotated = (x - 1.0) / (x + 1.0);
+    let small = large.select(-1.0 / x, middle.select(rotated, x));
+    let from = large.select(
+        number(x, std::f64::consts::FRAC_PI_2),
+        middle.select(number(x, std::f64::consts::FRAC_PI_4), number(x, 0.0)),
     );
     let square = small * small;
     let series = polynomial(

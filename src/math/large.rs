@@ -1,10 +1,10 @@
 //! Trigonometric functions of large angles and extreme ratios, for which single precision is
 //! insufficient.
 
-use super::double::{atan, bits, narrow, of_bits, polynomial, round, widen};
-use super::single::sign_of;
+use super::double::{atan, narrow, number, polynomial, round, widen};
+use super::single::with_sign;
+use fearless_simd::{f32x8, f64x8, mask64x8, prelude::*, u64x8};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
-use wide::{f32x8, f64x8, u64x8};
 
 /// From this magnitude on, the two-part reduction by pi/2 is not precise enough.
 const HUGE: f32 = 268_435_456.0;
@@ -18,16 +18,17 @@ const TWO_OVER_PI: [u128; 2] = [
 /// Range reduction: the number of quarter turns (multiples of pi/2), and the remainder, at most
 /// pi/4 in magnitude.
 #[inline(always)]
-fn reduce(x: f32x8) -> (u64x8, f64x8) {
+fn reduce<S: Simd>(x: f32x8<S>) -> (u64x8<S>, f64x8<S>) {
     let wide = widen(x);
-    let (integer, quarters) = round(wide * f64x8::splat(FRAC_2_PI));
+    let (integer, quarters) = round(wide * FRAC_2_PI);
     // The first part of pi/2 has 25 significant bits, so that the product is exact.
     let rest = wide
-        - integer * f64x8::splat(f64::from_bits(0x3ff9_21fb_5000_0000))
-        - integer * f64x8::splat(f64::from_bits(0x3e51_10b4_611a_6263));
-    let huge = x.abs().simd_ge(f32x8::splat(HUGE));
-    if huge.any() {
-        reduce_huge(x, quarters, rest)
+        - integer * f64::from_bits(0x3ff9_21fb_5000_0000)
+        - integer * f64::from_bits(0x3e51_10b4_611a_6263);
+    if x.abs().simd_ge(HUGE).any_true() {
+        let (quarters, rest) = reduce_huge(x.into(), (quarters.into(), rest.into()));
+        let simd = x.token();
+        (quarters.simd_into(simd), rest.simd_into(simd))
     } else {
         (quarters, rest)
     }
@@ -35,15 +36,17 @@ fn reduce(x: f32x8) -> (u64x8, f64x8) {
 
 /// Range reduction for finite angles of any size.
 #[cold]
-fn reduce_huge(x: f32x8, quarters: u64x8, rest: f64x8) -> (u64x8, f64x8) {
-    let mut quarters = quarters.to_array();
-    let mut rest = rest.to_array();
-    for ((x, quarters), rest) in x.to_array().into_iter().zip(&mut quarters).zip(&mut rest) {
+#[inline(never)]
+fn reduce_huge(
+    x: [f32; 8],
+    (mut quarters, mut rest): ([u64; 8], [f64; 8]),
+) -> ([u64; 8], [f64; 8]) {
+    for ((x, quarters), rest) in x.into_iter().zip(&mut quarters).zip(&mut rest) {
         if x.is_finite() && x.abs() >= HUGE {
             (*quarters, *rest) = reduce_one(x);
         }
     }
-    (u64x8::from(quarters), f64x8::from(rest))
+    (quarters, rest)
 }
 
 /// Payne-Hanek range reduction of a finite number of at least [`HUGE`]: multiplies it by the bits
@@ -73,7 +76,7 @@ fn reduce_one(x: f32) -> (u64, f64) {
 
 /// Sine and cosine of an angle of at most pi/4.
 #[inline(always)]
-fn sine_cosine(x: f64x8) -> (f64x8, f64x8) {
+fn sine_cosine<S: Simd>(x: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
     let square = x * x;
     let sine = x + x
         * square
@@ -86,7 +89,7 @@ fn sine_cosine(x: f64x8) -> (f64x8, f64x8) {
                 2.724962008007483e-06,
             ],
         );
-    let cosine = f64x8::splat(1.0) - square * f64x8::splat(0.5)
+    let cosine = 1.0 - square * 0.5
         + square
             * square
             * polynomial(
@@ -103,50 +106,60 @@ fn sine_cosine(x: f64x8) -> (f64x8, f64x8) {
 
 /// The sine of `rest` plus a number of quarter turns.
 #[inline(always)]
-fn sine_after(quarters: u64x8, rest: f64x8) -> f64x8 {
+fn sine_after<S: Simd>(quarters: u64x8<S>, rest: f64x8<S>) -> f64x8<S> {
     let (sine, cosine) = sine_cosine(rest);
-    let odd = is_odd(quarters);
-    let negative = (quarters & u64x8::splat(2)) << 62_u32;
-    let chosen = odd.bitselect(cosine, sine);
-    of_bits(bits(chosen) ^ negative)
+    let negative = (quarters & 2) << 62;
+    let chosen = is_odd(quarters).select(cosine, sine);
+    (chosen.bitcast::<u64x8<S>>() ^ negative).bitcast()
 }
 
-/// All bits set where a number is odd, none where it is even.
+/// Where a number is odd.
 #[inline(always)]
-fn is_odd(quarters: u64x8) -> f64x8 {
-    of_bits(u64x8::ZERO - (quarters & u64x8::splat(1)))
+fn is_odd<S: Simd>(quarters: u64x8<S>) -> mask64x8<S> {
+    (quarters & 1).simd_eq(1)
 }
 
 /// The sine of an angle plus a number of quarter turns.
 #[cold]
-pub(super) fn sine_and(x: f32x8, more: u32) -> f32x8 {
-    let (quarters, rest) = reduce(x);
-    narrow(sine_after(quarters + u64x8::splat(more.into()), rest))
+#[inline(never)]
+pub(super) fn sine_and<S: Simd>(x: f32x8<S>, more: u32) -> f32x8<S> {
+    x.token().vectorize(
+        #[inline(always)]
+        || {
+            let (quarters, rest) = reduce(x);
+            narrow(sine_after(quarters + u64::from(more), rest))
+        },
+    )
 }
 
 /// `tan(x)` of an angle of any size.
 #[cold]
-pub(super) fn tan(x: f32x8) -> f32x8 {
-    let (quarters, rest) = reduce(x);
-    narrow(sine_after(quarters, rest) / sine_after(quarters + u64x8::splat(1), rest))
+#[inline(never)]
+pub(super) fn tan<S: Simd>(x: f32x8<S>) -> f32x8<S> {
+    x.token().vectorize(
+        #[inline(always)]
+        || {
+            let (quarters, rest) = reduce(x);
+            narrow(sine_after(quarters, rest) / sine_after(quarters + 1, rest))
+        },
+    )
 }
 
 /// `atan(y, x)` of any pair of numbers; 0 if both are 0.
 #[cold]
-pub(super) fn atan2(y: f32x8, x: f32x8) -> f32x8 {
-    let (height, width) = (widen(y.abs()), widen(x.abs()));
-    // If both are equal the ratio is 1, also for two infinities.
-    let same = height.simd_eq(width);
-    let angle = atan(same.bitselect(f64x8::splat(1.0), height / width));
-    let left = widen_mask(x.is_sign_negative());
-    let angle = left.bitselect(f64x8::splat(PI) - angle, angle);
-    let nothing = (x.abs() | y.abs()).simd_eq(f32x8::ZERO);
-    let angle = nothing.bitselect(f32x8::ZERO, narrow(angle));
-    angle | sign_of(y)
-}
-
-/// Widens a mask of floats to a mask of doubles.
-#[inline(always)]
-fn widen_mask(mask: f32x8) -> f64x8 {
-    widen(mask.bitselect(f32x8::splat(1.0), f32x8::ZERO)).simd_gt(f64x8::ZERO)
+#[inline(never)]
+pub(super) fn atan2<S: Simd>(y: f32x8<S>, x: f32x8<S>) -> f32x8<S> {
+    x.token().vectorize(
+        #[inline(always)]
+        || {
+            let (height, width) = (widen(y.abs()), widen(x.abs()));
+            // If both are equal the ratio is 1, also for two infinities.
+            let same = height.simd_eq(width);
+            let angle = atan(same.select(number(width, 1.0), height / width));
+            let left = widen(x).is_sign_negative();
+            let angle = narrow(left.select(PI - angle, angle));
+            let nothing = y.simd_eq(0.0) & x.simd_eq(0.0);
+            with_sign(nothing.select(f32x8::splat(x.token(), 0.0), angle), y)
+        },
+    )
 }

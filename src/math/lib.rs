@@ -1,7 +1,8 @@
 //! Deterministic implementations of the built-in functions, for eight numbers at a time (SIMD):
 //! used for constant folding and by the VM. Also a hash for pseudo-random numbers.
 //!
-//! Where the specification leaves a result undefined, it is what browsers compute.
+//! Where the specification leaves a result undefined, it is what browsers compute. The functions are
+//! inlined into their callers, which choose the instructions.
 
 mod common;
 mod double;
@@ -9,6 +10,7 @@ mod exponential;
 mod hash;
 mod integer;
 mod large;
+mod level;
 mod packing;
 mod sine;
 mod single;
@@ -26,6 +28,7 @@ pub use integer::{
     divide_int, divide_uint, float_of_int, float_of_uint, int_of_float, remainder_int,
     remainder_uint, shift_left, shift_right_int, shift_right_uint, uint_of_float,
 };
+pub use level::{Baseline, Faster, baseline, faster};
 pub use packing::{
     half_bits, half_value, pack_half, pack_snorm, pack_unorm, unpack_half, unpack_snorm,
     unpack_unorm,
@@ -33,17 +36,21 @@ pub use packing::{
 pub use sine::sine;
 pub use trigonometric::{acos, asin, atan, atan2, cos, sin, tan};
 
-use wide::f32x8;
+use fearless_simd::{SimdBase, f32x8};
 
 /// Evaluates a SIMD function for one number.
-pub fn of_one(f: impl Fn(f32x8) -> f32x8, x: f32) -> f32 {
-    let [first, ..] = f(f32x8::splat(x)).to_array();
+pub fn of_one(f: impl Fn(f32x8<Baseline>) -> f32x8<Baseline>, x: f32) -> f32 {
+    let [first, ..]: [f32; 8] = f(f32x8::splat(baseline(), x)).into();
     first
 }
 
 /// Evaluates a SIMD function of two operands for one pair of numbers.
-pub fn of_two(f: impl Fn(f32x8, f32x8) -> f32x8, x: f32, y: f32) -> f32 {
-    of_one(|x| f(x, f32x8::splat(y)), x)
+pub fn of_two(
+    f: impl Fn(f32x8<Baseline>, f32x8<Baseline>) -> f32x8<Baseline>,
+    x: f32,
+    y: f32,
+) -> f32 {
+    of_one(|x| f(x, f32x8::splat(baseline(), y)), x)
 }
 
 #[cfg(test)]

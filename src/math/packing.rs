@@ -2,67 +2,72 @@
 
 use super::common::{max, min, round_even};
 use super::integer::{float_of_int, float_of_uint, int_of_float};
-use wide::{f32x8, i32x8, u32x8};
+use super::single::number;
+use fearless_simd::{f32x8, i32x8, prelude::*, u32x8};
 
 /// `packSnorm2x16(vec2(x, y))`
-#[inline]
-pub fn pack_snorm(x: f32x8, y: f32x8) -> u32x8 {
+#[inline(always)]
+pub fn pack_snorm<S: Simd>(x: f32x8<S>, y: f32x8<S>) -> u32x8<S> {
     join(x, y, |x| {
-        let within = min(max(x, f32x8::splat(-1.0)), f32x8::splat(1.0));
-        int_of_float(round_even(within * f32x8::splat(32767.0)))
+        let within = min(max(x, number(x, -1.0)), number(x, 1.0));
+        int_of_float(round_even(within * 32767.0))
     })
 }
 
 /// `packUnorm2x16(vec2(x, y))`
-#[inline]
-pub fn pack_unorm(x: f32x8, y: f32x8) -> u32x8 {
+#[inline(always)]
+pub fn pack_unorm<S: Simd>(x: f32x8<S>, y: f32x8<S>) -> u32x8<S> {
     join(x, y, |x| {
-        let within = min(max(x, f32x8::ZERO), f32x8::splat(1.0));
-        int_of_float(round_even(within * f32x8::splat(65535.0)))
+        let within = min(max(x, number(x, 0.0)), number(x, 1.0));
+        int_of_float(round_even(within * 65535.0))
     })
 }
 
 /// `packHalf2x16(vec2(x, y))`
-#[inline]
-pub fn pack_half(x: f32x8, y: f32x8) -> u32x8 {
+#[inline(always)]
+pub fn pack_half<S: Simd>(x: f32x8<S>, y: f32x8<S>) -> u32x8<S> {
     join(x, y, |x| {
-        i32x8::from(x.to_array().map(|x| i32::from(half_bits(x))))
+        let lanes: [f32; 8] = x.into();
+        lanes.map(|x| i32::from(half_bits(x))).simd_into(x.token())
     })
 }
 
 /// `unpackSnorm2x16(p)`
-#[inline]
-pub fn unpack_snorm(p: u32x8) -> [f32x8; 2] {
-    let p: i32x8 = bytemuck::cast(p);
-    [(p << 16_u32) >> 16_u32, p >> 16_u32].map(|x| {
-        let x = float_of_int(x) / f32x8::splat(32767.0);
-        max(x, f32x8::splat(-1.0))
+#[inline(always)]
+pub fn unpack_snorm<S: Simd>(p: u32x8<S>) -> [f32x8<S>; 2] {
+    let p: i32x8<S> = p.bitcast();
+    [(p << 16) >> 16, p >> 16].map(|x| {
+        let x = float_of_int(x) / 32767.0;
+        max(x, number(x, -1.0))
     })
 }
 
 /// `unpackUnorm2x16(p)`
-#[inline]
-pub fn unpack_unorm(p: u32x8) -> [f32x8; 2] {
-    halves(p).map(|x| float_of_uint(x) / f32x8::splat(65535.0))
+#[inline(always)]
+pub fn unpack_unorm<S: Simd>(p: u32x8<S>) -> [f32x8<S>; 2] {
+    halves(p).map(|x| float_of_uint(x) / 65535.0)
 }
 
 /// `unpackHalf2x16(p)`
-#[inline]
-pub fn unpack_half(p: u32x8) -> [f32x8; 2] {
-    halves(p).map(|x| f32x8::from(x.to_array().map(|x| half_value(x as u16))))
+#[inline(always)]
+pub fn unpack_half<S: Simd>(p: u32x8<S>) -> [f32x8<S>; 2] {
+    halves(p).map(|x| {
+        let lanes: [u32; 8] = x.into();
+        lanes.map(|x| half_value(x as u16)).simd_into(x.token())
+    })
 }
 
 /// The low and high 16 bits.
 #[inline(always)]
-fn halves(p: u32x8) -> [u32x8; 2] {
-    [p & u32x8::splat(0xffff), p >> 16_u32]
+fn halves<S: Simd>(p: u32x8<S>) -> [u32x8<S>; 2] {
+    [p & 0xffff, p >> 16]
 }
 
 /// Packs the low 16 bits of two numbers, the second in the high half.
 #[inline(always)]
-fn join(x: f32x8, y: f32x8, f: impl Fn(f32x8) -> i32x8) -> u32x8 {
-    let (x, y): (u32x8, u32x8) = (bytemuck::cast(f(x)), bytemuck::cast(f(y)));
-    (x & u32x8::splat(0xffff)) | (y << 16_u32)
+fn join<S: Simd>(x: f32x8<S>, y: f32x8<S>, f: impl Fn(f32x8<S>) -> i32x8<S>) -> u32x8<S> {
+    let (x, y): (u32x8<S>, u32x8<S>) = (f(x).bitcast(), f(y).bitcast());
+    (x & 0xffff) | (y << 16)
 }
 
 /// Rounds a float to half precision (16 bits).

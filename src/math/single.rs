@@ -2,67 +2,78 @@
 //!
 //! Multiplications and additions are never fused, so that results are identical on all machines.
 
-use wide::{f32x8, i32x8, u32x8};
+use fearless_simd::{f32x8, i32x8, prelude::*, u32x8};
 
 /// Adding and subtracting it rounds a float to the nearest integer; the low bits of the sum are
 /// that integer.
 const ROUNDER: f32 = 12_582_912.0;
 
+/// The bit of the sign.
+const SIGN: u32 = 1 << 31;
+
+/// The same number in every lane, for the instructions of another vector.
+#[inline(always)]
+pub(super) fn number<S: Simd>(of: f32x8<S>, number: f32) -> f32x8<S> {
+    f32x8::splat(of.token(), number)
+}
+
 /// Rounds to the nearest integer, for magnitudes below 2^21. Also returns a number whose low bits
 /// are that integer in two's complement.
 #[inline(always)]
-pub(super) fn round(x: f32x8) -> (f32x8, u32x8) {
-    let rounder = f32x8::splat(ROUNDER);
-    let sum = x + rounder;
-    (sum - rounder, bytemuck::cast(sum))
+pub(super) fn round<S: Simd>(x: f32x8<S>) -> (f32x8<S>, u32x8<S>) {
+    let sum = x + ROUNDER;
+    (sum - ROUNDER, sum.bitcast())
 }
 
 /// `c[0] + c[1] * x + c[2] * x * x ...`
 #[inline(always)]
-pub(super) fn polynomial<const N: usize>(x: f32x8, coefficients: [f32; N]) -> f32x8 {
-    let mut sum = f32x8::ZERO;
+pub(super) fn polynomial<S: Simd, const N: usize>(x: f32x8<S>, coefficients: [f32; N]) -> f32x8<S> {
+    let mut sum = number(x, 0.0);
     for (at, c) in coefficients.into_iter().rev().enumerate() {
-        sum = if at == 0 {
-            f32x8::splat(c)
-        } else {
-            sum * x + f32x8::splat(c)
-        };
+        sum = if at == 0 { number(x, c) } else { sum * x + c };
     }
     sum
 }
 
 /// `x * 2^n` for `n` from -252 to 254, in the low bits as returned by [`round`].
 #[inline(always)]
-pub(super) fn scale(x: f32x8, n: u32x8) -> f32x8 {
+pub(super) fn scale<S: Simd>(x: f32x8<S>, n: u32x8<S>) -> f32x8<S> {
     // In two steps, since `2^n` itself may overflow or underflow.
-    let n: i32x8 = bytemuck::cast(n << 16_u32);
-    let half = n >> 17_u32;
-    let rest = (n >> 16_u32) - half;
+    let n: i32x8<S> = (n << 16).bitcast();
+    let half = n >> 17;
+    let rest = (n >> 16) - half;
     x * power(half) * power(rest)
 }
 
 /// `2^n`
 #[inline(always)]
-fn power(n: i32x8) -> f32x8 {
-    bytemuck::cast((n + i32x8::splat(127)) << 23_u32)
+fn power<S: Simd>(n: i32x8<S>) -> f32x8<S> {
+    ((n + 127) << 23).bitcast()
 }
 
 /// Splits the magnitude of a number: `x = 2^exponent * (1 + rest)`, with `1 + rest` between
 /// sqrt(1/2) and sqrt(2). Subnormals are treated as if they had an implicit leading one, as in
 /// browsers: 0 becomes 2^-127.
 #[inline(always)]
-pub(super) fn split(x: f32x8) -> (f32x8, f32x8) {
-    let from = i32x8::splat(0x3f35_04f3);
-    let shifted = bytemuck::cast::<_, i32x8>(x.abs()) - from;
-    let rest = (shifted & i32x8::splat(0x007f_ffff)) + from;
+pub(super) fn split<S: Simd>(x: f32x8<S>) -> (f32x8<S>, f32x8<S>) {
+    let from = 0x3f35_04f3;
+    let shifted = x.abs().bitcast::<i32x8<S>>() - from;
+    let rest = (shifted & 0x007f_ffff) + from;
     (
-        f32x8::from_i32x8(shifted >> 23_u32),
-        bytemuck::cast::<_, f32x8>(rest) - f32x8::splat(1.0),
+        f32x8::float_from(shifted >> 23),
+        rest.bitcast::<f32x8<S>>() - 1.0,
     )
 }
 
-/// The sign bits, to be combined with magnitudes.
+/// A non-negative number with the sign of another.
 #[inline(always)]
-pub(crate) fn sign_of(x: f32x8) -> f32x8 {
-    x & f32x8::splat(-0.0)
+pub(super) fn with_sign<S: Simd>(size: f32x8<S>, of: f32x8<S>) -> f32x8<S> {
+    let (size, of): (u32x8<S>, u32x8<S>) = (size.bitcast(), of.bitcast());
+    (size | (of & SIGN)).bitcast()
+}
+
+/// All bits of a number with these bits flipped.
+#[inline(always)]
+pub(super) fn flipped<S: Simd>(x: f32x8<S>, bits: u32x8<S>) -> f32x8<S> {
+    (x.bitcast::<u32x8<S>>() ^ bits).bitcast()
 }

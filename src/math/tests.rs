@@ -2,7 +2,25 @@
 
 use super::common::clamp;
 use super::*;
-use wide::{f32x8, i32x8, u32x8};
+use fearless_simd::{f32x8 as FloatLanes, i32x8 as IntLanes, prelude::*, u32x8 as UintLanes};
+
+/// Eight numbers, for the instructions of every machine.
+type Floats = FloatLanes<Baseline>;
+type Ints = IntLanes<Baseline>;
+type Uints = UintLanes<Baseline>;
+
+/// The same number in every lane.
+fn floats(x: f32) -> Floats {
+    Floats::splat(baseline(), x)
+}
+
+fn ints(x: i32) -> Ints {
+    Ints::splat(baseline(), x)
+}
+
+fn uints(x: u32) -> Uints {
+    Uints::splat(baseline(), x)
+}
 
 /// Pseudo-random floats of both signs and all exponents, the same in every run.
 fn numbers(count: usize) -> impl Iterator<Item = f32> {
@@ -32,14 +50,14 @@ fn ulps(found: f32, expected: f64) -> f64 {
 /// reference.
 #[track_caller]
 fn check(
-    f: impl Fn(f32x8) -> f32x8,
+    f: impl Fn(Floats) -> Floats,
     exact: impl Fn(f64) -> f64,
     within: impl Fn(f32) -> bool,
     bound: f64,
 ) {
     let mut worst = (0.0, 0.0);
     for x in numbers(400_000).filter(|x| within(*x)) {
-        let found = f(f32x8::splat(x)).to_array()[0];
+        let found = f(floats(x))[0];
         let error = ulps(found, exact(f64::from(x)));
         if error.is_nan() || error > worst.0 {
             worst = (error, x);
@@ -50,9 +68,9 @@ fn check(
 
 /// Checks a unary function at selected points, bit by bit except for the payload of NaN.
 #[track_caller]
-fn exactly(f: impl Fn(f32x8) -> f32x8, pairs: &[(f32, f32)]) {
+fn exactly(f: impl Fn(Floats) -> Floats, pairs: &[(f32, f32)]) {
     for (x, expected) in pairs {
-        let found = f(f32x8::splat(*x)).to_array()[7];
+        let found = f(floats(*x))[7];
         let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
         assert!(same, "{x:?}: {found:?}, not {expected:?}");
     }
@@ -80,21 +98,18 @@ fn sines_are_right_for_angles_of_any_size() {
 fn a_lane_does_not_depend_on_its_neighbours() {
     let mixed = [0.5, 1e30, -7.25, 3e5, 0.0, 1e-40, INF, NAN];
     let other = [0.0, 1e30, 2.0, -1.0, 0.0, 3.0, INF, 2.0];
-    let functions: [fn(f32x8) -> f32x8; 12] = [
+    let functions: [fn(Floats) -> Floats; 12] = [
         sin, cos, tan, asin, acos, atan, exp, exp2, log, log2, sqrt, floor,
     ];
-    let pairs: [fn(f32x8, f32x8) -> f32x8; 3] = [pow, atan2, modulo];
-    let bits = |x: f32x8| {
-        x.to_array()
-            .map(|x| if x.is_nan() { 0 } else { x.to_bits() })
-    };
+    let pairs: [fn(Floats, Floats) -> Floats; 3] = [pow, atan2, modulo];
+    let bits = |x: Floats| <[f32; 8]>::from(x).map(|x| if x.is_nan() { 0 } else { x.to_bits() });
     for at in 0..8 {
-        let (x, y) = (f32x8::splat(mixed[at]), f32x8::splat(other[at]));
+        let (x, y) = (floats(mixed[at]), floats(other[at]));
         for f in functions {
-            assert_eq!(bits(f(x))[0], bits(f(f32x8::from(mixed)))[at]);
+            assert_eq!(bits(f(x))[0], bits(f(mixed.simd_into(baseline())))[at]);
         }
         for f in pairs {
-            let beside = f(f32x8::from(mixed), f32x8::from(other));
+            let beside = f(mixed.simd_into(baseline()), other.simd_into(baseline()));
             assert_eq!(bits(f(x, y))[0], bits(beside)[at]);
         }
     }
@@ -124,12 +139,12 @@ fn angles_are_found_again() {
                 true => f64::from(y),
                 false => f64::from(y).atan2(f64::from(x)),
             };
-            exactly(|y| atan2(y, f32x8::splat(x)), &[(y, expected as f32)]);
+            exactly(|y| atan2(y, floats(x)), &[(y, expected as f32)]);
         }
     }
     let y = numbers(200_000);
     for (y, x) in y.zip(numbers(200_100).skip(100)) {
-        let found = atan2(f32x8::splat(y), f32x8::splat(x)).to_array()[0];
+        let found = atan2(floats(y), floats(x))[0];
         let error = ulps(found, f64::from(y).atan2(f64::from(x)));
         assert!(error <= 2.5, "{error} at {y:e}, {x:e}");
     }
@@ -155,29 +170,29 @@ fn powers_and_logarithms_are_right_but_for_the_last_digit() {
 fn what_is_undefined_is_what_the_browser_makes_of_it() {
     exactly(log2, &[(-8.0, 3.0), (0.0, -127.0), (-0.0, -127.0)]);
     exactly(log, &[(0.0, -88.029_69), (-1.0, 0.0), (-INF, 88.722_84)]);
-    let two = f32x8::splat(2.0);
+    let two = floats(2.0);
     exactly(
         |x| pow(x, two),
         &[(-1.75, 3.0625), (-1.0, 1.0), (-0.5, 0.25)],
     );
-    exactly(|x| pow(x, f32x8::ZERO), &[(0.0, 1.0), (-0.0, 1.0)]);
+    exactly(|x| pow(x, floats(0.0)), &[(0.0, 1.0), (-0.0, 1.0)]);
     exactly(|x| pow(x, -two), &[(-2.0, 0.25), (0.0, INF)]);
     exactly(
-        |x| pow(x, f32x8::splat(-1.0)),
+        |x| pow(x, floats(-1.0)),
         &[(0.0, 2f32.powi(127)), (-0.0, 2f32.powi(127))],
     );
     exactly(sqrt, &[(-1.0, NAN), (-0.0, -0.0)]);
     exactly(inverse_sqrt, &[(0.0, INF), (-0.0, -INF), (-4.0, NAN)]);
     exactly(atanh, &[(1.0, INF), (-1.0, -44.014_847)]);
     exactly(
-        |x| round_even(atanh(x) * f32x8::splat(1e4)),
+        |x| round_even(atanh(x) * floats(1e4)),
         &[(2.0, 5493.0), (-7.0, -1438.0)],
     );
 }
 
 #[test]
 fn the_second_operand_limits_nan() {
-    let two = f32x8::splat(2.0);
+    let two = floats(2.0);
     exactly(|x| max(x, two), &[(NAN, 2.0), (3.0, 3.0), (1.0, 2.0)]);
     exactly(|x| max(two, x), &[(NAN, NAN), (3.0, 3.0), (1.0, 2.0)]);
     exactly(|x| min(x, two), &[(NAN, 2.0), (3.0, 2.0), (1.0, 1.0)]);
@@ -188,10 +203,10 @@ fn the_second_operand_limits_nan() {
     exactly(|x| min_number(two, x), &[(NAN, 2.0), (-INF, -INF)]);
     exactly(|x| min_number(x, two), &[(NAN, 2.0), (3.0, 2.0)]);
     exactly(
-        |x| clamp(x, f32x8::ZERO, two),
+        |x| clamp(x, floats(0.0), two),
         &[(NAN, 0.0), (INF, 2.0), (1.5, 1.5)],
     );
-    exactly(|x| smoothstep(f32x8::ZERO, two, x), &[(NAN, 0.0)]);
+    exactly(|x| smoothstep(floats(0.0), two, x), &[(NAN, 0.0)]);
     exactly(|x| step(two, x), &[(NAN, 0.0)]);
 }
 
@@ -199,23 +214,23 @@ fn the_second_operand_limits_nan() {
 fn powers_of_integers_are_exact() {
     for x in 0..=4000 {
         let x = x as f32;
-        exactly(|x| pow(x, f32x8::splat(2.0)), &[(x, x * x)]);
+        exactly(|x| pow(x, floats(2.0)), &[(x, x * x)]);
     }
     for y in -126..=127 {
-        exactly(|y| pow(f32x8::splat(2.0), y), &[(y as f32, 2f32.powi(y))]);
+        exactly(|y| pow(floats(2.0), y), &[(y as f32, 2f32.powi(y))]);
     }
     let bases = numbers(400_000).filter(|x| x.is_normal());
     for (x, y) in bases.zip(numbers(400_100).skip(100)) {
-        let found = pow(f32x8::splat(x.abs()), f32x8::splat(y)).to_array()[0];
+        let found = pow(floats(x.abs()), floats(y))[0];
         let error = ulps(found, f64::from(x.abs()).powf(f64::from(y)));
         assert!(error <= 1.0, "{error} at {x:e}, {y:e}");
     }
     exactly(
-        |x| pow(x, f32x8::splat(2.0)),
+        |x| pow(x, floats(2.0)),
         &[(INF, INF), (0.0, 0.0), (NAN, NAN)],
     );
-    exactly(|x| pow(x, f32x8::ZERO), &[(3.0, 1.0)]);
-    exactly(|x| pow(x, f32x8::splat(-1.0)), &[(INF, 0.0)]);
+    exactly(|x| pow(x, floats(0.0)), &[(3.0, 1.0)]);
+    exactly(|x| pow(x, floats(-1.0)), &[(INF, 0.0)]);
 }
 
 #[test]
@@ -250,23 +265,20 @@ fn rounding_is_that_of_ieee_754_at_every_size() {
 
 #[test]
 fn blends_are_those_of_the_language() {
-    let three = |f: fn(f32x8, f32x8, f32x8) -> f32x8, x, y, z| {
-        f(f32x8::splat(x), f32x8::splat(y), f32x8::splat(z)).to_array()[0]
-    };
+    let three =
+        |f: fn(Floats, Floats, Floats) -> Floats, x, y, z| f(floats(x), floats(y), floats(z))[0];
     assert_eq!(three(clamp, 5.0, 0.0, 1.0), 1.0);
     assert_eq!(three(mix, 2.0, 4.0, 0.25), 2.5);
     assert_eq!(three(smoothstep, 0.0, 2.0, 1.0), 0.5);
     assert_eq!(three(smoothstep, 0.0, 2.0, 9.0), 1.0);
     exactly(sign, &[(-0.0, 0.0), (-3.0, -1.0), (1e-30, 1.0)]);
-    exactly(|x| modulo(x, f32x8::splat(3.0)), &[(-1.0, 2.0), (7.0, 1.0)]);
-    exactly(|x| step(f32x8::splat(1.0), x), &[(1.0, 1.0), (0.5, 0.0)]);
+    exactly(|x| modulo(x, floats(3.0)), &[(-1.0, 2.0), (7.0, 1.0)]);
+    exactly(|x| step(floats(1.0), x), &[(1.0, 1.0), (0.5, 0.0)]);
 }
 
 #[test]
 fn integers_wrap_and_never_trap() {
-    let two = |f: fn(i32x8, i32x8) -> i32x8, x: i32, y: i32| {
-        f(i32x8::splat(x), i32x8::splat(y)).to_array()[0]
-    };
+    let two = |f: fn(Ints, Ints) -> Ints, x: i32, y: i32| f(ints(x), ints(y))[0];
     assert_eq!(two(divide_int, -7, 2), -3);
     assert_eq!(two(divide_int, i32::MIN, -1), 1);
     assert_eq!(two(divide_int, 7, 0), -7);
@@ -274,30 +286,28 @@ fn integers_wrap_and_never_trap() {
     assert_eq!(two(remainder_int, 7, -2), -1);
     assert_eq!(two(remainder_int, 7, 0), 0);
     assert_eq!(two(remainder_int, i32::MIN, -1), 0);
-    let two = |f: fn(u32x8, u32x8) -> u32x8, x: u32, y: u32| {
-        f(u32x8::splat(x), u32x8::splat(y)).to_array()[0]
-    };
+    let two = |f: fn(Uints, Uints) -> Uints, x: u32, y: u32| f(uints(x), uints(y))[0];
     assert_eq!(two(divide_uint, u32::MAX, 2), 0x7fff_ffff);
     assert_eq!(two(divide_uint, 3, 0), 0);
     assert_eq!(two(remainder_uint, 3, 0), 3);
     assert_eq!(two(remainder_uint, u32::MAX, 10), 5);
     assert_eq!(two(shift_left, 3, 33), 6);
     assert_eq!(two(shift_right_uint, 0x8000_0000, 31), 1);
-    let shifted = shift_right_int(i32x8::splat(-8), u32x8::splat(34));
-    assert_eq!(shifted.to_array()[0], -2);
+    let shifted = shift_right_int(ints(-8), uints(34));
+    assert_eq!(shifted[0], -2);
 }
 
 #[test]
 fn numbers_change_their_type_as_in_the_browser() {
     let numbers = numbers(100_000).chain([0.0, -0.0, NAN, INF, -INF, 2147483648.0, -2147483648.0]);
     for x in numbers {
-        let lanes = f32x8::splat(x);
+        let lanes = floats(x);
         let truncated = match x {
             -2147483648.0..2147483648.0 => x as i32,
             _ => i32::MIN,
         };
-        assert_eq!(int_of_float(lanes).to_array()[3], truncated, "{x:e}");
-        let unsigned = uint_of_float(lanes).to_array()[3];
+        assert_eq!(int_of_float(lanes)[3], truncated, "{x:e}");
+        let unsigned = uint_of_float(lanes)[3];
         let within = (0.0..4_294_967_296.0).contains(&x);
         assert_eq!(
             unsigned,
@@ -309,26 +319,23 @@ fn numbers_change_their_type_as_in_the_browser() {
             "{x:e}"
         );
         let bits = x.to_bits();
-        let found = float_of_uint(u32x8::splat(bits)).to_array()[3];
+        let found = float_of_uint(uints(bits))[3];
         assert_eq!(found, bits as f32);
-        let found = float_of_int(i32x8::splat(bits as i32)).to_array()[3];
+        let found = float_of_int(ints(bits as i32))[3];
         assert_eq!(found, bits as i32 as f32);
     }
 }
 
 #[test]
 fn what_is_packed_is_unpacked() {
-    let (x, y) = (f32x8::splat(0.25), f32x8::splat(-1.5));
-    assert_eq!(pack_half(x, y).to_array()[0], 0xbe00_3400);
-    assert_eq!(
-        unpack_half(pack_half(x, y)).map(|x| x.to_array()[0]),
-        [0.25, -1.5]
-    );
-    assert_eq!(pack_snorm(x, y).to_array()[0], 0x8001_2000);
-    assert_eq!(pack_unorm(x, y).to_array()[0], 0x0000_4000);
-    let found = unpack_snorm(u32x8::splat(0x8000_7fff)).map(|x| x.to_array()[0]);
+    let (x, y) = (floats(0.25), floats(-1.5));
+    assert_eq!(pack_half(x, y)[0], 0xbe00_3400);
+    assert_eq!(unpack_half(pack_half(x, y)).map(|x| x[0]), [0.25, -1.5]);
+    assert_eq!(pack_snorm(x, y)[0], 0x8001_2000);
+    assert_eq!(pack_unorm(x, y)[0], 0x0000_4000);
+    let found = unpack_snorm(uints(0x8000_7fff)).map(|x| x[0]);
     assert_eq!(found, [1.0, -1.0]);
-    let found = unpack_unorm(u32x8::splat(0xffff_0000)).map(|x| x.to_array()[0]);
+    let found = unpack_unorm(uints(0xffff_0000)).map(|x| x[0]);
     assert_eq!(found, [0.0, 1.0]);
 }
 
@@ -350,5 +357,94 @@ fn sines_of_doubles_are_those_of_the_library() {
     for n in -2000..2000 {
         let angle = f64::from(n) * 0.37;
         assert!((sine(angle) - angle.sin()).abs() < 1e-12, "{angle}");
+    }
+}
+
+/// The bits of all functions that take and return floats; NaN is one value.
+fn bits_of_all<S: Simd>(simd: S, x: [f32; 8], y: [f32; 8]) -> Vec<[u32; 8]> {
+    let (a, b): (FloatLanes<S>, FloatLanes<S>) = (x.simd_into(simd), y.simd_into(simd));
+    let one = [
+        ceil(a),
+        floor(a),
+        fract(a),
+        round_even(a),
+        sign(a),
+        trunc(a),
+        sqrt(a),
+        inverse_sqrt(a),
+        exp(a),
+        exp2(a),
+        log(a),
+        log2(a),
+        sin(a),
+        cos(a),
+        tan(a),
+        asin(a),
+        acos(a),
+        atan(a),
+        sinh(a),
+        cosh(a),
+        tanh(a),
+        asinh(a),
+        acosh(a),
+        atanh(a),
+    ];
+    let two = [
+        min(a, b),
+        max(a, b),
+        min_number(a, b),
+        max_number(a, b),
+        modulo(a, b),
+        step(a, b),
+        pow(a, b),
+        atan2(a, b),
+        mix(a, b, a),
+        smoothstep(a, b, a),
+        float_of_int(int_of_float(a)),
+        float_of_uint(uint_of_float(a)),
+    ];
+    let [low, high] = unpack_half(pack_half(a, b));
+    let bits = |x: f32| if x.is_nan() { 0 } else { x.to_bits() };
+    let floats = one.into_iter().chain(two).chain([low, high]);
+    let floats = floats.map(|lanes| <[f32; 8]>::from(lanes).map(bits));
+    let (a, b): (UintLanes<S>, UintLanes<S>) = (a.bitcast(), b.bitcast());
+    let (c, d): (IntLanes<S>, IntLanes<S>) = (a.bitcast(), b.bitcast());
+    let uints = [
+        divide_uint(a, b),
+        remainder_uint(a, b),
+        shift_left(a, b),
+        shift_right_uint(a, b),
+        divide_int(c, d).bitcast(),
+        remainder_int(c, d).bitcast(),
+        shift_right_int(c, b).bitcast(),
+    ];
+    floats.chain(uints.map(<[u32; 8]>::from)).collect()
+}
+
+#[test]
+fn results_do_not_depend_on_the_instructions() {
+    let special = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.5,
+        INF,
+        -INF,
+        NAN,
+        1e-40,
+        8388607.5,
+        -2147483648.0,
+        4294967296.0,
+        1e30,
+    ];
+    let all: Vec<f32> = numbers(40_000).chain(special).collect();
+    let (xs, _) = all.as_chunks::<8>();
+    let Some(simd) = faster() else { return };
+    for (x, y) in xs.iter().zip(xs.iter().skip(7).cycle()) {
+        let found = simd.vectorize(
+            #[inline(always)]
+            || bits_of_all(simd, *x, *y),
+        );
+        assert_eq!(found, bits_of_all(baseline(), *x, *y), "{x:?} {y:?}");
     }
 }

@@ -3,7 +3,17 @@
 use super::level::{levels, vector};
 use super::{Filter, Image, ImageShape, Sampling, Texels, Texture, TextureLookup, Wrap, cube};
 use crate::row::LANES;
-use wide::f32x4;
+use fearless_simd::{SimdBase, SimdInto, f32x4};
+use shaderlint_math::{Baseline, baseline};
+
+/// The four components of a texel.
+type Components = f32x4<Baseline>;
+
+/// The same number in every component.
+#[inline(always)]
+fn splat(number: f32) -> Components {
+    Components::splat(baseline(), number)
+}
 
 /// The result of a lookup, as bits. Only the lanes in the mask are looked up.
 pub(crate) fn lookup(
@@ -39,7 +49,7 @@ trait Filtered: Sized + 'static {
     /// The texels of this type.
     fn of(texels: &Texels) -> &[Self];
     /// The components to filter.
-    fn parts(&self) -> f32x4;
+    fn parts(&self) -> Components;
     /// The value of 1.0 after filtering.
     const ONE: f32;
 }
@@ -53,8 +63,8 @@ impl Filtered for [u8; 4] {
     }
 
     #[inline(always)]
-    fn parts(&self) -> f32x4 {
-        f32x4::from(self.map(f32::from))
+    fn parts(&self) -> Components {
+        self.map(f32::from).simd_into(baseline())
     }
 
     const ONE: f32 = 255.0;
@@ -69,8 +79,8 @@ impl Filtered for [f32; 4] {
     }
 
     #[inline(always)]
-    fn parts(&self) -> f32x4 {
-        f32x4::from(*self)
+    fn parts(&self) -> Components {
+        (*self).simd_into(baseline())
     }
 
     const ONE: f32 = 1.0;
@@ -103,7 +113,7 @@ fn floats<T: Filtered>(
     };
     let mipmaps = texture.sampling.filter == Filter::Mipmap && image.full_count() > 1;
     let levels = mipmaps.then(|| levels(texture, lookup));
-    let one = f32x4::splat(T::ONE);
+    let one = splat(T::ONE);
     let mut found = [[0; LANES]; 4];
     for lane in lanes_of(lanes) {
         let spot = spot(image, vector(lookup.coordinates, lane));
@@ -113,12 +123,12 @@ fn floats<T: Filtered>(
             let size = image.size_at(level);
             match reference {
                 None => reading.filtered(size, spot, |number| {
-                    texels.get(number).map_or(f32x4::ZERO, T::parts) / one
+                    texels.get(number).map_or(splat(0.0), T::parts) / one
                 }),
                 Some(reference) => reading.filtered(size, spot, |number| {
-                    let texel = texels.get(number).map_or(f32x4::ZERO, T::parts) / one;
-                    let [depth, ..] = texel.to_array();
-                    f32x4::splat(if reference <= depth { 1.0 } else { 0.0 })
+                    let texel = texels.get(number).map_or(splat(0.0), T::parts) / one;
+                    let [depth, ..] = <[f32; 4]>::from(texel);
+                    splat(if reference <= depth { 1.0 } else { 0.0 })
                 }),
             }
         };
@@ -128,9 +138,9 @@ fn floats<T: Filtered>(
         });
         let mut parts = of_level(sharp);
         if part > 0.0 {
-            parts += (of_level(sharp + 1) - parts) * f32x4::splat(part);
+            parts += (of_level(sharp + 1) - parts) * splat(part);
         }
-        put(&mut found, lane, parts.to_array().map(f32::to_bits));
+        put(&mut found, lane, <[f32; 4]>::from(parts).map(f32::to_bits));
     }
     found
 }
@@ -209,7 +219,12 @@ impl LevelReading<'_> {
 
     /// The filtered value of one level.
     #[inline(always)]
-    fn filtered(&self, size: [u32; 3], spot: TexelSpot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
+    fn filtered(
+        &self,
+        size: [u32; 3],
+        spot: TexelSpot,
+        texel: impl Fn(usize) -> Components,
+    ) -> Components {
         let [width, height, depth] = size;
         match (self.sampling.filter, self.shape) {
             (Filter::Nearest, _) => texel(self.nearest(size, spot)),
@@ -243,7 +258,7 @@ impl LevelReading<'_> {
 
 /// Bilinear filtering across the edges of cube faces. At a corner, the missing fourth texel is the
 /// average of the other three.
-fn of_face(side: u32, spot: TexelSpot, texel: impl Fn(usize) -> f32x4) -> f32x4 {
+fn of_face(side: u32, spot: TexelSpot, texel: impl Fn(usize) -> Components) -> Components {
     let [s, t, _] = spot.at;
     let [s, t] = [s, t].map(|part| part * side as f32 - 0.5);
     let (column, row) = (floor(s), floor(t));
@@ -253,8 +268,8 @@ fn of_face(side: u32, spot: TexelSpot, texel: impl Fn(usize) -> f32x4) -> f32x4 
     let known = corners
         .iter()
         .flatten()
-        .fold(f32x4::ZERO, |sum, part| sum + *part);
-    let mean = known / f32x4::splat(3.0);
+        .fold(splat(0.0), |sum, part| sum + *part);
+    let mean = known / splat(3.0);
     let [a, b, c, d] = corners.map(|corner| corner.unwrap_or(mean));
     let (share_s, share_t) = (s - column as f32, t - row as f32);
     mix(mix(a, b, share_s), mix(c, d, share_s), share_t)
@@ -332,8 +347,8 @@ fn floor(number: f32) -> i32 {
 }
 
 #[inline(always)]
-fn mix(first: f32x4, second: f32x4, share: f32) -> f32x4 {
-    first + (second - first) * f32x4::splat(share)
+fn mix(first: Components, second: Components, share: f32) -> Components {
+    first + (second - first) * splat(share)
 }
 
 #[inline(always)]

@@ -1,13 +1,12 @@
 //! The execution mask.
 
-use crate::row::PARTS;
-use wide::i32x8;
+use crate::row::{LANES, Row};
 
 /// An execution mask, and what follows from it.
 pub(crate) struct ActiveLanes {
     pub mask: u32,
     /// The register with all bits set in its lanes.
-    pub lanes: [i32x8; PARTS],
+    pub lanes: Row,
     requested: u32,
     /// The number of its lanes that are requested.
     pub pixels: u32,
@@ -37,11 +36,11 @@ impl ActiveLanes {
 }
 
 /// Expands a mask to all bits set in its lanes.
-pub(super) fn spread(mask: u32) -> [i32x8; PARTS] {
-    const BITS: [i32; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
-    let bits = i32x8::new(BITS);
-    std::array::from_fn(|part| {
-        let own = i32x8::splat((mask >> (8 * part)) as i32 & 0xff);
-        (own & bits).simd_eq(bits)
-    })
+#[inline(always)]
+pub(super) fn spread(mask: u32) -> Row {
+    let mut lanes = [0; LANES];
+    for (lane, bits) in lanes.iter_mut().enumerate() {
+        *bits = if mask & 1 << lane == 0 { 0 } else { u32::MAX };
+    }
+    Row(lanes)
 }

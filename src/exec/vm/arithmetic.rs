@@ -1,114 +1,146 @@
 //! Arithmetic instructions.
 
-#![expect(clippy::needless_range_loop, reason = "the registers may alias")]
-
 use super::following::Following;
 use super::{Bank, Vm};
 use crate::bytecode::{F1, F2, F3, Instr, Reg};
 use crate::gpu_profile;
-use crate::row::{PARTS, Row, floats, of_floats, of_unsigned, unsigned};
+use crate::row::{PARTS, Row, bit_select, floats, of_floats, of_signed, signed, truth};
+use fearless_simd::{f32x8, mask32x8, prelude::*, u32x8};
 use shaderlint_math as math;
-use wide::{f32x8, i32x8};
 
-/// The bits of a comparison result in eight lanes.
-#[inline(always)]
-fn truth(lanes: f32x8) -> i32x8 {
-    of_floats(lanes)
+/// A closure that is inlined wherever it is called: elsewhere it would not be compiled for the
+/// instructions of its caller.
+macro_rules! inlined {
+    (|$($operand:ident),+| $result:expr) => {
+        #[inline(always)]
+        |$($operand),+| $result
+    };
 }
 
-#[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
-#[inline(always)]
-fn one(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> i32x8) {
-    for part in 0..PARTS {
-        bank[to as usize][part] = f(bank[a as usize][part]);
+/// The registers, for operations on eight lanes at a time with the instructions `S`.
+struct Parts<'b, S> {
+    simd: S,
+    bank: &'b mut Bank,
+}
+
+impl<S: Simd> Parts<'_, S> {
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
+    #[inline(always)]
+    fn part(&self, reg: Reg, part: usize) -> u32x8<S> {
+        self.bank[reg as usize].part(self.simd, part)
     }
-}
 
-#[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
-#[inline(always)]
-fn two(bank: &mut Bank, to: Reg, a: Reg, b: Reg, f: impl Fn(i32x8, i32x8) -> i32x8) {
-    for part in 0..PARTS {
-        bank[to as usize][part] = f(bank[a as usize][part], bank[b as usize][part]);
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
+    #[inline(always)]
+    fn set(&mut self, reg: Reg, part: usize, bits: u32x8<S>) {
+        self.bank[reg as usize].set_part(part, bits);
     }
-}
 
-#[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
-#[inline(always)]
-fn three(bank: &mut Bank, [to, a, b, c]: [Reg; 4], f: impl Fn(i32x8, i32x8, i32x8) -> i32x8) {
-    for part in 0..PARTS {
-        bank[to as usize][part] = f(
-            bank[a as usize][part],
-            bank[b as usize][part],
-            bank[c as usize][part],
-        );
-    }
-}
-
-/// A binary operation on floats, and all that follow with the same operation.
-#[inline(always)]
-fn float_twos(
-    bank: &mut Bank,
-    following: &mut Following<'_>,
-    (f, mut to, mut a, mut b): (F2, Reg, Reg, Reg),
-    apply: impl Fn(f32x8, f32x8) -> f32x8,
-) {
-    loop {
-        float_two(bank, to, a, b, &apply);
-        let next = following.next_if(|instr| match instr {
-            Instr::Two(other, to, a, b) if other == f => Some((to, a, b)),
-            _ => None,
-        });
-        match next {
-            Some(regs) => (to, a, b) = regs,
-            None => return,
+    /// A unary operation on bits.
+    #[inline(always)]
+    fn one(&mut self, to: Reg, a: Reg, f: impl Fn(u32x8<S>) -> u32x8<S>) {
+        for part in 0..PARTS {
+            self.set(to, part, f(self.part(a, part)));
         }
     }
-}
 
-/// A unary operation on floats.
-#[inline(always)]
-fn float_one(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(f32x8) -> f32x8) {
-    one(bank, to, a, |a| of_floats(f(floats(a))));
-}
+    /// A binary operation on bits.
+    #[inline(always)]
+    fn two(&mut self, [to, a, b]: [Reg; 3], f: impl Fn(u32x8<S>, u32x8<S>) -> u32x8<S>) {
+        for part in 0..PARTS {
+            self.set(to, part, f(self.part(a, part), self.part(b, part)));
+        }
+    }
 
-/// A binary operation on floats.
-#[inline(always)]
-fn float_two(bank: &mut Bank, to: Reg, a: Reg, b: Reg, f: impl Fn(f32x8, f32x8) -> f32x8) {
-    two(bank, to, a, b, |a, b| of_floats(f(floats(a), floats(b))));
-}
+    /// A ternary operation on bits.
+    #[inline(always)]
+    fn three(
+        &mut self,
+        [to, a, b, c]: [Reg; 4],
+        f: impl Fn(u32x8<S>, u32x8<S>, u32x8<S>) -> u32x8<S>,
+    ) {
+        for part in 0..PARTS {
+            let [a, b, c] = [a, b, c].map(|reg| self.part(reg, part));
+            self.set(to, part, f(a, b, c));
+        }
+    }
 
-/// Flips the sign bits, so that a signed comparison orders unsigned numbers.
-#[inline(always)]
-fn sign_flipped(lanes: i32x8) -> i32x8 {
-    lanes ^ i32x8::splat(i32::MIN)
+    /// A unary operation on floats.
+    #[inline(always)]
+    fn float_one(&mut self, to: Reg, a: Reg, f: impl Fn(f32x8<S>) -> f32x8<S>) {
+        self.one(to, a, inlined!(|a| of_floats(f(floats(a)))));
+    }
+
+    /// A binary operation on floats.
+    #[inline(always)]
+    fn float_two(&mut self, regs: [Reg; 3], f: impl Fn(f32x8<S>, f32x8<S>) -> f32x8<S>) {
+        self.two(regs, inlined!(|a, b| of_floats(f(floats(a), floats(b)))));
+    }
+
+    /// A comparison of floats.
+    #[inline(always)]
+    fn float_test(&mut self, regs: [Reg; 3], f: impl Fn(f32x8<S>, f32x8<S>) -> mask32x8<S>) {
+        self.two(regs, inlined!(|a, b| truth(f(floats(a), floats(b)))));
+    }
+
+    /// A ternary operation on floats.
+    #[inline(always)]
+    fn float_three(
+        &mut self,
+        regs: [Reg; 4],
+        f: impl Fn(f32x8<S>, f32x8<S>, f32x8<S>) -> f32x8<S>,
+    ) {
+        self.three(
+            regs,
+            inlined!(|a, b, c| of_floats(f(floats(a), floats(b), floats(c)))),
+        );
+    }
+
+    /// A binary operation on floats, and all that follow with the same operation.
+    #[inline(always)]
+    fn float_twos(
+        &mut self,
+        following: &mut Following<'_>,
+        (f, mut regs): (F2, [Reg; 3]),
+        apply: impl Fn(f32x8<S>, f32x8<S>) -> f32x8<S>,
+    ) {
+        loop {
+            self.float_two(regs, &apply);
+            let next = following.next_if(|instr| match instr {
+                Instr::Two(other, to, a, b) if other == f => Some([to, a, b]),
+                _ => None,
+            });
+            match next {
+                Some(next) => regs = next,
+                None => return,
+            }
+        }
+    }
 }
 
 impl Vm<'_> {
     /// Executes an instruction that does not jump.
     #[inline(always)]
-    pub(super) fn straight(&mut self, instr: &Instr, following: &mut Following<'_>) {
+    pub(super) fn straight<S: Simd>(
+        &mut self,
+        simd: S,
+        instr: &Instr,
+        following: &mut Following<'_>,
+    ) {
         match *instr {
-            Instr::Move(to, a) => self.set(to, Row(self.get(a))),
+            Instr::Move(to, a) => self.parts(simd).one(to, a, |a| a),
             Instr::MoveActive(to, a) => {
                 if self.active == u32::MAX {
-                    self.set(to, Row(self.get(a)));
+                    self.parts(simd).one(to, a, |a| a);
                 } else {
-                    let (kept, new) = (self.get(to), self.get(a));
-                    let lanes = self.expanded().lanes;
-                    let mut made = kept;
-                    for (((made, kept), new), lanes) in
-                        made.iter_mut().zip(kept).zip(new).zip(lanes)
-                    {
-                        *made = lanes.bitselect(new, kept);
-                    }
-                    self.set(to, Row(made));
+                    self.move_active(simd, to, a);
                 }
             }
-            Instr::Two(f, to, a, b) => apply_two(&mut self.bank, following, f, [to, a, b]),
+            Instr::Two(f, to, a, b) => apply_two(self.parts(simd), following, f, [to, a, b]),
             Instr::Three(f, to, a, b, c) => {
-                apply_three(&mut self.bank, following, f, [to, a, b, c]);
+                apply_three(self.parts(simd), following, f, [to, a, b, c]);
             }
-            Instr::One(f, to, a) => apply_one(&mut self.bank, f, to, a),
+            Instr::One(f, to, a) => apply_one(self.parts(simd), f, to, a),
             Instr::Word(to, at) => {
                 let bits = self.draw.memory.get(at as usize).copied().unwrap_or(0);
                 self.set(to, Row::splat(bits));
@@ -119,95 +151,124 @@ impl Vm<'_> {
             Instr::Lookup(site) => self.ask(site),
             Instr::Enter(number) => self.watched.enter(number, self.active),
             Instr::Iterate(number) => {
-                self.expanded();
+                self.expand();
                 self.watched.iterate(number, &self.expanded);
             }
             Instr::Exhaust(number, condition) => {
-                let ends = self.active & !super::mask_of(&self.get(condition));
+                let ends = self.active & !self.mask(simd, condition);
                 self.watched.exhaust(number, ends & self.requested);
             }
             Instr::Leave(number) => self.watched.leave(number, self.requested),
             Instr::Branch(number, condition) => {
-                let holds = super::mask_of(&self.get(condition));
-                self.expanded();
+                let holds = self.mask(simd, condition);
+                self.expand();
                 self.watched.branch(number, &self.expanded, holds);
             }
             Instr::Spend { cost, by } => {
-                self.expanded();
+                self.expand();
                 self.watched.spend([cost, by], &self.expanded);
             }
-            Instr::Check(check_operands) => self.check_operands(check_operands),
-            Instr::Compare(number) => self.compare(number),
+            Instr::Check(check_operands) => self.check_operands(simd, check_operands),
+            Instr::Compare(number) => self.compare(simd, number),
             _ => {}
+        }
+    }
+
+    #[inline(always)]
+    fn parts<S: Simd>(&mut self, simd: S) -> Parts<'_, S> {
+        Parts {
+            simd,
+            bank: &mut self.bank,
+        }
+    }
+
+    /// Copies the active lanes.
+    #[inline(always)]
+    fn move_active<S: Simd>(&mut self, simd: S, to: Reg, a: Reg) {
+        self.expand();
+        let mut parts = Parts {
+            simd,
+            bank: &mut self.bank,
+        };
+        for part in 0..PARTS {
+            let lanes = self.expanded.lanes.part(simd, part);
+            let made = bit_select(lanes, parts.part(a, part), parts.part(to, part));
+            parts.set(to, part, made);
         }
     }
 }
 
 /// As [`apply_two`].
 #[inline(always)]
-fn apply_one(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
+fn apply_one<S: Simd>(mut parts: Parts<'_, S>, f: F1, to: Reg, a: Reg) {
     match f {
-        F1::Negate => float_one(bank, to, a, |x| -x),
-        F1::Abs => float_one(bank, to, a, |x| x.abs()),
-        F1::Sqrt => float_one(bank, to, a, math::sqrt),
-        F1::Not => one(bank, to, a, |a| !a),
-        _ => apply_one_rarer(bank, f, to, a),
+        F1::Negate => parts.float_one(to, a, |x| -x),
+        F1::Abs => parts.float_one(to, a, |x| x.abs()),
+        F1::Sqrt => parts.float_one(to, a, inlined!(|x| math::sqrt(x))),
+        F1::Not => parts.one(to, a, |a| !a),
+        _ => apply_one_rarer(parts, f, to, a),
     }
 }
 
 #[inline(never)]
-fn apply_one_rarer(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
+fn apply_one_rarer<S: Simd>(parts: Parts<'_, S>, f: F1, to: Reg, a: Reg) {
+    parts.simd.vectorize(
+        #[inline(always)]
+        || rarer_one(parts, f, to, a),
+    );
+}
+
+#[inline(always)]
+fn rarer_one<S: Simd>(mut parts: Parts<'_, S>, f: F1, to: Reg, a: Reg) {
     use math as m;
     match f {
-        F1::Sign => float_one(bank, to, a, m::sign),
-        F1::Floor => float_one(bank, to, a, m::floor),
-        F1::Ceil => float_one(bank, to, a, m::ceil),
-        F1::Trunc => float_one(bank, to, a, m::trunc),
-        F1::RoundEven => float_one(bank, to, a, m::round_even),
-        F1::Fract => float_one(bank, to, a, m::fract),
-        F1::InverseSqrt => float_one(bank, to, a, m::inverse_sqrt),
-        F1::Sin => float_one(bank, to, a, m::sin),
-        F1::Cos => float_one(bank, to, a, m::cos),
-        F1::Tan => float_one(bank, to, a, m::tan),
-        F1::Asin => float_one(bank, to, a, m::asin),
-        F1::Acos => float_one(bank, to, a, m::acos),
-        F1::Atan => float_one(bank, to, a, m::atan),
-        F1::Sinh => float_one(bank, to, a, m::sinh),
-        F1::Cosh => float_one(bank, to, a, m::cosh),
-        F1::Tanh => float_one(bank, to, a, m::tanh),
-        F1::Asinh => float_one(bank, to, a, m::asinh),
-        F1::Acosh => float_one(bank, to, a, m::acosh),
-        F1::Atanh => float_one(bank, to, a, m::atanh),
-        F1::Exp => float_one(bank, to, a, m::exp),
-        F1::Log => float_one(bank, to, a, m::log),
-        F1::Exp2 => float_one(bank, to, a, m::exp2),
-        F1::Log2 => float_one(bank, to, a, m::log2),
-        F1::IsNan => one(bank, to, a, |a| truth(floats(a).is_nan())),
-        F1::IsInf => one(bank, to, a, |a| {
-            truth(floats(a).abs().simd_eq(f32x8::splat(f32::INFINITY)))
-        }),
-        F1::IntNegate => one(bank, to, a, |a| i32x8::ZERO - a),
-        F1::IntAbs => one(bank, to, a, |a| a.abs()),
-        F1::IntSign => one(bank, to, a, |a| {
-            let (low, high) = (a.simd_lt(i32x8::ZERO), a.simd_gt(i32x8::ZERO));
+        F1::Sign => parts.float_one(to, a, inlined!(|x| m::sign(x))),
+        F1::Floor => parts.float_one(to, a, inlined!(|x| m::floor(x))),
+        F1::Ceil => parts.float_one(to, a, inlined!(|x| m::ceil(x))),
+        F1::Trunc => parts.float_one(to, a, inlined!(|x| m::trunc(x))),
+        F1::RoundEven => parts.float_one(to, a, inlined!(|x| m::round_even(x))),
+        F1::Fract => parts.float_one(to, a, inlined!(|x| m::fract(x))),
+        F1::InverseSqrt => parts.float_one(to, a, inlined!(|x| m::inverse_sqrt(x))),
+        F1::Sin => parts.float_one(to, a, inlined!(|x| m::sin(x))),
+        F1::Cos => parts.float_one(to, a, inlined!(|x| m::cos(x))),
+        F1::Tan => parts.float_one(to, a, inlined!(|x| m::tan(x))),
+        F1::Asin => parts.float_one(to, a, inlined!(|x| m::asin(x))),
+        F1::Acos => parts.float_one(to, a, inlined!(|x| m::acos(x))),
+        F1::Atan => parts.float_one(to, a, inlined!(|x| m::atan(x))),
+        F1::Sinh => parts.float_one(to, a, inlined!(|x| m::sinh(x))),
+        F1::Cosh => parts.float_one(to, a, inlined!(|x| m::cosh(x))),
+        F1::Tanh => parts.float_one(to, a, inlined!(|x| m::tanh(x))),
+        F1::Asinh => parts.float_one(to, a, inlined!(|x| m::asinh(x))),
+        F1::Acosh => parts.float_one(to, a, inlined!(|x| m::acosh(x))),
+        F1::Atanh => parts.float_one(to, a, inlined!(|x| m::atanh(x))),
+        F1::Exp => parts.float_one(to, a, inlined!(|x| m::exp(x))),
+        F1::Log => parts.float_one(to, a, inlined!(|x| m::log(x))),
+        F1::Exp2 => parts.float_one(to, a, inlined!(|x| m::exp2(x))),
+        F1::Log2 => parts.float_one(to, a, inlined!(|x| m::log2(x))),
+        F1::IsNan => parts.one(to, a, |a| truth(floats(a).is_nan())),
+        F1::IsInf => parts.one(to, a, |a| truth(floats(a).is_infinite())),
+        F1::IntNegate => parts.one(to, a, |a| 0 - a),
+        F1::IntAbs => parts.one(to, a, inlined!(|a| of_signed(signed(a).abs()))),
+        F1::IntSign => parts.one(to, a, |a| {
+            let (low, high) = (truth(signed(a).simd_lt(0)), truth(signed(a).simd_gt(0)));
             low - high
         }),
-        F1::FloatOfInt => one(bank, to, a, |a| of_floats(m::float_of_int(a))),
-        F1::FloatOfUint => one(bank, to, a, |a| of_floats(m::float_of_uint(unsigned(a)))),
-        F1::IntOfFloat => one(bank, to, a, |a| m::int_of_float(floats(a))),
-        F1::UintOfFloat => one(bank, to, a, |a| of_unsigned(m::uint_of_float(floats(a)))),
-        F1::HalfLow => unpacked(bank, to, a, |p| m::unpack_half(unsigned(p)), 0),
-        F1::HalfHigh => unpacked(bank, to, a, |p| m::unpack_half(unsigned(p)), 1),
-        F1::SnormLow => unpacked(bank, to, a, |p| m::unpack_snorm(unsigned(p)), 0),
-        F1::SnormHigh => unpacked(bank, to, a, |p| m::unpack_snorm(unsigned(p)), 1),
-        F1::UnormLow => unpacked(bank, to, a, |p| m::unpack_unorm(unsigned(p)), 0),
-        F1::UnormHigh => unpacked(bank, to, a, |p| m::unpack_unorm(unsigned(p)), 1),
-        F1::Half => float_one(bank, to, a, |x| {
-            let [low, _] = m::unpack_half(m::pack_half(x, f32x8::ZERO));
+        F1::FloatOfInt => parts.one(to, a, inlined!(|a| of_floats(m::float_of_int(signed(a))))),
+        F1::FloatOfUint => parts.one(to, a, inlined!(|a| of_floats(m::float_of_uint(a)))),
+        F1::IntOfFloat => parts.one(to, a, inlined!(|a| of_signed(m::int_of_float(floats(a))))),
+        F1::UintOfFloat => parts.one(to, a, inlined!(|a| m::uint_of_float(floats(a)))),
+        F1::HalfLow => unpacked(parts, to, a, inlined!(|p| m::unpack_half(p)), 0),
+        F1::HalfHigh => unpacked(parts, to, a, inlined!(|p| m::unpack_half(p)), 1),
+        F1::SnormLow => unpacked(parts, to, a, inlined!(|p| m::unpack_snorm(p)), 0),
+        F1::SnormHigh => unpacked(parts, to, a, inlined!(|p| m::unpack_snorm(p)), 1),
+        F1::UnormLow => unpacked(parts, to, a, inlined!(|p| m::unpack_unorm(p)), 0),
+        F1::UnormHigh => unpacked(parts, to, a, inlined!(|p| m::unpack_unorm(p)), 1),
+        F1::Half => parts.float_one(to, a, |x| {
+            let [low, _] = m::unpack_half(m::pack_half(x, x));
             low
         }),
-        F1::DifferenceX => one(bank, to, a, |a| difference(a, 1)),
-        F1::DifferenceY => one(bank, to, a, |a| difference(a, 2)),
+        F1::DifferenceX => parts.one(to, a, inlined!(|a| difference(a, 1))),
+        F1::DifferenceY => parts.one(to, a, inlined!(|a| difference(a, 2))),
         // Part of the loop.
         F1::Negate | F1::Abs | F1::Sqrt | F1::Not => {}
     }
@@ -215,10 +276,16 @@ fn apply_one_rarer(bank: &mut Bank, f: F1, to: Reg, a: Reg) {
 
 /// One of the two halves of a packed value.
 #[inline(always)]
-fn unpacked(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> [f32x8; 2], half: usize) {
-    one(bank, to, a, |a| {
-        let halves = f(a);
-        of_floats(halves.get(half).copied().unwrap_or(f32x8::ZERO))
+fn unpacked<S: Simd>(
+    mut parts: Parts<'_, S>,
+    to: Reg,
+    a: Reg,
+    f: impl Fn(u32x8<S>) -> [f32x8<S>; 2],
+    half: usize,
+) {
+    parts.one(to, a, |a| {
+        let [low, high] = f(a);
+        of_floats(if half == 0 { low } else { high })
     });
 }
 
@@ -226,96 +293,97 @@ fn unpacked(bank: &mut Bank, to: Reg, a: Reg, f: impl Fn(i32x8) -> [f32x8; 2], h
 /// lane, as software renderers in browsers compute it. The specification permits one derivative per
 /// quad.
 #[inline(always)]
-fn difference(a: i32x8, neighbour: usize) -> i32x8 {
-    let lanes: [f32; 8] = floats(a).to_array();
+fn difference<S: Simd>(a: u32x8<S>, neighbour: usize) -> u32x8<S> {
+    let lanes: [f32; 8] = floats(a).into();
     let mut made = [0.0; 8];
     for (quad, lanes) in made.chunks_exact_mut(4).zip(lanes.chunks_exact(4)) {
         let at = |n: usize| lanes.get(n).copied().unwrap_or(0.0);
         quad.fill(at(neighbour) - at(0));
     }
-    of_floats(f32x8::new(made))
+    of_floats(made.simd_into(a.token()))
 }
 
 /// The most frequent binary operations are part of the VM's loop: a call took longer than they do.
 #[inline(always)]
-fn apply_two(bank: &mut Bank, following: &mut Following<'_>, f: F2, [to, a, b]: [Reg; 3]) {
+fn apply_two<S: Simd>(
+    mut parts: Parts<'_, S>,
+    following: &mut Following<'_>,
+    f: F2,
+    regs: [Reg; 3],
+) {
     use math as m;
     match f {
-        F2::Add => float_twos(bank, following, (F2::Add, to, a, b), |x, y| x + y),
-        F2::Subtract => float_twos(bank, following, (F2::Subtract, to, a, b), |x, y| x - y),
-        F2::Multiply => float_twos(bank, following, (F2::Multiply, to, a, b), |x, y| x * y),
-        F2::Divide => float_two(bank, to, a, b, |x, y| x / y),
-        F2::Min => float_two(bank, to, a, b, m::min),
-        F2::Max => float_two(bank, to, a, b, m::max),
-        F2::Less => float_two(bank, to, a, b, |x, y| x.simd_lt(y)),
-        F2::LessEqual => float_two(bank, to, a, b, |x, y| x.simd_le(y)),
-        F2::IntAdd => two(bank, to, a, b, |a, b| a + b),
-        F2::IntLess => two(bank, to, a, b, |a, b| a.simd_lt(b)),
-        F2::And => two(bank, to, a, b, |a, b| a & b),
-        F2::Or => two(bank, to, a, b, |a, b| a | b),
-        F2::Xor => two(bank, to, a, b, |a, b| a ^ b),
-        _ => apply_two_rarer(bank, f, to, a, b),
+        F2::Add => parts.float_twos(following, (F2::Add, regs), |x, y| x + y),
+        F2::Subtract => parts.float_twos(following, (F2::Subtract, regs), |x, y| x - y),
+        F2::Multiply => parts.float_twos(following, (F2::Multiply, regs), |x, y| x * y),
+        F2::Divide => parts.float_two(regs, |x, y| x / y),
+        F2::Min => parts.float_two(regs, inlined!(|x, y| m::min(x, y))),
+        F2::Max => parts.float_two(regs, inlined!(|x, y| m::max(x, y))),
+        F2::Less => parts.float_test(regs, |x, y| x.simd_lt(y)),
+        F2::LessEqual => parts.float_test(regs, |x, y| x.simd_le(y)),
+        F2::IntAdd => parts.two(regs, |a, b| a + b),
+        F2::IntLess => parts.two(regs, |a, b| truth(signed(a).simd_lt(signed(b)))),
+        F2::And => parts.two(regs, |a, b| a & b),
+        F2::Or => parts.two(regs, |a, b| a | b),
+        F2::Xor => parts.two(regs, |a, b| a ^ b),
+        _ => apply_two_rarer(parts, f, regs),
     }
 }
 
 #[inline(never)]
-fn apply_two_rarer(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
+fn apply_two_rarer<S: Simd>(parts: Parts<'_, S>, f: F2, regs: [Reg; 3]) {
+    parts.simd.vectorize(
+        #[inline(always)]
+        || rarer_two(parts, f, regs),
+    );
+}
+
+#[inline(always)]
+fn rarer_two<S: Simd>(mut parts: Parts<'_, S>, f: F2, regs: [Reg; 3]) {
     use math as m;
     match f {
-        F2::MinNumber => float_two(bank, to, a, b, m::min_number),
-        F2::MaxNumber => float_two(bank, to, a, b, m::max_number),
-        F2::Modulo => float_two(bank, to, a, b, m::modulo),
-        F2::Pow => float_two(bank, to, a, b, m::pow),
-        F2::Atan2 => float_two(bank, to, a, b, m::atan2),
-        F2::Step => float_two(bank, to, a, b, m::step),
-        F2::Equal => float_two(bank, to, a, b, |x, y| x.simd_eq(y)),
-        F2::NotEqual => two(bank, to, a, b, |a, b| !truth(floats(a).simd_eq(floats(b)))),
-        F2::IntSubtract => two(bank, to, a, b, |a, b| a - b),
-        F2::IntMultiply => two(bank, to, a, b, |a, b| a * b),
-        F2::IntDivide => two(bank, to, a, b, m::divide_int),
-        F2::IntRemainder => two(bank, to, a, b, m::remainder_int),
-        F2::UintDivide => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::divide_uint(unsigned(a), unsigned(b)))
-        }),
-        F2::UintRemainder => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::remainder_uint(unsigned(a), unsigned(b)))
-        }),
-        F2::IntLessEqual => two(bank, to, a, b, |a, b| !a.simd_gt(b)),
-        F2::UintLess => two(bank, to, a, b, |a, b| {
-            sign_flipped(a).simd_lt(sign_flipped(b))
-        }),
-        F2::UintLessEqual => two(bank, to, a, b, |a, b| {
-            !sign_flipped(a).simd_gt(sign_flipped(b))
-        }),
-        F2::SameBits => two(bank, to, a, b, |a, b| a.simd_eq(b)),
-        F2::OtherBits => two(bank, to, a, b, |a, b| !a.simd_eq(b)),
-        F2::ShiftLeft => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::shift_left(unsigned(a), unsigned(b)))
-        }),
-        F2::ShiftRight => two(bank, to, a, b, |a, b| m::shift_right_int(a, unsigned(b))),
-        F2::ShiftRightUnsigned => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::shift_right_uint(unsigned(a), unsigned(b)))
-        }),
-        F2::IntMin => two(bank, to, a, b, |a, b| a.min(b)),
-        F2::IntMax => two(bank, to, a, b, |a, b| a.max(b)),
-        F2::UintMin => two(bank, to, a, b, |a, b| {
-            sign_flipped(sign_flipped(a).min(sign_flipped(b)))
-        }),
-        F2::UintMax => two(bank, to, a, b, |a, b| {
-            sign_flipped(sign_flipped(a).max(sign_flipped(b)))
-        }),
-        F2::Imprecise(what, direction) => float_two(bank, to, a, b, |x, y| {
-            gpu_profile::imprecise(what, direction, x, y)
-        }),
-        F2::PackHalf => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::pack_half(floats(a), floats(b)))
-        }),
-        F2::PackSnorm => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::pack_snorm(floats(a), floats(b)))
-        }),
-        F2::PackUnorm => two(bank, to, a, b, |a, b| {
-            of_unsigned(m::pack_unorm(floats(a), floats(b)))
-        }),
+        F2::MinNumber => parts.float_two(regs, inlined!(|x, y| m::min_number(x, y))),
+        F2::MaxNumber => parts.float_two(regs, inlined!(|x, y| m::max_number(x, y))),
+        F2::Modulo => parts.float_two(regs, inlined!(|x, y| m::modulo(x, y))),
+        F2::Pow => parts.float_two(regs, inlined!(|x, y| m::pow(x, y))),
+        F2::Atan2 => parts.float_two(regs, inlined!(|x, y| m::atan2(x, y))),
+        F2::Step => parts.float_two(regs, inlined!(|x, y| m::step(x, y))),
+        F2::Equal => parts.float_test(regs, |x, y| x.simd_eq(y)),
+        F2::NotEqual => parts.float_test(regs, |x, y| !x.simd_eq(y)),
+        F2::IntSubtract => parts.two(regs, |a, b| a - b),
+        F2::IntMultiply => parts.two(regs, |a, b| a * b),
+        F2::IntDivide => parts.two(
+            regs,
+            inlined!(|a, b| of_signed(m::divide_int(signed(a), signed(b)))),
+        ),
+        F2::IntRemainder => parts.two(
+            regs,
+            inlined!(|a, b| of_signed(m::remainder_int(signed(a), signed(b)))),
+        ),
+        F2::UintDivide => parts.two(regs, inlined!(|a, b| m::divide_uint(a, b))),
+        F2::UintRemainder => parts.two(regs, inlined!(|a, b| m::remainder_uint(a, b))),
+        F2::IntLessEqual => parts.two(regs, |a, b| truth(signed(a).simd_le(signed(b)))),
+        F2::UintLess => parts.two(regs, |a, b| truth(a.simd_lt(b))),
+        F2::UintLessEqual => parts.two(regs, |a, b| truth(a.simd_le(b))),
+        F2::SameBits => parts.two(regs, |a, b| truth(a.simd_eq(b))),
+        F2::OtherBits => parts.two(regs, |a, b| truth(!a.simd_eq(b))),
+        F2::ShiftLeft => parts.two(regs, inlined!(|a, b| m::shift_left(a, b))),
+        F2::ShiftRight => parts.two(
+            regs,
+            inlined!(|a, b| of_signed(m::shift_right_int(signed(a), b))),
+        ),
+        F2::ShiftRightUnsigned => parts.two(regs, inlined!(|a, b| m::shift_right_uint(a, b))),
+        F2::IntMin => parts.two(regs, inlined!(|a, b| of_signed(signed(a).min(signed(b))))),
+        F2::IntMax => parts.two(regs, inlined!(|a, b| of_signed(signed(a).max(signed(b))))),
+        F2::UintMin => parts.two(regs, |a, b| a.min(b)),
+        F2::UintMax => parts.two(regs, |a, b| a.max(b)),
+        F2::Imprecise(what, direction) => parts.float_two(
+            regs,
+            inlined!(|x, y| gpu_profile::imprecise(what, direction, x, y)),
+        ),
+        F2::PackHalf => parts.two(regs, inlined!(|a, b| m::pack_half(floats(a), floats(b)))),
+        F2::PackSnorm => parts.two(regs, inlined!(|a, b| m::pack_snorm(floats(a), floats(b)))),
+        F2::PackUnorm => parts.two(regs, inlined!(|a, b| m::pack_unorm(floats(a), floats(b)))),
         // Part of the loop.
         F2::Add | F2::Subtract | F2::Multiply | F2::Divide | F2::Min | F2::Max => {}
         F2::Less | F2::LessEqual | F2::IntAdd | F2::IntLess | F2::And | F2::Or | F2::Xor => {}
@@ -324,12 +392,15 @@ fn apply_two_rarer(bank: &mut Bank, f: F2, to: Reg, a: Reg, b: Reg) {
 
 /// As [`apply_two`].
 #[inline(always)]
-fn apply_three(bank: &mut Bank, following: &mut Following<'_>, f: F3, mut regs: [Reg; 4]) {
+fn apply_three<S: Simd>(
+    mut parts: Parts<'_, S>,
+    following: &mut Following<'_>,
+    f: F3,
+    mut regs: [Reg; 4],
+) {
     match f {
         F3::MultiplyAdd => loop {
-            three(bank, regs, |a, b, c| {
-                of_floats(floats(a) * floats(b) + floats(c))
-            });
+            parts.float_three(regs, |a, b, c| a * b + c);
             let next = following.next_if(|instr| match instr {
                 Instr::Three(F3::MultiplyAdd, to, a, b, c) => Some([to, a, b, c]),
                 _ => None,
@@ -339,12 +410,8 @@ fn apply_three(bank: &mut Bank, following: &mut Following<'_>, f: F3, mut regs: 
                 None => return,
             }
         },
-        F3::Select => three(bank, regs, |a, b, c| a.bitselect(b, c)),
-        F3::Mix => three(bank, regs, |a, b, c| {
-            of_floats(math::mix(floats(a), floats(b), floats(c)))
-        }),
-        F3::Smoothstep => three(bank, regs, |a, b, c| {
-            of_floats(math::smoothstep(floats(a), floats(b), floats(c)))
-        }),
+        F3::Select => parts.three(regs, inlined!(|a, b, c| bit_select(a, b, c))),
+        F3::Mix => parts.float_three(regs, inlined!(|x, y, z| math::mix(x, y, z))),
+        F3::Smoothstep => parts.float_three(regs, inlined!(|x, y, z| math::smoothstep(x, y, z))),
     }
 }

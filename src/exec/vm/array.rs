@@ -13,7 +13,7 @@ impl Vm<'_> {
     /// By lane: the register or word at the index, clamped to the site.
     fn chosen(&self, index: Reg, site: ArraySite) -> [u32; LANES] {
         let last = site.len.saturating_sub(1);
-        self.row(index).bits().map(|n| site.base + n.min(last))
+        self.row(index).0.map(|n| site.base + n.min(last))
     }
 
     /// The index shared by all lanes, if it is uniform.
@@ -25,19 +25,19 @@ impl Vm<'_> {
     pub(super) fn gather(&mut self, to: Reg, index: Reg, site: u32) {
         let chosen = self.chosen(index, self.site(site));
         if let Some(from) = Self::shared(&chosen) {
-            self.set(to, self.row(from as Reg));
+            self.set(to, *self.row(from as Reg));
             return;
         }
         let mut made = [0; LANES];
         for ((lane, slot), from) in made.iter_mut().enumerate().zip(chosen) {
             *slot = self.lane(from as Reg, lane);
         }
-        self.set(to, Row::of_bits(made));
+        self.set(to, Row(made));
     }
 
     pub(super) fn scatter(&mut self, from: Reg, index: Reg, site: u32) {
         let chosen = self.chosen(index, self.site(site));
-        let values = self.row(from).bits();
+        let values = self.row(from).0;
         for ((lane, to), value) in chosen.into_iter().enumerate().zip(values) {
             if self.active >> lane & 1 == 1 {
                 self.set_lane(to as Reg, lane, value);
@@ -50,20 +50,18 @@ impl Vm<'_> {
         let word = |at: u32| self.draw.memory.get(at as usize).copied().unwrap_or(0);
         let row = match Self::shared(&chosen) {
             Some(at) => Row::splat(word(at)),
-            None => Row::of_bits(chosen.map(word)),
+            None => Row(chosen.map(word)),
         };
         self.set(to, row);
     }
 
     #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     fn lane(&self, reg: Reg, lane: usize) -> u32 {
-        let part = &self.bank[reg as usize][lane / 8 % super::PARTS];
-        part.as_array()[lane % 8] as u32
+        self.bank[reg as usize].0[lane % LANES]
     }
 
     #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     fn set_lane(&mut self, reg: Reg, lane: usize, bits: u32) {
-        let part = &mut self.bank[reg as usize][lane / 8 % super::PARTS];
-        part.as_mut_array()[lane % 8] = bits as i32;
+        self.bank[reg as usize].0[lane % LANES] = bits;
     }
 }

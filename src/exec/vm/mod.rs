@@ -12,15 +12,16 @@ mod watch;
 
 use super::bytecode::{Bytecode, EMPTY, Instr, InstrIndex, Reg};
 use super::draw::{Draw, Stop};
-use super::row::{LANES, PARTS, Row};
+use super::row::{LANES, Row};
 use active::ActiveLanes;
+use fearless_simd::Simd;
 use following::Following;
+use shaderlint_math::{Faster, baseline, faster};
 use shaderlint_semantic::Scalar;
 use watch::Watched;
-use wide::i32x8;
 
 /// All registers of a shader. The compiler guarantees that register indices are in bounds.
-type Bank = [[i32x8; PARTS]];
+type Bank = [Row];
 
 /// The pixels executed together.
 #[derive(Clone, Copy, Debug)]
@@ -49,21 +50,23 @@ pub(super) struct Vm<'d> {
     pub spent: u64,
     tile: Tile,
     pub watched: Watched,
-}
-
-/// A bit mask of the lanes whose highest bit is set.
-fn mask_of(row: &[i32x8; PARTS]) -> u32 {
-    Row(*row).mask()
+    /// The instructions to run with; `None` for those of every machine.
+    faster: Option<Faster>,
 }
 
 impl<'d> Vm<'d> {
     /// Creates a VM and executes the uniform prologue.
     pub fn new(draw: &'d Draw<'d>) -> Vm<'d> {
+        Vm::with(draw, faster())
+    }
+
+    /// As [`Vm::new`], with these instructions.
+    pub fn with(draw: &'d Draw<'d>, faster: Option<Faster>) -> Vm<'d> {
         let code = draw.code;
         let mut vm = Vm {
             draw,
             code,
-            bank: vec![Row::ZERO.0; code.registers].into_boxed_slice(),
+            bank: vec![Row::ZERO; code.registers].into_boxed_slice(),
             masks: vec![0; code.slots.max(1) as usize],
             active: u32::MAX,
             live: u32::MAX,
@@ -76,14 +79,26 @@ impl<'d> Vm<'d> {
                 requested: 0,
             },
             watched: Watched::new(code),
+            faster,
         };
         for (reg, bits) in &code.constants {
             vm.set(*reg, Row::splat(*bits));
         }
-        for instr in &code.uniform_prologue {
-            vm.straight(instr, &mut Following { body: &[], at: 0 });
+        match faster {
+            Some(simd) => simd.vectorize(
+                #[inline(always)]
+                || vm.prologue(simd),
+            ),
+            None => vm.prologue(baseline()),
         }
         vm
+    }
+
+    #[inline(always)]
+    fn prologue<S: Simd>(&mut self, simd: S) {
+        for instr in &self.code.uniform_prologue {
+            self.straight(simd, instr, &mut Following { body: &[], at: 0 });
+        }
     }
 
     /// Executes a tile. Returns the lanes that were not discarded.
@@ -91,6 +106,17 @@ impl<'d> Vm<'d> {
     /// # Errors
     /// The tile ran out of fuel.
     pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
+        match self.faster {
+            Some(simd) => simd.vectorize(
+                #[inline(always)]
+                || self.execute(simd, tile),
+            ),
+            None => self.execute(baseline(), tile),
+        }
+    }
+
+    #[inline(always)]
+    fn execute<S: Simd>(&mut self, simd: S, tile: &Tile) -> Result<u32, Stop> {
         self.open(tile);
         (self.active, self.live) = (u32::MAX, u32::MAX);
         self.inputs();
@@ -109,7 +135,7 @@ impl<'d> Vm<'d> {
         let mut following = Following { body, at: 0 };
         while let Some(instr) = body.get(following.at) {
             following.at += 1;
-            match self.jump(instr, &mut following) {
+            match self.jump(simd, instr, &mut following) {
                 Some(JumpTarget::To(target)) => following.at = target as usize,
                 Some(JumpTarget::Back(target)) => {
                     let cost = (following.at - target as usize) as u64;
@@ -132,27 +158,23 @@ impl<'d> Vm<'d> {
         self.watched.finish(self.code)
     }
 
-    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
-    #[inline(always)]
-    fn bits(&self, reg: Reg) -> &[i32x8; PARTS] {
-        &self.bank[reg as usize]
-    }
-
     /// The value of a register.
-    pub fn row(&self, reg: Reg) -> Row {
-        Row(self.get(reg))
-    }
-
     #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     #[inline(always)]
-    fn get(&self, reg: Reg) -> [i32x8; PARTS] {
-        self.bank[reg as usize]
+    pub fn row(&self, reg: Reg) -> &Row {
+        &self.bank[reg as usize]
     }
 
     #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     #[inline(always)]
     fn set(&mut self, reg: Reg, row: Row) {
-        self.bank[reg as usize] = row.0;
+        self.bank[reg as usize] = row;
+    }
+
+    /// The lanes in which a register is true.
+    #[inline(always)]
+    fn mask<S: Simd>(&self, simd: S, reg: Reg) -> u32 {
+        self.row(reg).mask(simd)
     }
 
     /// Loads the inputs of the tile's pixels.
@@ -169,11 +191,9 @@ impl<'d> Vm<'d> {
                     *value = base + across * x + up * y;
                 }
                 let row = match slot.ty.scalar_kind() {
-                    Some(Scalar::Bool) => {
-                        Row::of_bits(values.map(|v| if v == 0.0 { 0 } else { u32::MAX }))
-                    }
-                    Some(Scalar::Int) => Row::of_bits(values.map(|v| v as i32 as u32)),
-                    Some(Scalar::Uint) => Row::of_bits(values.map(|v| v as u32)),
+                    Some(Scalar::Bool) => Row(values.map(|v| if v == 0.0 { 0 } else { u32::MAX })),
+                    Some(Scalar::Int) => Row(values.map(|v| v as i32 as u32)),
+                    Some(Scalar::Uint) => Row(values.map(|v| v as u32)),
                     Some(Scalar::Float) | None => Row::of_floats(values),
                 };
                 self.set(*reg, row);
@@ -181,13 +201,12 @@ impl<'d> Vm<'d> {
         }
     }
 
-    /// The active lanes.
+    /// Finds out what follows from the execution mask.
     #[inline(always)]
-    fn expanded(&mut self) -> &ActiveLanes {
+    fn expand(&mut self) {
         if self.expanded.mask != self.active {
             self.expanded = ActiveLanes::of(self.active, self.requested);
         }
-        &self.expanded
     }
 
     fn kept(&self, slot: u16) -> u32 {
@@ -209,14 +228,19 @@ impl<'d> Vm<'d> {
 
     /// Executes an instruction. Returns the jump to take.
     #[inline(always)]
-    fn jump(&mut self, instr: &Instr, following: &mut Following<'_>) -> Option<JumpTarget> {
+    fn jump<S: Simd>(
+        &mut self,
+        simd: S,
+        instr: &Instr,
+        following: &mut Following<'_>,
+    ) -> Option<JumpTarget> {
         match *instr {
             Instr::If {
                 condition,
                 others,
                 to,
             } => {
-                let holds = mask_of(&self.get(condition));
+                let holds = self.mask(simd, condition);
                 self.keep(others, self.active & !holds);
                 self.active &= holds;
                 return self.unless_any(to);
@@ -230,13 +254,13 @@ impl<'d> Vm<'d> {
             Instr::EndIf { others } => self.active |= self.kept(others),
             Instr::Keep(slot) => self.keep(slot, self.active),
             Instr::Clear(slot) => self.keep(slot, 0),
-            Instr::Mark(slot, reg) => self.keep(slot, mask_of(&self.get(reg))),
+            Instr::Mark(slot, reg) => self.keep(slot, self.mask(simd, reg)),
             Instr::Restore { came, left, others } => {
                 let removed = self.kept(left) | self.kept(others);
                 self.active = self.kept(came) & !removed & self.live;
             }
             Instr::While { condition, to } => {
-                self.active &= mask_of(&self.get(condition));
+                self.active &= self.mask(simd, condition);
                 return self.unless_any(to);
             }
             Instr::Resume(slot) => {
@@ -264,7 +288,7 @@ impl<'d> Vm<'d> {
             }
             Instr::SkipIfNone(to) => return self.unless_any(to),
             Instr::Back(to) => return Some(JumpTarget::Back(to)),
-            _ => self.straight(instr, following),
+            _ => self.straight(simd, instr, following),
         }
         None
     }

@@ -19,7 +19,7 @@ impl Vm<'_> {
             None => self.nothing(site),
         };
         for (reg, bits) in site.results.iter().zip(answer) {
-            self.set(*reg, Row::of_bits(bits));
+            self.set(*reg, Row(bits));
         }
     }
 
@@ -43,7 +43,7 @@ impl Vm<'_> {
                 .map(|r| self.row(*r).floats())
                 .collect::<Vec<_>>()
         };
-        let ints = |reg: &Reg| self.row(*reg).bits().map(|n| n as i32);
+        let ints = |reg: &Reg| self.row(*reg).0.map(|n| n as i32);
         let zero = [0; LANES];
         match site.query {
             LookupQuery::Size => {

@@ -1,17 +1,17 @@
 //! Collects the statistics of a run.
 
 use super::active::ActiveLanes;
-use super::{Tile, Vm, mask_of};
+use super::{Tile, Vm};
 use crate::bytecode::{Bytecode, CallPath, FaultCheck, OperandCheck, Reg};
 use crate::observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
     NumberObservation, Observations, SiteObservation, Witness,
 };
-use crate::row::{LANES, PARTS, Row, floats, of_floats, unsigned};
+use crate::row::{LANES, PARTS, Row, floats, signed};
+use fearless_simd::{f32x8, prelude::*, u32x8};
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_math as math;
 use shaderlint_semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
-use wide::{f32x8, i32x8};
 
 /// The last bucket of iteration histograms.
 const MAX_ITERATIONS: usize = 1024;
@@ -19,11 +19,11 @@ const MAX_ITERATIONS: usize = 1024;
 /// The statistics so far, and those of the current tile.
 pub(crate) struct Watched {
     /// By lane: the cost in this tile, of operations that not all lanes executed.
-    cost: [i32x8; PARTS],
+    cost: [u32; LANES],
     /// The cost in this tile of operations that all lanes executed.
     shared_cost: u32,
     /// By lane: the iterations of all loops in this tile that not all lanes executed.
-    iterations: [i32x8; PARTS],
+    iterations: [u32; LANES],
     /// The iterations of all loops in this tile that all lanes executed.
     shared_iterations: u32,
     /// The operations executed for this tile, counted once for all its pixels.
@@ -41,8 +41,8 @@ pub(crate) struct Watched {
 struct Ends {
     held: u64,
     failed: u64,
-    low: [[f32x8; PARTS]; 2],
-    high: [[f32x8; PARTS]; 2],
+    low: [[f32; LANES]; 2],
+    high: [[f32; LANES]; 2],
 }
 
 /// The state of a loop in the current tile.
@@ -50,7 +50,7 @@ struct LoopCount {
     /// The lanes inside it.
     entered: u32,
     /// By lane: the iterations of this entry that not all lanes executed.
-    iterations: [i32x8; PARTS],
+    iterations: [u32; LANES],
     /// The iterations of this entry that all lanes executed.
     shared: u32,
     /// By lane: the maximum iterations of an entry in this tile.
@@ -64,16 +64,16 @@ impl Watched {
     pub fn new(code: &Bytecode) -> Watched {
         let loops = code.loops.iter().map(|_| LoopCount {
             entered: 0,
-            iterations: Row::ZERO.0,
+            iterations: [0; LANES],
             shared: 0,
             most: [0; LANES],
             came: 0,
             exhausted: 0,
         });
         Watched {
-            cost: Row::ZERO.0,
+            cost: [0; LANES],
             shared_cost: 0,
-            iterations: Row::ZERO.0,
+            iterations: [0; LANES],
             shared_iterations: 0,
             ran: 0,
             paid: vec![0; code.calls.len()],
@@ -125,7 +125,7 @@ impl Watched {
     pub fn enter(&mut self, index: u32, active: u32) {
         if let Some(count) = self.loops.get_mut(index as usize) {
             count.entered = active;
-            count.iterations = Row::ZERO.0;
+            count.iterations = [0; LANES];
             count.shared = 0;
         }
     }
@@ -139,15 +139,10 @@ impl Watched {
             }
             return;
         }
-        let lanes = &active.lanes;
         if let Some(count) = count {
-            for (iterations, lanes) in count.iterations.iter_mut().zip(lanes) {
-                *iterations -= *lanes;
-            }
+            add_where(&mut count.iterations, &active.lanes, 1);
         }
-        for (iterations, lanes) in self.iterations.iter_mut().zip(lanes) {
-            *iterations -= *lanes;
-        }
+        add_where(&mut self.iterations, &active.lanes, 1);
     }
 
     /// Records the lanes that leave a loop because its condition is false.
@@ -205,16 +200,13 @@ impl Watched {
             self.shared_cost = self.shared_cost.wrapping_add(cost);
             return;
         }
-        let cost = i32x8::splat(cost as i32);
-        for (paid, lanes) in self.cost.iter_mut().zip(active.lanes) {
-            *paid += lanes & cost;
-        }
+        add_where(&mut self.cost, &active.lanes, cost);
     }
 
     /// Starts a tile.
     pub fn open(&mut self) {
-        self.cost = Row::ZERO.0;
-        self.iterations = Row::ZERO.0;
+        self.cost = [0; LANES];
+        self.iterations = [0; LANES];
         (self.shared_cost, self.shared_iterations) = (0, 0);
         self.ran = 0;
         for count in &mut self.loops {
@@ -257,9 +249,17 @@ impl Watched {
     }
 }
 
+/// Adds to the counts of active lanes.
+#[inline(always)]
+fn add_where(counts: &mut [u32; LANES], lanes: &Row, number: u32) {
+    for (count, lane) in counts.iter_mut().zip(lanes.0) {
+        *count = count.wrapping_add(lane & number);
+    }
+}
+
 /// By lane: a count, of which a part is shared by all lanes.
-fn counts(own: [i32x8; PARTS], shared: u32) -> [u32; LANES] {
-    Row(own).bits().map(|own| own.wrapping_add(shared))
+fn counts(own: [u32; LANES], shared: u32) -> [u32; LANES] {
+    own.map(|own| own.wrapping_add(shared))
 }
 
 /// The cost of each function, from the costs of all call paths that contain it.
@@ -333,8 +333,8 @@ impl Default for Ends {
         Ends {
             held: 0,
             failed: 0,
-            low: [[f32x8::splat(f32::INFINITY); PARTS]; 2],
-            high: [[f32x8::splat(f32::NEG_INFINITY); PARTS]; 2],
+            low: [[f32::INFINITY; LANES]; 2],
+            high: [[f32::NEG_INFINITY; LANES]; 2],
         }
     }
 }
@@ -342,9 +342,9 @@ impl Default for Ends {
 impl Ends {
     fn seen(&self, op: OpId) -> ComparisonObservation {
         let ends = |side: usize| {
-            let lanes = |rows: &[[f32x8; PARTS]; 2]| {
+            let lanes = |rows: &[[f32; LANES]; 2]| {
                 let row = rows.get(side).copied().unwrap_or_default();
-                row.into_iter().flat_map(f32x8::to_array).map(f64::from)
+                row.into_iter().map(f64::from)
             };
             [
                 lanes(&self.low).fold(f64::INFINITY, f64::min),
@@ -396,10 +396,11 @@ impl ComparisonObservation {
 
 /// Converts eight lanes to floats. Integers beyond 2^24 are rounded, so that different ones may
 /// become equal.
-fn numbers(part: i32x8, scalar: Scalar) -> f32x8 {
+#[inline(always)]
+fn numbers<S: Simd>(part: u32x8<S>, scalar: Scalar) -> f32x8<S> {
     match scalar {
-        Scalar::Int => math::float_of_int(part),
-        Scalar::Uint => math::float_of_uint(unsigned(part)),
+        Scalar::Int => math::float_of_int(signed(part)),
+        Scalar::Uint => math::float_of_uint(part),
         Scalar::Float | Scalar::Bool => floats(part),
     }
 }
@@ -411,29 +412,30 @@ const fn full_quads(lanes: u32) -> u32 {
 }
 
 /// The lanes with an infinite or NaN float: all exponent bits are set.
-fn unusual(bits: &[i32x8; PARTS]) -> u32 {
-    let exponent = i32x8::splat(0x7f80_0000);
-    lanes_of(bits, |part| (part & exponent).simd_eq(exponent))
-}
-
-/// The lanes in which a test sets the highest bit.
 #[inline(always)]
-fn lanes_of(bits: &[i32x8; PARTS], test: impl Fn(i32x8) -> i32x8) -> u32 {
-    let parts = bits.iter().enumerate();
-    parts.fold(0, |mask, (part, bits)| {
-        mask | test(*bits).to_bitmask() << (8 * part)
-    })
+fn unusual<S: Simd>(simd: S, bits: &Row) -> u32 {
+    let exponent = u32x8::splat(simd, 0x7f80_0000);
+    bits.mask_where(simd, |part| (part & exponent).simd_eq(exponent))
 }
 
 /// The lanes whose float satisfies a predicate.
-fn lanes_where(row: Row, is: impl Fn(f32) -> bool) -> u32 {
+fn lanes_where(row: &Row, is: impl Fn(f32) -> bool) -> u32 {
     let lanes = row.floats().into_iter().enumerate();
     lanes.fold(0, |mask, (lane, v)| mask | (is(v) as u32) << lane)
 }
 
 impl Vm<'_> {
     /// Checks a result for faults.
-    pub(super) fn check_operands(&mut self, check_operands: u32) {
+    #[inline(never)]
+    pub(super) fn check_operands<S: Simd>(&mut self, simd: S, index: u32) {
+        simd.vectorize(
+            #[inline(always)]
+            || self.check_at(simd, index),
+        );
+    }
+
+    #[inline(always)]
+    fn check_at<S: Simd>(&mut self, simd: S, check_operands: u32) {
         let code = self.code;
         let Some(check_operands) = code.looks.get(check_operands as usize) else {
             return;
@@ -446,15 +448,17 @@ impl Vm<'_> {
             *visits += came.count_ones() as u64;
         }
         let suspects = match what.checked {
-            FaultCheck::Float | FaultCheck::Quotient => unusual(self.bits(check_operands.result)),
-            FaultCheck::Divisor(scalar) => self.zeros(check_operands, scalar),
+            FaultCheck::Float | FaultCheck::Quotient => {
+                unusual(simd, self.row(check_operands.result))
+            }
+            FaultCheck::Divisor(scalar) => self.zeros(simd, check_operands, scalar),
             FaultCheck::Index | FaultCheck::Operands(..) | FaultCheck::Neighbours => u32::MAX,
         };
         if came & suspects == 0 {
             return;
         }
         for &kind in what.checked.kinds() {
-            let wrong = self.wrong(kind, what.checked, check_operands) & came;
+            let wrong = self.wrong(simd, kind, what.checked, check_operands) & came;
             if wrong != 0 {
                 let lane = wrong.trailing_zeros() as usize;
                 let witness = self.witness(what.checked.scalar(), check_operands, lane);
@@ -465,19 +469,20 @@ impl Vm<'_> {
     }
 
     /// The lanes whose last operand, the divisor, is zero (of either sign).
-    fn zeros(&self, check_operands: &OperandCheck, scalar: Scalar) -> u32 {
+    #[inline(always)]
+    fn zeros<S: Simd>(&self, simd: S, check_operands: &OperandCheck, scalar: Scalar) -> u32 {
         let Some(divisor) = check_operands.operands.last() else {
             return 0;
         };
-        let sign = i32::from(scalar == Scalar::Float);
-        lanes_of(self.bits(*divisor), |part| {
-            (part << sign).simd_eq(i32x8::ZERO)
-        })
+        let sign = u32::from(scalar == Scalar::Float);
+        let zero = u32x8::splat(simd, 0);
+        let divisor = self.row(*divisor);
+        divisor.mask_where(simd, |part| (part << sign).simd_eq(zero))
     }
 
     /// The pixel of a lane, with the operands of the operation.
     fn witness(&self, scalar: Scalar, check_operands: &OperandCheck, lane: usize) -> Witness {
-        let bits = |reg: &Reg| self.row(*reg).bits().get(lane).copied().unwrap_or(0);
+        let bits = |reg: &Reg| self.row(*reg).0.get(lane).copied().unwrap_or(0);
         let number = |bits: u32| match scalar {
             Scalar::Int => bits as i32 as f64,
             Scalar::Uint => bits as f64,
@@ -495,15 +500,24 @@ impl Vm<'_> {
     }
 
     /// Records the operands of a comparison.
-    pub(super) fn compare(&mut self, index: u32) {
+    #[inline(never)]
+    pub(super) fn compare<S: Simd>(&mut self, simd: S, index: u32) {
+        simd.vectorize(
+            #[inline(always)]
+            || self.compare_at(simd, index),
+        );
+    }
+
+    #[inline(always)]
+    fn compare_at<S: Simd>(&mut self, simd: S, index: u32) {
         let code = self.code;
         let Some(&comparison) = code.comparisons.get(index as usize) else {
             return;
         };
         let came = self.active & self.requested;
         let lanes = super::active::spread(came);
-        let holds = self.row(comparison.result).mask();
-        let sides = [comparison.left, comparison.right].map(|reg| self.row(reg).0);
+        let holds = self.mask(simd, comparison.result);
+        let sides = [comparison.left, comparison.right].map(|reg| *self.row(reg));
         let Some(ends) = self.watched.compared.get_mut(comparison.site as usize) else {
             return;
         };
@@ -511,46 +525,57 @@ impl Vm<'_> {
         ends.failed += (came & !holds).count_ones() as u64;
         let rows = ends.low.iter_mut().zip(&mut ends.high).zip(sides);
         for ((lows, highs), side) in rows {
-            let parts = lows.iter_mut().zip(highs).zip(side).zip(lanes);
-            for (((low, high), part), lanes) in parts {
-                let values = numbers(part, comparison.scalar);
+            let (lows, _) = lows.as_chunks_mut::<8>();
+            let (highs, _) = highs.as_chunks_mut::<8>();
+            for (part, (lows, highs)) in lows.iter_mut().zip(highs).enumerate() {
+                let values = numbers(side.part(simd, part), comparison.scalar);
+                let counts = signed(lanes.part(simd, part)).simd_lt(0);
+                let [low, high]: [f32x8<S>; 2] = [*lows, *highs].map(|ends| ends.simd_into(simd));
                 // Comparisons with NaN are false, so NaN changes neither bound.
-                let counts = floats(lanes);
-                *low = (values.simd_lt(*low) & counts).bitselect(values, *low);
-                *high = (values.simd_gt(*high) & counts).bitselect(values, *high);
+                *lows = (values.simd_lt(low) & counts).select(values, low).into();
+                *highs = (values.simd_gt(high) & counts).select(values, high).into();
             }
         }
     }
 
     /// The lanes in which an operand test holds; none if the operand is missing.
-    fn holds(&self, test: &OperandTest, scalar: Scalar, check_operands: &OperandCheck) -> u32 {
+    #[inline(always)]
+    fn holds<S: Simd>(
+        &self,
+        simd: S,
+        test: &OperandTest,
+        (scalar, check_operands): (Scalar, &OperandCheck),
+    ) -> u32 {
         let operand = |index: usize| {
             let row = self.row(*check_operands.operands.get(index)?);
-            Some(row.0.map(|part| numbers(part, scalar)))
+            let part = |part| numbers(row.part(simd, part), scalar);
+            Some(std::array::from_fn::<_, PARTS, _>(part))
         };
         let with = match test.with {
-            ComparedWith::Number(index) => Some([f32x8::splat(index as f32); PARTS]),
+            ComparedWith::Number(index) => Some([f32x8::splat(simd, index as f32); PARTS]),
             ComparedWith::Operand(index) => operand(index),
         };
         let (Some(left), Some(right)) = (operand(test.operand), with) else {
             return 0;
         };
-        let mut lanes = Row::ZERO.0;
-        for ((lanes, a), b) in lanes.iter_mut().zip(left).zip(right) {
-            *lanes = of_floats(match test.relation {
+        let parts = left.into_iter().zip(right).enumerate();
+        parts.fold(0, |mask, (part, (a, b))| {
+            let holds = match test.relation {
                 Comparing::Less => a.simd_lt(b),
                 Comparing::LessEqual => a.simd_le(b),
                 Comparing::Equal => a.simd_eq(b),
                 Comparing::Greater => a.simd_gt(b),
                 Comparing::GreaterEqual => a.simd_ge(b),
-            });
-        }
-        mask_of(&lanes)
+            };
+            mask | (holds.to_bitmask() as u32) << (8 * part)
+        })
     }
 
     /// The lanes whose operands make the result undefined.
-    fn undefined(
+    #[inline(always)]
+    fn undefined<S: Simd>(
         &self,
+        simd: S,
         Undefined(cases): Undefined,
         scalar: Scalar,
         check_operands: &OperandCheck,
@@ -558,13 +583,20 @@ impl Vm<'_> {
         cases.iter().fold(0, |any, case| {
             let tests = case
                 .iter()
-                .map(|test| self.holds(test, scalar, check_operands));
+                .map(|test| self.holds(simd, test, (scalar, check_operands)));
             any | tests.fold(u32::MAX, |all, lanes| all & lanes)
         })
     }
 
     /// The lanes with a fault of this kind.
-    fn wrong(&self, kind: FaultKind, checked: FaultCheck, check_operands: &OperandCheck) -> u32 {
+    #[inline(always)]
+    fn wrong<S: Simd>(
+        &self,
+        simd: S,
+        kind: FaultKind,
+        checked: FaultCheck,
+        check_operands: &OperandCheck,
+    ) -> u32 {
         let result = self.row(check_operands.result);
         let operands = || check_operands.operands.iter().map(|reg| self.row(*reg));
         match kind {
@@ -582,20 +614,20 @@ impl Vm<'_> {
                     _ => operands().fold(made, |m, row| m & lanes_where(row, f32::is_finite)),
                 }
             }
-            FaultKind::DivisionByZero => self.zeros(check_operands, checked.scalar()),
+            FaultKind::DivisionByZero => self.zeros(simd, check_operands, checked.scalar()),
             FaultKind::OutOfRange => {
                 let limit = check_operands
                     .operands
                     .last()
-                    .map_or(Row::ZERO, |r| self.row(*r));
-                let lanes = result.bits().into_iter().zip(limit.bits()).enumerate();
+                    .map_or(&Row::ZERO, |r| self.row(*r));
+                let lanes = result.0.into_iter().zip(limit.0).enumerate();
                 lanes.fold(0, |m, (lane, (at, limit))| {
                     m | ((at >= limit) as u32) << lane
                 })
             }
             FaultKind::Undefined => match checked {
                 FaultCheck::Operands(undefined, scalar) => {
-                    self.undefined(undefined, scalar, check_operands)
+                    self.undefined(simd, undefined, scalar, check_operands)
                 }
                 FaultCheck::Neighbours => !full_quads(self.active),
                 _ => 0,
