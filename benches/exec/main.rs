@@ -48,6 +48,7 @@ fn checked(name: &str) -> Analysis {
 fn scene(analysis: &Analysis, watch: Watch) -> Scene {
     let options = CompileOptions {
         watch,
+        cost: watch == Watch::Flow,
         ..CompileOptions::default()
     };
     Scene::of(&analysis.program, None, analysis.module(), &options).expect("executable shader")

@@ -6,6 +6,16 @@
 
 use fearless_simd::{f32x8, i32x8, mask32x8, prelude::*, u32x8};
 
+/// A closure that is inlined wherever it is called: elsewhere it would not be compiled for the
+/// instructions of its caller.
+macro_rules! inlined {
+    (|$($operand:ident),+| $result:expr) => {
+        #[inline(always)]
+        |$($operand),+| $result
+    };
+}
+pub(crate) use inlined;
+
 /// Number of lanes: pixels executed at a time.
 pub const LANES: usize = 32;
 
@@ -90,7 +100,7 @@ impl Row {
     /// A bit mask of the lanes whose highest bit is set, i.e. where a boolean is true.
     #[inline(always)]
     pub fn mask<S: Simd>(&self, simd: S) -> u32 {
-        self.mask_where(simd, |part| signed(part).simd_lt(0))
+        self.mask_where(simd, inlined!(|part| signed(part).simd_lt(0)))
     }
 
     /// A bit mask of the lanes for which a test holds.

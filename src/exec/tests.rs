@@ -650,7 +650,7 @@ fn functions_cost_what_they_do_wherever_they_are_called() {
         }}"
     );
     let options = CompileOptions {
-        watch: Watch::Flow,
+        cost: true,
         ..CompileOptions::default()
     };
     let code = compiled(&code, &options);
@@ -730,6 +730,7 @@ fn every_machine_runs_a_shader_alike() {
         ] {
             let options = CompileOptions {
                 watch,
+                cost: true,
                 gpu_profile,
                 ..CompileOptions::default()
             };

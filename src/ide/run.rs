@@ -65,6 +65,7 @@ impl ObservedIterations {
 pub fn run(analysis: &Analysis) -> Option<RunObservations> {
     let options = CompileOptions {
         watch: Watch::Flow,
+        cost: true,
         most: Some(MOST_INSTRUCTIONS),
         ..CompileOptions::default()
     };

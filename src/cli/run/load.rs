@@ -9,7 +9,7 @@ use crate::cli::port;
 use crate::diagnostic::{Severity, count};
 use crate::engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use crate::engine::{Options, check};
-use crate::exec::{Bytecode, CompileOptions, Drawn, Refusal, Stop, draw};
+use crate::exec::{Bytecode, CompileOptions, Drawn, Refusal, Stop, Watch, draw};
 use crate::ir::Module;
 use crate::lint::CachedFacts;
 use crate::port::{Composed, PassUnit, Project, Wrapper, add_stand_ins, missing};
@@ -270,6 +270,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, Trouble> {
     };
     let compile = CompileOptions {
         watch: setting.watch,
+        cost: setting.watch != Watch::Nothing,
         probe,
         ..CompileOptions::default()
     };

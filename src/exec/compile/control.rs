@@ -24,19 +24,16 @@ impl<'m> Visit<'m> for Compiler<'m> {
         let module = self.module;
         let steps = module.steps(region);
         let mut skips: Vec<InstrIndex> = Vec::new();
+        self.spend(steps);
         for (at, step) in steps.iter().enumerate() {
             if self.has_failed() {
                 return;
             }
-            if let (Step::Run(run), true) = (step, self.watches(Watch::Flow)) {
-                let by = self.frames.last().map_or(0, |f| f.path);
-                let cost = run.len;
-                self.push(Instr::Spend { cost, by });
-            }
             self.step(step);
-            let is_last = at + 1 == steps.len();
-            if !is_last && leaves(module, step) {
+            let rest = steps.get(at + 1..).unwrap_or_default();
+            if !rest.is_empty() && leaves(module, step) {
                 skips.push(self.push(Instr::SkipIfNone(0)));
+                self.spend(rest);
             }
         }
         for skip in skips {
@@ -65,7 +62,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
     fn branch(&mut self, condition: OpId, sides: [Region; 2], origin: Provenance) {
         self.tick();
         let condition = self.condition(condition);
-        if self.watches(Watch::Flow) {
+        if self.watches(Watch::Faults) {
             let known = self.code.branches.len() as u32;
             let site = *self.branch_sites.entry(origin).or_insert(known);
             if site == known {
@@ -343,9 +340,27 @@ impl Compiler<'_> {
         }
     }
 
+    /// Charges for the steps that the same lanes execute: up to the first that some may leave.
+    fn spend(&mut self, steps: &[Step]) {
+        if !self.options.cost {
+            return;
+        }
+        let module = self.module;
+        let shared = steps.iter().take_while(|step| !leaves(module, step));
+        let runs = shared.filter_map(|step| match step {
+            Step::Run(run) => Some(run.len),
+            _ => None,
+        });
+        let cost: u32 = runs.sum();
+        if cost > 0 {
+            let by = self.frames.last().map_or(0, |f| f.path);
+            self.push(Instr::Spend { cost, by });
+        }
+    }
+
     /// The index of the call path from the current position to a function.
     fn call_path(&mut self, function: FunctionRef) -> u32 {
-        if !self.watches(Watch::Flow) {
+        if !self.options.cost {
             return 0;
         }
         let path = CallPath {

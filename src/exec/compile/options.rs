@@ -9,6 +9,8 @@ use shaderlint_text::Span;
 pub struct CompileOptions {
     /// The statistics recorded at run time.
     pub watch: Watch,
+    /// Whether the cost of pixels and functions is recorded, too.
+    pub cost: bool,
     /// The entry point; `None` for that of the shader.
     pub entry: Option<FunctionRef>,
     /// A value that is output in addition to the outputs of the shader.
@@ -69,9 +71,9 @@ pub enum Watch {
     /// Only the image.
     #[default]
     Nothing,
-    /// Loop iterations, branches taken, and the cost of pixels.
+    /// Loop iterations.
     Flow,
-    /// Zero divisors, operands with undefined results, and indices out of range.
+    /// Branches taken, zero divisors, operands with undefined results, and indices out of range.
     Faults,
     /// The ranges of comparison operands.
     Comparisons,

@@ -4,18 +4,9 @@ use super::following::Following;
 use super::{Bank, Vm};
 use crate::bytecode::{F1, F2, F3, Instr, Reg};
 use crate::gpu_profile;
-use crate::row::{PARTS, Row, bit_select, floats, of_floats, of_signed, signed, truth};
+use crate::row::{PARTS, Row, bit_select, floats, inlined, of_floats, of_signed, signed, truth};
 use fearless_simd::{f32x8, mask32x8, prelude::*, u32x8};
 use shaderlint_math as math;
-
-/// A closure that is inlined wherever it is called: elsewhere it would not be compiled for the
-/// instructions of its caller.
-macro_rules! inlined {
-    (|$($operand:ident),+| $result:expr) => {
-        #[inline(always)]
-        |$($operand),+| $result
-    };
-}
 
 /// The registers, for operations on eight lanes at a time with the instructions `S`.
 struct Parts<'b, S> {

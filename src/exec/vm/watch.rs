@@ -7,7 +7,7 @@ use crate::observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
     NumberObservation, Observations, SiteObservation, Witness,
 };
-use crate::row::{LANES, PARTS, Row, floats, signed};
+use crate::row::{LANES, PARTS, Row, floats, inlined, signed};
 use fearless_simd::{f32x8, prelude::*, u32x8};
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_math as math;
@@ -415,7 +415,7 @@ const fn full_quads(lanes: u32) -> u32 {
 #[inline(always)]
 fn unusual<S: Simd>(simd: S, bits: &Row) -> u32 {
     let exponent = u32x8::splat(simd, 0x7f80_0000);
-    bits.mask_where(simd, |part| (part & exponent).simd_eq(exponent))
+    bits.mask_where(simd, inlined!(|part| (part & exponent).simd_eq(exponent)))
 }
 
 /// The lanes whose float satisfies a predicate.
@@ -477,7 +477,7 @@ impl Vm<'_> {
         let sign = u32::from(scalar == Scalar::Float);
         let zero = u32x8::splat(simd, 0);
         let divisor = self.row(*divisor);
-        divisor.mask_where(simd, |part| (part << sign).simd_eq(zero))
+        divisor.mask_where(simd, inlined!(|part| (part << sign).simd_eq(zero)))
     }
 
     /// The pixel of a lane, with the operands of the operation.
@@ -546,20 +546,28 @@ impl Vm<'_> {
         test: &OperandTest,
         (scalar, check_operands): (Scalar, &OperandCheck),
     ) -> u32 {
-        let operand = |index: usize| {
-            let row = self.row(*check_operands.operands.get(index)?);
-            let part = |part| numbers(row.part(simd, part), scalar);
-            Some(std::array::from_fn::<_, PARTS, _>(part))
+        let operand = |at: usize| {
+            let reg = check_operands.operands.get(at)?;
+            Some(self.row(*reg))
+        };
+        let number = match test.with {
+            ComparedWith::Number(number) => number as f32,
+            ComparedWith::Operand(_) => 0.0,
         };
         let with = match test.with {
-            ComparedWith::Number(index) => Some([f32x8::splat(simd, index as f32); PARTS]),
-            ComparedWith::Operand(index) => operand(index),
+            ComparedWith::Number(_) => Some(None),
+            ComparedWith::Operand(at) => operand(at).map(Some),
         };
         let (Some(left), Some(right)) = (operand(test.operand), with) else {
             return 0;
         };
-        let parts = left.into_iter().zip(right).enumerate();
-        parts.fold(0, |mask, (part, (a, b))| {
+        let mut mask = 0;
+        for part in 0..PARTS {
+            let a = numbers(left.part(simd, part), scalar);
+            let b = match right {
+                Some(row) => numbers(row.part(simd, part), scalar),
+                None => f32x8::splat(simd, number),
+            };
             let holds = match test.relation {
                 Comparing::Less => a.simd_lt(b),
                 Comparing::LessEqual => a.simd_le(b),
@@ -567,8 +575,9 @@ impl Vm<'_> {
                 Comparing::Greater => a.simd_gt(b),
                 Comparing::GreaterEqual => a.simd_ge(b),
             };
-            mask | (holds.to_bitmask() as u32) << (8 * part)
-        })
+            mask |= (holds.to_bitmask() as u32) << (8 * part);
+        }
+        mask
     }
 
     /// The lanes whose operands make the result undefined.
@@ -577,15 +586,17 @@ impl Vm<'_> {
         &self,
         simd: S,
         Undefined(cases): Undefined,
-        scalar: Scalar,
-        check_operands: &OperandCheck,
+        (scalar, check_operands): (Scalar, &OperandCheck),
     ) -> u32 {
-        cases.iter().fold(0, |any, case| {
-            let tests = case
-                .iter()
-                .map(|test| self.holds(simd, test, (scalar, check_operands)));
-            any | tests.fold(u32::MAX, |all, lanes| all & lanes)
-        })
+        let mut any = 0;
+        for case in cases {
+            let mut all = u32::MAX;
+            for test in *case {
+                all &= self.holds(simd, test, (scalar, check_operands));
+            }
+            any |= all;
+        }
+        any
     }
 
     /// The lanes with a fault of this kind.
@@ -627,7 +638,7 @@ impl Vm<'_> {
             }
             FaultKind::Undefined => match checked {
                 FaultCheck::Operands(undefined, scalar) => {
-                    self.undefined(simd, undefined, scalar, check_operands)
+                    self.undefined(simd, undefined, (scalar, check_operands))
                 }
                 FaultCheck::Neighbours => !full_quads(self.active),
                 _ => 0,
