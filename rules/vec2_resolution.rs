@@ -22,11 +22,13 @@ fn check(cx: &mut Context, declared: &DeclaredVariable) {
             && v.ty == Type::vector(Scalar::Float, 2)
             && program.names.text(v.name) == "iResolution"
     });
+    if !is_it || program.dialect.is_shadertoy() {
+        return;
+    }
     // A shader with a `main` of its own may declare any type.
     let mut functions = program.functions.iter();
     let is_toy = functions.any(|f| program.names.text(f.name) == "mainImage");
-    let declarator = declared.declarator().filter(|_| is_it && is_toy);
-    let Some(declarator) = declarator.filter(|_| !program.dialect.is_shadertoy()) else {
+    let Some(declarator) = declared.declarator().filter(|_| is_toy) else {
         return;
     };
     cx.report(
