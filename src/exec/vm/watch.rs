@@ -189,6 +189,7 @@ impl Watched {
     }
 
     /// Charges the active lanes for operations.
+    #[inline(always)]
     pub fn spend(&mut self, [cost, by]: [u32; 2], active: &ActiveLanes) {
         if active.pixels > 0 {
             self.ran = self.ran.saturating_add(cost);
