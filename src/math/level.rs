@@ -56,13 +56,13 @@ pub fn baseline() -> Baseline {
     Baseline::new()
 }
 
-/// The instructions of most machines of this target, if this machine has them and they are faster.
+/// Faster instructions, if this machine has them.
 #[cfg(target_arch = "x86_64")]
 pub fn faster() -> Option<Faster> {
     Level::new().as_avx2()
 }
 
-/// The instructions of most machines of this target: no others.
+/// Faster instructions: this target has none that functions are compiled for.
 #[cfg(not(target_arch = "x86_64"))]
 pub fn faster() -> Option<Faster> {
     None
