@@ -9,8 +9,8 @@ use crate::format::{Style, StyleChoice};
 use crate::host::{Preset, host_named, kept, read as read_host};
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
-use project::ProjectFolders;
 pub use project::{FILE, absolute};
+use project::{ProjectFinder, ProjectFolders};
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,6 +52,7 @@ pub enum ConfigSource {
 /// Resolves the options of files; each configuration is read once.
 pub struct Configs {
     asked: ConfigArgs,
+    finder: ProjectFinder,
     cache: Mutex<Cache>,
     /// Files that were read for other files, such as includes.
     file_cache: Arc<FileCache>,
@@ -80,6 +81,7 @@ impl Configs {
     /// Reads no file yet.
     pub fn new(asked: ConfigArgs) -> Configs {
         Configs {
+            finder: ProjectFinder::new(&asked.paths),
             asked,
             cache: Mutex::default(),
             file_cache: Arc::default(),
@@ -195,7 +197,7 @@ impl Configs {
         if let Some(known) = self.lock().projects.get(folder) {
             return known.clone();
         }
-        let project = ProjectFolders::around(folder, &self.asked.paths);
+        let project = self.finder.around(folder);
         let mut cache = self.lock();
         cache.projects.insert(folder.to_path_buf(), project.clone());
         project

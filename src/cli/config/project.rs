@@ -1,7 +1,9 @@
 //! The project that contains a file, which limits what its shaders may include.
 
 use crate::engine::path::plain;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard};
 
 /// Name of the configuration file.
 pub const FILE: &str = "shaderlint.toml";
@@ -15,28 +17,48 @@ pub struct ProjectFolders {
     pub tops: Vec<PathBuf>,
 }
 
-impl ProjectFolders {
-    /// The project around the folder of a file. `named` are the paths on the command line.
+/// What marks a folder as a project: a package, a configuration, a repository.
+const MARKS: [&str; 3] = ["package.json", FILE, ".git"];
+
+/// By mark: the nearest folder that has it.
+type MarkedFolders = [Option<PathBuf>; MARKS.len()];
+
+/// Finds the projects around folders; each folder is looked at once.
+pub struct ProjectFinder {
+    /// The paths on the command line.
+    named: HashSet<PathBuf>,
+    here: Option<PathBuf>,
+    home: Option<PathBuf>,
+    marked: Mutex<HashMap<PathBuf, MarkedFolders>>,
+}
+
+impl ProjectFinder {
+    /// `named` are the paths on the command line.
+    pub fn new(named: &[PathBuf]) -> ProjectFinder {
+        ProjectFinder {
+            named: named.iter().map(|p| absolute(p)).collect(),
+            here: std::env::current_dir().ok(),
+            home: std::env::var_os("HOME").map(PathBuf::from),
+            marked: Mutex::default(),
+        }
+    }
+
+    /// The project around the folder of a file.
     ///
     /// A project is a repository, a folder with a configuration or a package, a folder on the
     /// command line, or the current folder. The outermost one limits what may be read.
-    pub fn around(folder: &Path, named: &[PathBuf]) -> ProjectFolders {
-        let nearest = |name: &str| {
-            let mut above = folder.ancestors();
-            above.find(|f| f.join(name).exists()).map(Path::to_path_buf)
-        };
-        let home = std::env::var_os("HOME").map(PathBuf::from);
+    pub fn around(&self, folder: &Path) -> ProjectFolders {
         // A repository in the home folder or at the root holds settings of the machine, not a
         // project.
-        let is_narrow =
-            |f: &PathBuf| f.parent().is_some() && Some(f) != home.as_ref() && folder.starts_with(f);
-        let marked = ["package.json", FILE, ".git"].into_iter();
-        let marked = marked.filter_map(nearest).filter(is_narrow);
-        let mut tops: Vec<PathBuf> = marked.collect();
+        let is_narrow = |f: &PathBuf| {
+            f.parent().is_some() && Some(f) != self.home.as_ref() && folder.starts_with(f)
+        };
+        let marked = self.marked(folder).into_iter().flatten();
+        let mut tops: Vec<PathBuf> = marked.filter(is_narrow).collect();
         tops.extend(owner(folder).filter(is_narrow));
-        tops.extend(std::env::current_dir().ok().filter(is_narrow));
-        let named = named.iter().map(|p| absolute(p));
-        tops.extend(named.filter(|p| folder.starts_with(p) && p.is_dir()));
+        tops.extend(self.here.clone().filter(is_narrow));
+        let named = folder.ancestors().filter(|f| self.named.contains(*f));
+        tops.extend(named.filter(|f| f.is_dir()).map(Path::to_path_buf));
         tops.sort_by_key(|f| std::cmp::Reverse(f.components().count()));
         tops.dedup();
         if tops.is_empty() {
@@ -46,6 +68,28 @@ impl ProjectFolders {
             root: tops.last().cloned().unwrap_or_default(),
             tops,
         }
+    }
+
+    /// The nearest marked folders, of this one and those above.
+    fn marked(&self, folder: &Path) -> MarkedFolders {
+        if let Some(known) = self.lock().get(folder) {
+            return known.clone();
+        }
+        let above = folder.parent().map(|above| self.marked(above));
+        let mut marked = above.unwrap_or_default();
+        for (slot, mark) in marked.iter_mut().zip(MARKS) {
+            if folder.join(mark).exists() {
+                *slot = Some(folder.to_path_buf());
+            }
+        }
+        self.lock().insert(folder.to_path_buf(), marked.clone());
+        marked
+    }
+
+    fn lock(&self) -> MutexGuard<'_, HashMap<PathBuf, MarkedFolders>> {
+        self.marked
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 }
 
