@@ -106,10 +106,16 @@ impl Row {
     /// A bit mask of the lanes for which a test holds.
     #[inline(always)]
     pub fn mask_where<S: Simd>(&self, simd: S, test: impl Fn(u32x8<S>) -> mask32x8<S>) -> u32 {
-        let mut mask = 0;
-        for part in 0..PARTS {
-            mask |= (test(self.part(simd, part)).to_bitmask() as u32) << (8 * part);
-        }
-        mask
+        mask_by_parts(inlined!(|part| test(self.part(simd, part))))
     }
+}
+
+/// A bit mask of the lanes that are set in the mask of their part.
+#[inline(always)]
+pub(super) fn mask_by_parts<S: Simd>(mask_of: impl Fn(usize) -> mask32x8<S>) -> u32 {
+    let mut mask = 0;
+    for part in 0..PARTS {
+        mask |= (mask_of(part).to_bitmask() as u32) << (8 * part);
+    }
+    mask
 }

@@ -35,29 +35,23 @@ pub fn float_of_uint<S: Simd>(x: u32x8<S>) -> f32x8<S> {
 
 /// Applies a function to each lane.
 #[inline(always)]
-fn each_int<S: Simd>(x: i32x8<S>, y: i32x8<S>, f: impl Fn(i32, i32) -> i32) -> i32x8<S> {
-    let lane = |at: usize| match (x.get(at), y.get(at)) {
+fn each<S: Simd, V: SimdBase<S>>(
+    x: V,
+    y: V,
+    f: impl Fn(V::Element, V::Element) -> V::Element,
+) -> V {
+    let lane = |at: usize| match (x.as_slice().get(at), y.as_slice().get(at)) {
         (Some(x), Some(y)) => f(*x, *y),
-        _ => 0,
+        _ => V::Element::default(),
     };
-    i32x8::from_fn(x.token(), lane)
-}
-
-/// Applies a function to each lane.
-#[inline(always)]
-fn each_uint<S: Simd>(x: u32x8<S>, y: u32x8<S>, f: impl Fn(u32, u32) -> u32) -> u32x8<S> {
-    let lane = |at: usize| match (x.get(at), y.get(at)) {
-        (Some(x), Some(y)) => f(*x, *y),
-        _ => 0,
-    };
-    u32x8::from_fn(x.token(), lane)
+    V::from_fn(x.token(), lane)
 }
 
 /// `x / y`. Undefined for division by zero, where browsers divide by -1, and for overflow, where
 /// they return 1.
 #[inline(always)]
 pub fn divide_int<S: Simd>(x: i32x8<S>, y: i32x8<S>) -> i32x8<S> {
-    each_int(x, y, |x, y| match y {
+    each(x, y, |x, y| match y {
         0 => x.wrapping_neg(),
         _ => x.checked_div(y).unwrap_or(1),
     })
@@ -66,7 +60,7 @@ pub fn divide_int<S: Simd>(x: i32x8<S>, y: i32x8<S>) -> i32x8<S> {
 /// `x / y`. Undefined for division by zero, where browsers divide by the largest integer.
 #[inline(always)]
 pub fn divide_uint<S: Simd>(x: u32x8<S>, y: u32x8<S>) -> u32x8<S> {
-    each_uint(x, y, |x, y| {
+    each(x, y, |x, y| {
         x.checked_div(y).unwrap_or(u32::from(x == u32::MAX))
     })
 }
@@ -75,7 +69,7 @@ pub fn divide_uint<S: Simd>(x: u32x8<S>, y: u32x8<S>) -> u32x8<S> {
 /// for zero divisors, where it is 0.
 #[inline(always)]
 pub fn remainder_int<S: Simd>(x: i32x8<S>, y: i32x8<S>) -> i32x8<S> {
-    each_int(x, y, |x, y| {
+    each(x, y, |x, y| {
         let rest = x.checked_rem(y).unwrap_or(0);
         if rest != 0 && (rest < 0) != (y < 0) {
             rest + y
@@ -88,7 +82,7 @@ pub fn remainder_int<S: Simd>(x: i32x8<S>, y: i32x8<S>) -> i32x8<S> {
 /// `x % y`. Undefined for zero divisors, where browsers divide by the largest integer.
 #[inline(always)]
 pub fn remainder_uint<S: Simd>(x: u32x8<S>, y: u32x8<S>) -> u32x8<S> {
-    each_uint(x, y, |x, y| {
+    each(x, y, |x, y| {
         x.checked_rem(y)
             .unwrap_or(if x == u32::MAX { 0 } else { x })
     })

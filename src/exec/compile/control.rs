@@ -24,16 +24,17 @@ impl<'m> Visit<'m> for Compiler<'m> {
         let module = self.module;
         let steps = module.steps(region);
         let mut skips: Vec<InstrIndex> = Vec::new();
-        self.spend(steps);
-        for (at, step) in steps.iter().enumerate() {
-            if self.has_failed() {
-                return;
-            }
-            self.step(step);
-            let rest = steps.get(at + 1..).unwrap_or_default();
-            if !rest.is_empty() && leaves(module, step) {
+        let stretches = steps.split_inclusive(|step| leaves(module, step));
+        for (number, stretch) in stretches.enumerate() {
+            if number > 0 {
                 skips.push(self.push(Instr::SkipIfNone(0)));
-                self.spend(rest);
+            }
+            self.spend(stretch);
+            for step in stretch {
+                if self.has_failed() {
+                    return;
+                }
+                self.step(step);
             }
         }
         for skip in skips {
@@ -340,14 +341,12 @@ impl Compiler<'_> {
         }
     }
 
-    /// Charges for the steps that the same lanes execute: up to the first that some may leave.
+    /// Charges for steps that the same lanes execute.
     fn spend(&mut self, steps: &[Step]) {
         if !self.options.cost {
             return;
         }
-        let module = self.module;
-        let shared = steps.iter().take_while(|step| !leaves(module, step));
-        let runs = shared.filter_map(|step| match step {
+        let runs = steps.iter().filter_map(|step| match step {
             Step::Run(run) => Some(run.len),
             _ => None,
         });

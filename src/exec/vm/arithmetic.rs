@@ -119,14 +119,8 @@ impl Vm<'_> {
         following: &mut Following<'_>,
     ) {
         match *instr {
-            Instr::Move(to, a) => self.parts(simd).one(to, a, |a| a),
-            Instr::MoveActive(to, a) => {
-                if self.active == u32::MAX {
-                    self.parts(simd).one(to, a, |a| a);
-                } else {
-                    self.move_active(simd, to, a);
-                }
-            }
+            Instr::MoveActive(to, a) if self.active != u32::MAX => self.move_active(simd, to, a),
+            Instr::Move(to, a) | Instr::MoveActive(to, a) => self.parts(simd).one(to, a, |a| a),
             Instr::Two(f, to, a, b) => apply_two(self.parts(simd), following, f, [to, a, b]),
             Instr::Three(f, to, a, b, c) => {
                 apply_three(self.parts(simd), following, f, [to, a, b, c]);

@@ -7,8 +7,8 @@ use crate::observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
     NumberObservation, Observations, SiteObservation, Witness,
 };
-use crate::row::{LANES, PARTS, Row, floats, inlined, signed};
-use fearless_simd::{f32x8, prelude::*, u32x8};
+use crate::row::{LANES, Row, floats, inlined, mask_by_parts, signed};
+use fearless_simd::{f32x8, mask32x8, prelude::*, u32x8};
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_math as math;
 use shaderlint_semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
@@ -406,6 +406,18 @@ fn numbers<S: Simd>(part: u32x8<S>, scalar: Scalar) -> f32x8<S> {
     }
 }
 
+/// Where a comparison of two numbers holds.
+#[inline(always)]
+fn compared<S: Simd>(relation: Comparing, a: f32x8<S>, b: f32x8<S>) -> mask32x8<S> {
+    match relation {
+        Comparing::Less => a.simd_lt(b),
+        Comparing::LessEqual => a.simd_le(b),
+        Comparing::Equal => a.simd_eq(b),
+        Comparing::Greater => a.simd_gt(b),
+        Comparing::GreaterEqual => a.simd_ge(b),
+    }
+}
+
 /// The lanes of a mask whose quad is completely in it.
 const fn full_quads(lanes: u32) -> u32 {
     let first = lanes & lanes >> 1 & lanes >> 2 & lanes >> 3 & 0x1111_1111;
@@ -551,34 +563,24 @@ impl Vm<'_> {
             let reg = check_operands.operands.get(at)?;
             Some(self.row(*reg))
         };
-        let number = match test.with {
-            ComparedWith::Number(number) => number as f32,
-            ComparedWith::Operand(_) => 0.0,
-        };
-        let with = match test.with {
-            ComparedWith::Number(_) => Some(None),
-            ComparedWith::Operand(at) => operand(at).map(Some),
-        };
-        let (Some(left), Some(right)) = (operand(test.operand), with) else {
+        let Some(left) = operand(test.operand) else {
             return 0;
         };
-        let mut mask = 0;
-        for part in 0..PARTS {
-            let a = numbers(left.part(simd, part), scalar);
-            let b = match right {
-                Some(row) => numbers(row.part(simd, part), scalar),
-                None => f32x8::splat(simd, number),
-            };
-            let holds = match test.relation {
-                Comparing::Less => a.simd_lt(b),
-                Comparing::LessEqual => a.simd_le(b),
-                Comparing::Equal => a.simd_eq(b),
-                Comparing::Greater => a.simd_gt(b),
-                Comparing::GreaterEqual => a.simd_ge(b),
-            };
-            mask |= (holds.to_bitmask() as u32) << (8 * part);
+        let of = |row: &Row, part: usize| numbers(row.part(simd, part), scalar);
+        let relation = test.relation;
+        match test.with {
+            ComparedWith::Number(number) => {
+                let right = f32x8::splat(simd, number as f32);
+                mask_by_parts(inlined!(|part| compared(relation, of(left, part), right)))
+            }
+            ComparedWith::Operand(at) => operand(at).map_or(0, |right| {
+                mask_by_parts(inlined!(|part| compared(
+                    relation,
+                    of(left, part),
+                    of(right, part)
+                )))
+            }),
         }
-        mask
     }
 
     /// The lanes whose operands make the result undefined.
