@@ -23,7 +23,7 @@ const MARKS: [&str; 3] = ["package.json", FILE, ".git"];
 /// By mark: the nearest folder that has it.
 type MarkedFolders = [Option<PathBuf>; MARKS.len()];
 
-/// Finds the projects around folders; each folder is looked at once.
+/// Finds the projects around folders. Reads the marks of each folder once.
 pub struct ProjectFinder {
     /// The paths on the command line.
     named: HashSet<PathBuf>,
