@@ -5,7 +5,7 @@ pub use target::{Baseline, Faster};
 
 #[cfg(target_arch = "x86_64")]
 mod target {
-    use super::Level;
+    use fearless_simd::Level;
     pub use fearless_simd::x86::{Avx2 as Faster, Sse2 as Baseline};
 
     #[inline(always)]
@@ -20,7 +20,7 @@ mod target {
 
 #[cfg(target_arch = "aarch64")]
 mod target {
-    use super::Level;
+    use fearless_simd::Level;
     pub use fearless_simd::aarch64::{Neon as Baseline, Neon as Faster};
 
     #[inline(always)]
@@ -35,7 +35,7 @@ mod target {
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod target {
-    use super::Level;
+    use fearless_simd::Level;
     pub use fearless_simd::wasm32::{WasmSimd128 as Baseline, WasmSimd128 as Faster};
 
     #[inline(always)]
@@ -54,7 +54,7 @@ mod target {
     all(target_arch = "wasm32", target_feature = "simd128")
 )))]
 mod target {
-    use super::Level;
+    use fearless_simd::Level;
     pub use fearless_simd::{Fallback as Baseline, Fallback as Faster};
 
     #[inline(always)]
