@@ -20,6 +20,7 @@
 #[cfg(feature = "cli")]
 pub mod cli;
 
+pub use shaderlint_commands as commands;
 pub use shaderlint_diagnostic as diagnostic;
 pub use shaderlint_engine as engine;
 pub use shaderlint_exec as exec;
@@ -29,6 +30,8 @@ pub use shaderlint_host as host;
 pub use shaderlint_ide as ide;
 pub use shaderlint_ir as ir;
 pub use shaderlint_lint as lint;
+#[cfg(feature = "lsp")]
+pub use shaderlint_lsp as lsp;
 pub use shaderlint_port as port;
 pub use shaderlint_report as report;
 pub use shaderlint_rules as rules;

@@ -1,12 +1,13 @@
 //! Runs the command that the arguments of `shaderlint` name.
 
 use super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::lint::{self, Command, LintArgs, explain, init, ir, reduce};
+use super::lint::{self, Command, LintArgs, ListFormat, init, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
 use super::{fmt, run as draw, test};
 #[cfg(feature = "mcp")]
 use super::{mcp, port};
+use crate::commands::{self, rule_list, rule_table};
 use crate::engine::config::schema;
 use clap::CommandFactory;
 use std::io::{self, Write};
@@ -15,7 +16,7 @@ use std::io::{self, Write};
 pub fn run(args: &LintArgs) -> u8 {
     let code = match (&args.command, &args.explain) {
         (Some(command), _) => run_command(command),
-        (None, Some(name)) => explain::explain(std::slice::from_ref(name)),
+        (None, Some(name)) => explain(std::slice::from_ref(name)),
         (None, None) => lint::run(&args.check),
     };
     match code {
@@ -35,7 +36,7 @@ fn run_command(command: &Command) -> io::Result<u8> {
     match command {
         Command::Check(args) => return lint::run(args),
         Command::Init => return init::run(),
-        Command::Explain { words } => return explain::explain(words),
+        Command::Explain { words } => return explain(words),
         Command::Fmt(args) => return fmt::run(args),
         Command::Run(args) => return draw::run(args),
         Command::Test(args) => return test::run(args),
@@ -54,7 +55,13 @@ fn run_command(command: &Command) -> io::Result<u8> {
             let args = std::iter::once("shaderport".into()).chain(args.iter().cloned());
             return Ok(port::run(&port::PortArgs::parse_from(args)));
         }
-        Command::Rules { format } => text = explain::rules(*format)?,
+        Command::Rules { format } => match format {
+            ListFormat::Human => text = rule_table().into_bytes(),
+            ListFormat::Json => {
+                text = serde_json::to_vec_pretty(&rule_list())?;
+                text.push(b'\n');
+            }
+        },
         Command::Completions { shell } => {
             clap_complete::generate(*shell, &mut LintArgs::command(), "shaderlint", &mut text);
         }
@@ -63,4 +70,18 @@ fn run_command(command: &Command) -> io::Result<u8> {
     }
     io::stdout().lock().write_all(&text)?;
     Ok(CLEAN)
+}
+
+/// Prints the documentation of a rule, compile error or host, and returns the exit code.
+fn explain(words: &[String]) -> io::Result<u8> {
+    match commands::explain(words) {
+        Ok(text) => io::stdout()
+            .lock()
+            .write_all(text.as_bytes())
+            .map(|()| CLEAN),
+        Err(message) => {
+            complain(&message);
+            Ok(FAILED)
+        }
+    }
 }

@@ -154,7 +154,7 @@ pub fn write(args: &CheckArgs, inputs: &[InputFile], configs: &Configs) -> io::R
         &mut |input, outcome| {
             match outcome {
                 Outcome::Checked(checked) => {
-                    let mut report = checked.report;
+                    let mut report = checked.text.report;
                     let found = &mut report.diagnostics;
                     if let Ok(options) = configs.options(Path::new(&input.name)) {
                         found.retain(|d| options.settings.reports(d.rule));

@@ -8,11 +8,12 @@ use super::baseline::{self, Baseline};
 use super::cache::FindingCache;
 use super::fix::{AppliedFixes, FixMode};
 use super::inputs::{CheckMode, CheckedInput, Outcome, check_all};
-use super::{explain, verbose};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::engine::{Offer, Report};
+use super::verbose;
+use crate::commands::{self, CheckedText, FindingKey, rule_page};
+use crate::diagnostic::Diagnostic;
+use crate::engine::Offer;
 use crate::lint::Proof;
-use crate::report::{Format, Reporter, Scope, Summary};
+use crate::report::{Format, Reporter, Summary};
 use std::collections::{BTreeMap, HashSet};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -136,16 +137,13 @@ fn reporter(
     let here = here.to_string_lossy().replace('\\', "/");
     let out = BufWriter::with_capacity(1 << 16, out);
     let reporter = Reporter::new(format, out, args.color.is_on())
-        .with_pages(explain::rule_page)
+        .with_pages(rule_page)
         .inside(&here);
     match args.talk() {
         Talk::Nothing | Talk::Findings => reporter.without_summary(),
         Talk::Normal | Talk::Verbose => reporter.summing_up(),
     }
 }
-
-/// Identifies a finding: file, pass and offset, rule, message.
-type FindingKey = ((String, Option<String>, u32), &'static str, String);
 
 /// Prints the outcomes of inputs.
 struct FindingPrinter<'a> {
@@ -166,10 +164,8 @@ struct FindingPrinter<'a> {
 impl FindingPrinter<'_> {
     fn outcome(&mut self, input: &InputFile, outcome: Outcome) -> io::Result<()> {
         let CheckedInput {
-            report,
-            scope,
+            text: checked,
             fixed,
-            offer,
         } = match outcome {
             Outcome::Checked(checked) => *checked,
             Outcome::Skipped(reason, applied) => {
@@ -195,13 +191,13 @@ impl FindingPrinter<'_> {
             }
         };
         if self.talk == Talk::Verbose {
-            self.print_message(&verbose::read(input, &report, self.configs))?;
+            self.print_message(&verbose::read(input, &checked.report, self.configs))?;
         }
         self.proofs(&input.name, &fixed.proofs)?;
         if let Some(applied) = fixed.applied {
             self.applied(input, applied)?;
         }
-        self.report(input, report, scope, offer)
+        self.report(input, checked)
     }
 
     /// Prints a message on standard error.
@@ -237,60 +233,25 @@ impl FindingPrinter<'_> {
         }
     }
 
-    fn report(
-        &mut self,
-        input: &InputFile,
-        mut report: Report,
-        mut scope: Scope,
-        mut offer: Offer,
-    ) -> io::Result<()> {
+    fn report(&mut self, input: &InputFile, mut checked: CheckedText) -> io::Result<()> {
         if let Some(left) = self.left.get(&input.name) {
-            report.leave_alone(left);
-            offer = Offer::of(&report);
+            checked.report.leave_alone(left);
+            checked.offer = Offer::of(&checked.report);
         }
         let options = self.configs.options(Path::new(&input.name)).ok();
-        let settings = options.as_ref().map(|o| &o.settings);
-        let found = &mut report.diagnostics;
-        if let Some(settings) = settings {
-            let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
-            let before = found.iter().filter(is_error).count();
-            found.retain(|d| settings.reports(d.rule));
-            scope.hidden = before - found.iter().filter(is_error).count();
-        }
-        let sources = &report.sources;
-        found.retain(|d| {
-            let Some(file) = sources.file_at(d.span.start) else {
-                return true;
-            };
-            let place = (
-                file.path.clone(),
-                file.part.clone(),
-                d.span.start - file.base,
-            );
-            self.printed.insert((place, d.rule, d.message.clone()))
-        });
-        if let Some(baseline) = &mut self.baseline {
-            let before = found.len();
-            baseline.filter(&input.name, &report.sources, found);
-            scope.known = before - found.len();
-        }
-        if scope.known > 0 {
-            // Fixes of findings in the baseline are not on offer.
-            offer = Offer::of(&report);
-        }
-        self.reporter.add_offer(offer.safe, offer.others);
-        if let Some(settings) = settings {
-            let failing = report.diagnostics.iter();
-            let failing = failing.filter(|d| settings.fails(d.rule));
-            scope.failing = failing.map(|d| d.rule).collect();
-        }
-        // Services track each finding by its own fingerprint.
-        if !self.reporter.has_fingerprints() {
-            report.group();
-        }
-        let found = &report.diagnostics;
-        self.reporter
-            .input(&input.name, &report.sources, found, &scope)
+        let settings = options.as_ref().map(|o| &*o.settings);
+        let baseline = self.baseline.as_mut();
+        commands::print(
+            &mut self.reporter,
+            (&input.name, checked),
+            settings,
+            &mut self.printed,
+            |report| {
+                if let Some(baseline) = baseline {
+                    baseline.filter(&input.name, &report.sources, &mut report.diagnostics);
+                }
+            },
+        )
     }
 }
 
@@ -322,11 +283,10 @@ fn fix_all(inputs: &[InputFile], configs: &Configs, fix_mode: FixMode) -> io::Re
         check_all(inputs, configs, mode, &mut |input, outcome| {
             if let Outcome::Checked(checked) = outcome {
                 let CheckedInput {
-                    report,
+                    text,
                     fixed: fix_outcome,
-                    ..
                 } = *checked;
-                includes |= report.includes();
+                includes |= text.report.includes();
                 let proofs = all.proofs.entry(input.name.clone()).or_default();
                 proofs.extend(fix_outcome.proofs);
                 all.left.insert(input.name.clone(), fix_outcome.left);

@@ -6,11 +6,9 @@ use super::super::input::{InputFile, read};
 use super::super::parallel::in_order;
 use super::cache::{Entry, FindingCache, Key, Recorder};
 use super::fix::{AppliedFixes, FixMode, FixOutcome};
-use super::scope::scope_of;
-use super::verbose::{self, Recognition};
-use crate::engine::{Files, Offer, Options, Report, Unread, check_content};
-use crate::report::Scope;
-use crate::text::{Content, Encoding};
+use crate::commands::{self, CheckedText, Recognition};
+use crate::engine::{Files, Options, Unread};
+use crate::text::Content;
 use std::collections::BTreeSet;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -32,13 +30,9 @@ pub enum Outcome {
 /// A checked input.
 pub struct CheckedInput {
     /// The findings. If they were in the cache, only what is printed is known.
-    pub report: Report,
-    /// What was checked.
-    pub scope: Scope,
+    pub text: CheckedText,
     /// The fixes that were applied.
     pub fixed: FixOutcome,
-    /// The fixes on offer.
-    pub offer: Offer,
 }
 
 /// How inputs are checked.
@@ -117,10 +111,10 @@ fn check_input(input: &InputFile, run: &CheckRun) -> Outcome {
             "internal error: shaderlint crashed on this file; please report it".into(),
         );
     };
-    if let (Some(key), None) = (key, &checked.report.unread) {
+    if let (Some(key), None) = (key, &checked.text.report.unread) {
         keep(key, &checked, (&content, &options), recorder);
     }
-    match checked.report.unread {
+    match checked.text.report.unread {
         None => Outcome::Checked(Box::new(checked)),
         Some(Unread::Skipped(decision)) => {
             Outcome::Skipped(decision.to_string(), checked.fixed.applied)
@@ -139,11 +133,14 @@ fn known(
     options: &Options,
 ) -> Option<CheckedInput> {
     let (report, scope, offer) = cache.find(key, options)?.report(&content.text)?;
-    Some(CheckedInput {
+    let text = CheckedText {
         report,
         scope,
-        fixed: FixOutcome::default(),
         offer,
+    };
+    Some(CheckedInput {
+        text,
+        fixed: FixOutcome::default(),
     })
 }
 
@@ -161,7 +158,12 @@ fn keep(
         let digest = cache.answers.digest(&question, options);
         (question, digest)
     });
-    let result = (&checked.report, &checked.scope, checked.offer);
+    let CheckedText {
+        report,
+        scope,
+        offer,
+    } = &checked.text;
+    let result = (report, scope, *offer);
     cache.keep(key, &Entry::of(result, &content.text, depends_on.collect()));
 }
 
@@ -179,23 +181,15 @@ fn fix_and_check(
     };
     let written = text.map(|text| Content::utf8(&text));
     let content = written.as_ref().unwrap_or(content);
-    let mut report = check_content(name, content, options, files);
-    report.leave_alone(&fixed.left);
-    report.retract_failing_fixes((name, &content.text), options, files);
-    let is_written = content.encoding == Encoding::Utf8 && report.unread.is_none();
-    let offer = match is_written {
-        true => Offer::of(&report),
-        false => Offer::default(),
-    };
-    let mut scope = scope_of(&report);
-    if run.mode.shows_readings {
-        let how = Recognition::WhereComposed;
-        scope.read_as = Some(verbose::reading(name, &report, run.configs, how));
-    }
+    let recognition = run
+        .mode
+        .shows_readings
+        .then(|| match run.configs.names_host() {
+            true => Recognition::Never,
+            false => Recognition::WhereComposed,
+        });
     CheckedInput {
-        report,
-        scope,
+        text: commands::check((name, content), (options, files), &fixed.left, recognition),
         fixed,
-        offer,
     }
 }

@@ -5,17 +5,15 @@ mod args;
 mod baseline;
 mod cache;
 mod check;
-pub mod explain;
 mod fix;
 pub mod init;
 mod inputs;
 pub mod ir;
 pub mod reduce;
-mod scope;
 mod verbose;
 mod watch;
 
-pub use args::{CheckArgs, Command, LintArgs};
+pub use args::{CheckArgs, Command, LintArgs, ListFormat};
 
 use std::io;
 

@@ -4,18 +4,10 @@
 //! and sample runs on another one after a pause. Documents are immutable: each request uses a
 //! snapshot of all documents at the time of its arrival.
 
-mod answers;
-mod buffers;
-mod capabilities;
-mod client;
-mod diagnostics;
 mod pages;
-mod position;
-mod preview;
 mod server;
-mod snapshot;
-mod uri;
 mod workers;
+mod workspace;
 
 use lsp_server::Connection;
 use std::io;

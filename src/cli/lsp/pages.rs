@@ -1,6 +1,6 @@
 //! The documentation of rules and errors as files, which every editor can open.
 
-use super::uri::uri_of;
+use crate::lsp::uri_of;
 use crate::rules::page;
 use gen_lsp_types::Uri;
 use std::collections::HashMap;

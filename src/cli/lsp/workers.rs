@@ -1,11 +1,7 @@
 //! Threads for slow work: requests that read many files, and sample runs.
 
 use super::super::parallel::STACK;
-use super::buffers::{Ran, TextBuffer};
-use super::snapshot::Snapshot;
-use crate::ide::{Document, run};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
 use std::thread;
 
@@ -39,18 +35,4 @@ impl Worker {
         // The thread lives as long as its queue.
         let _ = self.queue.send(Box::new(work));
     }
-}
-
-/// Runs the shaders of a document.
-pub fn run_buffer(snapshot: &Snapshot, buffer: &Arc<TextBuffer>) {
-    let options = snapshot.options(&snapshot.full, buffer);
-    let text = buffer.text.clone();
-    let document = Document::new(&buffer.path, text, options, &snapshot.files);
-    let seen = document.report.analyses.iter().map(run).collect();
-    let ran = Ran {
-        document: Arc::new(document),
-        seen,
-    };
-    // No other task sets this state.
-    let _ = buffer.ran.set(ran);
 }

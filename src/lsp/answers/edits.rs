@@ -1,15 +1,16 @@
 //! Answers that edit text: fixes, renaming, formatting.
 
-use super::super::buffers::{TextBuffer, full_range};
-use super::super::capabilities::{EXPLAIN, FIX_ALL_KIND};
-use super::super::diagnostics::one;
-use super::super::position::text_edits;
-use super::super::snapshot::{Answer, Failure, Snapshot};
 use super::workspace::documents_with;
-use crate::engine;
-use crate::ide::{self, ActionKind, Document};
-use crate::text::{Edit, Span};
+use crate::buffers::{TextBuffer, full_range};
+use crate::capabilities::{EXPLAIN, FIX_ALL_KIND};
+use crate::diagnostics::one;
+use crate::position::text_edits;
+use crate::snapshot::{Answer, Failure, Snapshot};
+use crate::workspace::SampleRuns;
 use gen_lsp_types::*;
+use shaderlint_engine as engine;
+use shaderlint_ide::{self as ide, ActionKind, Document};
+use shaderlint_text::{Edit, Span};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -141,7 +142,7 @@ fn formatted(
     within: Option<Span>,
 ) -> Answer<Option<Vec<TextEdit>>> {
     let style = snapshot.style(buffer, options)?;
-    let claim = snapshot.options(&snapshot.quick, buffer).claim;
+    let claim = snapshot.options(SampleRuns::Off, buffer).claim;
     let Ok(formatting) = engine::format(&buffer.path, &buffer.text, claim, &style) else {
         return Ok(None);
     };

@@ -1,13 +1,13 @@
 //! Definitions, references, outlines and call hierarchies.
 
-use super::super::buffers::TextBuffer;
-use super::super::capabilities::symbol_kind;
-use super::super::snapshot::{Answer, Failure, Snapshot};
-use super::super::uri::path_of;
 use super::workspace::documents_with;
-use crate::ide::{self, CallItem, Document, FileSpan, NameUse, OutlineItem};
-use crate::text::Span;
+use crate::buffers::TextBuffer;
+use crate::capabilities::symbol_kind;
+use crate::snapshot::{Answer, Failure, Snapshot};
+use crate::uri::path_of;
 use gen_lsp_types::*;
+use shaderlint_ide::{self as ide, CallItem, Document, FileSpan, NameUse, OutlineItem};
+use shaderlint_text::Span;
 use std::sync::Arc;
 
 type Find = fn(&Document, u32) -> Option<FileSpan>;
@@ -67,7 +67,7 @@ fn included(snapshot: &Snapshot, at: &TextDocumentPositionParams) -> Answer<Opti
     Ok(file.and_then(|file| {
         snapshot.location(&FileSpan {
             path: file.path.clone(),
-            span: crate::text::Span::at(0),
+            span: shaderlint_text::Span::at(0),
         })
     }))
 }

@@ -57,20 +57,35 @@ fn write<T: Serialize>(answer: &T) -> Answer<Value> {
 }
 
 /// The parameters of the preview request.
+#[cfg(feature = "preview")]
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct PageParams {
     text_document: TextDocumentIdentifier,
 }
 
+#[cfg(feature = "preview")]
 #[derive(Serialize)]
 struct PageResult {
     html: String,
 }
 
+/// Answers the preview request.
+#[cfg(feature = "preview")]
+fn show_page(snapshot: &Snapshot, params: Value) -> Answer<Value> {
+    let params = read::<PageParams>(params)?;
+    let buffer = snapshot.buffer(&params.text_document.uri)?;
+    let html = super::preview::page(snapshot, buffer)?;
+    write(&PageResult { html })
+}
+
 impl Jobs {
     /// All handlers of the server.
     pub fn new() -> Jobs {
+        #[cfg_attr(
+            not(feature = "preview"),
+            expect(unused_mut, reason = "the preview adds a request")
+        )]
         let mut all = jobs! {
             Slow HoverRequest language::hover,
             Quick CompletionRequest language::completion,
@@ -103,13 +118,8 @@ impl Jobs {
             Quick ColorPresentationRequest appearance::presentations,
             Quick CodeLensRequest appearance::lenses,
         };
-        let page: Job = |snapshot, params| {
-            let params = read::<PageParams>(params)?;
-            let buffer = snapshot.buffer(&params.text_document.uri)?;
-            let html = super::preview::page(snapshot, buffer)?;
-            write(&PageResult { html })
-        };
-        all.insert("shaderlint/page".to_string(), (Lane::Slow, page));
+        #[cfg(feature = "preview")]
+        all.insert("shaderlint/page".to_string(), (Lane::Slow, show_page));
         Jobs { all }
     }
 

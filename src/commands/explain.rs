@@ -1,51 +1,27 @@
 //! `explain` and `rules`: the documentation of rules and compile errors.
 
-use super::super::command::{CLEAN, FAILED, complain};
-use super::args::ListFormat;
-use crate::diagnostic::{ERRORS, Severity};
-use crate::host::{Preset, names as host_names, preset};
-use crate::lint::{OptionValue, Page, Renderer};
-use crate::report::RulePage;
-use crate::rules::{RULES, error_page, page};
 use serde_json::{Value, json};
-use std::io::{self, Write};
+use shaderlint_diagnostic::{ERRORS, Severity};
+use shaderlint_host::{Preset, names as host_names, preset};
+use shaderlint_lint::{OptionValue, Page, Renderer};
+use shaderlint_report::RulePage;
+use shaderlint_rules::{RULES, error_page, page};
 
-/// All rules, as a table or as JSON.
+/// The documentation of a rule, compile error or host. Words that are not a name list the pages that
+/// contain all of them.
 ///
 /// # Errors
-/// If the JSON cannot be serialised.
-pub fn rules(format: ListFormat) -> io::Result<Vec<u8>> {
-    Ok(match format {
-        ListFormat::Human => table().into_bytes(),
-        ListFormat::Json => {
-            let mut text = serde_json::to_vec_pretty(&list())?;
-            text.push(b'\n');
-            text
-        }
-    })
-}
-
-/// Prints the documentation of a rule, compile error or host, and returns the exit code. Words that are
-/// not a name list the pages that contain all of them.
-pub fn explain(words: &[String]) -> io::Result<u8> {
+/// If no page contains them, with a message.
+pub fn explain(words: &[String]) -> Result<String, String> {
     let name = words.join(" ");
-    let found = match page_named(&name) {
-        Some(page) => return print(&page),
-        None => search(words),
-    };
-    match found.as_slice() {
-        [] => {
-            complain(&unknown(&name));
-            Ok(FAILED)
-        }
-        [one] => print(&page_named(one).unwrap_or_default()),
-        several => print(&summaries(several)),
+    if let Some(page) = page_named(&name) {
+        return Ok(page);
     }
-}
-
-fn print(text: &str) -> io::Result<u8> {
-    io::stdout().lock().write_all(text.as_bytes())?;
-    Ok(CLEAN)
+    match search(words).as_slice() {
+        [] => Err(unknown(&name)),
+        [one] => Ok(page_named(one).unwrap_or_default()),
+        several => Ok(summaries(several)),
+    }
 }
 
 /// The page of a rule, compile error or host.
@@ -104,7 +80,7 @@ fn unknown(name: &str) -> String {
 }
 
 /// A table of all rules: name, group, default severity, summary.
-fn table() -> String {
+pub fn rule_table() -> String {
     let width = RULES.iter().map(|r| r.name.len()).max().unwrap_or(0);
     let mut sorted = RULES.to_vec();
     sorted.sort_by_key(|r| (r.group, r.name));
@@ -133,7 +109,7 @@ fn json_of(value: OptionValue) -> Value {
 }
 
 /// All rules and compile errors, with their options, as JSON.
-fn list() -> Value {
+pub fn rule_list() -> Value {
     let rules = RULES.iter().map(|rule| {
         let options = rule.options.iter().map(|o| {
             let [default, on_swiftshader] =

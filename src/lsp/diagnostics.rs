@@ -2,15 +2,15 @@
 
 use super::buffers::TextBuffer;
 use super::snapshot::Snapshot;
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::ide::Document;
-use crate::lint::Check;
-use crate::rules::rule;
-use crate::text::Span;
 use gen_lsp_types::{
     Code, CodeDescription, Diagnostic as LspDiagnostic, DiagnosticRelatedInformation,
     DiagnosticSeverity, DiagnosticTag, Location, Range,
 };
+use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_ide::Document;
+use shaderlint_lint::Check;
+use shaderlint_rules::rule;
+use shaderlint_text::Span;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Rules about unnecessary code, which editors fade out.
@@ -95,8 +95,8 @@ pub fn one(
         }),
         code: Some(Code::String(diagnostic.rule.to_string())),
         code_description: snapshot
-            .pages
-            .uri(diagnostic.rule)
+            .workspace()
+            .page(diagnostic.rule)
             .map(|href| CodeDescription { href }),
         source: Some("shaderlint".to_string()),
         message: message.into(),
@@ -229,7 +229,7 @@ pub fn result_id(converted: &[LspDiagnostic]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rules::RULES;
+    use shaderlint_rules::RULES;
 
     #[test]
     fn rules_with_tags_are_rules() {

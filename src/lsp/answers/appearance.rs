@@ -1,12 +1,14 @@
 //! Semantic tokens, colours, inlay hints, folding and code lenses.
 
-use super::super::buffers::TextBuffer;
-use super::super::capabilities::{INACTIVE, PREVIEW, token_type};
-use super::super::position::text_edits;
-use super::super::snapshot::{Answer, Snapshot};
-use crate::ide::{self, FoldKind, HintKind, LensCommand, SemanticKind};
-use crate::text::Span;
+use crate::buffers::TextBuffer;
+#[cfg(feature = "preview")]
+use crate::capabilities::PREVIEW;
+use crate::capabilities::{INACTIVE, token_type};
+use crate::position::text_edits;
+use crate::snapshot::{Answer, Snapshot};
 use gen_lsp_types::*;
+use shaderlint_ide::{self as ide, FoldKind, HintKind, LensCommand, SemanticKind};
+use shaderlint_text::Span;
 
 /// The semantic tokens in the encoding of the protocol: five numbers per token.
 fn colored(snapshot: &Snapshot, buffer: &TextBuffer, within: Option<Span>) -> Vec<u32> {
@@ -267,7 +269,10 @@ pub fn lenses(snapshot: &Snapshot, params: CodeLensParams) -> Answer<Option<Vec<
         let (command, arguments) = match lens.command {
             LensCommand::Nothing => (String::new(), None),
             LensCommand::Preview => {
+                #[cfg(feature = "preview")]
                 let command = own_view.cloned().unwrap_or_else(|| PREVIEW.to_string());
+                #[cfg(not(feature = "preview"))]
+                let command = own_view.cloned()?;
                 (command, Some(vec![buffer.uri.0.clone().into()]))
             }
             // Only clients with their own view have sliders.

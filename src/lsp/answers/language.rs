@@ -1,15 +1,15 @@
 //! Hovers, completions and signature help.
 
-use super::super::snapshot::{Answer, Snapshot};
-use crate::engine::Analysis;
-use crate::engine::playback::RenderedImage;
-use crate::ide::{self, CompletionKind, Proposal, Symbol, SymbolKind, image_of};
-use crate::lint::Page;
-use crate::rules::page;
-use crate::text::Span;
+use crate::snapshot::{Answer, Snapshot};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use gen_lsp_types::*;
+use shaderlint_engine::Analysis;
+use shaderlint_engine::playback::RenderedImage;
+use shaderlint_ide::{self as ide, CompletionKind, Proposal, Symbol, SymbolKind, image_of};
+use shaderlint_lint::Page;
+use shaderlint_rules::page;
+use shaderlint_text::Span;
 
 /// The hover at a position.
 pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> {

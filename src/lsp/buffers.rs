@@ -1,12 +1,12 @@
 //! The documents that are open in the editor, and the files around them.
 
-use super::super::disk::Disk;
 use super::position::{Columns, TextLines};
 use super::uri::path_of;
-use crate::engine::{FileType, Files, LoadError, Options};
-use crate::ide::{Document, RunObservations};
-use crate::text::LineIndex;
+use super::workspace::Workspace;
 use gen_lsp_types::{Position, Range, TextDocumentContentChangeEvent, Uri};
+use shaderlint_engine::{FileType, Files, LoadError, Options};
+use shaderlint_ide::{Document, RunObservations};
+use shaderlint_text::LineIndex;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -157,11 +157,11 @@ pub fn full_range(lines: TextLines) -> Range {
     }
 }
 
-/// The files of the disk, overlaid with the open documents.
+/// The files of the workspace, overlaid with the open documents.
 #[derive(Clone)]
 pub struct OpenFiles {
-    /// The file system.
-    pub disk: Arc<Disk>,
+    /// The files that are not open.
+    pub others: Arc<dyn Workspace>,
     /// The open documents by path.
     pub open: Arc<BTreeMap<PathBuf, Arc<TextBuffer>>>,
 }
@@ -170,29 +170,29 @@ impl Files for OpenFiles {
     fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
         match self.open.get(path) {
             Some(buffer) => Ok(buffer.text.clone()),
-            None => self.disk.load(path),
+            None => self.others.load(path),
         }
     }
 
     fn entry(&self, path: &Path) -> Option<FileType> {
         match self.open.contains_key(path) {
             true => Some(FileType::File),
-            false => self.disk.entry(path),
+            false => self.others.entry(path),
         }
     }
 
     fn names(&self, folder: &Path) -> Vec<String> {
-        self.disk.names(folder)
+        self.others.names(folder)
     }
 
     fn here(&self) -> &Path {
-        self.disk.here()
+        self.others.here()
     }
 
     fn real(&self, path: &Path) -> Option<PathBuf> {
         match self.open.contains_key(path) {
             true => Some(path.to_path_buf()),
-            false => self.disk.real(path),
+            false => self.others.real(path),
         }
     }
 
@@ -200,7 +200,7 @@ impl Files for OpenFiles {
         match self.open.get(path) {
             // Never equal to a version of a file on disk.
             Some(buffer) => Some(buffer.state.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
-            None => self.disk.version(path),
+            None => self.others.version(path),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What was checked in an input, and what was not.
 
-use crate::engine::{Completeness, Report};
-use crate::lint::SkippedRules;
-use crate::report::Scope;
+use shaderlint_engine::{Completeness, Report};
+use shaderlint_lint::SkippedRules;
+use shaderlint_report::Scope;
 
 /// What was checked, as the summary counts it.
 pub fn scope_of(report: &Report) -> Scope {

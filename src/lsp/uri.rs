@@ -29,7 +29,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
         Some(_) => path.strip_prefix('/')?,
         None => &path,
     };
-    Some(crate::engine::path::plain(Path::new(path)))
+    Some(shaderlint_engine::path::plain(Path::new(path)))
 }
 
 /// The URI of a path.

@@ -2,17 +2,17 @@
 
 use super::buffers::TextBuffer;
 use super::snapshot::{Answer, Failure, Snapshot};
-use crate::diagnostic::Severity;
-use crate::engine::Files;
-use crate::host::shadertoy;
-use crate::port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
-use crate::semantic::Pass;
+use shaderlint_diagnostic::Severity;
+use shaderlint_engine::Files;
+use shaderlint_host::shadertoy;
+use shaderlint_port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
+use shaderlint_semantic::Pass;
 use std::path::Path;
 
 /// The page of a document, with the passes in the same folder.
 pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
     let mut project = project(snapshot, buffer)?;
-    let wrong = |error: crate::port::ShaderError| Failure::refused(error.to_string());
+    let wrong = |error: shaderlint_port::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
     if !project.passes.iter().any(|pass| draws(pass.kind)) {

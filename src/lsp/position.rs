@@ -1,7 +1,7 @@
 //! Positions of the protocol: lines and columns in the unit that the client chooses.
 
-use crate::text::{Edit, LineIndex, Span};
-use gen_lsp_types::{Position, PositionEncodingKind, Range, TextEdit};
+use gen_lsp_types::{Position, Range, TextEdit};
+use shaderlint_text::{Edit, LineIndex, Span};
 
 /// The unit of columns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -16,12 +16,12 @@ pub enum Columns {
 }
 
 impl Columns {
-    /// The cheapest unit that a client offers.
-    pub fn choose(offered: Option<&[PositionEncodingKind]>) -> Columns {
-        let offers = |kind| offered.is_some_and(|o| o.contains(&kind));
-        if offers(PositionEncodingKind::UTF8) {
+    /// The cheapest unit among those that a client offers.
+    pub fn choose(offered: &[&str]) -> Columns {
+        let offers = |columns: Columns| offered.contains(&columns.name());
+        if offers(Columns::Utf8) {
             Columns::Utf8
-        } else if offers(PositionEncodingKind::UTF32) && !offers(PositionEncodingKind::UTF16) {
+        } else if offers(Columns::Utf32) && !offers(Columns::Utf16) {
             Columns::Utf32
         } else {
             Columns::Utf16
@@ -29,11 +29,11 @@ impl Columns {
     }
 
     /// The name of the unit in the protocol.
-    pub fn kind(self) -> PositionEncodingKind {
+    pub fn name(self) -> &'static str {
         match self {
-            Columns::Utf8 => PositionEncodingKind::UTF8,
-            Columns::Utf16 => PositionEncodingKind::UTF16,
-            Columns::Utf32 => PositionEncodingKind::UTF32,
+            Columns::Utf8 => "utf-8",
+            Columns::Utf16 => "utf-16",
+            Columns::Utf32 => "utf-32",
         }
     }
 

@@ -1,18 +1,17 @@
 //! A snapshot of all documents, by which a request is answered.
 
-use super::super::config::{Configs, absolute};
 use super::buffers::{OpenFiles, TextBuffer};
 use super::client::{Client, UserSettings};
-use super::pages::PageFiles;
 use super::position::{Columns, TextLines};
 use super::uri::{path_of, uri_of};
-use crate::engine::{Files, Options};
-use crate::format::{Indentation, Style, StyleChoice};
-use crate::ide::{Document, FileSpan, RunObservations};
-use crate::text::kind::Claim;
-use crate::text::{LineIndex, Span};
+use super::workspace::{SampleRuns, Workspace};
 use gen_lsp_types::{FormattingOptions, Location, Position, TextDocumentPositionParams, Uri};
 use lsp_server::ErrorCode;
+use shaderlint_engine::{Files, Options};
+use shaderlint_format::{Indentation, Style, StyleChoice};
+use shaderlint_ide::{Document, FileSpan, RunObservations};
+use shaderlint_text::kind::Claim;
+use shaderlint_text::{LineIndex, Span};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -56,17 +55,12 @@ pub type SentTokens = Mutex<HashMap<String, (String, Vec<u32>)>>;
 pub struct Snapshot {
     /// Capabilities of the client.
     pub client: Arc<Client>,
+    /// Settings of the user.
     pub settings: Arc<UserSettings>,
-    /// The open documents and the files on disk.
+    /// The open documents and the other files.
     pub files: OpenFiles,
-    /// Options for checking without sample runs.
-    pub quick: Arc<Configs>,
-    /// Options for checking with sample runs.
-    pub full: Arc<Configs>,
     /// Workspace folders.
     pub folders: Arc<Vec<PathBuf>>,
-    /// Documentation files.
-    pub pages: Arc<PageFiles>,
     /// Semantic tokens that were sent.
     pub tokens: Arc<SentTokens>,
     /// Number of this state.
@@ -76,6 +70,11 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
+    /// The files that are not open, and the options of all.
+    pub fn workspace(&self) -> &dyn Workspace {
+        &*self.files.others
+    }
+
     /// Whether documents have changed since.
     pub fn is_stale(&self) -> bool {
         self.newest.load(Ordering::Relaxed) != self.state
@@ -95,8 +94,9 @@ impl Snapshot {
     }
 
     /// The options for a document; the defaults if its configuration is invalid.
-    pub fn options(&self, configs: &Configs, buffer: &TextBuffer) -> Arc<Options> {
-        let options = configs.options(Path::new(&buffer.path)).unwrap_or_default();
+    pub fn options(&self, runs: SampleRuns, buffer: &TextBuffer) -> Arc<Options> {
+        let options = self.workspace().options(Path::new(&buffer.path), runs);
+        let options = options.unwrap_or_default();
         let is_glsl = buffer.language == "glsl";
         match is_glsl && options.claim == Claim::None {
             true => Arc::new(Options {
@@ -109,7 +109,7 @@ impl Snapshot {
 
     /// The analysis of a document without sample runs.
     pub fn document(&self, buffer: &TextBuffer) -> Arc<Document> {
-        let options = self.options(&self.quick, buffer);
+        let options = self.options(SampleRuns::Off, buffer);
         buffer.document(&options, &self.files).clone()
     }
 
@@ -175,13 +175,13 @@ impl Snapshot {
             }),
             ..StyleChoice::default()
         };
-        let style = self.quick.style_or(Path::new(&buffer.path), client);
+        let style = self.workspace().style(Path::new(&buffer.path), client);
         style.map_err(|message| Failure::refused(&*message))
     }
 
     /// Whether the configuration excludes a document.
     pub fn leaves_out(&self, buffer: &TextBuffer) -> bool {
-        self.quick.leaves_out(&absolute(Path::new(&buffer.path)))
+        self.workspace().leaves_out(Path::new(&buffer.path))
     }
 
     /// The semantic tokens that were sent.

@@ -1,13 +1,13 @@
 //! Requests about all files of the workspace.
 
-use super::super::super::input::collect;
-use super::super::buffers::TextBuffer;
-use super::super::capabilities::symbol_kind;
-use super::super::diagnostics::{convert, diagnostics, result_id};
-use super::super::snapshot::{Answer, Snapshot};
-use crate::engine::Files;
-use crate::ide::{self, Document};
+use crate::buffers::TextBuffer;
+use crate::capabilities::symbol_kind;
+use crate::diagnostics::{convert, diagnostics, result_id};
+use crate::snapshot::{Answer, Snapshot};
+use crate::workspace::SampleRuns;
 use gen_lsp_types::*;
+use shaderlint_engine::Files;
+use shaderlint_ide::{self as ide, Document};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,8 +19,7 @@ const MOST_SYMBOLS: usize = 256;
 
 /// The shader files of the workspace, and other files that may contain shaders.
 fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
-    let collected = collect(&snapshot.folders, None, &snapshot.quick);
-    let found = collected.inputs.into_iter().filter_map(|input| input.path);
+    let found = snapshot.workspace().files(&snapshot.folders).into_iter();
     let open = snapshot.files.open.keys().cloned();
     let all: BTreeSet<PathBuf> = found.take(MOST_FILES).chain(open).collect();
     all.into_iter().collect()
@@ -32,7 +31,7 @@ pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
         return Some(snapshot.document(buffer));
     }
     let text = snapshot.files.load(path).ok()?;
-    let options = snapshot.quick.options(path).ok()?;
+    let options = snapshot.workspace().options(path, SampleRuns::Off)?;
     let name = path.to_string_lossy().replace('\\', "/");
     Some(Arc::new(Document::new(
         &name,

@@ -1,9 +1,9 @@
 //! The capabilities of the client and the settings of the user.
 
 use super::position::Columns;
-use crate::ide::HintOptions;
-use gen_lsp_types::{InitializeParams, MarkupKind};
 use serde::Deserialize;
+use serde_json::Value;
+use shaderlint_ide::HintOptions;
 
 /// The capabilities of the client.
 #[derive(Clone, Default, Debug)]
@@ -35,41 +35,30 @@ pub struct Client {
 }
 
 impl Client {
-    /// Reads the capabilities from the initialisation parameters.
-    pub fn of(params: &InitializeParams) -> Client {
-        let all = &params.capabilities;
-        let general = all.general.as_ref();
-        let encodings = general.and_then(|g| g.position_encodings.as_deref());
-        let text = all.text_document.clone().unwrap_or_default();
-        let workspace = all.workspace.clone().unwrap_or_default();
-        let window = all.window.unwrap_or_default();
-        let item = text.completion.and_then(|c| c.completion_item);
-        let formats = text.hover.and_then(|h| h.content_format);
-        let folding = text.folding_range;
-        let dynamic = workspace.did_change_watched_files;
+    /// Reads the capabilities from the parameters of `initialize`, by the paths of their fields: types for
+    /// all of the protocol would be a tenth of a WebAssembly module.
+    pub fn of(params: &Value) -> Client {
+        let get = |path: &str| params.pointer(&format!("/capabilities/{path}"));
+        let is = |path: &str| get(path).and_then(Value::as_bool).unwrap_or(false);
+        let exists = |path: &str| get(path).is_some_and(|value| !value.is_null());
+        let names = |path: &str| {
+            let all = get(path)?.as_array()?;
+            Some(all.iter().filter_map(Value::as_str).collect::<Vec<_>>())
+        };
+        let formats = names("textDocument/hover/contentFormat");
         Client {
-            columns: Columns::choose(encodings),
-            pulls: text.diagnostic.is_some(),
-            refreshes_diagnostics: (workspace.diagnostics.and_then(|d| d.refresh_support))
-                .unwrap_or(false),
-            refreshes_hints: (workspace.inlay_hint.and_then(|d| d.refresh_support))
-                .unwrap_or(false),
-            snippets: item.and_then(|i| i.snippet_support).unwrap_or(false),
-            markdown: formats.is_none_or(|f| f.contains(&MarkupKind::Markdown)),
-            related: text.publish_diagnostics.is_some_and(|p| {
-                p.diagnostics_capabilities
-                    .related_information
-                    .unwrap_or(false)
-            }),
-            shows_documents: window.show_document.is_some_and(|s| s.support),
-            watches: dynamic
-                .and_then(|d| d.dynamic_registration)
-                .unwrap_or(false),
-            configurations: workspace.configuration.unwrap_or(false),
-            folds_inside_lines: !folding.and_then(|f| f.line_folding_only).unwrap_or(false),
-            nested_outline: (text.document_symbol)
-                .and_then(|d| d.hierarchical_document_symbol_support)
-                .unwrap_or(false),
+            columns: Columns::choose(&names("general/positionEncodings").unwrap_or_default()),
+            pulls: exists("textDocument/diagnostic"),
+            refreshes_diagnostics: is("workspace/diagnostics/refreshSupport"),
+            refreshes_hints: is("workspace/inlayHint/refreshSupport"),
+            snippets: is("textDocument/completion/completionItem/snippetSupport"),
+            markdown: formats.is_none_or(|all| all.contains(&"markdown")),
+            related: is("textDocument/publishDiagnostics/relatedInformation"),
+            shows_documents: is("window/showDocument/support"),
+            watches: is("workspace/didChangeWatchedFiles/dynamicRegistration"),
+            configurations: is("workspace/configuration"),
+            folds_inside_lines: !is("textDocument/foldingRange/lineFoldingOnly"),
+            nested_outline: is("textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),
         }
     }
 }

@@ -1,0 +1,11 @@
+//! What the commands answer, without files: the command line and WebAssembly print the same bytes.
+#![cfg_attr(test, allow(clippy::string_slice))]
+
+mod check;
+mod explain;
+mod reading;
+mod scope;
+
+pub use check::{CheckedText, FindingKey, check, print};
+pub use explain::{explain, rule_list, rule_page, rule_table};
+pub use reading::{Recognition, reading};

@@ -1,0 +1,121 @@
+//! The capabilities of the server.
+
+use super::client::Client;
+use gen_lsp_types::{CodeActionKind, SymbolKind};
+use serde_json::{Value, json};
+use shaderlint_ide::{SymbolKind as Kind, TokenClass};
+
+/// Semantic token types, indexed by number.
+pub const TOKEN_TYPES: [&str; 7] = [
+    "variable",
+    "parameter",
+    "property",
+    "function",
+    "struct",
+    "macro",
+    "comment",
+];
+/// Semantic token modifiers, indexed by bit.
+pub const TOKEN_MODIFIERS: [&str; 4] =
+    ["declaration", "readonly", "modification", "defaultLibrary"];
+
+/// The index of a class in [`TOKEN_TYPES`].
+pub const fn token_type(class: TokenClass) -> u32 {
+    match class {
+        TokenClass::Variable => 0,
+        TokenClass::Parameter => 1,
+        TokenClass::Property => 2,
+        TokenClass::Function => 3,
+        TokenClass::Struct => 4,
+        TokenClass::Macro => 5,
+    }
+}
+
+/// The token type of code that the preprocessor removes.
+pub const INACTIVE: u32 = 6;
+
+/// Changes of documents are sent as changes, not as full texts.
+const INCREMENTAL: u32 = 2;
+
+/// Command that shows the documentation of a rule.
+pub const EXPLAIN: &str = "shaderlint.explain";
+/// Command that opens the preview in the browser.
+#[cfg(feature = "preview")]
+pub const PREVIEW: &str = "shaderlint.openPreview";
+/// Command that applies all safe fixes.
+pub const FIX_ALL: &str = "shaderlint.fixAll";
+
+/// The commands of the server.
+const COMMANDS: &[&str] = &[
+    EXPLAIN,
+    #[cfg(feature = "preview")]
+    PREVIEW,
+    FIX_ALL,
+];
+
+/// The kind of code action that applies all safe fixes.
+pub const FIX_ALL_KIND: CodeActionKind =
+    CodeActionKind::Custom(std::borrow::Cow::Borrowed("source.fixAll.shaderlint"));
+
+/// The capabilities announced to a client.
+pub fn capabilities(client: &Client) -> Value {
+    let mut all = json!({
+        "positionEncoding": client.columns.name(),
+        "textDocumentSync": { "openClose": true, "change": INCREMENTAL, "save": true },
+        "completionProvider": { "triggerCharacters": [".", "#", "\"", "/", "("] },
+        "hoverProvider": true,
+        "signatureHelpProvider": {
+            "triggerCharacters": ["(", ","],
+            "retriggerCharacters": [")"],
+        },
+        "declarationProvider": true,
+        "definitionProvider": true,
+        "typeDefinitionProvider": true,
+        "referencesProvider": true,
+        "documentHighlightProvider": true,
+        "documentSymbolProvider": true,
+        "workspaceSymbolProvider": true,
+        "codeActionProvider": { "codeActionKinds": [CodeActionKind::QuickFix, FIX_ALL_KIND] },
+        "codeLensProvider": {},
+        "colorProvider": true,
+        "documentFormattingProvider": true,
+        "documentRangeFormattingProvider": true,
+        "documentOnTypeFormattingProvider": {
+            "firstTriggerCharacter": "}",
+            "moreTriggerCharacter": [";"],
+        },
+        "renameProvider": { "prepareProvider": true },
+        "foldingRangeProvider": true,
+        "selectionRangeProvider": true,
+        "executeCommandProvider": { "commands": COMMANDS },
+        "callHierarchyProvider": true,
+        "semanticTokensProvider": {
+            "legend": { "tokenTypes": TOKEN_TYPES, "tokenModifiers": TOKEN_MODIFIERS },
+            "range": true,
+            "full": { "delta": true },
+        },
+        "inlayHintProvider": true,
+        "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
+    });
+    if let (true, Some(fields)) = (client.pulls, all.as_object_mut()) {
+        let diagnostics = json!({
+            "identifier": "shaderlint",
+            "interFileDependencies": true,
+            "workspaceDiagnostics": true,
+        });
+        fields.insert("diagnosticProvider".to_string(), diagnostics);
+    }
+    all
+}
+
+/// The symbol kind of the protocol for a kind of symbol.
+pub fn symbol_kind(kind: Kind) -> SymbolKind {
+    match kind {
+        Kind::Function => SymbolKind::Function,
+        Kind::Struct => SymbolKind::Struct,
+        Kind::Field => SymbolKind::Field,
+        Kind::Constant | Kind::Macro => SymbolKind::Constant,
+        Kind::Uniform | Kind::Input | Kind::Output => SymbolKind::Property,
+        Kind::Local | Kind::Global | Kind::Parameter => SymbolKind::Variable,
+    }
+}
