@@ -1,0 +1,98 @@
+/** Options of a check. */
+export interface InputOptions {
+  /** Name of the file; its extension selects the kind of file. Default: `shader.glsl`. */
+  name?: string;
+  /** Other files by path, for includes. */
+  files?: Record<string, string>;
+  /** The site or library that completes the shader, as `--host`. */
+  host?: string;
+  /** Rules and groups to enable. */
+  select?: string[];
+  /** Rules and groups to disable. */
+  ignore?: string[];
+  /** Number of pixels to sample per shader; 0 for static analysis only. */
+  runSamples?: number;
+  /** Whether formats for people show infos too. */
+  info?: boolean;
+}
+
+/** A position: `line` and `column` start at 1, in characters; `utf16` counts UTF-16 units, `byte` bytes from 0. */
+export interface Position {
+  line: number;
+  column: number;
+  utf16: number;
+  byte: number;
+}
+
+/** A finding, as in the JSON of the command line. */
+export interface Diagnostic {
+  file: string;
+  rule: string;
+  severity: "error" | "warning" | "info";
+  message: string;
+  start: Position;
+  end: Position;
+  labels: { start: Position; end: Position; message: string }[];
+  notes: string[];
+  fix?: {
+    title: string;
+    applicability: "safe" | "unsafe" | "display";
+    edits: { start: Position; end: Position; text: string }[];
+  };
+  page: string;
+  [field: string]: unknown;
+}
+
+/** What `shaderlint --format json` prints. */
+export interface Report {
+  schema: number;
+  diagnostics: Diagnostic[];
+  readings: { file: string; hosts: string[]; read_as: string }[];
+  summary: Record<string, unknown>;
+}
+
+/** A part of a text that was not formatted. */
+export interface Unformatted {
+  line: number;
+  column: number;
+  message: string;
+}
+
+/** A file that a shader was ported to; `text` is null for binary files. */
+export interface PortedFile {
+  path: string;
+  text: string | null;
+}
+
+export type Source = URL | string | Response | BufferSource | WebAssembly.Module;
+
+/** Compiles a module; by default the one of this package, with SIMD where the machine has it. */
+export function compile(source?: Source): Promise<WebAssembly.Module>;
+
+/** The address of the module that ports shaders. */
+export function portAddress(): URL;
+
+/** An instance of the module. Methods throw an `Error` with a message for the user. */
+export class Shaderlint {
+  constructor(module: WebAssembly.Module);
+  static load(source?: Source): Promise<Shaderlint>;
+  check(text: string, options?: InputOptions): Report;
+  report(
+    text: string,
+    options?: InputOptions & { format?: "human" | "short" | "agent" | "json" | "jsonl" | "sarif" },
+  ): { output: string; errors: number; warnings: number; infos: number };
+  fix(text: string, options?: InputOptions & { unsafe?: boolean }): { text: string; fixed: number };
+  format(
+    text: string,
+    options?: { name?: string; indent?: number; lineLength?: number },
+  ): { text: string; unformatted: Unformatted[] };
+  explain(name: string): string;
+  rules(): { schema: number; rules: Record<string, unknown>[] };
+  port(
+    text: string,
+    options?: { name?: string; output?: string },
+  ): { files: PortedFile[]; errors: number; remarks: string[] };
+  lsp(message: object): object[];
+  runChanged(): object[];
+  request(method: string, params?: object): unknown;
+}

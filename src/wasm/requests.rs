@@ -1,0 +1,137 @@
+//! The requests, as JSON objects with `method` and `params`.
+
+use lsp_server::Message;
+use serde::Deserialize;
+use shaderlint_lint::Infos;
+use shaderlint_report::Format;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// What a host can ask.
+#[derive(Deserialize)]
+#[serde(tag = "method", content = "params", rename_all = "camelCase")]
+pub enum ModuleRequest {
+    /// Checks a text.
+    Check(CheckRequest),
+    /// Applies fixes to a text.
+    Fix(FixRequest),
+    /// Formats a text.
+    Format(FormatRequest),
+    /// Returns the page of a rule, compile error or host.
+    Explain {
+        /// Its name, or words that the page contains.
+        name: String,
+    },
+    /// Lists all rules and compile errors.
+    Rules,
+    /// Passes a message to the language server. The answer lists its messages.
+    Lsp(Message),
+    /// Runs the shaders of documents that changed, for the language server.
+    RunChanged,
+    /// Ports a shader.
+    #[cfg(feature = "port")]
+    Port(super::port::PortRequest),
+}
+
+/// A text with the options of its check.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct TextInput {
+    /// Name of the file; its extension selects the kind of file.
+    pub name: String,
+    /// Contents of the file.
+    pub text: String,
+    /// Other files, by path, for includes.
+    #[serde(default)]
+    pub files: BTreeMap<PathBuf, String>,
+    /// `--host`
+    pub host: Option<String>,
+    /// `--select`
+    #[serde(default)]
+    pub select: Vec<String>,
+    /// `--ignore`
+    #[serde(default)]
+    pub ignore: Vec<String>,
+    /// `--run-samples`
+    pub run_samples: Option<u32>,
+    /// `--info`
+    #[serde(default)]
+    pub info: bool,
+}
+
+/// The request `check`.
+#[derive(Deserialize)]
+pub struct CheckRequest {
+    /// The text.
+    #[serde(flatten)]
+    pub input: TextInput,
+    /// The output format.
+    #[serde(default)]
+    pub format: OutputFormat,
+}
+
+/// The output formats, named as on the command line.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum OutputFormat {
+    /// With excerpts of the source, for people.
+    Human,
+    /// One line per finding.
+    Short,
+    /// One line per finding, with its fix, labels and notes.
+    Agent,
+    /// One JSON object.
+    #[default]
+    Json,
+    /// One JSON object per line, one line per finding.
+    Jsonl,
+    /// SARIF 2.1.0.
+    Sarif,
+}
+
+impl OutputFormat {
+    /// The format of the reporter.
+    pub fn format(self) -> Format {
+        match self {
+            OutputFormat::Human => Format::Human,
+            OutputFormat::Short => Format::Short,
+            OutputFormat::Agent => Format::Agent,
+            OutputFormat::Json => Format::Json,
+            OutputFormat::Jsonl => Format::Jsonl,
+            OutputFormat::Sarif => Format::Sarif,
+        }
+    }
+
+    /// Whether infos are reported that nobody asked for: programs choose for themselves what they show.
+    pub fn infos(self) -> Infos {
+        match self {
+            OutputFormat::Json | OutputFormat::Jsonl => Infos::Shown,
+            _ => Infos::Counted,
+        }
+    }
+}
+
+/// The request `fix`.
+#[derive(Deserialize)]
+pub struct FixRequest {
+    /// The text.
+    #[serde(flatten)]
+    pub input: TextInput,
+    /// Whether fixes are applied that may change the image.
+    #[serde(default, rename = "unsafe")]
+    pub is_unsafe: bool,
+}
+
+/// The request `format`.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct FormatRequest {
+    /// Name of the file; its extension selects the kind of file.
+    pub name: String,
+    /// Contents of the file.
+    pub text: String,
+    /// Spaces per level; 0 for tabs.
+    pub indent: Option<u32>,
+    /// Maximum length of a line.
+    pub line_length: Option<u32>,
+}
