@@ -33,7 +33,10 @@ const rules = {
 export default [
   { files: [`${player}/**/*.js`], languageOptions: { sourceType: 'script', ecmaVersion: 2023 }, rules },
   {
-    files: [`${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/react.js`, 'tests/browser/*.js', 'tests/browser/page/*.js'],
+    files: [
+      `${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/react.js`,
+      'tests/browser/*.js', 'tests/browser/page/*.js', 'tests/site/*.js', 'site/.vitepress/**/*.js',
+    ],
     languageOptions: { sourceType: 'module', ecmaVersion: 2023 },
     rules,
   },
