@@ -7,6 +7,14 @@ import { pageTests } from './pages.js';
 import { folder } from './read.js';
 import { serve } from './serve.js';
 
+// Nothing waits for a clock. This limit ends a run that would wait forever.
+const minutes = 15;
+let running = 'start of the browser';
+setTimeout(() => {
+  console.log(`FAILED  ${running}: not finished after ${minutes} minutes`);
+  process.exit(1);
+}, minutes * 60_000).unref();
+
 const words = process.argv.slice(2);
 const all = [...builtTests, ...pageTests];
 const tests = words.length > 0 ? all.filter((test) => words.some((word) => test.name.includes(word))) : all;
@@ -14,6 +22,7 @@ const server = await serve(folder);
 const { browser, kill } = await launch();
 let failed = 0;
 for (const { name, run } of tests) {
+  running = name;
   try {
     await run(browser, server.address);
     console.log(`ok      ${name}`);

@@ -84,6 +84,15 @@ function found() {
   assert.deepEqual([...titles.values()].sort(), [...addresses.values()].map((address) => `/${address}`).sort());
 }
 
+/** The text in a link, as the playground reads it. */
+function decoded(data, address) {
+  try {
+    return zlib.inflateRawSync(Buffer.from(data, 'base64url')).toString();
+  } catch (error) {
+    throw new Error(`${address}: ${data}: ${error.message}`);
+  }
+}
+
 /** Each example has a link, and the link has its code. */
 function shaders() {
   let count = 0;
@@ -97,8 +106,7 @@ function shaders() {
       }
       const data = link.split('#code=')[1];
       assert.match(data, /^[\w-]+$/, address);
-      const decoded = zlib.inflateRawSync(Buffer.from(data, 'base64url')).toString();
-      assert.equal(decoded.trimEnd(), code.trimEnd(), address);
+      assert.equal(decoded(data, address).trimEnd(), code.trimEnd(), address);
       count++;
     }
   }

@@ -16,10 +16,16 @@ function repairButtons() {
 }
 
 /** The sidebars are long: shows the entry of the page. */
+function showEntry() {
+  const entry = document.querySelector('.VPSidebarItem.is-link.is-active > .item')?.getBoundingClientRect();
+  const sidebar = document.querySelector('.VPSidebar');
+  if (entry && (entry.bottom > innerHeight || entry.top < 0)) sidebar.scrollTop += entry.top - innerHeight / 2;
+}
+
 async function repairSidebar() {
   await nextTick();
   repairButtons();
-  document.querySelector('.VPSidebarItem.is-link.is-active > .item')?.scrollIntoView({ block: 'nearest' });
+  showEntry();
 }
 
 export default {
