@@ -9,7 +9,7 @@ import { braces } from './markdown/braces.js';
 import { examples } from './markdown/examples.js';
 import { facts } from './markdown/facts.js';
 import { links } from './markdown/links.js';
-import { addresses, excluded, root } from './pages.js';
+import { addresses, excluded, read, root } from './pages.js';
 import { sidebar } from './sidebar.js';
 
 const here = fileURLToPath(new URL('..', import.meta.url));
@@ -74,8 +74,10 @@ export default defineConfig({
 
   markdown: {
     anchor: { slugify },
-    // The default theme has too little contrast on a light background.
-    theme: { light: 'github-light-high-contrast', dark: 'github-dark' },
+    // The default themes have too little contrast.
+    theme: { light: 'github-light-high-contrast', dark: 'github-dark-default' },
+    // It knows more of GLSL than the one of the highlighter.
+    languages: [{ ...JSON.parse(read('editors/vscode/syntaxes/glsl.tmLanguage.json')), name: 'glsl' }],
     config(md) {
       // In this order: a paragraph that is replaced needs no links.
       facts(md);
@@ -85,6 +87,8 @@ export default defineConfig({
     },
   },
   transformPageData(pageData) {
+    // The pages of rules have the same few headings; the space is for their code.
+    if (pageData.filePath.startsWith('rules/') && !pageData.filePath.endsWith('README.md')) pageData.frontmatter.aside = false;
     pageData.title = title(pageData);
     pageData.description ||= description(pageData.filePath);
   },

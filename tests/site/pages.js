@@ -11,7 +11,8 @@ const axe = createRequire(new URL('../../site/package.json', import.meta.url)).r
 /** A page of each kind. */
 const KINDS = {
   home: '',
-  documentation: 'docs/comparison/',
+  documentation: 'docs/porting/',
+  comparison: 'docs/comparison/',
   rule: 'rules/sqrt-negative/',
   error: 'errors/faulty-macro/',
   host: 'hosts/shadertoy/',
