@@ -66,6 +66,8 @@ export default defineConfig({
   cleanUrls: true,
   // One file for all pages instead of a copy of the sidebars in each.
   metaChunk: true,
+  // The sidebars have so many links that loading them early would cost more than the page.
+  router: { prefetchLinks: false },
   ignoreDeadLinks: [/^\/playground\//],
   sitemap: {
     hostname: site,

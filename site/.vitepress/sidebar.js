@@ -2,14 +2,30 @@
 import path from 'node:path';
 import { addresses, allErrors, allHosts, allRules, read } from './pages.js';
 
+/** A name in a list; `webgl2` is a group of rules. */
 const capitalized = (text) => text[0].toUpperCase() + text.slice(1).replace('ebgl', 'ebGL');
+
+/** Pages that the README has no link to, by the page before them. */
+const MORE = {
+  'docs/editors.md': [['Editor setup', 'editors/README.md'], ['VS Code', 'editors/vscode/README.md']],
+  'docs/comparison.md': [['Benchmarks', 'benches/README.md']],
+  'src/README.md': [['Corpus', 'corpus/README.md']],
+};
+
+const entry = (text, file) => ({ text: capitalized(text), link: `/${addresses.get(file)}` });
+
+/** The entry of a link of the README, and those after it. */
+function entries([, text, link]) {
+  const file = path.normalize(link);
+  return [entry(text, file), ...(MORE[file] ?? []).map(([more, other]) => entry(more, other))];
+}
 
 /** The groups of the list `- Group: [Title](file) · [Title](file)` of README.md. */
 function documentation() {
   const list = read('README.md').split('## Documentation')[1].split('\n').filter((line) => line.startsWith('- '));
   return list.map((line) => ({
     text: line.slice(2, line.indexOf(':')),
-    items: [...line.matchAll(/\[([^\]]+)\]\(([^)]+)\)/g)].map(([, text, file]) => ({ text: capitalized(text), link: `/${addresses.get(path.normalize(file))}` })),
+    items: Array.from(line.matchAll(/\[([^\]]+)\]\(([^)]+)\)/g), entries).flat(),
   }));
 }
 

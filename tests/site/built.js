@@ -28,15 +28,19 @@ function complaint(link, page) {
 
 function links() {
   const wrong = [];
+  const linked = new Set();
   let count = 0;
   for (const page of all) {
     for (const link of new Set([...attributes(page.html, 'href'), ...attributes(page.html, 'src')])) {
       const what = complaint(link, page);
       if (what) wrong.push(`${page.address}: ${link} ${what}`);
+      const address = new URL(link, `http://page.test${base}${page.address.slice(1)}`).pathname.slice(base.length);
+      if (`/${address}` !== page.address) linked.add(address);
       count++;
     }
   }
   assert.equal(wrong.length, 0, wrong.join('\n'));
+  assert.deepEqual([...addresses.values()].filter((address) => !linked.has(address)), [], 'no other page has a link to these');
   assert.ok(count > 10000, `only ${count} links`);
 }
 
