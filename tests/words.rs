@@ -243,7 +243,15 @@ fn texts() -> Vec<Text> {
         }
     }
     for (path, text) in files(
-        &["src", "rules", "docs", "corpus", "editors", "benches"],
+        &[
+            "src",
+            "rules",
+            "docs",
+            "corpus",
+            "editors",
+            "benches",
+            "site/pages",
+        ],
         ".md",
     ) {
         of_page(&path, &text, &mut found);

@@ -33,7 +33,11 @@ const rules = {
 export default [
   { files: [`${player}/**/*.js`], languageOptions: { sourceType: 'script', ecmaVersion: 2023 }, rules },
   {
-    files: [`${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/react.js`, 'tests/browser/*.js', 'tests/browser/page/*.js', 'tests/wasm/*.js', 'src/wasm/js/*.js'],
+    files: [
+      `${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/react.js`,
+      'tests/browser/*.js', 'tests/browser/page/*.js', 'tests/site/*.js', 'site/.vitepress/**/*.js',
+      'tests/wasm/*.js', 'src/wasm/js/*.js',
+    ],
     languageOptions: { sourceType: 'module', ecmaVersion: 2023 },
     rules,
   },

@@ -108,11 +108,16 @@ test("a worker that is busy with a run is replaced", async (t) => {
   let busy;
   const isBusy = new Promise((resolve) => (busy = resolve));
   let count = 0;
-  /** The first worker never ends its run. */
+  /** The first worker never ends its run, and reads nothing after it. */
   const worker = () => {
     const port = create();
     const post = port.postMessage;
-    if (++count === 1) port.postMessage = (data) => (data.run ? busy() : post(data));
+    const take = (data) => {
+      if (!data.run) return post(data);
+      port.postMessage = () => {};
+      return busy();
+    };
+    if (++count === 1) port.postMessage = take;
     return port;
   };
   const client = await Client.start({ worker, pause: 1 });

@@ -62,9 +62,7 @@ class Server {
   send(text) {
     const message = JSON.parse(text);
     if (this.#documents.take(message)) this.#schedule();
-    const isRunning = [...this.#waiting.values()].includes("run");
     this.#post(message);
-    if (isRunning) this.#limit(PATIENCE);
   }
 
   /** Ends the server. */
@@ -91,20 +89,23 @@ class Server {
     const number = ++this.#count;
     this.#waiting.set(number, message);
     this.#worker.postMessage(message === "run" ? { number, run: true } : { number, message });
-    if (this.#waiting.size === 1) this.#limit(LIMIT);
+    this.#watch();
   }
 
-  #limit(time) {
+  /** Limits the time until the next answer of the worker. */
+  #watch() {
     clearTimeout(this.#timers.limit);
-    this.#timers.limit = setTimeout(() => this.#replace(), time);
+    if (this.#waiting.size === 0) return;
+    const [first] = this.#waiting.values();
+    const isHeldUp = first === "run" && this.#waiting.size > 1;
+    this.#timers.limit = setTimeout(() => this.#replace(), isHeldUp ? PATIENCE : LIMIT);
   }
 
   #received(worker, { number, messages, crash, ready }) {
-    if (ready) {
-      this.#spare ??= worker === this.#worker ? this.#start() : undefined;
-      return;
-    }
     if (worker !== this.#worker) return;
+    // A spare worker starts when this one is ready, so that it does not delay the first answer.
+    this.#spare ??= this.#start();
+    if (ready) return;
     if (number === REPLAY) {
       // The client got the answer to `initialize` from the first worker.
       this.#deliver(messages?.filter((message) => message.method !== undefined) ?? []);
@@ -112,8 +113,7 @@ class Server {
     }
     const done = this.#waiting.get(number);
     this.#waiting.delete(number);
-    clearTimeout(this.#timers.limit);
-    if (this.#waiting.size > 0) this.#limit(LIMIT);
+    this.#watch();
     if (crash !== undefined) {
       this.#fail(done, crash);
       this.#replace();
