@@ -40,7 +40,7 @@ impl Client {
     pub fn of(params: &Value) -> Client {
         let get = |path: &str| params.pointer(&format!("/capabilities/{path}"));
         let is = |path: &str| get(path).and_then(Value::as_bool).unwrap_or(false);
-        let exists = |path: &str| get(path).is_some_and(|value| !value.is_null());
+        let exists = |path: &str| get(path).is_some_and(Value::is_object);
         let names = |path: &str| {
             let all = get(path)?.as_array()?;
             Some(all.iter().filter_map(Value::as_str).collect::<Vec<_>>())

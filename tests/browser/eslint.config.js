@@ -36,7 +36,7 @@ export default [
     files: [
       `${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/react.js`,
       'tests/browser/*.js', 'tests/browser/page/*.js', 'tests/site/*.js', 'site/.vitepress/**/*.js',
-      'tests/wasm/*.js', 'src/wasm/js/*.js',
+      'tests/wasm/*.js', 'src/wasm/js/*.js', 'site/playground/*.js', 'site/playground/src/*.js',
     ],
     languageOptions: { sourceType: 'module', ecmaVersion: 2023 },
     rules,

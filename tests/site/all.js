@@ -4,6 +4,7 @@
 import { launch } from '../browser/browser.js';
 import { builtTests } from './built.js';
 import { pageTests } from './pages.js';
+import { playgroundTests } from './playground.js';
 import { folder } from './read.js';
 import { serve } from './serve.js';
 
@@ -16,7 +17,7 @@ setTimeout(() => {
 }, minutes * 60_000).unref();
 
 const words = process.argv.slice(2);
-const all = [...builtTests, ...pageTests];
+const all = [...builtTests, ...pageTests, ...playgroundTests];
 const tests = words.length > 0 ? all.filter((test) => words.some((word) => test.name.includes(word))) : all;
 const server = await serve(folder);
 const { browser, kill } = await launch();

@@ -188,7 +188,7 @@ fn run_fence(place: &Place, fence: &str) -> usize {
                 Some(run) => command = run,
                 None => continue,
             }
-        } else if line.starts_with("tests/") {
+        } else if line.starts_with("tests/") || line.starts_with("src/") {
             let program = line.split_whitespace().next().unwrap();
             assert!(root().join(program).is_file(), "{line}");
             continue;

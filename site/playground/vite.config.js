@@ -1,0 +1,15 @@
+// The playground as static files that any server can serve from any folder.
+import { defineConfig } from 'vite';
+
+export default defineConfig({
+  base: './',
+  build: {
+    target: 'es2022',
+    // The modules are loaded while the page starts, not as text inside a script.
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+  },
+  worker: { format: 'es' },
+  // Examples are files of the repository.
+  server: { fs: { allow: ['../..'] } },
+});

@@ -1,0 +1,153 @@
+// The playground in a browser: findings as one types, fixes, links, examples, and its policy.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import zlib from 'node:zlib';
+import { listen } from '../browser/browser.js';
+
+const axe = createRequire(new URL('../../site/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
+
+/** Opens the playground in a window of its own, and fails if anything is loaded from elsewhere or complains. */
+async function within(browser, address, { fragment = '', ...options }, run) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  context.setDefaultTimeout(0);
+  const page = await context.newPage();
+  const complaints = listen(page);
+  page.on('request', (request) => {
+    const isOwn = request.url().startsWith(address) || request.url().startsWith('data:');
+    if (!isOwn) complaints.push(`request: ${request.url()}`);
+  });
+  page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
+  try {
+    await page.goto(`${address}playground/${fragment}`);
+    await run(page);
+    assert.deepEqual(complaints, []);
+  } finally {
+    await context.close();
+  }
+}
+
+const linkTo = (text) => `#code=${zlib.deflateRawSync(text).toString('base64url')}`;
+
+/**
+ * Waits until the list has the findings of some rules, none of others, and this many.
+ * @param {{ has?: string[], lacks?: string[], count?: number }} wanted
+ */
+const findings = (page, wanted) => page.waitForFunction(({ has = [], lacks = [], count }) => {
+  const rules = [...document.querySelectorAll('#list .finding small')].map((name) => name.textContent);
+  const isShown = document.querySelector('#summary')?.textContent !== 'Loading…';
+  const fits = has.every((rule) => rules.includes(rule)) && !lacks.some((rule) => rules.includes(rule));
+  return isShown && fits && (count === undefined || rules.length === count);
+}, wanted);
+
+/** The text in the editor. The lines of a short one are all in the page. */
+const text = (page) => page.evaluate(() =>
+  [.../** @type {any} */ (document.querySelector('#code')).shadowRoot.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\n'));
+
+const FAULTY = 'void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(p.x * 2, 0.0, 0.0, 1.0);\n}\n';
+
+async function typing(browser, address) {
+  await within(browser, address, {}, async (page) => {
+    await findings(page, { has: ['int-float-mix', 'vector-size'] });
+    await page.locator('#code .cm-line', { hasText: 'p.x * 8' }).click();
+    await page.keyboard.press('Home');
+    await page.keyboard.type('//');
+    await findings(page, { has: ['vector-size'], lacks: ['int-float-mix'] });
+  });
+}
+
+async function fixing(browser, address) {
+  await within(browser, address, { fragment: linkTo(FAULTY) }, async (page) => {
+    const fix = page.locator('#list .fixes button', { hasText: '2.0' });
+    await fix.click();
+    await findings(page, { count: 0 });
+    assert.equal(await text(page), FAULTY.replace('* 2,', '* 2.0,'));
+  });
+  await within(browser, address, { fragment: linkTo(FAULTY) }, async (page) => {
+    await findings(page, { has: ['int-float-mix'] });
+    await page.locator('#fix').click();
+    await findings(page, { count: 0 });
+    assert.equal(await text(page), FAULTY.replace('* 2,', '* 2.0,'));
+  });
+}
+
+async function formatting(browser, address) {
+  const code = 'float f(float x){return x;}\n';
+  await within(browser, address, { fragment: linkTo(code) }, async (page) => {
+    await page.waitForFunction(() => document.querySelector('#summary')?.textContent !== 'Loading…');
+    await page.locator('#format').click();
+    await page.waitForFunction(() =>
+      /** @type {any} */ (document.querySelector('#code')).shadowRoot.querySelector('.cm-line').textContent === 'float f(float x) { return x; }');
+  });
+}
+
+async function hovering(browser, address) {
+  await within(browser, address, { fragment: linkTo(FAULTY) }, async (page) => {
+    await findings(page, { has: ['int-float-mix'] });
+    const isIn = { x: 70, y: 8 };
+    await page.locator('#code .cm-line').first().hover({ position: isIn });
+    await page.locator('#code .cm-lsp-hover-tooltip', { hasText: 'mainImage' }).waitFor();
+  });
+}
+
+async function linking(browser, address) {
+  const code = 'void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0); // é 漢\n}\n';
+  await within(browser, address, { fragment: linkTo(code) }, async (page) => {
+    await page.waitForFunction(() => document.querySelector('#summary')?.textContent !== 'Loading…');
+    assert.equal(await text(page), code);
+    await page.locator('#share').click();
+    await page.waitForFunction((old) => location.hash !== old && location.hash.startsWith('#code='), linkTo('x'));
+    const data = (await page.evaluate(() => location.hash)).slice('#code='.length);
+    assert.equal(zlib.inflateRawSync(Buffer.from(data, 'base64url')).toString(), code);
+  });
+  for (const fragment of ['#code=AAAA', linkTo('x'.repeat(2 << 20))]) {
+    await within(browser, address, { fragment }, async (page) => {
+      await page.locator('#notice', { hasText: 'cannot be opened' }).waitFor();
+    });
+  }
+}
+
+/** What a shader says is shown as text. */
+async function escaping(browser, address) {
+  const code = '// <img src=x onerror=alert(1)>\n#define X <b>\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0) + unknown_name;\n}\n#error <i>no</i>\n';
+  await within(browser, address, { fragment: linkTo(code) }, async (page) => {
+    await findings(page, { has: ['error-directive'] });
+    assert.equal(await page.locator('#list i, #list img').count(), 0);
+  });
+}
+
+async function examples(browser, address) {
+  await within(browser, address, {}, async (page) => {
+    await findings(page, { has: ['vector-size'] });
+    await page.locator('#examples').selectOption({ label: 'cast_is_reserved.glsl' });
+    await findings(page, { has: ['reserved-word'] });
+  });
+}
+
+async function looks(browser, address) {
+  for (const width of [1280, 390]) {
+    for (const colorScheme of ['light', 'dark']) {
+      await within(browser, address, { viewport: { width, height: 780 }, colorScheme }, async (page) => {
+        await findings(page, { has: ['int-float-mix', 'vector-size'] });
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= width, `${wide} pixels wide`);
+        if (process.env.SCREENSHOTS) await page.screenshot({ path: `${process.env.SCREENSHOTS}/playground-${width}-${colorScheme}.png` });
+        // The policy of the page forbids other scripts, but not those of the browser's driver.
+        await page.evaluate(fs.readFileSync(axe, 'utf8'));
+        const { violations } = await page.evaluate(() => /** @type {any} */ (globalThis).axe.run({ runOnly: ['wcag2a', 'wcag2aa'] }));
+        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html} ${nodes[0].failureSummary}`), []);
+      });
+    }
+  }
+}
+
+export const playgroundTests = [
+  { name: 'the playground finds mistakes as one types', run: typing },
+  { name: 'the playground applies fixes', run: fixing },
+  { name: 'the playground formats', run: formatting },
+  { name: 'the playground explains names under the pointer', run: hovering },
+  { name: 'links of the playground contain the shader', run: linking },
+  { name: 'the playground shows texts of shaders as text', run: escaping },
+  { name: 'the playground has examples', run: examples },
+  { name: 'the playground fits wide and narrow windows, light and dark', run: looks },
+];
