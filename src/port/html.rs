@@ -13,7 +13,7 @@ use sha2::{Digest, Sha256};
 
 const PAGE: &str = include_str!("player/page/page.html");
 const STYLE: &str = include_str!("player/page/page.css");
-const PAGE_SCRIPTS: [&str; 18] = [
+const PAGE_SCRIPTS: [&str; 19] = [
     include_str!("player/page/dom.js"),
     include_str!("player/page/address.js"),
     include_str!("player/page/prose.js"),
@@ -31,6 +31,7 @@ const PAGE_SCRIPTS: [&str; 18] = [
     include_str!("player/page/panel.js"),
     include_str!("player/page/bar.js"),
     include_str!("player/page/keys.js"),
+    include_str!("player/page/state.js"),
     include_str!("player/page/page.js"),
 ];
 
@@ -41,31 +42,57 @@ const BORDER: &str = "// The page begins here.\n";
 /// Script of a served page.
 const LIVE: &str = include_str!("player/live.js");
 
+/// Script of a page inside another one, which sends the project.
+const RECEIVE: &str = include_str!("player/page/receive.js");
+
 /// The page. A served page has a version and reloads itself when there is a newer one.
 pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> String {
-    let (live, follow) = match version {
-        Some(version) => (LIVE, format!("followChanges('{version}', player);\n")),
-        None => ("", String::new()),
+    let start = match version {
+        Some(version) => {
+            format!("{LIVE}const player = openPage();\nfollowChanges('{version}', player);\n")
+        }
+        None => "const player = openPage();\n".to_string(),
     };
-    let script = format!(
-        "(() => {{\n'use strict';\n{}{BORDER}{}{live}const player = openPage();\n{follow}}})();\n",
-        without_comments(&PLAYER.concat()),
-        without_indentation(&without_comments(&PAGE_SCRIPTS.concat()))
-    );
     let title = match project.info.name.as_str() {
         "" => "shader",
         name => name,
     };
     let credits = credits::lines(project).join("\n");
     let project = escape(&payload(project, composed));
+    page((title, &credits), &project, &start, version)
+}
+
+/// A page without a shader: the page around it sends [`player_data`] in a message.
+pub fn receiving_page() -> String {
+    let start = format!("{}receiveProject();\n", without_comments(RECEIVE));
+    page(("Shader", ""), "null", &start, None)
+}
+
+/// The project as JSON for [`receiving_page`].
+pub fn player_data(project: &Project, composed: &Composed) -> String {
+    payload(project, composed)
+}
+
+/// A page with a title and a description, whose script ends with `start`.
+fn page(
+    (title, description): (&str, &str),
+    project: &str,
+    start: &str,
+    version: Option<&str>,
+) -> String {
+    let script = format!(
+        "(() => {{\n'use strict';\n{}{BORDER}{}{start}}})();\n",
+        without_comments(&PLAYER.concat()),
+        without_indentation(&without_comments(&PAGE_SCRIPTS.concat()))
+    );
     fill(
         PAGE,
         &[
             ("title", &attribute(title)),
-            ("credits", &attribute(&credits)),
+            ("credits", &attribute(description)),
             ("policy", &policy(&script, STYLE, version)),
             ("style", STYLE),
-            ("project", &project),
+            ("project", project),
             ("mount", &without_comments(MOUNT)),
             ("script", &script),
         ],

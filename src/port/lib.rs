@@ -47,7 +47,7 @@ pub use dialect::{
 pub use draw::{PassDraw, SizeTerm};
 pub use export::{MAX_EXPORT, ProjectError};
 pub use glsl::{GlslPass, VERTEX, glsl};
-pub use html::{html, waiting_page};
+pub use html::{html, player_data, receiving_page, waiting_page};
 pub use json::json;
 pub use media::{Generator, StandIn, add_stand_ins, is_gray};
 pub use order::{BadExtension, Destination, MainChoice, Order, Target};

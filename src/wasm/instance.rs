@@ -48,6 +48,10 @@ impl Instance {
             ModuleRequest::RunChanged => self.server.run_changed(),
             #[cfg(feature = "port")]
             ModuleRequest::Port(request) => super::port::port(&request),
+            #[cfg(feature = "port")]
+            ModuleRequest::PlayerData(shader) => super::port::player_data(&shader),
+            #[cfg(feature = "port")]
+            ModuleRequest::PlayerPage => Ok(shaderlint_port::receiving_page().into()),
         }
     }
 }

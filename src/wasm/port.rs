@@ -1,30 +1,35 @@
-//! The request `port`.
+//! The requests about ports.
 
 use super::result::RequestResult;
 use serde::Deserialize;
 use serde_json::json;
 use shaderlint_diagnostic::Severity;
 use shaderlint_port::naga::FirstRow;
-use shaderlint_port::{Destination, MainChoice, Order, Project, Target};
-use shaderlint_port::{add_stand_ins, build};
+use shaderlint_port::{Composed, Destination, MainChoice, Order, Project, Target};
+use shaderlint_port::{add_stand_ins, build, player_data as data_of};
 use shaderlint_text::kind::{Claim, FileKind, decide};
 use std::path::Path;
 
-/// A shader or export, and what it is ported to.
+/// A shader or export.
 #[derive(Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct PortRequest {
+pub struct ShaderText {
     /// Name of the file.
     name: String,
     /// Contents of the file.
     text: String,
+}
+
+/// A shader or export, and what it is ported to.
+#[derive(Deserialize)]
+pub struct PortRequest {
+    #[serde(flatten)]
+    shader: ShaderText,
     /// Path of the output; its extension selects the target.
     output: String,
 }
 
-/// `port`: the files as text, errors and remarks. Binary files, as SPIR-V, have no text.
-pub fn port(request: &PortRequest) -> RequestResult {
-    let PortRequest { name, text, output } = request;
+/// The passes of a shader, with stand-ins for media that only ShaderToy has.
+fn load(ShaderText { name, text }: &ShaderText) -> Result<(Project, Composed), String> {
     let wrong = |error: &dyn std::fmt::Display| format!("{name}: {error}");
     let title = Path::new(name).file_stem().unwrap_or_default();
     let is_export = decide(name, text, Claim::None).kind == FileKind::Export;
@@ -35,6 +40,19 @@ pub fn port(request: &PortRequest) -> RequestResult {
     let composed = project.resolve(name).map_err(|e| wrong(&e))?;
     add_stand_ins(&mut project);
     let composed = project.renew(composed, name).map_err(|e| wrong(&e))?;
+    Ok((project, composed))
+}
+
+/// The number of errors in all passes.
+fn errors(composed: &Composed) -> usize {
+    let found = composed.units.iter().map(|unit| composed.analysis(unit));
+    let found = found.flat_map(|analysis| &analysis.diagnostics);
+    found.filter(|d| d.severity == Severity::Error).count()
+}
+
+/// `port`: the files as text, errors and remarks. Binary files, as SPIR-V, have no text.
+pub fn port(PortRequest { shader, output }: &PortRequest) -> RequestResult {
+    let (project, composed) = load(shader)?;
     let order = Order {
         target: Target::of_path(Path::new(output)).map_err(|e| format!("{output}: {e}"))?,
         main: MainChoice::default(),
@@ -43,20 +61,23 @@ pub fn port(request: &PortRequest) -> RequestResult {
         first_row: FirstRow::default(),
         version: None,
     };
-    let made = build(&project, &composed, order).map_err(|e| wrong(&e))?;
-    let found = composed.units.iter().map(|unit| composed.analysis(unit));
-    let found = found.flat_map(|analysis| &analysis.diagnostics);
-    let errors = found.filter(|d| d.severity == Severity::Error).count();
+    let made = build(&project, &composed, order);
+    let made = made.map_err(|e| format!("{}: {e}", shader.name))?;
     let files = made.files.into_iter().map(|file| {
-        json!({ "path": file.path.to_string_lossy(), "text": String::from_utf8(file.content).ok() })
+        let text = String::from_utf8(file.content).ok();
+        json!({ "path": file.path.to_string_lossy(), "text": text })
     });
-    let remarks = made
-        .remarks
-        .iter()
-        .map(|remark| remark.diagnostic().message);
+    let remarks = made.remarks.iter();
+    let remarks = remarks.map(|remark| remark.diagnostic().message);
     Ok(json!({
         "files": files.collect::<Vec<_>>(),
-        "errors": errors,
+        "errors": errors(&composed),
         "remarks": remarks.collect::<Vec<_>>(),
     }))
+}
+
+/// `playerData`: the data for the player as JSON, and the number of errors.
+pub fn player_data(shader: &ShaderText) -> RequestResult {
+    let (project, composed) = load(shader)?;
+    Ok(json!({ "project": data_of(&project, &composed), "errors": errors(&composed) }))
 }

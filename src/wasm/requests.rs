@@ -31,6 +31,12 @@ pub enum ModuleRequest {
     /// Ports a shader.
     #[cfg(feature = "port")]
     Port(super::port::PortRequest),
+    /// Returns the data of a shader for the page that plays it.
+    #[cfg(feature = "port")]
+    PlayerData(super::port::ShaderText),
+    /// Returns the page that plays shaders.
+    #[cfg(feature = "port")]
+    PlayerPage,
 }
 
 /// A text with the options of its check.

@@ -48,11 +48,15 @@ const FAULTY = 'void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(p.x * 2, 0
 
 async function typing(browser, address) {
   await within(browser, address, {}, async (page) => {
-    await findings(page, { has: ['int-float-mix', 'vector-size'] });
-    await page.locator('#code .cm-line', { hasText: 'p.x * 8' }).click();
-    await page.keyboard.press('Home');
-    await page.keyboard.type('//');
-    await findings(page, { has: ['vector-size'], lacks: ['int-float-mix'] });
+    // A warning needs a run of the shader, an error does not.
+    await findings(page, { has: ['nan-pixels'] });
+    await page.locator('#code .cm-line', { hasText: 'fragColor = vec4' }).click();
+    await page.keyboard.press('End');
+    await page.keyboard.type(' fragColor += 1;');
+    await findings(page, { has: ['int-float-mix'] });
+    for (let i = 0; i < 3; i++) await page.keyboard.press('Backspace');
+    await page.keyboard.type(' 1.0;');
+    await findings(page, { has: ['nan-pixels'], lacks: ['int-float-mix'] });
   });
 }
 
@@ -118,7 +122,7 @@ async function escaping(browser, address) {
 
 async function examples(browser, address) {
   await within(browser, address, {}, async (page) => {
-    await findings(page, { has: ['vector-size'] });
+    await findings(page, { has: ['nan-pixels'] });
     await page.locator('#examples').selectOption({ label: 'cast_is_reserved.glsl' });
     await findings(page, { has: ['reserved-word'] });
   });
@@ -128,7 +132,7 @@ async function looks(browser, address) {
   for (const width of [1280, 390]) {
     for (const colorScheme of ['light', 'dark']) {
       await within(browser, address, { viewport: { width, height: 780 }, colorScheme }, async (page) => {
-        await findings(page, { has: ['int-float-mix', 'vector-size'] });
+        await findings(page, { has: ['nan-pixels'] });
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.ok(wide <= width, `${wide} pixels wide`);
         if (process.env.SCREENSHOTS) await page.screenshot({ path: `${process.env.SCREENSHOTS}/playground-${width}-${colorScheme}.png` });
@@ -141,6 +145,45 @@ async function looks(browser, address) {
   }
 }
 
+/** The frame that shows the image of the shader. */
+const imageOf = async (page) => {
+  await page.locator('#image iframe:not(.next)').waitFor();
+  return page.frames().find((frame) => frame.url().endsWith('player.html'));
+};
+
+/** The colour in the middle of the image, as the shader writes it. */
+const middle = (frame) => frame.evaluate(() => {
+  const { player } = /** @type {any} */ (window).shaderport;
+  const { gl } = player;
+  player.poke();
+  const pixel = new Uint8Array(4);
+  gl.readPixels(gl.drawingBufferWidth / 2, gl.drawingBufferHeight / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  return [...pixel];
+});
+
+async function drawing(browser, address) {
+  const code = (color) => `void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(${color}, 1.0);\n}\n`;
+  await within(browser, address, { fragment: linkTo(code('1.0, 0.0, 0.0')), reducedMotion: 'reduce' }, async (page) => {
+    const first = await imageOf(page);
+    assert.deepEqual(await middle(first), [255, 0, 0, 255]);
+    assert.equal(await first.evaluate(() => location.origin === 'null' || window.origin === 'null'), true);
+    // The next image replaces the first once it is drawn.
+    await page.locator('#code .cm-line', { hasText: '1.0, 0.0, 0.0' }).click();
+    await page.keyboard.press('End');
+    await page.keyboard.type(' c = c.bgra;');
+    const isOther = (frame) => frame !== first && frame.url().endsWith('player.html');
+    await page.locator('#image iframe.next').waitFor({ state: 'attached' });
+    await page.locator('#image iframe.next').waitFor({ state: 'detached' });
+    assert.deepEqual(await middle(page.frames().find(isOther)), [0, 0, 255, 255]);
+  });
+  await within(browser, address, { fragment: linkTo(FAULTY) }, async (page) => {
+    await page.locator('#image.stale').waitFor();
+    await page.locator('#list .fixes button', { hasText: '2.0' }).click();
+    const frame = await imageOf(page);
+    assert.deepEqual(await middle(frame), [255, 0, 0, 255]);
+  });
+}
+
 export const playgroundTests = [
   { name: 'the playground finds mistakes as one types', run: typing },
   { name: 'the playground applies fixes', run: fixing },
@@ -149,5 +192,6 @@ export const playgroundTests = [
   { name: 'links of the playground contain the shader', run: linking },
   { name: 'the playground shows texts of shaders as text', run: escaping },
   { name: 'the playground has examples', run: examples },
+  { name: 'the playground draws the shader in a frame of its own', run: drawing },
   { name: 'the playground fits wide and narrow windows, light and dark', run: looks },
 ];

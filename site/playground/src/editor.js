@@ -71,8 +71,11 @@ export function openEditor(parent) {
   return new EditorView({ parent: root, root });
 }
 
-/** Shows a text as a new document. */
-export function show(view, name, text) {
-  const extensions = [common, client.plugin(`file:///${encodeURIComponent(name)}`, 'glsl')];
+/** Shows a text as a new document. `changed` is called with each new text. */
+export function show(view, name, text, changed) {
+  const follow = EditorView.updateListener.of((update) => {
+    if (update.docChanged) changed(update.state.doc.toString());
+  });
+  const extensions = [common, follow, client.plugin(`file:///${encodeURIComponent(name)}`, 'glsl')];
   view.setState(EditorState.create({ doc: text, extensions }));
 }

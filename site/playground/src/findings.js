@@ -102,7 +102,7 @@ export const findings = {
       }));
       view.dispatch(setDiagnostics(view.state, marks));
       list(plugin, params.diagnostics);
-      performance.mark('shaderlint-findings');
+      document.dispatchEvent(new Event('findings'));
       return true;
     },
   },

@@ -1,11 +1,24 @@
 // The playground: an editor whose language server runs in a worker. Nothing leaves the page.
 import { formatDocument } from '@codemirror/lsp-client';
 import { startServer } from '../wasm/server.js';
-import { client, openEditor, show } from './editor.js';
+import { client, openEditor, show as showText } from './editor.js';
 import { FIRST, examples } from './examples.js';
+import { ShaderImage } from './image.js';
 import { fragmentOf, textOf } from './link.js';
 
 const at = (id) => document.getElementById(id);
+
+/** The findings come first: the module for the image is as large as that for them. */
+const found = new Promise((resolve) => { document.addEventListener('findings', resolve, { once: true }); });
+found.then(() => performance.mark('first findings'));
+const image = new ShaderImage(at('image'), found);
+
+/** Shows a text in the editor, and its image. */
+function show(view, name, text) {
+  image.restart();
+  image.show(name, text);
+  showText(view, name, text, (changed) => image.show(name, changed));
+}
 
 /** A file name that says what a text is. */
 const nameOf = (text) => (text.trimStart().startsWith('{') ? 'shader.json' : 'shader.glsl');

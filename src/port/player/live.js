@@ -31,23 +31,14 @@ function followChanges(version, player) {
 }
 
 /** @param {Player} player */
-function keep({ clock, mouse, isPlaying }) {
-  const { x, y, clickX, clickY } = mouse;
-  const tab = TABS.find(({ id }) => isTabOpen(id))?.id;
-  const state = { time: clock.time, isPlaying, mouse: { x, y, clickX, clickY }, tab };
+function keep(player) {
   writeAddress();
-  sessionStorage.setItem(KEPT, JSON.stringify(state));
+  sessionStorage.setItem(KEPT, JSON.stringify(stateOf(player)));
 }
 
 /** @param {Player} player */
 function restoreKept(player) {
   const kept = sessionStorage.getItem(KEPT);
   sessionStorage.removeItem(KEPT);
-  if (!kept) return;
-  const state = JSON.parse(kept);
-  Object.assign(player.mouse, state.mouse);
-  if (state.tab) openTab(state.tab);
-  player.seek(state.time);
-  if (state.isPlaying) player.play();
-  else player.pause();
+  if (kept) takeState(player, JSON.parse(kept));
 }

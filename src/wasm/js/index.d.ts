@@ -92,6 +92,8 @@ export class Shaderlint {
     text: string,
     options?: { name?: string; output?: string },
   ): { files: PortedFile[]; errors: number; remarks: string[] };
+  playerData(text: string, options?: { name?: string }): { project: string; errors: number };
+  playerPage(): string;
   lsp(message: object): object[];
   runChanged(): object[];
   request(method: string, params?: object): unknown;

@@ -125,6 +125,16 @@ export class Shaderlint {
     return this.request("port", { name: "shader.glsl", text, output: "shader.html", ...options });
   }
 
+  /** The data of a shader for `playerPage()`; only the module at `portAddress()` has it. */
+  playerData(text, options = {}) {
+    return this.request("playerData", { name: "shader.glsl", text, ...options });
+  }
+
+  /** The page that plays the shaders which the page around it sends. */
+  playerPage() {
+    return this.request("playerPage");
+  }
+
   /** Passes a message to the language server. Returns its messages for the client. */
   lsp(message) {
     return this.request("lsp", message);
