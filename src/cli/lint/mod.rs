@@ -15,7 +15,7 @@ mod scope;
 mod verbose;
 mod watch;
 
-pub use args::{CheckArgs, Command, LintArgs};
+pub use args::{CheckArgs, Command, LintArgs, ProgramName};
 
 use std::io;
 
