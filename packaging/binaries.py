@@ -1,5 +1,6 @@
 """What programs need from the system that they run on, read from the files themselves."""
 
+import hashlib
 import re
 import struct
 import subprocess
@@ -7,7 +8,6 @@ from dataclasses import dataclass
 
 from targets import GLIBC, MACOS
 
-ELF = b"\x7fELF"
 MACH_O = 0xFEEDFACF
 # The architectures in the heads of Mach-O and PE files.
 MACH_O_CPUS = {"x86_64": 0x0100_0007, "aarch64": 0x0100_000C}
@@ -17,6 +17,8 @@ CODE_SIGNATURE = 0x1D
 OLDEST_SYSTEM = {0x32: 12, 0x24: 8}
 # The signature's blob of all parts, the part that names the code, and its flag for "signed by nobody".
 SIGNATURE, CODE_DIRECTORY, AD_HOC = 0xFADE_0CC0, 0xFADE_0C02, 0x2
+# The only kind of checksum that is in use.
+SHA256 = 2
 # Libraries that manylinux allows; all systems with glibc have them.
 ALLOWED = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libgcc_s.so.1"}
 ALLOWED |= {"ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
@@ -106,7 +108,7 @@ def check_macos(architecture, path):
             signature = struct.unpack_from("<I", data, at + 8)[0]
         at += size
     if oldest is None or oldest > tuple(map(int, MACOS.split("."))):
-        raise Unfit(f"{path} needs macOS {oldest}")
+        raise Unfit(f"{path} needs macOS {'.'.join(map(str, oldest or ('of any version',)))}")
     is_signed = signature is not None and is_ad_hoc(data, signature)
     if architecture == "aarch64" and not is_signed:
         raise Unfit(f"{path} is not signed, so macOS does not start it")
@@ -114,11 +116,19 @@ def check_macos(architecture, path):
 
 
 def is_ad_hoc(data, at):
-    """Whether the signature at this offset is complete and made without a certificate."""
+    """Whether the signature at this offset is made without a certificate, and is that of the file: whatever
+    changes a program after it was linked makes it invalid."""
     magic, _, count = struct.unpack_from(">3I", data, at)
     for index in range(count if magic == SIGNATURE else 0):
         part = at + struct.unpack_from(">I", data, at + 12 + 8 * index + 4)[0]
-        magic, _, _, flags = struct.unpack_from(">4I", data, part)
+        magic, _, _, flags, hashes, _, _, slots, end = struct.unpack_from(">9I", data, part)
         if magic == CODE_DIRECTORY:
+            size, kind, _, page = struct.unpack_from("4B", data, part + 36)
+            for slot in range(slots):
+                start = slot << page
+                digest = hashlib.sha256(data[start : min(start + (1 << page), end)]).digest()
+                at = part + hashes + slot * size
+                if kind != SHA256 or data[at : at + size] != digest:
+                    return False
             return bool(flags & AD_HOC)
     return False

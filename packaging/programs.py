@@ -35,11 +35,12 @@ def installed_tools():
     return venv / "bin"
 
 
-def build(target):
-    """Builds the programs of a target for a release; gives their paths."""
+def build(targets):
+    """Builds the programs of targets for a release; gives their paths by target."""
     tools = installed_tools()
-    # The standard library of the target, unless it is installed.
-    subprocess.run(["rustup", "--quiet", "target", "add", target.triple], check=True, cwd=ROOT)
+    # The standard libraries of the targets, unless they are installed.
+    triples = [target.triple for target in targets]
+    subprocess.run(["rustup", "--quiet", "target", "add", *triples], check=True, cwd=ROOT)
     home = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
     environment = os.environ | {
         "PATH": f"{tools}{os.pathsep}{os.environ['PATH']}",
@@ -50,8 +51,11 @@ def build(target):
         "RUSTFLAGS": f"--remap-path-prefix={home}=cargo --remap-path-prefix={ROOT}=.",
     }
     command = ["cargo", "zigbuild", "--locked", "--profile", PROFILE, "--features", FEATURES, "--bins"]
-    subprocess.run([*command, "--target", target.zig], check=True, cwd=ROOT, env=environment)
-    return built(target_folder() / target.triple / PROFILE, target)
+    # All at once: while the program of one target is linked, which uses one core, others are compiled.
+    for target in targets:
+        command += ["--target", target.zig]
+    subprocess.run(command, check=True, cwd=ROOT, env=environment)
+    return {target: built(target_folder() / target.triple / PROFILE, target) for target in targets}
 
 
 def built(folder, target):

@@ -11,7 +11,7 @@ SUMS = "SHA256SUMS"
 def write(out, key):
     """Writes release notes, checksums and, with a key, their signature; gives the checksums by file name."""
     (out / "NOTES.md").write_text(f"# {project().name} {project().version}\n\n{changes()}")
-    files = sorted(path for path in out.iterdir() if path.is_file())
+    files = sorted(path for path in out.iterdir() if path.is_file() and path.name != SUMS)
     checksums = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
     sums = out / SUMS
     sums.write_text("".join(f"{checksum}  {name}\n" for name, checksum in checksums.items()))
