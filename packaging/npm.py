@@ -54,7 +54,7 @@ def common(name):
         "description": about.summary,
         "license": about.license,
         "homepage": about.repository,
-        "repository": {"type": "git", "url": f"git+{about.repository}.git"},
+        "repository": {"type": "git", "url": f"git+{about.repository}"},
     }
 
 
