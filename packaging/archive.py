@@ -7,10 +7,10 @@ import time
 import zipfile
 from dataclasses import dataclass
 
-from project import LICENSES, PROGRAMS, ROOT, project, timestamp
+from project import LICENSES, ROOT, project, timestamp
 
 
-# Of deflate and xz; less where packages are only tested.
+# Of deflate and xz; none where packages are only tested.
 COMPRESSION = 9
 
 
@@ -33,7 +33,7 @@ def text(path, content):
     return Entry(path, content.encode())
 
 
-def tar(path, entries):
+def write_tar(path, entries):
     """Writes a `.tar.gz`."""
     with open(path, "wb") as file, gzip.GzipFile("", "wb", COMPRESSION, file, timestamp()) as compressed:
         with tarfile.open(fileobj=compressed, mode="w", format=tarfile.USTAR_FORMAT) as out:
@@ -47,7 +47,7 @@ def tar(path, entries):
     return path
 
 
-def zip(path, entries, is_sorted=False):
+def write_zip(path, entries, is_sorted=False):
     """Writes a `.zip`; `is_sorted` keeps the order of the entries."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=COMPRESSION) as out:
         for entry in entries if is_sorted else sorted(entries):
@@ -82,5 +82,4 @@ def write(target, programs, extras, out):
     entries = [Entry(f"{inside}/{p.name}", p.read_bytes(), True) for p in programs]
     entries += [Entry(f"{inside}/{path}", data) for path, data in extras.items()]
     entries += [text(f"{inside}/README.md", project().readme), *licenses(inside)]
-    assert len(programs) == len(PROGRAMS)
-    return (zip if target.is_windows else tar)(out / name(target), entries)
+    return (write_zip if target.is_windows else write_tar)(out / name(target), entries)

@@ -63,4 +63,4 @@ def pack(manifest, entries, readme, out):
     name = manifest["name"].removeprefix("@").replace("/", "-")
     entries += [text("package/package.json", json.dumps(manifest, indent=2) + "\n")]
     entries += [text("package/README.md", readme), *licenses("package")]
-    return archive.tar(out / f"{name}-{manifest['version']}.tgz", entries)
+    return archive.write_tar(out / f"{name}-{manifest['version']}.tgz", entries)

@@ -3,7 +3,7 @@
 import base64
 import hashlib
 
-from archive import Entry, licenses, text, zip
+from archive import Entry, licenses, text, write_zip
 from project import LICENSES, project
 
 CLASSIFIERS = (
@@ -34,7 +34,7 @@ def write(tags, programs, out):
     # The format recommends that the metadata is at the end of the file.
     entries.append(text(record, "".join([*lines, f"{record},,\n"])))
     path = out / f"shaderlint-{version}-py3-none-{'.'.join(tags)}.whl"
-    return zip(path, entries, is_sorted=True)
+    return write_zip(path, entries, is_sorted=True)
 
 
 def digest(data):

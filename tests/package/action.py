@@ -16,7 +16,10 @@ import yaml
 def script(step, inputs, folder):
     """Runs the script of a step; gives its exit code, output, and what it passed on."""
     contexts = {f"inputs.{name}": value for name, value in inputs.items()} | {"runner.temp": str(folder)}
-    fill = lambda text: re.sub(r"\$\{\{ (.*?) \}\}", lambda match: contexts[match[1]], text)
+
+    def filled(text):
+        return re.sub(r"\$\{\{ (.*?) \}\}", lambda match: contexts[match[1]], text)
+
     # A script that contains an input would run code in it.
     assert "${{" not in step["run"], step["name"]
     file = folder / "script"
@@ -25,7 +28,7 @@ def script(step, inputs, folder):
     passed = {name: folder / name for name in ("GITHUB_PATH", "GITHUB_OUTPUT")}
     for path in passed.values():
         path.write_text("")
-    environment = os.environ | {name: fill(text) for name, text in step["env"].items()}
+    environment = os.environ | {name: filled(text) for name, text in step["env"].items()}
     environment |= {name: str(path) for name, path in passed.items()}
     ran = subprocess.run(
         ["bash", "--noprofile", "--norc", "-eo", "pipefail", file],
