@@ -40,9 +40,9 @@ def write(target, programs, extras, needs, out):
                 each.chmod(0o755)
             os.utime(each, (timestamp(), timestamp()))
         # Of xz, which all versions of Debian and Ubuntu read; with one thread, for the same bytes.
-        options = ["--root-owner-group", "-Zxz", f"-z{archive.COMPRESSION}", "--threads-max=1"]
+        options = ["--root-owner-group", "-Zxz", f"-z{archive.COMPRESSION}"]
         command = ["dpkg-deb", *options, "--build", folder, path]
-        environment = os.environ | {"SOURCE_DATE_EPOCH": str(timestamp())}
+        environment = os.environ | {"SOURCE_DATE_EPOCH": str(timestamp()), "DPKG_DEB_THREADS_MAX": "1"}
         subprocess.run(command, check=True, env=environment, stdout=subprocess.DEVNULL)
     return path
 
