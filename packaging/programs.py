@@ -1,6 +1,7 @@
 """Builds the programs of targets, and generates what they print about themselves."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -41,14 +42,12 @@ def build(targets):
     # The standard libraries of the targets, unless they are installed.
     triples = [target.triple for target in targets]
     subprocess.run(["rustup", "--quiet", "target", "add", *triples], check=True, cwd=ROOT)
-    home = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
     environment = os.environ | {
         "PATH": f"{tools}{os.pathsep}{os.environ['PATH']}",
         "CARGO_TARGET_DIR": str(target_folder()),
         "CARGO_INCREMENTAL": "0",
         "MACOSX_DEPLOYMENT_TARGET": MACOS,
-        # Programs contain the paths of sources, which differ between machines.
-        "RUSTFLAGS": f"--remap-path-prefix={home}=cargo --remap-path-prefix={ROOT}=.",
+        "RUSTFLAGS": " ".join(f"--remap-path-prefix={path}={name}" for path, name in names_of_sources().items()),
     }
     command = ["cargo", "zigbuild", "--locked", "--profile", PROFILE, "--features", FEATURES, "--bins"]
     # All at once: while the program of one target is linked, which uses one core, others are compiled.
@@ -56,6 +55,27 @@ def build(targets):
         command += ["--target", target.zig]
     subprocess.run(command, check=True, cwd=ROOT, env=environment)
     return {target: built(target_folder() / target.triple / PROFILE, target) for target in targets}
+
+
+def names_of_sources():
+    """What programs call the folders of sources instead of their paths, which differ between machines."""
+    home = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
+
+    def rustc(*arguments):
+        return subprocess.check_output(["rustc", *arguments], text=True, cwd=ROOT)
+
+    commit = re.search("^commit-hash: (.*)$", rustc("-vV"), re.MULTILINE).group(1)
+    # Where the sources of the standard library are installed, they have a path of this machine too.
+    library = Path(rustc("--print", "sysroot").strip()) / "lib/rustlib/src/rust"
+    return {home: "cargo", ROOT: ".", library: f"/rustc/{commit}"}
+
+
+def check_names(path):
+    """Fails if a program contains a path of this machine."""
+    data = path.read_bytes()
+    for folder in names_of_sources():
+        if str(folder).encode() in data:
+            raise SystemExit(f"packaging/build: {path} contains the path {folder}")
 
 
 def built(folder, target):
