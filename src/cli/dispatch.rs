@@ -1,9 +1,10 @@
 //! Runs the command that the arguments of `shaderlint` name.
 
 use super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::lint::{self, Command, LintArgs, ListFormat, init, ir, reduce};
+use super::lint::{self, Command, LintArgs, ListFormat, ProgramName, init, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
+use super::port::PortArgs;
 use super::{fmt, run as draw, test};
 #[cfg(feature = "mcp")]
 use super::{mcp, port};
@@ -53,7 +54,7 @@ fn run_command(command: &Command) -> io::Result<u8> {
         Command::Port { args } => {
             use clap::Parser;
             let args = std::iter::once("shaderport".into()).chain(args.iter().cloned());
-            return Ok(port::run(&port::PortArgs::parse_from(args)));
+            return Ok(port::run(&PortArgs::parse_from(args)));
         }
         Command::Rules { format } => match format {
             ListFormat::Human => text = rule_table().into_bytes(),
@@ -62,23 +63,33 @@ fn run_command(command: &Command) -> io::Result<u8> {
                 text.push(b'\n');
             }
         },
-        Command::Completions { shell } => {
-            clap_complete::generate(*shell, &mut LintArgs::command(), "shaderlint", &mut text);
+        Command::Completions { shell, program } => {
+            let mut command = described(*program);
+            let name = command.get_name().to_string();
+            clap_complete::generate(*shell, &mut command, name, &mut text);
         }
-        Command::Man => clap_mangen::Man::new(LintArgs::command()).render(&mut text)?,
+        Command::Man { program } => clap_mangen::Man::new(described(*program)).render(&mut text)?,
         Command::Schema => text.extend_from_slice(schema().as_bytes()),
     }
     io::stdout().lock().write_all(&text)?;
     Ok(CLEAN)
 }
 
+/// The arguments of a program.
+fn described(program: ProgramName) -> clap::Command {
+    match program {
+        ProgramName::Shaderlint => LintArgs::command(),
+        ProgramName::Shaderport => PortArgs::command(),
+    }
+}
+
 /// Prints the documentation of a rule, compile error or host, and returns the exit code.
 fn explain(words: &[String]) -> io::Result<u8> {
     match commands::explain(words) {
-        Ok(text) => io::stdout()
-            .lock()
-            .write_all(text.as_bytes())
-            .map(|()| CLEAN),
+        Ok(text) => {
+            io::stdout().lock().write_all(text.as_bytes())?;
+            Ok(CLEAN)
+        }
         Err(message) => {
             complain(&message);
             Ok(FAILED)

@@ -112,9 +112,13 @@ fn completions_and_the_man_page_name_the_options() {
             ran.out.contains("unsafe-fixes") && ran.out.contains("explain"),
             "{shell}"
         );
+        let port = scratch.run(&["completions", shell, "shaderport"]).out;
+        assert!(port.contains("shaderport") && port.contains("verify"));
     }
     let man = scratch.run(&["man"]).out;
     assert!(man.contains(".TH shaderlint 1") && man.contains("\\-\\-write\\-baseline"));
+    let man = scratch.run(&["man", "shaderport"]).out;
+    assert!(man.contains(".TH shaderport 1") && man.contains("\\-\\-verify"));
 }
 
 /// A shader with one error and a lot of unrelated code.

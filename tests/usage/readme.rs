@@ -3,8 +3,9 @@
 //!
 //! Fences of `sh` are run line by line. Fences of `console` hold a command after `$` and exactly what it
 //! prints; `INSTA_UPDATE=always cargo test` writes it. `cargo` is not run, but its package and features
-//! must exist; a fence that installs a feature is run where the tests are built with it. Names of files
-//! that only a reader has are fixtures.
+//! must exist; a fence that installs a feature is run where the tests are built with it. What installs
+//! packages is run by `tests/package/run`, which must contain it. Names of files that only a reader has
+//! are fixtures.
 
 use super::super::recorded::stale;
 use super::scratch::{BROKEN, root};
@@ -24,6 +25,16 @@ const READERS: [(&str, &str); 4] = [
 
 /// Options of `cargo`.
 const CARGO: [&str; 6] = ["--", "--features", "--path", "--release", "--bin", "--git"];
+
+/// Options of programs that install packages or run containers.
+const INSTALLERS: [&str; 6] = [
+    "--to",
+    "--rm",
+    "--volume",
+    "--user",
+    "--check",
+    "--ignore-missing",
+];
 
 /// Words of the README, code included.
 const MOST_WORDS: usize = 900;
@@ -188,6 +199,13 @@ fn run_fence(place: &Place, fence: &str) -> usize {
                 Some(run) => command = run,
                 None => continue,
             }
+        } else if ["pip ", "npm ", "npx "].iter().any(|p| line.starts_with(p)) {
+            let test = fs::read_to_string(root().join("tests/package/run")).unwrap();
+            assert!(
+                test.contains(line),
+                "tests/package/run does not run: {line}"
+            );
+            continue;
         } else if line.starts_with("tests/") || line.starts_with("src/") {
             let program = line.split_whitespace().next().unwrap();
             assert!(root().join(program).is_file(), "{line}");
@@ -249,6 +267,7 @@ fn every_option_and_path_of_the_text_exists() {
         "shaderlint --help; for c in rules reduce run test fmt; do shaderlint $c --help; done",
     );
     let (_, port) = place.run("shaderport --help");
+    let others = [CARGO.as_slice(), &INSTALLERS].concat();
     let is_end = |c: char| !c.is_ascii_alphanumeric() && c != '-';
     for (path, text) in texts() {
         for code in text.split('`').skip(1).step_by(2) {
@@ -257,7 +276,7 @@ fn every_option_and_path_of_the_text_exists() {
                 let known = [&lint, &port].iter().any(|help| help.contains(word));
                 let is_built = cfg!(feature = "naga") || !OF_NAGA.contains(&word);
                 assert!(
-                    known || CARGO.contains(&word) || !is_built,
+                    known || others.contains(&word) || !is_built,
                     "{path}: `{word}`"
                 );
             }

@@ -244,11 +244,28 @@ pub enum Command {
     Completions {
         /// Shell to generate completions for
         shell: Shell,
+        /// Program to complete
+        #[arg(value_enum, default_value_t)]
+        program: ProgramName,
     },
     /// Print the man page
-    Man,
+    Man {
+        /// Program to describe
+        #[arg(value_enum, default_value_t)]
+        program: ProgramName,
+    },
     /// Print the JSON schema of shaderlint.toml
     Schema,
+}
+
+/// The programs of the package.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
+pub enum ProgramName {
+    /// The linter
+    #[default]
+    Shaderlint,
+    /// The porter
+    Shaderport,
 }
 
 /// The values of `--format` for lists.

@@ -13,7 +13,7 @@ pub mod reduce;
 mod verbose;
 mod watch;
 
-pub use args::{CheckArgs, Command, LintArgs, ListFormat};
+pub use args::{CheckArgs, Command, LintArgs, ListFormat, ProgramName};
 
 use std::io;
 
