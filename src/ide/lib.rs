@@ -37,7 +37,7 @@ pub use lens::{Lens, LensCommand, lenses};
 pub use navigate::{declaration, definition, highlights, is_shared, references, type_definition};
 pub use outline::{OutlineItem, outline};
 pub use rename::{RenameRefusal, Renaming, may_rename, rename};
-pub use run::{ObservedIterations, RunObservations, image_of, run};
+pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_of, run};
 pub use selection::selection;
 pub use signature::{Signature, SignatureHelp, signature_help};
 pub use symbol::{Symbol, SymbolKind};

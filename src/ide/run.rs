@@ -2,7 +2,7 @@
 
 use shaderlint_engine::Analysis;
 use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
-use shaderlint_exec::{CompileOptions, LoopObservation, Probe, Watch, draw};
+use shaderlint_exec::{CompileOptions, LANES, LoopObservation, Probe, Watch, draw};
 use shaderlint_semantic::{Stage, VariableId};
 use shaderlint_syntax::ast::StmtId;
 use shaderlint_text::Span;
@@ -56,6 +56,38 @@ impl ObservedIterations {
             most: seen.most,
             mean: seen.iterations as f64 / seen.entries.max(1) as f64,
             exhausted: seen.exhausted_pixels as f64 / seen.pixels.max(1) as f64,
+        }
+    }
+}
+
+/// How much work a frame of a shader is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum FrameCost {
+    /// The average number of operations per pixel.
+    PerPixel(f64),
+    /// More than the budget of a sample run, at least this many operations per pixel.
+    Exceeded(f64),
+    /// The shader cannot be run.
+    Unknown,
+}
+
+/// Counts the operations of a frame in a small image.
+pub fn frame_cost(analysis: &Analysis) -> FrameCost {
+    let options = CompileOptions {
+        cost: true,
+        most: Some(MOST_INSTRUCTIONS),
+        ..CompileOptions::default()
+    };
+    let Some(scene) = scene(analysis, &options) else {
+        return FrameCost::Unknown;
+    };
+    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
+    drawing.budget = BUDGET;
+    match draw(&drawing, 1) {
+        Ok(drawn) => FrameCost::PerPixel(drawn.mean_cost()),
+        Err(_) => {
+            let groups = f64::from(SIZE[0] * SIZE[1]) / LANES as f64;
+            FrameCost::Exceeded(BUDGET as f64 / groups)
         }
     }
 }

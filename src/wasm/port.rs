@@ -4,9 +4,13 @@ use super::result::RequestResult;
 use serde::Deserialize;
 use serde_json::json;
 use shaderlint_diagnostic::Severity;
+use shaderlint_engine::config::{Selection, options};
+use shaderlint_engine::{Analysis, NoFiles, analyze};
+use shaderlint_ide::{FrameCost, frame_cost};
 use shaderlint_port::naga::FirstRow;
 use shaderlint_port::{Composed, Destination, MainChoice, Order, Project, Target};
 use shaderlint_port::{add_stand_ins, build, player_data as data_of};
+use shaderlint_semantic::{Dialect, Pass};
 use shaderlint_text::kind::{Claim, FileKind, decide};
 use std::path::Path;
 
@@ -76,8 +80,39 @@ pub fn port(PortRequest { shader, output }: &PortRequest) -> RequestResult {
     }))
 }
 
-/// `playerData`: the data for the player as JSON, and the number of errors.
+/// `playerData`: the data for the player as JSON, the number of errors, and the number of operations per
+/// pixel of a frame, as far as they were counted: `isMore` if a shader does not end within the budget.
 pub fn player_data(shader: &ShaderText) -> RequestResult {
     let (project, composed) = load(shader)?;
-    Ok(json!({ "project": data_of(&project, &composed), "errors": errors(&composed) }))
+    let errors = errors(&composed);
+    let (operations, is_more) = match errors {
+        0 => operations(shader),
+        _ => (0.0, false),
+    };
+    Ok(json!({
+        "project": data_of(&project, &composed),
+        "errors": errors,
+        "operations": operations,
+        "isMore": is_more,
+    }))
+}
+
+/// The operations per pixel of all passes that have the size of the canvas, and whether there are more.
+fn operations(ShaderText { name, text }: &ShaderText) -> (f64, bool) {
+    let selection = Selection {
+        run_samples: Some(0),
+        ..Selection::default()
+    };
+    let options = options(None, &[], &selection).unwrap_or_default();
+    let report = analyze(name, text, &options, &NoFiles);
+    let has_size = |analysis: &&Analysis| match analysis.program.dialect {
+        Dialect::ShaderToy(pass) => matches!(pass, Pass::Image | Pass::Buffer),
+        _ => true,
+    };
+    let costs = report.analyses.iter().filter(has_size).map(frame_cost);
+    costs.fold((0.0, false), |(sum, is_more), cost| match cost {
+        FrameCost::PerPixel(count) => (sum + count, is_more),
+        FrameCost::Exceeded(count) => (sum + count, true),
+        FrameCost::Unknown => (sum, is_more),
+    })
 }

@@ -148,7 +148,7 @@ async function looks(browser, address) {
 /** The frame that shows the image of the shader. */
 const imageOf = async (page) => {
   await page.locator('#image iframe:not(.next)').waitFor();
-  return page.frames().find((frame) => frame.url().endsWith('player.html'));
+  return page.frames().find((frame) => frame.url().includes('player.html'));
 };
 
 /** The colour in the middle of the image, as the shader writes it. */
@@ -171,7 +171,7 @@ async function drawing(browser, address) {
     await page.locator('#code .cm-line', { hasText: '1.0, 0.0, 0.0' }).click();
     await page.keyboard.press('End');
     await page.keyboard.type(' c = c.bgra;');
-    const isOther = (frame) => frame !== first && frame.url().endsWith('player.html');
+    const isOther = (frame) => frame !== first && frame.url().includes('player.html');
     await page.locator('#image iframe.next').waitFor({ state: 'attached' });
     await page.locator('#image iframe.next').waitFor({ state: 'detached' });
     assert.deepEqual(await middle(page.frames().find(isOther)), [0, 0, 255, 255]);
@@ -184,6 +184,29 @@ async function drawing(browser, address) {
   });
 }
 
+/** A frame that takes long is drawn only when somebody wants it. */
+async function asking(browser, address) {
+  const code = `void mainImage(out vec4 c, in vec2 p) {
+    float sum = 0.0;
+    for (int i = 0; i < 4000; i++) sum += sin(float(i) + p.x);
+    c = vec4(sum * 0.0, 1.0, 0.0, 1.0);
+}
+`;
+  await within(browser, address, { fragment: linkTo(code), reducedMotion: 'reduce' }, async (page) => {
+    const question = page.locator('#image .question');
+    await question.getByText('billion operations').waitFor();
+    assert.equal(await page.locator('#image iframe').count(), 0);
+    await question.getByRole('button', { name: /^Draw 1/ }).click();
+    const frame = await imageOf(page);
+    assert.deepEqual(await middle(frame), [0, 255, 0, 255]);
+    const [width, shown] = await frame.evaluate(() => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('canvas'));
+      return [canvas.width, canvas.clientWidth];
+    });
+    assert.ok(width < shown / 2, `${width} of ${shown} pixels`);
+  });
+}
+
 export const playgroundTests = [
   { name: 'the playground finds mistakes as one types', run: typing },
   { name: 'the playground applies fixes', run: fixing },
@@ -193,5 +216,6 @@ export const playgroundTests = [
   { name: 'the playground shows texts of shaders as text', run: escaping },
   { name: 'the playground has examples', run: examples },
   { name: 'the playground draws the shader in a frame of its own', run: drawing },
+  { name: 'the playground asks before it draws what takes long', run: asking },
   { name: 'the playground fits wide and narrow windows, light and dark', run: looks },
 ];

@@ -1,9 +1,11 @@
 // The image of the shader: the page of `shaderport` in a frame that can reach nothing else.
 
+import { frameCost, inWords } from './cost.js';
+
 /** Milliseconds without changes before the image is drawn anew. */
 const PAUSE = 250;
 
-/** Shows the image of a shader in an element. */
+/** Shows the image of a shader in an element, unless that might stop the browser from responding. */
 export class ShaderImage {
   #parent;
   #isDue;
@@ -16,6 +18,8 @@ export class ShaderImage {
   #state;
   /** The shader for the next frame. */
   #project;
+  /** What somebody answered about a shader that takes many operations: drawn pixels per pixel. */
+  #answer;
 
   /**
    * @param {HTMLElement} parent
@@ -33,11 +37,11 @@ export class ShaderImage {
     this.#timer = setTimeout(() => this.#port(name, text), PAUSE);
   }
 
-  /** Forgets the time and the mouse of another shader. */
+  /** Forgets the image, the time and the mouse of another shader. */
   restart() {
     this.#state = undefined;
-    this.#frame?.remove();
-    this.#frame = undefined;
+    this.#answer = undefined;
+    this.#forget();
   }
 
   async #port(name, text) {
@@ -50,20 +54,61 @@ export class ShaderImage {
   }
 
   /** A shader with errors keeps the last image. */
-  #ported({ number, errors, project }) {
+  #ported({ number, errors, project, operations, isMore }) {
     if (number !== this.#number) return;
     this.#parent.classList.toggle('stale', errors > 0);
     if (errors > 0) return;
+    this.#parent.querySelector('.question')?.remove();
+    this.#project = project;
+    const { clientWidth, clientHeight } = this.#parent;
+    const { operations: all, divisor } = frameCost(operations, clientWidth * clientHeight * devicePixelRatio ** 2);
+    if (divisor > 1 && this.#answer === undefined) this.#ask(all, isMore, divisor);
+    else this.#draw(divisor > 1 ? this.#answer : 1);
+  }
+
+  /** Asks before a frame is drawn that takes long. */
+  #ask(all, isMore, divisor) {
+    this.#forget();
+    const question = document.createElement('div');
+    question.className = 'question';
+    question.setAttribute('role', 'alert');
+    const text = document.createElement('p');
+    text.textContent = `This frame needs ${isMore ? 'more than ' : ''}${inWords(all)} operations, which may freeze the browser.`;
+    const button = (label, scale) => {
+      const made = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
+      made.addEventListener('click', () => {
+        this.#answer = scale;
+        question.remove();
+        this.#draw(scale);
+      });
+      return made;
+    };
+    question.append(text, button(`Draw 1/${divisor} of the pixels`, 1 / divisor), button('Draw all', 1));
+    this.#parent.append(question);
+  }
+
+  /** Draws the shader in a frame. @param {number} share of the pixels */
+  #draw(share) {
     this.#next?.remove();
     const frame = document.createElement('iframe');
     frame.title = 'Image of the shader';
     frame.setAttribute('sandbox', 'allow-scripts allow-downloads');
     frame.allow = 'autoplay; fullscreen';
     frame.className = 'next';
-    frame.src = new URL('player.html', document.baseURI).href;
+    const page = new URL('player.html', document.baseURI);
+    if (share < 1) page.hash = `scale=${Math.sqrt(share).toFixed(3)}`;
+    frame.src = page.href;
     this.#next = frame;
-    this.#project = project;
     this.#parent.append(frame);
+  }
+
+  /** Removes all images and questions. */
+  #forget() {
+    this.#frame?.remove();
+    this.#next?.remove();
+    this.#frame = undefined;
+    this.#next = undefined;
+    this.#parent.querySelector('.question')?.remove();
   }
 
   #heard(data, source) {

@@ -6,6 +6,9 @@ import { FIRST, examples } from './examples.js';
 import { ShaderImage } from './image.js';
 import { fragmentOf, textOf } from './link.js';
 
+/** Starts first: nothing else takes as long. */
+const server = startServer();
+
 const at = (id) => document.getElementById(id);
 
 /** The findings come first: the module for the image is as large as that for them. */
@@ -94,7 +97,6 @@ async function fixAll(view) {
 
 async function start() {
   const view = openEditor(at('code'));
-  const server = startServer();
   listExamples(view);
   if (!await openLink(view)) show(view, 'wave.glsl', FIRST);
   addEventListener('hashchange', () => openLink(view));

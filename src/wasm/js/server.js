@@ -26,7 +26,16 @@ function webWorker() {
  * @param {{ source?: Parameters<typeof compile>[0], worker?: () => Worker, pause?: number }} [options]
  */
 export async function startServer(options = {}) {
-  return new Server(await compile(options.source), options.worker ?? webWorker, options.pause);
+  const module = compile(options.source);
+  // The worker starts while the module is loaded.
+  const server = new Server(module, options.worker ?? webWorker, options.pause);
+  try {
+    await module;
+  } catch (error) {
+    server.close();
+    throw error;
+  }
+  return server;
 }
 
 class Server {
@@ -76,7 +85,7 @@ class Server {
   #start() {
     const worker = this.#create();
     worker.onmessage = ({ data }) => this.#received(worker, data);
-    worker.postMessage({ module: this.#module });
+    this.#module.then((module) => worker.postMessage({ module })).catch(() => {});
     return worker;
   }
 
@@ -88,8 +97,14 @@ class Server {
   #post(message) {
     const number = ++this.#count;
     this.#waiting.set(number, message);
-    this.#worker.postMessage(message === "run" ? { number, run: true } : { number, message });
+    this.#tell(message === "run" ? { number, run: true } : { number, message });
     this.#watch();
+  }
+
+  /** The module comes before all other messages. */
+  #tell(data) {
+    const worker = this.#worker;
+    this.#module.then(() => worker.postMessage(data)).catch(() => {});
   }
 
   /** Limits the time until the next answer of the worker. */
@@ -144,7 +159,7 @@ class Server {
     this.#worker = this.#spare ?? this.#start();
     this.#spare = undefined;
     const silent = this.#documents.replay();
-    for (const message of silent) this.#worker.postMessage({ number: REPLAY, message });
+    for (const message of silent) this.#tell({ number: REPLAY, message });
     // What does not depend on a run and took too long would do so again.
     const wasRunning = waiting.includes("run");
     for (const message of waiting) {
