@@ -33,6 +33,11 @@ function compare(shaderlint, folder, extensions) {
   assert.deepEqual(wrong, []);
 }
 
+test("the package has the version of the program", () => {
+  const { version } = JSON.parse(fs.readFileSync(path.join(process.env.WASM, "package.json"), "utf8"));
+  assert.equal(native(["--version"]).trim(), `shaderlint ${version}`);
+});
+
 for (const [name, address] of Object.entries(MODULES)) {
   test(`${name}: mistakes`, async () => {
     compare(await Shaderlint.load(address), path.join(ROOT, "corpus/mistakes"), [".glsl", ".frag"]);
