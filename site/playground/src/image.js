@@ -4,6 +4,8 @@ import { frameCost, inWords } from './cost.js';
 
 /** Milliseconds without changes before the image is drawn anew. */
 const PAUSE = 250;
+/** Milliseconds that the last image has for telling its time. */
+const PATIENCE = 500;
 
 /** Shows the image of a shader in an element, unless that might stop the browser from responding. */
 export class ShaderImage {
@@ -114,21 +116,28 @@ export class ShaderImage {
   #heard(data, source) {
     if (source === this.#frame?.contentWindow && data.state) {
       this.#state = data.state;
-      this.#open();
+      this.#open(this.#next);
     }
-    if (source !== this.#next?.contentWindow) return;
-    // The state is that of the moment at which the next image starts.
-    if (data.isReady && this.#frame) this.#frame.contentWindow.postMessage({ isWanted: true }, '*');
-    else if (data.isReady) this.#open();
+    const next = this.#next;
+    if (!next || source !== next.contentWindow) return;
+    if (data.isReady) {
+      // The state is that of the moment at which the next image starts. A frame that is busy drawing may not
+      // answer.
+      this.#frame?.contentWindow.postMessage({ isWanted: true }, '*');
+      setTimeout(() => this.#open(next), this.#frame ? PATIENCE : 0);
+    }
     if (data.drawn) {
       this.#frame?.remove();
-      this.#frame = this.#next;
+      this.#frame = next;
       this.#next = undefined;
       this.#frame.className = '';
     }
   }
 
-  #open() {
-    this.#next?.contentWindow.postMessage({ project: this.#project, state: this.#state }, '*');
+  /** Sends the shader to a frame, once. */
+  #open(frame) {
+    if (!frame || frame !== this.#next || frame.dataset.opened) return;
+    frame.dataset.opened = 'true';
+    frame.contentWindow.postMessage({ project: this.#project, state: this.#state }, '*');
   }
 }
