@@ -121,6 +121,7 @@ export class ShaderImage {
     const next = this.#next;
     if (!next || source !== next.contentWindow) return;
     if (data.isReady) {
+      next.dataset.state = 'ready';
       // The state is that of the moment at which the next image starts. A frame that is busy drawing may not
       // answer.
       this.#frame?.contentWindow.postMessage({ isWanted: true }, '*');
@@ -136,8 +137,8 @@ export class ShaderImage {
 
   /** Sends the shader to a frame, once. */
   #open(frame) {
-    if (!frame || frame !== this.#next || frame.dataset.opened) return;
-    frame.dataset.opened = 'true';
+    if (!frame || frame !== this.#next || frame.dataset.state !== 'ready') return;
+    frame.dataset.state = 'opened';
     frame.contentWindow.postMessage({ project: this.#project, state: this.#state }, '*');
   }
 }
