@@ -99,18 +99,15 @@ def control(target, files, needs):
 
 
 def copyright():
-    """The licences in Debian's format; Apache's is on every system."""
+    """The licences as plain text, which Debian accepts; Apache's is on every system."""
     mit = (ROOT / "LICENSE").read_text()
     holder = re.search(r"^Copyright \(c\) (.*)$", mit, re.MULTILINE)
     start = mit.index("Permission is hereby granted")
-    terms = "\n".join(f" {line}" if line.strip() else " ." for line in mit[start:].strip().splitlines())
     return (
-        "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\n"
-        f"Upstream-Name: {project().name}\nSource: {project().repository}\n\n"
-        f"Files: *\nCopyright: {holder.group(1)}\n"
-        f"License: Expat or Apache-2.0\n\nLicense: Expat\n{terms}\n\n"
-        "License: Apache-2.0\n On Debian systems, the text of this license is in\n"
-        " /usr/share/common-licenses/Apache-2.0.\n"
+        f"{project().name} comes from {project().repository}.\n\n"
+        f"Copyright: {holder.group(1)}\n\n"
+        "License: MIT or Apache-2.0, at your option. On Debian systems, the text of the latter is in\n"
+        f"/usr/share/common-licenses/Apache-2.0. The former:\n\n{mit[start:].strip()}\n"
     )
 
 
