@@ -4,6 +4,7 @@
 mod check;
 mod explain;
 mod reading;
+pub mod run;
 mod scope;
 
 pub use check::{CheckedText, FindingKey, check, print};

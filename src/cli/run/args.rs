@@ -1,10 +1,12 @@
 //! The arguments of `shaderlint run`.
 
 use super::super::color::ColorChoice;
+use super::image_file::decode;
+use crate::commands::run::{FrameView, HeatMap, ShotSetting, Show, UniformText};
 use crate::engine::playback::{Button, Moment, Mouse};
 use crate::exec::Watch;
 use clap::ValueEnum;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Run a shader on the CPU and show its image and statistics.
 ///
@@ -127,15 +129,6 @@ Exit codes:
   1  The shader has errors, or --compare found a difference
   2  Wrong usage, or a file cannot be read or written";
 
-/// A variable on a source line.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Show {
-    /// Name of the variable.
-    pub name: String,
-    /// Line number, from 1.
-    pub line: u32,
-}
-
 /// What a heat map shows of each pixel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum Heat {
@@ -159,7 +152,27 @@ pub enum RunFormat {
     Json,
 }
 
+impl Heat {
+    fn map(self) -> HeatMap {
+        match self {
+            Heat::Steps => HeatMap::Steps,
+            Heat::Cost => HeatMap::Cost,
+            Heat::Overdraw => HeatMap::Overdraw,
+            Heat::Nan => HeatMap::Nan,
+        }
+    }
+}
+
 impl RunArgs {
+    /// What is shown of the frame.
+    pub fn view(&self) -> FrameView<'_> {
+        FrameView {
+            heat: self.heatmap.map(Heat::map),
+            show: self.show.as_ref(),
+            report: self.report,
+        }
+    }
+
     /// The time, frame and mouse to draw.
     pub fn moment(&self) -> Moment {
         let moment = match (self.time, self.frame) {
@@ -176,39 +189,24 @@ impl RunArgs {
         }
     }
 
-    /// The settings of the draw.
-    pub fn setting(&self) -> ShotSetting<'_> {
+    /// The settings of the draw. `uniforms` is the text of the file of uniforms.
+    pub fn setting<'a>(&'a self, uniforms: Option<UniformText<'a>>) -> ShotSetting<'a> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         ShotSetting {
             size: self.size,
             threads: self.threads.map_or_else(cores, usize::from),
             pass: self.pass.as_deref(),
             show: self.show.as_ref(),
-            uniforms: self.uniforms.as_deref(),
+            uniforms,
             // Comparisons and contact sheets do not print the cost.
             watch: match self.compare.is_some() || self.sheet.is_some() {
                 true => Watch::Nothing,
                 false if self.report => Watch::Numbers,
                 false => Watch::Flow,
             },
+            decode: Some(decode),
         }
     }
-}
-
-/// The settings of a draw.
-pub struct ShotSetting<'a> {
-    /// Size of the image in pixels.
-    pub size: [u32; 2],
-    /// Number of threads.
-    pub threads: usize,
-    /// The pass to show; the image pass by default.
-    pub pass: Option<&'a str>,
-    /// The variable to show instead of the output.
-    pub show: Option<&'a Show>,
-    /// JSON file with uniform values.
-    pub uniforms: Option<&'a Path>,
-    /// What the VM records.
-    pub watch: Watch,
 }
 
 /// Longest side of an image in pixels.

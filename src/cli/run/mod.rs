@@ -1,43 +1,28 @@
 //! `shaderlint run`: draws a shader without a GPU and prints statistics.
 
 mod args;
-mod columns;
-mod compare;
-mod facts;
-mod font;
-mod functions;
-mod heat;
 mod image_file;
 mod load;
-mod loops;
-mod numbers;
-mod place;
 mod png;
 mod progress;
 mod sheet;
-mod show;
 mod terminal;
-mod uniforms;
 
 pub use args::RunArgs;
-pub(super) use args::{Heat, ShotSetting, size_of, time_of};
-pub(super) use columns::{percent, seconds};
-pub(super) use heat::{map, short};
-pub(super) use load::{Shot, Trouble, Undrawable, read, shot};
-pub(super) use place::position;
-pub(super) use png::Bitmap;
+pub(super) use args::{Heat, size_of, time_of};
+pub(super) use image_file::decode;
+pub(super) use load::{LoadedFiles, Trouble, Undrawable, read};
+pub(super) use png::{of_png, png};
 pub(super) use progress::Progress;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
 use super::output::Overwrite;
 use super::port::save;
-use crate::engine::playback::RenderedImage;
-use crate::exec::Drawn;
+use crate::commands::run::{Bitmap, Shot, UniformText, compare, compared_moments, frame, shot};
 use crate::port::File;
 use crate::report::Format;
 use args::RunFormat;
-use facts::{CostFacts, OutputFacts, RunFacts};
-use load::{Loaded, load};
+use load::load;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use terminal::Palette;
@@ -65,15 +50,18 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     };
     refuse_other_images(args)?;
     let loaded = load(&args.file, args, format)?;
-    let mut own = shot(&loaded, &args.setting())?;
+    let uniforms = uniform_text(args)?;
+    let uniforms = uniforms
+        .as_ref()
+        .map(|(name, text)| UniformText { name, text });
+    let mut own = shot(&loaded.shader, &args.setting(uniforms))?;
     if let Some(path) = &args.compare {
         let other = load(path, args, format)?;
-        let mut other_shot = shot(&other, &args.setting())?;
+        let mut other_shot = shot(&other.shader, &args.setting(uniforms))?;
         return compared(args, [(&loaded, &mut own), (&other, &mut other_shot)]);
     }
-    let notes = own.notes(&loaded.project);
     if args.format == RunFormat::Human {
-        for note in &notes {
+        for note in own.notes(&loaded.shader.project) {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
@@ -84,105 +72,60 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     }
     let moment = args.moment();
     let progress = Progress::new(1);
-    let drawn = own.drawn(&moment, &progress)?;
+    let mut report_frame = |number| progress.frame(number, moment.frame);
+    let made = frame(
+        &loaded.shader,
+        &mut own,
+        &moment,
+        args.view(),
+        &mut report_frame,
+    );
     drop(progress);
-    let image = RenderedImage::of(own.code(), &drawn, 0);
-    let bitmap = match (args.heatmap, &args.show) {
-        (Some(heat), _) => heat_map(heat, &image, &drawn),
-        (None, Some(show)) => show::render(show, own.code(), &drawn),
-        (None, None) => bitmap(&image),
-    };
-    let output = write(args, &bitmap, &loaded.read)?;
-    let mut facts = facts_of(&loaded, &own, (&drawn, &image), args);
-    facts.output.clone_from(&output);
-    facts.notes = notes;
+    let mut made = made?;
+    let output = write(args, &made.bitmap, &loaded.read)?;
+    made.facts.output.clone_from(&output);
     Ok((
         match args.format {
-            RunFormat::Human => show(args, &bitmap, output.as_deref()) + &facts.text(),
-            RunFormat::Json => facts.json(),
+            RunFormat::Human => show(args, &made.bitmap, output.as_deref()) + &made.facts.text(),
+            RunFormat::Json => made.facts.json(),
         },
         CLEAN,
     ))
 }
 
-/// An image as 8-bit colours.
-fn bitmap(image: &RenderedImage) -> Bitmap {
-    Bitmap {
-        size: image.size,
-        bytes: image.bytes(),
-    }
-}
-
-fn heat_map(heat: Heat, image: &RenderedImage, drawn: &Drawn) -> Bitmap {
-    let counts = |all: &[u32]| all.iter().map(|n| f64::from(*n)).collect::<Vec<_>>();
-    let (values, title) = match heat {
-        Heat::Steps => (counts(&drawn.iterations), "STEPS"),
-        Heat::Cost => (counts(&drawn.cost), "OPERATIONS"),
-        Heat::Overdraw => {
-            let waited = |(own, all): (&u32, &u32)| match *all {
-                0 => 0.0,
-                all => 100.0 * f64::from(all - own.min(&all)) / f64::from(all),
-            };
-            let pairs = drawn.cost.iter().zip(&drawn.ran);
-            (pairs.map(waited).collect(), "OVERDRAW IN 8X4, %")
-        }
-        Heat::Nan => {
-            let is_bad = |pixel: &[f32; 4]| pixel.iter().any(|lane| !lane.is_finite());
-            let values = image.pixels.iter().map(|p| f64::from(u8::from(is_bad(p))));
-            (values.collect(), "NOT FINITE")
-        }
-    };
-    heat::map(drawn.size, &values, title)
-}
-
-/// The facts of a frame; `image` is its first output.
-fn facts_of(
-    loaded: &Loaded,
-    shot: &Shot,
-    (drawn, image): (&Drawn, &RenderedImage),
-    args: &RunArgs,
-) -> RunFacts {
-    let code = shot.code();
-    let program = loaded.program(shot);
-    let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
-        let facts = match at {
-            0 => image.facts(&drawn.covered),
-            at => RenderedImage::of(code, drawn, at).facts(&drawn.covered),
-        };
-        let ty = program.map_or(String::new(), |p| p.type_name(slot.ty));
-        let lanes = slot.ty.components();
-        OutputFacts::of(&slot.name, (ty, lanes), &facts, drawn.covered.len())
-    });
-    let moment = args.moment();
-    let reported = program.filter(|_| args.report);
-    RunFacts {
-        schema: 1,
-        file: loaded.name.clone(),
-        size: drawn.size,
-        time: moment.time,
-        frame: moment.frame,
-        mouse: facts::mouse(&moment),
-        output: None,
-        outputs: outputs.collect(),
-        cost: CostFacts::of(drawn),
-        loops: reported.map(|program| loops::rows(program, shot, &drawn.seen)),
-        functions: reported.map(|program| functions::rows(program, &drawn.seen)),
-        numbers: reported.map(|program| numbers::rows(program, shot, &drawn.seen)),
-        notes: Vec::new(),
-    }
-}
-
 /// Compares two shaders. Returns the text to print and the exit code.
-fn compared(args: &RunArgs, both: [(&Loaded, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
+fn compared(args: &RunArgs, both: [(&LoadedFiles, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
     let [(one, shot), (other, other_shot)] = both;
-    let names = [&one.name, &other.name].map(String::as_str);
-    let (mut facts, image) = compare::compare([shot, other_shot], names, args)?;
+    let names = [&one.shader.name, &other.shader.name].map(String::as_str);
+    let moments = match args.time.is_some() || args.frame.is_some() {
+        true => vec![args.moment()],
+        false => compared_moments(args.size, args.mouse),
+    };
+    let progress = Progress::new(moments.len() as u32);
+    let mut report = |number: usize, frame| {
+        progress.drew(number as u32);
+        let last = moments.get(number).map_or(0, |moment| moment.frame);
+        progress.frame(frame, last);
+    };
+    let made = compare([shot, other_shot], names, args.size, &moments, &mut report);
+    drop(progress);
+    let (mut facts, image) = made?;
     let read: Vec<PathBuf> = one.read.iter().chain(&other.read).cloned().collect();
     if let Some(image) = &image {
         facts.output = write(args, image, &read)?;
     }
     let code = if facts.same { CLEAN } else { FINDINGS };
-    Ok((facts.print(args.format), code))
+    let text = match args.format {
+        RunFormat::Human => facts.text(),
+        RunFormat::Json => facts.json(),
+    };
+    Ok((text, code))
+}
+
+/// The text of the file of uniforms.
+fn uniform_text(args: &RunArgs) -> Result<Option<(String, String)>, Trouble> {
+    let read = |path: &PathBuf| Ok((super::port::shown(path), super::port::read_text(path)?));
+    args.uniforms.as_ref().map(read).transpose()
 }
 
 /// Refuses a file name of another image format, before anything is drawn.
@@ -207,7 +150,7 @@ fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<Str
     let Some(path) = &args.output else {
         return Ok(None);
     };
-    let content = bitmap.png()?;
+    let content = png(bitmap)?;
     if path.as_os_str() == "-" {
         io::stdout().lock().write_all(&content)?;
         return Ok(None);

@@ -29,10 +29,7 @@ struct Shared {
 impl Progress {
     /// Shows how many of `total` images are drawn, if standard error is a terminal.
     pub fn new(total: u32) -> Progress {
-        Progress::of(total, io::stderr().is_terminal())
-    }
-
-    fn of(total: u32, is_shown: bool) -> Progress {
+        let is_shown = io::stderr().is_terminal();
         let shared = Arc::new(Shared {
             done: AtomicU32::new(0),
             frames: [AtomicU32::new(0), AtomicU32::new(0)],
@@ -45,11 +42,6 @@ impl Progress {
         }
     }
 
-    /// Shows nothing.
-    pub fn unseen() -> Progress {
-        Progress::of(0, false)
-    }
-
     /// Sets the current frame of those that an image depends on.
     pub fn frame(&self, frame: u32, last: u32) {
         let [own_frame, own_last] = &self.shared.frames;
@@ -57,9 +49,9 @@ impl Progress {
         own_last.store(last, Ordering::Relaxed);
     }
 
-    /// Counts an image.
-    pub fn step(&self) {
-        self.shared.done.fetch_add(1, Ordering::Relaxed);
+    /// Sets the number of images that are drawn.
+    pub fn drew(&self, count: u32) {
+        self.shared.done.store(count, Ordering::Relaxed);
     }
 }
 

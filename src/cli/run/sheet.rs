@@ -1,10 +1,8 @@
 //! Contact sheets: frames of several times next to each other.
 
 use super::args::RunArgs;
-use super::font;
-use super::load::Shot;
-use super::png::Bitmap;
 use super::progress::Progress;
+use crate::commands::run::{Bitmap, Shot, font, heat};
 use crate::engine::playback::{Moment, RenderedImage};
 
 /// Distance between two frames in pixels.
@@ -30,14 +28,11 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
             mouse: first.mouse,
             ..Moment::at(first.time + f64::from(i) * args.every)
         };
-        let drawn = shot.drawn(&moment, &progress)?;
-        let image = Bitmap {
-            size: drawn.size,
-            bytes: RenderedImage::of(shot.code(), &drawn, 0).bytes(),
-        };
+        let drawn = shot.drawn(&moment, &mut |frame| progress.frame(frame, moment.frame))?;
+        let image = Bitmap::of(&RenderedImage::of(shot.code(), &drawn, 0));
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&image.shrunk(small), left, top);
-        let caption = format!("{} S", super::heat::short(moment.time));
+        let caption = format!("{} S", heat::short(moment.time));
         font::write(
             &mut sheet,
             &caption,
@@ -45,7 +40,7 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
             scale,
             TEXT,
         );
-        progress.step();
+        progress.drew(i + 1);
     }
     Ok(sheet)
 }

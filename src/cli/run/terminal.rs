@@ -1,6 +1,6 @@
 //! Draws images in a terminal: two pixels per character, in the colours of the terminal.
 
-use super::png::Bitmap;
+use crate::commands::run::Bitmap;
 use std::fmt::Write;
 
 /// The colours that a terminal supports.

@@ -4,7 +4,7 @@
 //! equally large. Two pixels differ visibly if their distance is more than [`VISIBLE`], which is
 //! just noticeable side by side.
 
-use super::super::run::Bitmap;
+use crate::commands::run::Bitmap;
 use serde::Serialize;
 
 /// Smallest visible distance in Oklab.

@@ -1,7 +1,7 @@
 //! Test functions of a file.
 
-use super::super::run::{percent, position, seconds};
 use super::outcome::{ConditionRow, TestRow, ValueRow};
+use crate::commands::run::{percent, position, seconds};
 use crate::engine::playback::{SeenCondition, TestFailure, TestVerdict, run_test, tests};
 use crate::engine::{Analysis, Report};
 use crate::text::{FileId, Sources};

@@ -3,13 +3,12 @@
 
 use super::super::output::{Overwrite, write};
 use super::super::port;
-use super::super::run::{
-    Bitmap, Progress, Shot, ShotSetting, Trouble, Undrawable, map, percent, read, seconds, short,
-    shot, size_of, time_of,
-};
+use super::super::run::{Undrawable, decode, of_png, png, read, size_of, time_of};
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};
+use crate::commands::run::heat::{map, short};
+use crate::commands::run::{Bitmap, Shot, ShotSetting, percent, seconds, shot};
 use crate::engine::playback::{Moment, RenderedImage};
 use crate::exec::Watch;
 use std::fs;
@@ -146,7 +145,7 @@ fn goldens(path: &Path, times: &[f64]) -> Vec<Golden> {
         };
         let path = path.with_file_name(own);
         let known = match fs::read(&path) {
-            Ok(bytes) => Some(Bitmap::of_png(&bytes)),
+            Ok(bytes) => Some(of_png(&bytes)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => Some(Err(error.to_string())),
         };
@@ -168,11 +167,9 @@ fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String>
         show: None,
         uniforms: None,
         watch: Watch::Nothing,
+        decode: Some(decode),
     };
-    shot(&loaded, &setting).map_err(|trouble| match trouble {
-        Trouble::Errors => "the shader has errors".to_string(),
-        Trouble::Words(words) => words,
-    })
+    shot(&loaded.shader, &setting)
 }
 
 fn shown(path: &Path) -> String {
@@ -192,14 +189,11 @@ impl Golden {
     fn judge(&self, ready: &mut Shot, subject: &GoldenSubject, args: &TestArgs) -> TestRow {
         let title = self.title();
         let failed = |message: String| TestRow::failed(subject.name, &title, message);
-        let drawn = match ready.drawn(&Moment::at(self.time), &Progress::unseen()) {
+        let drawn = match ready.drawn(&Moment::at(self.time), &mut |_| {}) {
             Ok(drawn) => drawn,
             Err(words) => return failed(words),
         };
-        let drawn = Bitmap {
-            size: drawn.size,
-            bytes: RenderedImage::of(ready.code(), &drawn, 0).bytes(),
-        };
+        let drawn = Bitmap::of(&RenderedImage::of(ready.code(), &drawn, 0));
         let row = match &self.known {
             None => failed(format!(
                 "{} does not exist; use --bless to create it",
@@ -273,7 +267,7 @@ impl Golden {
             true => Overwrite::Allowed,
             false => Overwrite::Never,
         };
-        let content = map(size, distances, "DIFFERENCE").png()?;
+        let content = png(&map(size, distances, "DIFFERENCE"))?;
         write(&path, &content, overwrite).map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => {
                 format!("{shown} already exists; use --force to overwrite it")
@@ -286,7 +280,7 @@ impl Golden {
     /// Writes the golden image, replacing an existing one.
     fn bless(&self, drawn: &Bitmap, subject: &GoldenSubject, row: TestRow) -> TestRow {
         let shown = self.shown();
-        let written = drawn.png().and_then(|content| {
+        let written = png(drawn).and_then(|content| {
             let written = write(&self.path, &content, Overwrite::Allowed);
             written.map_err(|error| error.to_string())
         });

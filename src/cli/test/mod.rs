@@ -263,7 +263,7 @@ fn golden_images(
 fn first_error(report: &Report) -> Option<String> {
     let mut found = report.diagnostics.iter();
     let error = found.find(|d| d.severity == Severity::Error)?;
-    let at = super::run::position(&report.sources, error.span);
+    let at = crate::commands::run::position(&report.sources, error.span);
     Some(match at {
         Some(at) => format!("{at}: {}", error.message),
         None => error.message.clone(),

@@ -1,14 +1,13 @@
 //! Compares two shaders bit for bit in the same frames.
 
-use super::args::{RunArgs, RunFormat};
+use super::bitmap::Bitmap;
 use super::columns::{percent, seconds};
+use super::facts::{self, MouseFacts};
 use super::heat;
-use super::load::Shot;
-use super::png::Bitmap;
-use super::progress::Progress;
-use crate::engine::playback::{Button, Moment, Mouse, RenderedImage};
-use crate::exec::{Bytecode, Drawn};
+use super::shot::Shot;
 use serde::Serialize;
+use shaderlint_engine::playback::{Button, Moment, Mouse, RenderedImage};
+use shaderlint_exec::{Bytecode, Drawn};
 
 /// Times in seconds that are compared by default.
 const TIMES: [f64; 4] = [0.0, 1.0, 5.0, 20.0];
@@ -31,7 +30,7 @@ pub struct Compared {
 struct MomentCompared {
     time: f64,
     frame: u32,
-    mouse: Option<super::facts::MouseFacts>,
+    mouse: Option<MouseFacts>,
     /// Number of pixels that differ in any bit of any output.
     pixels: u64,
     /// Number of pixels that differ after rounding to 8 bits.
@@ -50,38 +49,39 @@ struct ComparedImages {
     by_pixel: Vec<f64>,
 }
 
-/// Compares two shaders. Returns the result and an image of the frame that differs the most.
+/// Compares two shaders in some frames. Returns the result and an image of the frame that differs the
+/// most. `progress` is called before each frame that is drawn, with the number of the pair and of the frame.
+///
+/// # Errors
+/// A message about a run that was stopped.
 pub fn compare(
     mut shots: [&mut Shot; 2],
     names: [&str; 2],
-    args: &RunArgs,
+    size: [u32; 2],
+    moments: &[Moment],
+    progress: &mut dyn FnMut(usize, u32),
 ) -> Result<(Compared, Option<Bitmap>), String> {
-    let moments = moments(args);
-    let progress = Progress::new(moments.len() as u32);
     let mut compared = Vec::new();
     let mut worst: Option<(u64, Vec<f64>)> = None;
-    for moment in moments {
-        let drawn = shots.each_mut().map(|shot| shot.drawn(&moment, &progress));
+    for (number, moment) in moments.iter().enumerate() {
+        let drawn = shots.each_mut().map(|shot| {
+            let mut report_frame = |frame| progress(number, frame);
+            shot.drawn(moment, &mut report_frame)
+        });
         let [a, b] = drawn;
-        let found = difference(
-            [&a?, &b?],
-            shots.each_ref().map(|shot| shot.code()),
-            &moment,
-        );
-        progress.step();
+        let found = difference([&a?, &b?], shots.each_ref().map(|shot| shot.code()), moment);
         let pixels = found.compared.pixels;
         if pixels > 0 && worst.as_ref().is_none_or(|(most, _)| pixels > *most) {
             worst = Some((pixels, found.by_pixel));
         }
         compared.push(found.compared);
     }
-    drop(progress);
-    let image = worst.map(|(_, values)| heat::map(args.size, &values, "DIFFERENCE"));
+    let image = worst.map(|(_, values)| heat::map(size, &values, "DIFFERENCE"));
     let compared = Compared {
         schema: 1,
         file: names[0].to_string(),
         other: names[1].to_string(),
-        size: args.size,
+        size,
         same: compared.iter().all(|moment| moment.pixels == 0),
         moments: compared,
         output: None,
@@ -89,17 +89,14 @@ pub fn compare(
     Ok((compared, image))
 }
 
-/// The frames to compare: the given one, or several with and without the mouse.
-fn moments(args: &RunArgs) -> Vec<Moment> {
-    if args.time.is_some() || args.frame.is_some() {
-        return vec![args.moment()];
-    }
-    let [width, height] = args.size.map(f64::from);
+/// The frames that are compared by default: several, with this mouse, or with and without one.
+pub fn compared_moments(size: [u32; 2], mouse: Option<Mouse>) -> Vec<Moment> {
+    let [width, height] = size.map(f64::from);
     let dragged = Mouse {
         at: [width * 0.3, height * 0.7],
         button: Button::Down,
     };
-    let mice = match args.mouse {
+    let mice = match mouse {
         None => vec![None, Some(dragged)],
         mouse => vec![mouse],
     };
@@ -121,7 +118,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
     let mut compared = MomentCompared {
         time: moment.time,
         frame: moment.frame,
-        mouse: super::facts::mouse(moment),
+        mouse: facts::mouse(moment),
         pixels: 0,
         shown: 0,
         most: 0.0,
@@ -157,20 +154,14 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
 }
 
 impl Compared {
-    /// The result in the given format.
-    pub fn print(&self, format: RunFormat) -> String {
-        match format {
-            RunFormat::Human => self.text(),
-            RunFormat::Json => {
-                format!(
-                    "{}\n",
-                    serde_json::to_string_pretty(self).unwrap_or_default()
-                )
-            }
-        }
+    /// The JSON object for programs.
+    pub fn json(&self) -> String {
+        let text = serde_json::to_string_pretty(self).unwrap_or_default();
+        format!("{text}\n")
     }
 
-    fn text(&self) -> String {
+    /// The text for people.
+    pub fn text(&self) -> String {
         let [width, height] = self.size;
         let pixels = u64::from(width) * u64::from(height);
         let moments = self.moments.len();

@@ -1,15 +1,15 @@
 //! Draws the value of a variable on a line.
 
-use super::args::Show;
+use super::bitmap::Bitmap;
 use super::heat;
 use super::place::span;
-use super::png::Bitmap;
-use crate::engine::playback::RenderedImage;
-use crate::exec::{Bytecode, Drawn, Probe};
-use crate::ir::{Module, OpId, OpKind};
-use crate::port::{Composed, PassUnit};
-use crate::semantic::{Program, VariableId};
-use crate::text::{SourceFile, Span};
+use super::setting::Show;
+use shaderlint_engine::playback::RenderedImage;
+use shaderlint_exec::{Bytecode, Drawn, Probe};
+use shaderlint_ir::{Module, OpId, OpKind};
+use shaderlint_port::{Composed, PassUnit};
+use shaderlint_semantic::{Program, VariableId};
+use shaderlint_text::{SourceFile, Span};
 use std::collections::BTreeSet;
 
 /// The probe that records the variable.

@@ -4,10 +4,10 @@ use super::columns::{percent, seconds};
 use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
-use crate::diagnostic::count;
-use crate::engine::playback::{Button, ImageFacts, Moment};
-use crate::exec::Drawn;
 use serde::Serialize;
+use shaderlint_diagnostic::count;
+use shaderlint_engine::playback::{Button, ImageFacts, Moment};
+use shaderlint_exec::Drawn;
 
 /// The result of a run. The JSON format may gain fields, but never loses any.
 #[derive(Serialize)]

@@ -1,8 +1,8 @@
 //! Source positions.
 
-use crate::ir::Provenance;
-use crate::semantic::Program;
-use crate::text::{Sources, Span};
+use shaderlint_ir::Provenance;
+use shaderlint_semantic::Program;
+use shaderlint_text::{Sources, Span};
 
 /// The span that something in the IR comes from.
 pub fn span(program: &Program, from: Provenance) -> Option<Span> {

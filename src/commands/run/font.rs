@@ -1,6 +1,6 @@
 //! A bitmap font of capital letters, digits and signs, three by five pixels.
 
-use super::png::Bitmap;
+use super::bitmap::Bitmap;
 
 /// Distance between two characters at scale 1, in pixels.
 const ADVANCE: u32 = 4;

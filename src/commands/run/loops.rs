@@ -1,14 +1,14 @@
 //! Loop iterations that were counted, next to the bounds that were proved.
 
 use super::columns::{columns, percent};
-use super::load::Shot;
 use super::place::{position, span};
-use crate::exec::{LoopObservation, Observations};
-use crate::flow::Bound;
-use crate::ir::Provenance;
-use crate::lint::Facts;
-use crate::semantic::Program;
+use super::shot::Shot;
 use serde::Serialize;
+use shaderlint_exec::{LoopObservation, Observations};
+use shaderlint_flow::Bound;
+use shaderlint_ir::Provenance;
+use shaderlint_lint::Facts;
+use shaderlint_semantic::Program;
 
 /// A loop and its number of iterations.
 #[derive(Clone, PartialEq, Debug, Serialize)]

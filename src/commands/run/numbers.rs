@@ -1,11 +1,11 @@
 //! Invalid numbers: NaN, infinities and undefined results.
 
 use super::columns::columns;
-use super::load::Shot;
 use super::place::{position, span};
-use crate::exec::{FaultKind, NumberObservation, Observations};
-use crate::semantic::Program;
+use super::shot::Shot;
 use serde::Serialize;
+use shaderlint_exec::{FaultKind, NumberObservation, Observations};
+use shaderlint_semantic::Program;
 
 /// An operation with invalid results.
 #[derive(Clone, PartialEq, Debug, Serialize)]

@@ -2,9 +2,9 @@
 
 use super::columns::{columns, percent};
 use super::place::position;
-use crate::exec::{FunctionObservation, Observations};
-use crate::semantic::Program;
 use serde::Serialize;
+use shaderlint_exec::{FunctionObservation, Observations};
+use shaderlint_semantic::Program;
 
 /// A function and its share of the cost.
 #[derive(Clone, PartialEq, Debug, Serialize)]

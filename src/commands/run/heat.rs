@@ -1,7 +1,7 @@
 //! Heat maps: a value of each pixel as a colour, with a legend below.
 
+use super::bitmap::Bitmap;
 use super::font;
-use super::png::Bitmap;
 
 /// Colours from the smallest to the largest value, dark to bright.
 const RAMP: [[u8; 3]; 6] = [

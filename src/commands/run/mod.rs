@@ -1,0 +1,26 @@
+//! `shaderlint run`: draws a shader without a GPU, and summarises what happened.
+
+mod bitmap;
+mod columns;
+mod compare;
+mod facts;
+pub mod font;
+mod frame;
+mod functions;
+pub mod heat;
+mod loops;
+mod numbers;
+mod place;
+mod setting;
+mod shot;
+mod show;
+mod uniforms;
+
+pub use bitmap::Bitmap;
+pub use columns::{percent, seconds};
+pub use compare::{Compared, compare, compared_moments};
+pub use facts::RunFacts;
+pub use frame::{Frame, frame};
+pub use place::position;
+pub use setting::{FrameView, HeatMap, ShotSetting, Show, UniformText};
+pub use shot::{Loaded, Shot, shot};

@@ -1,0 +1,64 @@
+//! What is drawn, and how.
+
+use shaderlint_engine::playback::Decode;
+use shaderlint_exec::Watch;
+
+/// A variable on a source line.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Show {
+    /// Name of the variable.
+    pub name: String,
+    /// Line number, from 1.
+    pub line: u32,
+}
+
+/// What a heat map shows of each pixel.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum HeatMap {
+    /// Loop iterations.
+    Steps,
+    /// Operations.
+    Cost,
+    /// Percentage of the work of its 8x4 pixel group that the pixel only waits for.
+    Overdraw,
+    /// Values that are not finite.
+    Nan,
+}
+
+/// A JSON object with the values of uniforms.
+#[derive(Clone, Copy, Debug)]
+pub struct UniformText<'a> {
+    /// Its name in messages.
+    pub name: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+/// The settings of a draw.
+pub struct ShotSetting<'a> {
+    /// Size of the image in pixels.
+    pub size: [u32; 2],
+    /// Number of threads.
+    pub threads: usize,
+    /// The pass to show; the image pass by default.
+    pub pass: Option<&'a str>,
+    /// The variable to show instead of the output.
+    pub show: Option<&'a Show>,
+    /// The values of uniforms.
+    pub uniforms: Option<UniformText<'a>>,
+    /// What the VM records.
+    pub watch: Watch,
+    /// Decoder for embedded images.
+    pub decode: Option<Decode>,
+}
+
+/// What is shown of a frame.
+#[derive(Clone, Copy, Default)]
+pub struct FrameView<'a> {
+    /// A heat map instead of the image.
+    pub heat: Option<HeatMap>,
+    /// The variable of [`ShotSetting::show`] instead of the image.
+    pub show: Option<&'a Show>,
+    /// Whether loops, functions and invalid numbers are reported.
+    pub report: bool,
+}

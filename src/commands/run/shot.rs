@@ -1,0 +1,298 @@
+//! Prepares a shader for drawing, and sets its uniforms.
+
+use super::place::{position, span};
+use super::setting::{ShotSetting, UniformText};
+use super::{show, uniforms};
+use shaderlint_diagnostic::count;
+use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
+use shaderlint_exec::{Bytecode, CompileOptions, Drawn, Refusal, Stop, Watch, draw};
+use shaderlint_ir::Module;
+use shaderlint_lint::CachedFacts;
+use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
+use shaderlint_semantic::{Pass, Program, Stage, Storage};
+use shaderlint_text::Sources;
+use std::sync::{Arc, OnceLock};
+
+/// A shader without errors.
+pub struct Loaded {
+    /// Name in messages.
+    pub name: String,
+    /// The passes of the shader.
+    pub project: Project,
+    /// The composed sources of the passes and their analyses.
+    pub composed: Composed,
+}
+
+/// A pass that is ready to draw.
+pub struct Shot {
+    /// The player of the pass.
+    play: Playback,
+    /// The IR of the pass.
+    pub module: Arc<Module>,
+    /// Cached analyses of the pass.
+    pub known: Arc<CachedFacts>,
+    /// Index of the compile unit.
+    unit: usize,
+    /// Index of the pass in the project.
+    pass: usize,
+    size: [u32; 2],
+    threads: usize,
+}
+
+/// What draws a pass.
+enum Playback {
+    /// The pass reads no other pass and no texture.
+    Alone(Box<Scene>),
+    /// The pass is drawn with the other passes of its project and its textures.
+    Project(Box<Player>),
+}
+
+impl Shot {
+    /// The bytecode of the pass.
+    pub fn code(&self) -> &Bytecode {
+        static NOTHING: OnceLock<Bytecode> = OnceLock::new();
+        match &self.play {
+            Playback::Alone(scene) => &scene.code,
+            Playback::Project(player) => player
+                .code(self.pass)
+                .unwrap_or_else(|| NOTHING.get_or_init(Bytecode::default)),
+        }
+    }
+
+    /// Draws a frame. `progress` is called before each frame that it depends on, with its number.
+    ///
+    /// # Errors
+    /// A message about a run that was stopped.
+    pub fn drawn(
+        &mut self,
+        moment: &Moment,
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<Drawn, String> {
+        match &mut self.play {
+            Playback::Alone(scene) => {
+                let own = scene.draw(self.size, moment);
+                draw(&own, self.threads).map_err(|stop| stopped(&stop))
+            }
+            Playback::Project(player) => {
+                let played = player.play_to(moment, progress);
+                let played = played.map_err(|stop| stopped(&stop))?;
+                let mut passes = played.passes.into_iter();
+                let own = passes.find(|(number, _)| *number == self.pass);
+                own.map(|(_, drawn)| drawn)
+                    .ok_or_else(|| "the pass has no output".to_string())
+            }
+        }
+    }
+
+    /// Notes about inputs that were missing or replaced.
+    pub fn notes(&self, project: &Project) -> Vec<String> {
+        let mut notes = project.notes.clone();
+        let quoted = |names: &[&str]| format!("`{}`", names.join("`, `"));
+        match &self.play {
+            Playback::Alone(scene) => {
+                let zeros = scene.zeros();
+                if !zeros.is_empty() {
+                    notes.push(format!(
+                        "these uniforms are not set and default to 0: {}; set them with --uniforms",
+                        quoted(&zeros)
+                    ));
+                }
+                let guessed: Vec<&str> = scene
+                    .given
+                    .bound
+                    .guessed
+                    .iter()
+                    .map(String::as_str)
+                    .collect();
+                if !guessed.is_empty() {
+                    notes.push(format!(
+                        "these varyings have no vertex shader and default to the position in the image: {}",
+                        quoted(&guessed)
+                    ));
+                }
+            }
+            Playback::Project(player) => {
+                let missing = missing(project).into_iter();
+                notes.extend(missing.map(|m| format!("{}: {}; {}", m.place, m.what, m.stand_in)));
+                notes.extend(player.notes().iter().cloned());
+            }
+        }
+        notes
+    }
+
+    /// Sets a uniform for all frames.
+    fn set(&mut self, name: &str, scalars: &[f64]) -> Result<(), Unfit> {
+        match &mut self.play {
+            Playback::Alone(scene) => scene.set(name, scalars),
+            Playback::Project(player) => player.set(name, scalars),
+        }
+    }
+}
+
+/// The message about a run that was stopped.
+fn stopped(stop: &Stop) -> String {
+    match stop {
+        Stop::OutOfFuel { pixel: [x, y] } => {
+            format!("stopped: the pixels around ({x}, {y}) exceeded the operation limit")
+        }
+    }
+}
+
+impl Loaded {
+    /// The checked program of the pass.
+    pub fn program(&self, shot: &Shot) -> Option<&Program> {
+        let unit = self.composed.units.get(shot.unit)?;
+        Some(&self.composed.analysis(unit).program)
+    }
+}
+
+/// Prepares the pass that is shown.
+///
+/// # Errors
+/// A message about what cannot be drawn.
+pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
+    let Loaded { name, composed, .. } = loaded;
+    let (at, unit) = chosen(loaded, setting.pass)?;
+    let program = &composed.analysis(unit).program;
+    let pass = loaded.project.passes.get(unit.pass);
+    if unit.stage != Stage::Fragment || pass.is_some_and(|p| p.draw.has_vertices) {
+        let words = format!("{name}: shaders that draw with a vertex shader are not supported");
+        return Err(words);
+    }
+    let known = Arc::<CachedFacts>::default();
+    let module = known.module(program).clone();
+    let probe = match setting.show {
+        Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
+        None => None,
+    };
+    let compile = CompileOptions {
+        watch: setting.watch,
+        cost: setting.watch != Watch::Nothing,
+        probe,
+        ..CompileOptions::default()
+    };
+    let (size, threads) = (setting.size, setting.threads);
+    let play = match alone(loaded, unit, &module, &compile)? {
+        Some(scene) => Playback::Alone(Box::new(scene)),
+        None => {
+            let options = PlaybackOptions {
+                size,
+                threads,
+                compile,
+                decode: setting.decode,
+            };
+            let player = Player::new(&loaded.project, composed, &options);
+            Playback::Project(Box::new(player.map_err(|e| format!("{name}: {e}"))?))
+        }
+    };
+    let mut shot = Shot {
+        play,
+        module,
+        known,
+        unit: at,
+        pass: unit.pass,
+        size,
+        threads,
+    };
+    if let Some(uniforms) = setting.uniforms {
+        set_uniforms(&mut shot, program, uniforms)?;
+    }
+    Ok(shot)
+}
+
+/// The scene of a shader that has one pass and no samplers; `None` for others.
+fn alone(
+    loaded: &Loaded,
+    unit: &PassUnit,
+    module: &Module,
+    options: &CompileOptions,
+) -> Result<Option<Scene>, String> {
+    let Loaded {
+        name,
+        project,
+        composed,
+        ..
+    } = loaded;
+    if composed.units.len() > 1 || unit.kind != Pass::Image {
+        return Ok(None);
+    }
+    let program = &composed.analysis(unit).program;
+    let scene = match (unit.wrapper, project.passes.get(unit.pass)) {
+        (Wrapper::Own, Some(pass)) => Scene::bound(program, module, pass.bound.clone(), options),
+        _ => Scene::of(program, project.host, module, options),
+    };
+    let mut scene = scene.map_err(|refusal| refused(&composed.sources, program, name, &refusal))?;
+    let described = project.controls.iter().take(project.described);
+    scene.set_controls(&described.cloned().collect::<Vec<_>>());
+    Ok(scene.code.samplers.is_empty().then_some(scene))
+}
+
+/// The pass to show: the given one, or the image pass.
+fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a PassUnit), String> {
+    let passes = &loaded.project.passes;
+    let slug = |unit: &PassUnit| passes.get(unit.pass).map_or("", |p| p.slug());
+    let mut units = loaded.composed.units.iter().enumerate();
+    let found = match asked {
+        Some(asked) => units.find(|(_, unit)| slug(unit) == asked),
+        None => units.find(|(_, unit)| unit.kind == Pass::Image),
+    };
+    found.ok_or_else(|| {
+        let all: Vec<&str> = loaded.composed.units.iter().map(slug).collect();
+        let requested = asked.unwrap_or("image");
+        let name = &loaded.name;
+        let words = format!(
+            "{name}: the project has no pass `{requested}`; it has {}",
+            all.join(", ")
+        );
+        words
+    })
+}
+
+/// Sets the uniforms of a JSON file.
+fn set_uniforms(
+    shot: &mut Shot,
+    program: &Program,
+    UniformText { name: shown, text }: UniformText<'_>,
+) -> Result<(), String> {
+    let wrong = |(line, column): (usize, usize), message: String| {
+        format!("{shown}:{line}:{column}: {message}")
+    };
+    let assigned = uniforms::read(text).map_err(|bad| wrong(bad.at, bad.message))?;
+    for given in assigned {
+        let unfit = match shot.set(&given.name, &given.scalars) {
+            Ok(()) => continue,
+            Err(unfit) => unfit,
+        };
+        let name = &given.name;
+        let reason = match unfit {
+            Unfit::Unknown => {
+                let near = near(name, program);
+                format!("unknown uniform `{name}`{near}")
+            }
+            Unfit::Sampler => format!("`{name}` is a sampler and cannot be set to a number"),
+            Unfit::Count { takes, .. } => {
+                let takes = count(takes, "number");
+                format!("`{name}` expects {takes}, found {}", given.scalars.len())
+            }
+        };
+        return Err(wrong(given.at, reason));
+    }
+    Ok(())
+}
+
+/// A suggestion for an unknown uniform.
+fn near(name: &str, program: &Program) -> String {
+    let uniforms = program.variables.iter();
+    let uniforms = uniforms.filter(|v| v.storage == Storage::Uniform);
+    let names = uniforms.map(|v| program.names.text(v.name));
+    let distances = names.map(|n| (strsim::damerau_levenshtein(n, name), n));
+    let near = distances.filter(|(distance, _)| *distance <= 2).min();
+    near.map_or(String::new(), |(_, n)| format!("; did you mean `{n}`?"))
+}
+
+/// The message about a construct that cannot be run.
+fn refused(sources: &Sources, program: &Program, name: &str, refusal: &Refusal) -> String {
+    let at = span(program, refusal.at).and_then(|span| position(sources, span));
+    let at = at.unwrap_or_else(|| name.to_string());
+    format!("{at}: unsupported: {}", refusal.what)
+}
