@@ -15,6 +15,7 @@ mod properties;
 mod recorded;
 mod renaming;
 mod tidy;
+mod tracing;
 mod usage;
 mod verdicts;
 mod words;

@@ -4,7 +4,7 @@ use super::compile::options::ErrorDirection;
 use super::observations::FaultKind;
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
-use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined};
+use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined, VariableId};
 
 /// Index of a register.
 pub(super) type Reg = u16;
@@ -63,6 +63,8 @@ pub struct Bytecode {
     pub(super) comparisons: Vec<Comparison>,
     /// The operands of [`Instr::Check`].
     pub(super) looks: Vec<OperandCheck>,
+    /// The sites referenced by [`Instr::Trace`].
+    pub(super) traces: Vec<TraceSite>,
 }
 
 impl Bytecode {
@@ -223,6 +225,33 @@ pub(super) struct Comparison {
     pub scalar: Scalar,
 }
 
+/// What a traced value is.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum TracedValue {
+    /// A variable after an operation wrote to it, or to a part of it.
+    Written(VariableId, OpId),
+    /// A parameter at the start of a call.
+    Parameter(VariableId),
+    /// The result of a call, an operation.
+    Returned(OpId),
+}
+
+/// How many scalars of a value are traced: enough for four matrices.
+pub const MAX_TRACED: usize = 64;
+
+/// A value that is traced. Calls are inlined: each has its own sites.
+#[derive(Clone, PartialEq, Debug)]
+pub struct TraceSite {
+    /// What the value is.
+    pub value: TracedValue,
+    /// Its type.
+    pub ty: Type,
+    /// The function that runs; `None` for global initialisers.
+    pub function: Option<FunctionRef>,
+    /// One register per scalar, of the first [`MAX_TRACED`].
+    pub(super) regs: Vec<Reg>,
+}
+
 /// A check, shared by all inlined copies of the operation.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CheckSite {
@@ -364,6 +393,8 @@ pub(super) enum Instr {
     Check(u32),
     /// Records the operands of a comparison.
     Compare(u32),
+    /// Records a value of the traced lane.
+    Trace(u32),
 }
 
 /// Unary operations.

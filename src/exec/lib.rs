@@ -16,9 +16,12 @@ mod render;
 mod row;
 #[cfg(test)]
 mod tests;
+mod trace;
 mod vm;
 
-pub use bytecode::{Bytecode, InputSlot, OutputSlot, SamplerSlot, UniformSlot};
+pub use bytecode::{
+    Bytecode, InputSlot, MAX_TRACED, OutputSlot, SamplerSlot, TraceSite, TracedValue, UniformSlot,
+};
 pub use compile::compile;
 pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
 pub use draw::{Draw, Stop};
@@ -30,3 +33,5 @@ pub use observations::{
 };
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample};
 pub use row::LANES;
+pub use trace::{PixelTrace, trace};
+pub use vm::TraceStep;

@@ -47,7 +47,7 @@ pub struct Sampled {
 }
 
 /// The tile of up to eight quads, given by their lower left pixels.
-fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
+pub(super) fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     let mut tile = Tile {
         pixels: [[0; 2]; LANES],
         requested: 0,
@@ -267,6 +267,25 @@ impl Drawn {
 }
 
 impl Sampled {
+    /// Room for some pixels.
+    fn with_room(code: &Bytecode, count: usize) -> Sampled {
+        Sampled {
+            pixels: Vec::with_capacity(count),
+            outputs: vec![Vec::with_capacity(count); code.outputs.len()],
+            covered: Vec::with_capacity(count),
+            cost: Vec::with_capacity(count),
+            spent: 0,
+            seen: Observations::default(),
+        }
+    }
+
+    /// The requested pixels of a tile, without statistics.
+    pub(super) fn of(vm: &Vm<'_>, code: &Bytecode, tile: &Tile, covered: u32) -> Sampled {
+        let mut sampled = Sampled::with_room(code, 1);
+        sampled.take(vm, code, tile, covered);
+        sampled
+    }
+
     /// Adds the requested pixels of a tile.
     fn take(&mut self, vm: &Vm<'_>, code: &Bytecode, tile: &Tile, covered: u32) {
         let requested = (0..LANES).filter(|lane| tile.requested >> lane & 1 == 1);
@@ -302,15 +321,7 @@ impl Sampled {
 /// Why the run was aborted.
 pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
     let mut vm = Vm::new(draw);
-    let count = quads.len() * 4;
-    let mut sampled = Sampled {
-        pixels: Vec::with_capacity(count),
-        outputs: vec![Vec::with_capacity(count); draw.code.outputs.len()],
-        covered: Vec::with_capacity(count),
-        cost: Vec::with_capacity(count),
-        spent: 0,
-        seen: Observations::default(),
-    };
+    let mut sampled = Sampled::with_room(draw.code, quads.len() * 4);
     for quads in quads.chunks(LANES / 4) {
         let tile = tile_of(draw.size, quads);
         let covered = vm.run(&tile)?;

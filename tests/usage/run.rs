@@ -30,6 +30,15 @@ const MARCH: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 }
 ";
 
+/// A buffer that counts frames, and an image that shows it.
+const COUNTER: &str = r#"{"info": {"name": "counter"}, "renderpass": [
+    {"type": "image", "name": "Image", "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }",
+     "inputs": [{"id": "4dXGR8", "channel": 0, "type": "buffer", "sampler": {"filter": "nearest", "wrap": "clamp"}}],
+     "outputs": [{"id": "4dfGRr", "channel": 0}]},
+    {"type": "buffer", "name": "Buffer A", "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + vec4(0.25, 0.0, 0.0, 1.0); }",
+     "inputs": [{"id": "4dXGR8", "channel": 0, "type": "buffer", "sampler": {"filter": "nearest", "wrap": "clamp"}}],
+     "outputs": [{"id": "4dXGR8", "channel": 0}]}]}"#;
+
 /// Width, height and pixels of a PNG.
 fn pixels(scratch: &Scratch, name: &str) -> (u32, u32, Vec<[u8; 3]>) {
     let file = std::fs::File::open(scratch.path(name)).unwrap();
@@ -195,6 +204,78 @@ fn heatmaps_have_a_legend() {
 }
 
 #[test]
+fn a_pixel_is_traced_step_by_step() {
+    let scratch = Scratch::new(&[("m.glsl", MARCH)]);
+    let args = ["run", "m.glsl", "--size", "16x9", "--pixel", "2,1"];
+    let ran = scratch.run(&args);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{}", ran.out);
+    let expected = "\
+m.glsl: pixel 2,1 of 16x9, 0 s, frame 0
+  image     0.3125 0 0 1
+  cost      136 operations
+  loop        function   bound      max  mean  p99  exhausted
+  m.glsl:3:5  mainImage  at most 8    4   4.0    4        0 %
+  m.glsl:7:5  mainImage  exactly 4    4   4.0    4          -
+  place        function   variable   first         last          times
+  m.glsl:1:44  mainImage  fragCoord  2.5 1.5       2.5 1.5           1
+  m.glsl:2:11  mainImage  t          0             0                 1
+  m.glsl:3:14  mainImage  i          0             0                 1
+  m.glsl:3:28  mainImage  i          1             3                 3
+  m.glsl:5:9   mainImage  t          1             3                 3
+  m.glsl:7:14  mainImage  i          0             0                 1
+  m.glsl:7:28  mainImage  i          1             4                 4
+  m.glsl:8:9   mainImage  t          3.5           5                 4
+  m.glsl:10:5  mainImage  fragColor  0.3125 0 0 1  0.3125 0 0 1      1
+";
+    assert_eq!(ran.out, expected);
+    let ran = scratch.run(&[&args[..], &["--format", "json"]].concat());
+    let facts: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let sites = facts["sites"].as_array().unwrap();
+    let steps = facts["steps"].as_array().unwrap();
+    let of_t = steps.iter().filter(|step| {
+        let site = &sites[usize::try_from(step[0].as_u64().unwrap()).unwrap()];
+        site["name"] == "t"
+    });
+    let values: Vec<_> = of_t.map(|step| step[1][0].as_f64().unwrap()).collect();
+    assert_eq!(values, [0.0, 1.0, 2.0, 3.0, 3.5, 4.0, 4.5, 5.0]);
+    let ran = scratch.run(&["run", "m.glsl", "--size", "16x9", "--pixel", "16,1"]);
+    assert_eq!(ran.code, 2);
+    let message = "--pixel: the pixel 16,1 is outside the image of 16x9";
+    assert!(ran.err.contains(message), "{}", ran.err);
+    let ran = scratch.run(&["run", "m.glsl", "--pixel", "16"]);
+    assert!(
+        ran.err.contains("expected a pixel such as 320,180"),
+        "{}",
+        ran.err
+    );
+}
+
+/// The second frame of a buffer that counts, read by the image.
+#[test]
+fn a_pixel_of_a_pass_has_the_frames_before() {
+    let scratch = Scratch::new(&[("counter.json", COUNTER)]);
+    for (pass, expected) in [("image", "0.5 0 0 1"), ("buffer_a", "0.5 0 0 2")] {
+        let args = [
+            "run",
+            "counter.json",
+            "--size",
+            "2x2",
+            "--frame",
+            "1",
+            "--pixel",
+            "1,1",
+        ];
+        let ran = scratch.run(&[&args[..], &["--pass", pass]].concat());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        assert!(
+            ran.out.contains(&format!("  image     {expected}\n")),
+            "{}",
+            ran.out
+        );
+    }
+}
+
+#[test]
 fn costs_are_reported_by_function() {
     let shader = "float square(float x) { return x * x; }
 float twice(float x) { return square(x) + square(x + 1.0); }
@@ -332,14 +413,7 @@ fn the_readme_images_are_up_to_date() {
 
 #[test]
 fn projects_are_run_with_all_their_passes() {
-    let export = r#"{"info": {"name": "counter"}, "renderpass": [
-        {"type": "image", "name": "Image", "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0); }",
-         "inputs": [{"id": "4dXGR8", "channel": 0, "type": "buffer", "sampler": {"filter": "nearest", "wrap": "clamp"}}],
-         "outputs": [{"id": "4dfGRr", "channel": 0}]},
-        {"type": "buffer", "name": "Buffer A", "code": "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + vec4(0.25, 0.0, 0.0, 1.0); }",
-         "inputs": [{"id": "4dXGR8", "channel": 0, "type": "buffer", "sampler": {"filter": "nearest", "wrap": "clamp"}}],
-         "outputs": [{"id": "4dXGR8", "channel": 0}]}]}"#;
-    let scratch = Scratch::new(&[("counter.json", export)]);
+    let scratch = Scratch::new(&[("counter.json", COUNTER)]);
     let args = [
         "run",
         "counter.json",

@@ -69,6 +69,13 @@ pub struct RunArgs {
     #[arg(long, value_name = "NAME@LINE", value_parser = show_of, help_heading = ANALYSIS)]
     #[arg(conflicts_with_all = ["heatmap", "compare"])]
     pub show: Option<Show>,
+    /// Trace a pixel: the values of its variables, its loops and its invalid numbers
+    ///
+    /// X and Y count from the lower left corner, as `gl_FragCoord` does. `--format json` lists every
+    /// step.
+    #[arg(long, value_name = "X,Y", value_parser = pixel_of, help_heading = ANALYSIS)]
+    #[arg(conflicts_with_all = ["heatmap", "show", "compare", "report", "output", "sheet"])]
+    pub pixel: Option<[u32; 2]>,
     /// Report loop iterations, the cost of each function and invalid numbers
     #[arg(long, help_heading = ANALYSIS)]
     pub report: bool,
@@ -201,9 +208,10 @@ impl RunArgs {
             // Comparisons and contact sheets do not print the cost.
             watch: match self.compare.is_some() || self.sheet.is_some() {
                 true => Watch::Nothing,
-                false if self.report => Watch::Numbers,
+                false if self.report || self.pixel.is_some() => Watch::Numbers,
                 false => Watch::Flow,
             },
+            trace: self.pixel.is_some(),
             decode: Some(decode),
         }
     }
@@ -249,6 +257,14 @@ fn mouse_of(text: &str) -> Result<Mouse, String> {
     let lane = |text: &str| text.parse::<f64>().ok().filter(|n| n.is_finite());
     let at = [lane(x).ok_or_else(wrong)?, lane(y).ok_or_else(wrong)?];
     Ok(Mouse { at, button })
+}
+
+/// Parses a pixel such as `320,180`.
+fn pixel_of(text: &str) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.trim().parse::<u32>().ok();
+    let parts = text.split_once(',');
+    let pixel = parts.and_then(|(x, y)| Some([side(x)?, side(y)?]));
+    pixel.ok_or_else(|| "expected a pixel such as 320,180".to_string())
 }
 
 /// Parses a variable such as `d@42`.

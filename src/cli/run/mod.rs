@@ -18,7 +18,9 @@ pub(super) use progress::Progress;
 use super::command::{CLEAN, FAILED, FINDINGS};
 use super::output::Overwrite;
 use super::port::save;
-use crate::commands::run::{Bitmap, Shot, UniformText, compare, compared_moments, frame, shot};
+use crate::commands::run::{
+    Bitmap, Shot, UniformText, compare, compared_moments, frame, shot, trace,
+};
 use crate::port::File;
 use crate::report::Format;
 use args::RunFormat;
@@ -65,6 +67,9 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
+    if let Some(pixel) = args.pixel {
+        return traced(args, &loaded, &mut own, pixel);
+    }
     if let Some(count) = args.sheet {
         let sheet = sheet::draw(&mut own, args, count)?;
         let written = write(args, &sheet, &loaded.read)?;
@@ -91,6 +96,25 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         },
         CLEAN,
     ))
+}
+
+/// Traces a pixel. Returns the text to print and the exit code.
+fn traced(
+    args: &RunArgs,
+    loaded: &LoadedFiles,
+    shot: &mut Shot,
+    pixel: [u32; 2],
+) -> Result<(String, u8), Trouble> {
+    let moment = args.moment();
+    let progress = Progress::new(1);
+    let mut report_frame = |number| progress.frame(number, moment.frame);
+    let facts = trace(&loaded.shader, shot, &moment, pixel, &mut report_frame)
+        .map_err(|e| format!("--pixel: {e}"))?;
+    let text = match args.format {
+        RunFormat::Human => facts.text(),
+        RunFormat::Json => facts.json(),
+    };
+    Ok((text, CLEAN))
 }
 
 /// Compares two shaders. Returns the text to print and the exit code.

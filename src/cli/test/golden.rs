@@ -167,6 +167,7 @@ fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String>
         show: None,
         uniforms: None,
         watch: Watch::Nothing,
+        trace: false,
         decode: Some(decode),
     };
     shot(&loaded.shader, &setting)

@@ -11,9 +11,11 @@ pub mod heat;
 mod loops;
 mod numbers;
 mod place;
+mod scalars;
 mod setting;
 mod shot;
 mod show;
+mod trace;
 mod uniforms;
 
 pub use bitmap::Bitmap;
@@ -24,3 +26,4 @@ pub use frame::{Frame, frame};
 pub use place::position;
 pub use setting::{FrameView, HeatMap, ShotSetting, Show, UniformText};
 pub use shot::{Loaded, Shot, shot};
+pub use trace::{TraceFacts, trace};

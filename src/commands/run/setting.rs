@@ -48,6 +48,8 @@ pub struct ShotSetting<'a> {
     pub uniforms: Option<UniformText<'a>>,
     /// What the VM records.
     pub watch: Watch,
+    /// Whether pixels can be traced.
+    pub trace: bool,
     /// Decoder for embedded images.
     pub decode: Option<Decode>,
 }

@@ -5,7 +5,9 @@ use super::setting::{ShotSetting, UniformText};
 use super::{show, uniforms};
 use shaderlint_diagnostic::count;
 use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
-use shaderlint_exec::{Bytecode, CompileOptions, Drawn, Refusal, Stop, Watch, draw};
+use shaderlint_exec::{
+    Bytecode, CompileOptions, Drawn, PixelTrace, Refusal, Stop, Watch, draw, trace,
+};
 use shaderlint_ir::Module;
 use shaderlint_lint::CachedFacts;
 use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
@@ -82,6 +84,37 @@ impl Shot {
                     .ok_or_else(|| "the pass has no output".to_string())
             }
         }
+    }
+
+    /// Records up to `most` steps of a pixel.
+    ///
+    /// # Errors
+    /// A message about a pixel outside the image, or about a run that was stopped before.
+    pub fn traced(
+        &mut self,
+        moment: &Moment,
+        (pixel, most): ([u32; 2], usize),
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<PixelTrace, String> {
+        let [[x, y], [width, height]] = [pixel, self.size];
+        if x >= width || y >= height {
+            return Err(format!(
+                "the pixel {x},{y} is outside the image of {width}x{height}"
+            ));
+        }
+        match &mut self.play {
+            Playback::Alone(scene) => Ok(trace(&scene.draw(self.size, moment), pixel, most)),
+            Playback::Project(player) => {
+                let traced = player.trace(moment, (self.pass, pixel, most), progress);
+                let traced = traced.map_err(|stop| stopped(&stop))?;
+                traced.ok_or_else(|| "the pass has no pixels to trace".to_string())
+            }
+        }
+    }
+
+    /// Size of the image in pixels.
+    pub const fn size(&self) -> [u32; 2] {
+        self.size
     }
 
     /// Notes about inputs that were missing or replaced.
@@ -169,6 +202,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
         watch: setting.watch,
         cost: setting.watch != Watch::Nothing,
         probe,
+        trace: setting.trace,
         ..CompileOptions::default()
     };
     let (size, threads) = (setting.size, setting.threads);

@@ -21,6 +21,9 @@ impl Compiler<'_> {
         let frame = self.frame(callee);
         self.frames.push(frame);
         self.begin_frame();
+        for &parameter in parameters {
+            self.trace_parameter(parameter);
+        }
         self.region(body);
         for (number, &parameter) in (0..).zip(parameters) {
             let root = module.variable(parameter).map(|v| v.root);
@@ -93,6 +96,9 @@ impl Compiler<'_> {
     /// Compiles a `return`.
     pub fn returned(&mut self, value: Option<OpId>) {
         self.tick();
+        if let Some(op) = value {
+            self.trace_return(op);
+        }
         let Some(frame) = self.frames.last() else {
             return;
         };

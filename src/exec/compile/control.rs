@@ -52,6 +52,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
                 *slot = value;
             }
             self.probe(op);
+            self.trace_write(op);
             self.tidy();
             if self.has_failed() {
                 return;

@@ -17,6 +17,7 @@ mod place;
 mod plan;
 mod probe;
 mod registers;
+mod traced;
 
 use super::bytecode::Bytecode;
 use emit::Compiler;

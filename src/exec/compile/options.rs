@@ -15,6 +15,8 @@ pub struct CompileOptions {
     pub entry: Option<FunctionRef>,
     /// A value that is output in addition to the outputs of the shader.
     pub probe: Option<Probe>,
+    /// Whether [`trace`](crate::trace) can record what a pixel writes.
+    pub trace: bool,
     /// The bits of uninitialised variables; browsers initialise them to zero.
     pub undefined: u32,
     /// The only [`OpKind::Undef`](shaderlint_ir::OpKind::Undef) with these bits, while all others are zero;

@@ -153,6 +153,7 @@ impl Vm<'_> {
                 self.expand();
                 self.watched.spend([cost, by], &self.expanded);
             }
+            Instr::Trace(site) => self.record(site),
             Instr::Check(check_operands) => self.check_operands(simd, check_operands),
             Instr::Compare(number) => self.compare(simd, number),
             _ => {}

@@ -8,6 +8,7 @@ mod arithmetic;
 mod array;
 mod following;
 mod texture;
+mod tracing;
 mod watch;
 
 use super::bytecode::{Bytecode, EMPTY, Instr, InstrIndex, Reg};
@@ -19,6 +20,9 @@ use following::Following;
 use shaderlint_math::{Faster, baseline, faster};
 use shaderlint_semantic::Scalar;
 use watch::Watched;
+
+pub(super) use tracing::TraceLog;
+pub use tracing::TraceStep;
 
 /// All registers of a shader. The compiler guarantees that register indices are in bounds.
 type Bank = [Row];
@@ -50,6 +54,8 @@ pub(super) struct Vm<'d> {
     pub spent: u64,
     tile: Tile,
     pub watched: Watched,
+    /// The traced lane, and what it did.
+    pub traced: Option<TraceLog>,
     /// The instructions to run with; `None` for those of every machine.
     faster: Option<Faster>,
 }
@@ -79,6 +85,7 @@ impl<'d> Vm<'d> {
                 requested: 0,
             },
             watched: Watched::new(code),
+            traced: None,
             faster,
         };
         for (reg, bits) in &code.constants {
@@ -175,6 +182,19 @@ impl<'d> Vm<'d> {
     #[inline(always)]
     fn mask<S: Simd>(&self, simd: S, reg: Reg) -> u32 {
         self.row(reg).mask(simd)
+    }
+
+    /// Records the value of a site, if the traced lane is active.
+    #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
+    #[inline(never)]
+    fn record(&mut self, site: u32) {
+        if let Some(log) = &mut self.traced
+            && self.active >> log.lane & 1 == 1
+            && let Some(place) = self.code.traces.get(site as usize)
+        {
+            let rows = place.regs.iter().map(|reg| &self.bank[*reg as usize]);
+            log.add(site, rows);
+        }
     }
 
     /// Loads the inputs of the tile's pixels.

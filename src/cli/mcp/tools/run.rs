@@ -52,6 +52,9 @@ pub struct RunTool {
     #[schemars(schema_with = "one_of::<Heat>")]
     #[serde(default)]
     heatmap: Option<String>,
+    /// Trace a pixel instead, such as `320,180` from the lower left corner: the values of its
+    /// variables, its loops and its invalid numbers
+    pixel: Option<String>,
     /// Draw a contact sheet of this many frames, starting at `time`
     sheet: Option<u32>,
     /// Seconds between the frames of a contact sheet; default: 1
@@ -79,11 +82,18 @@ impl Tool for RunTool {
             fs::write(&uniforms, text).map_err(|e| e.to_string())?;
             args.option("--uniforms", Some(uniforms.to_string_lossy()));
         }
-        args.option("--output", Some(image.to_string_lossy()));
+        if self.pixel.is_none() {
+            args.option("--output", Some(image.to_string_lossy()));
+        }
         args.0.extend(input.args());
         let done = program.run(args.0, input.text()).await?;
         if done.code != i32::from(CLEAN) {
             return Err(done.message());
+        }
+        if self.pixel.is_some() {
+            let mut answer = ToolAnswer::of(&done.out, "the pixel");
+            answer.push_any(&done.err);
+            return Ok(answer);
         }
         // The temporary path of the image means nothing to the client.
         let lines = done.out.lines();
@@ -117,6 +127,7 @@ impl RunTool {
         args.option("--pass", self.pass.as_ref());
         args.option("--show", self.show.as_ref());
         args.option("--heatmap", self.heatmap.as_ref());
+        args.option("--pixel", self.pixel.as_ref());
         args.option("--sheet", self.sheet.map(|n| n.to_string()));
         args.option("--every", self.every.map(|t| t.to_string()));
         args.switch("--report", self.report);

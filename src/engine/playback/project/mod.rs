@@ -17,7 +17,7 @@ use super::moment::Moment;
 use super::scene::Unfit;
 use channel::Channel;
 use shader::PassShader;
-use shaderlint_exec::{CompileOptions, Draw, Drawn, Stop, draw};
+use shaderlint_exec::{CompileOptions, Draw, Drawn, PixelTrace, Stop, draw, trace};
 use shaderlint_port::{Composed, Project};
 use shaderlint_semantic::Pass;
 use target::{CUBE_SIDE, ImagePair};
@@ -181,6 +181,41 @@ impl Player {
         moment: &Moment,
         progress: &mut dyn FnMut(u32),
     ) -> Result<Played, Stop> {
+        self.approach(moment, progress)?;
+        self.frame(moment)
+    }
+
+    /// Records up to `most` steps of a pixel of a pass, given by its index in the project, in a frame;
+    /// `None` if the pass is not drawn as an image. Frames that it depends on are drawn first, as
+    /// [`Player::play_to`] does.
+    ///
+    /// # Errors
+    /// Why a draw before it was stopped.
+    pub fn trace(
+        &mut self,
+        moment: &Moment,
+        (pass, pixel, most): (usize, [u32; 2], usize),
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<Option<PixelTrace>, Stop> {
+        self.approach(moment, progress)?;
+        self.begin(moment)?;
+        let mut traced = None;
+        for at in self.order().collect::<Vec<_>>() {
+            let found = self.passes.get(at).filter(|p| p.index == pass);
+            if let Some(found) = found.filter(|p| p.kind != Pass::Cubemap) {
+                let prepared = self.prepare(found, self.size_of(found), moment);
+                traced = Some(trace(&prepared, pixel, most));
+                break;
+            }
+            self.draw_pass(at, moment)?;
+        }
+        // The frame is not complete.
+        self.restart();
+        Ok(traced)
+    }
+
+    /// Draws the frames that a frame depends on.
+    fn approach(&mut self, moment: &Moment, progress: &mut dyn FnMut(u32)) -> Result<(), Stop> {
         if self.remembers() {
             if self.next > moment.frame {
                 self.restart();
@@ -197,7 +232,7 @@ impl Player {
             }
         }
         progress(moment.frame);
-        self.frame(moment)
+        Ok(())
     }
 
     /// Clears all render targets.
@@ -212,22 +247,10 @@ impl Player {
     /// # Errors
     /// Why a draw was stopped.
     pub fn frame(&mut self, moment: &Moment) -> Result<Played, Stop> {
-        if moment.frame == 0 {
-            self.restart();
-        }
-        channel::update(self, moment)?;
+        self.begin(moment)?;
         let mut passes = Vec::new();
         for at in self.order().collect::<Vec<_>>() {
-            let Some(pass) = self.passes.get(at) else {
-                continue;
-            };
-            let drawn = match pass.kind {
-                Pass::Cubemap => self.draw_cube(at, moment)?,
-                _ => self.draw_flat(at, moment)?,
-            };
-            if let Some((index, drawn)) = drawn {
-                passes.push((index, drawn));
-            }
+            passes.extend(self.draw_pass(at, moment)?);
         }
         self.next = moment.frame.saturating_add(1);
         Ok(Played {
@@ -237,6 +260,29 @@ impl Player {
             },
             passes,
         })
+    }
+
+    /// Prepares what changes once per frame.
+    fn begin(&mut self, moment: &Moment) -> Result<(), Stop> {
+        if moment.frame == 0 {
+            self.restart();
+        }
+        channel::update(self, moment)
+    }
+
+    /// Draws a pass. Returns its index in the project, and its draw.
+    fn draw_pass(&mut self, at: usize, moment: &Moment) -> Result<Option<(usize, Drawn)>, Stop> {
+        match self.passes.get(at).map(|pass| pass.kind) {
+            None => Ok(None),
+            Some(Pass::Cubemap) => self.draw_cube(at, moment),
+            Some(_) => self.draw_flat(at, moment),
+        }
+    }
+
+    /// The size of the image of a pass.
+    fn size_of(&self, pass: &PlayedPass) -> [u32; 2] {
+        let target = pass.target.and_then(|target| self.targets.get(target));
+        target.map_or(self.size, ImagePair::side)
     }
 
     /// A draw of a pass with all its inputs.
@@ -255,9 +301,10 @@ impl Player {
         let Some(pass) = self.passes.get(at) else {
             return Ok(None);
         };
-        let target = pass.target.and_then(|target| self.targets.get(target));
-        let size = target.map_or(self.size, ImagePair::side);
-        let drawn = draw(&self.prepare(pass, size, moment), self.threads)?;
+        let drawn = draw(
+            &self.prepare(pass, self.size_of(pass), moment),
+            self.threads,
+        )?;
         let image = RenderedImage::of(pass.shader.code(), &drawn, 0);
         let (index, kind, target) = (pass.index, pass.kind, pass.target);
         if kind == Pass::Image {
