@@ -42,6 +42,8 @@ impl Instance {
             ModuleRequest::Check(request) => check(request),
             ModuleRequest::Fix(request) => fix(request),
             ModuleRequest::Format(request) => formatted(&request),
+            #[cfg(feature = "port")]
+            ModuleRequest::Run(request) => super::run::run(&request),
             ModuleRequest::Explain { name } => explain(&[name]).map(Value::from),
             ModuleRequest::Rules => Ok(rule_list()),
             ModuleRequest::Lsp(message) => self.server.message(message),

@@ -8,8 +8,12 @@
 mod instance;
 #[cfg(feature = "port")]
 mod port;
+#[cfg(feature = "port")]
+mod project;
 mod requests;
 mod result;
+#[cfg(feature = "port")]
+mod run;
 mod server;
 mod workspace;
 

@@ -1,5 +1,6 @@
 //! The requests about ports.
 
+use super::project::{ShaderText, load};
 use super::result::RequestResult;
 use serde::Deserialize;
 use serde_json::json;
@@ -8,20 +9,10 @@ use shaderlint_engine::config::{Selection, options};
 use shaderlint_engine::{Analysis, NoFiles, analyze};
 use shaderlint_ide::{FrameCost, frame_cost};
 use shaderlint_port::naga::FirstRow;
-use shaderlint_port::{Composed, Destination, MainChoice, Order, Project, Target};
-use shaderlint_port::{add_stand_ins, build, player_data as data_of};
+use shaderlint_port::{Composed, Destination, MainChoice, Order, Target};
+use shaderlint_port::{build, player_data as data_of};
 use shaderlint_semantic::{Dialect, Pass};
-use shaderlint_text::kind::{Claim, FileKind, decide};
 use std::path::Path;
-
-/// A shader or export.
-#[derive(Deserialize)]
-pub struct ShaderText {
-    /// Name of the file.
-    name: String,
-    /// Contents of the file.
-    text: String,
-}
 
 /// A shader or export, and what it is ported to.
 #[derive(Deserialize)]
@@ -30,21 +21,6 @@ pub struct PortRequest {
     shader: ShaderText,
     /// Path of the output; its extension selects the target.
     output: String,
-}
-
-/// The passes of a shader, with stand-ins for media that only ShaderToy has.
-fn load(ShaderText { name, text }: &ShaderText) -> Result<(Project, Composed), String> {
-    let wrong = |error: &dyn std::fmt::Display| format!("{name}: {error}");
-    let title = Path::new(name).file_stem().unwrap_or_default();
-    let is_export = decide(name, text, Claim::None).kind == FileKind::Export;
-    let mut project = match is_export {
-        true => Project::from_json(text).map_err(|e| wrong(&e))?,
-        false => Project::from_shader(&title.to_string_lossy(), text).map_err(|e| wrong(&e))?,
-    };
-    let composed = project.resolve(name).map_err(|e| wrong(&e))?;
-    add_stand_ins(&mut project);
-    let composed = project.renew(composed, name).map_err(|e| wrong(&e))?;
-    Ok((project, composed))
 }
 
 /// The number of errors in all passes.

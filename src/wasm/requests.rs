@@ -17,6 +17,9 @@ pub enum ModuleRequest {
     Fix(FixRequest),
     /// Formats a text.
     Format(FormatRequest),
+    /// Draws a shader.
+    #[cfg(feature = "port")]
+    Run(Box<super::run::RunRequest>),
     /// Returns the page of a rule, compile error or host.
     Explain {
         /// Its name, or words that the page contains.
@@ -33,7 +36,7 @@ pub enum ModuleRequest {
     Port(super::port::PortRequest),
     /// Returns the data of a shader for the page that plays it.
     #[cfg(feature = "port")]
-    PlayerData(super::port::ShaderText),
+    PlayerData(super::project::ShaderText),
     /// Returns the page that plays shaders.
     #[cfg(feature = "port")]
     PlayerPage,

@@ -66,6 +66,31 @@ for (const [name, address] of Object.entries(MODULES)) {
     assert.throws(() => shaderlint.explain("sqrt-nagative"), /did you mean `sqrt-negative`/);
   });
 
+  test(`${name}: images, statistics and traces`, { skip: name !== "port" && "another module does" }, async () => {
+    const shaderlint = await Shaderlint.load(address);
+    const folder = path.join(ROOT, "corpus/templates");
+    const names = fs.readdirSync(folder).filter((file) => file.endsWith(".glsl"));
+    const size = ["--size", "64x36", "--time", "1.5"];
+    for (const file of names) {
+      const text = fs.readFileSync(path.join(folder, file), "utf8");
+      const options = { name: file, size: [64, 36], time: 1.5 };
+      const run = (...args) => native(["run", file, ...size, ...args], { cwd: folder });
+      const drawn = shaderlint.run(text, { ...options, report: true });
+      assert.equal(drawn.text, run("--report"));
+      assert.deepEqual(drawn.facts, JSON.parse(run("--report", "--format", "json")));
+      assert.equal(atob(drawn.image.rgb).length, 64 * 36 * 3);
+      const traced = shaderlint.run(text, { ...options, pixel: [33, 17] });
+      assert.equal(traced.text, run("--pixel", "33,17"));
+      assert.deepEqual(traced.facts, JSON.parse(run("--pixel", "33,17", "--format", "json")));
+      assert.equal(traced.image, null);
+      const same = shaderlint.run(text, { ...options, compare: `// Another comment.\n${text}` });
+      assert.equal(same.facts.same, true);
+    }
+    assert.throws(() => shaderlint.run("void main() {", {}), /shader\.glsl: the shader has errors/);
+    const plain = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
+    assert.throws(() => shaderlint.run(plain, { size: [1 << 20, 9] }), /at most 4194304 pixels/);
+  });
+
   test(`${name}: texts that nest deeply are answered`, async () => {
     const shaderlint = await Shaderlint.load(address);
     const of = (open, close) => {

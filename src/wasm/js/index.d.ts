@@ -64,6 +64,41 @@ export interface PortedFile {
   text: string | null;
 }
 
+/** What is drawn of a shader, as after `shaderlint run`. */
+export interface RunOptions {
+  /** Name of the file; its extension selects the kind of file. Default: `shader.glsl`. */
+  name?: string;
+  /** Width and height in pixels; default: 320 and 180. */
+  size?: [number, number];
+  /** Time in seconds. */
+  time?: number;
+  /** Frame number. */
+  frame?: number;
+  /** Position in pixels from the lower left corner. */
+  mouse?: { x: number; y: number; down?: boolean };
+  /** The pass to show. */
+  pass?: string;
+  /** Values of uniforms by name. */
+  uniforms?: Record<string, unknown>;
+  /** A heat map instead of the image. */
+  heatmap?: "steps" | "cost" | "overdraw" | "nan";
+  /** A variable on a line instead of the image. */
+  show?: { name: string; line: number };
+  /** Whether loops, functions and invalid numbers are reported. */
+  report?: boolean;
+  /** The pixel to trace, from the lower left corner. */
+  pixel?: [number, number];
+  /** Another version of the shader, to compare with. */
+  compare?: string;
+}
+
+/** What `shaderlint run` prints, and the image: three bytes per pixel in base64, top row first. */
+export interface RunResult {
+  facts: Record<string, unknown>;
+  text: string;
+  image: { size: [number, number]; rgb: string } | null;
+}
+
 export type Source = URL | string | Response | BufferSource | WebAssembly.Module;
 
 /** Compiles a module; by default the one of this package, with SIMD where the machine has it. */
@@ -92,6 +127,7 @@ export class Shaderlint {
     text: string,
     options?: { name?: string; output?: string },
   ): { files: PortedFile[]; errors: number; remarks: string[] };
+  run(text: string, options?: RunOptions): RunResult;
   playerData(text: string, options?: { name?: string }): { project: string; errors: number };
   playerPage(): string;
   lsp(message: object): object[];

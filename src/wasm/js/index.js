@@ -110,6 +110,14 @@ export class Shaderlint {
     return this.request("format", { name: "shader.glsl", text, ...options });
   }
 
+  /**
+   * Draws a frame, traces a pixel or compares two versions, as `shaderlint run` does; only the module at
+   * `portAddress()` does.
+   */
+  run(text, options = {}) {
+    return this.request("run", { name: "shader.glsl", text, ...options });
+  }
+
   /** The page of a rule, compile error or host, in Markdown. */
   explain(name) {
     return this.request("explain", { name });

@@ -1,0 +1,207 @@
+//! The request `run`: draws a frame, traces a pixel or compares two shaders, as `shaderlint run` does.
+
+use super::project::{ShaderText, load};
+use super::result::RequestResult;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use shaderlint_commands::run::{
+    Bitmap, FrameView, HeatMap, Loaded, Shot, ShotSetting, Show, UniformText, compare,
+    compared_moments, frame, shot, trace,
+};
+use shaderlint_engine::playback::{Button, Moment, Mouse};
+use shaderlint_exec::Watch;
+
+/// A shader, and what is drawn of it.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct RunRequest {
+    #[serde(flatten)]
+    shader: ShaderText,
+    /// Width and height in pixels.
+    size: Option<[u32; 2]>,
+    /// Time in seconds.
+    time: Option<f64>,
+    /// Frame number.
+    frame: Option<u32>,
+    mouse: Option<RequestMouse>,
+    /// The pass to show.
+    pass: Option<String>,
+    /// Values of uniforms by name.
+    uniforms: Option<Value>,
+    heatmap: Option<Heat>,
+    show: Option<RequestShow>,
+    /// Whether loops, functions and invalid numbers are reported.
+    #[serde(default)]
+    report: bool,
+    /// The pixel to trace, from the lower left corner.
+    pixel: Option<[u32; 2]>,
+    /// Another version of the shader.
+    compare: Option<String>,
+}
+
+/// The mouse: its position in pixels from the lower left corner.
+#[derive(Clone, Copy, Deserialize)]
+struct RequestMouse {
+    x: f64,
+    y: f64,
+    #[serde(default)]
+    down: bool,
+}
+
+/// The heat maps, named as on the command line.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Heat {
+    Steps,
+    Cost,
+    Overdraw,
+    Nan,
+}
+
+/// A variable on a line.
+#[derive(Deserialize)]
+struct RequestShow {
+    name: String,
+    line: u32,
+}
+
+/// Default size in pixels.
+const SIZE: [u32; 2] = [320, 180];
+/// Maximum number of pixels, which are drawn on one thread.
+const MAX_PIXELS: u64 = 1 << 22;
+
+impl RunRequest {
+    fn size(&self) -> Result<[u32; 2], String> {
+        let size = self.size.unwrap_or(SIZE);
+        let pixels: u64 = size.iter().map(|side| u64::from(*side)).product();
+        match pixels {
+            1..=MAX_PIXELS => Ok(size),
+            _ => Err(format!(
+                "an image has at least 1 and at most {MAX_PIXELS} pixels"
+            )),
+        }
+    }
+
+    fn mouse(&self) -> Option<Mouse> {
+        self.mouse.map(|mouse| Mouse {
+            at: [mouse.x, mouse.y],
+            button: match mouse.down {
+                true => Button::Down,
+                false => Button::Up,
+            },
+        })
+    }
+
+    /// The frame, by its number, its time or both.
+    fn moment(&self) -> Moment {
+        let moment = match (self.time, self.frame) {
+            (Some(time), None) => Moment::at(time),
+            (None, frame) => Moment::of_frame(frame.unwrap_or(0)),
+            (Some(time), Some(frame)) => Moment {
+                frame,
+                ..Moment::at(time)
+            },
+        };
+        Moment {
+            mouse: self.mouse(),
+            ..moment
+        }
+    }
+
+    /// The shader `text`, ready to draw.
+    fn prepared(&self, text: &str, show: Option<&Show>) -> Result<(Loaded, Shot), String> {
+        let name = &self.shader.name;
+        let (project, composed) = load(&ShaderText {
+            name: name.clone(),
+            text: text.to_string(),
+        })?;
+        if composed.has_errors() {
+            return Err(format!("{name}: the shader has errors"));
+        }
+        let loaded = Loaded {
+            name: name.clone(),
+            project,
+            composed,
+        };
+        let uniforms = self.uniforms.as_ref().map(Value::to_string);
+        let setting = ShotSetting {
+            size: self.size()?,
+            threads: 1,
+            pass: self.pass.as_deref(),
+            show,
+            uniforms: uniforms.as_deref().map(|text| UniformText {
+                name: "uniforms",
+                text,
+            }),
+            watch: match self.compare.is_some() {
+                true => Watch::Nothing,
+                false if self.report || self.pixel.is_some() => Watch::Numbers,
+                false => Watch::Flow,
+            },
+            trace: self.pixel.is_some(),
+            decode: None,
+        };
+        let shot = shot(&loaded, &setting)?;
+        Ok((loaded, shot))
+    }
+}
+
+/// `run`: facts as the command line prints them, as JSON and as text, and the image.
+pub fn run(request: &RunRequest) -> RequestResult {
+    let show = request.show.as_ref().map(|show| Show {
+        name: show.name.clone(),
+        line: show.line,
+    });
+    let (loaded, mut own) = request.prepared(&request.shader.text, show.as_ref())?;
+    let moment = request.moment();
+    let mut nobody = |_: u32| {};
+    if let Some(pixel) = request.pixel {
+        let facts = trace(&loaded, &mut own, &moment, pixel, &mut nobody)?;
+        return answer(&facts, facts.text(), None);
+    }
+    if let Some(other) = &request.compare {
+        let (_, mut other) = request.prepared(other, None)?;
+        let moments = match request.time.is_some() || request.frame.is_some() {
+            true => vec![moment],
+            false => compared_moments(request.size()?, request.mouse()),
+        };
+        let names = [&*loaded.name, "the other version"];
+        let size = request.size()?;
+        let (facts, image) = compare(
+            [&mut own, &mut other],
+            names,
+            size,
+            &moments,
+            &mut |_, _| {},
+        )?;
+        return answer(&facts, facts.text(), image.as_ref());
+    }
+    let view = FrameView {
+        heat: request.heatmap.map(Heat::map),
+        show: show.as_ref(),
+        report: request.report,
+    };
+    let made = frame(&loaded, &mut own, &moment, view, &mut nobody)?;
+    answer(&made.facts, made.facts.text(), Some(&made.bitmap))
+}
+
+impl Heat {
+    fn map(self) -> HeatMap {
+        match self {
+            Heat::Steps => HeatMap::Steps,
+            Heat::Cost => HeatMap::Cost,
+            Heat::Overdraw => HeatMap::Overdraw,
+            Heat::Nan => HeatMap::Nan,
+        }
+    }
+}
+
+/// The answer: the image has three bytes per pixel in base64, top row first.
+fn answer<F: serde::Serialize>(facts: &F, text: String, image: Option<&Bitmap>) -> RequestResult {
+    let facts = serde_json::to_value(facts).map_err(|e| e.to_string())?;
+    let image = image
+        .map(|image| json!({ "size": image.size, "rgb": BASE64_STANDARD.encode(&image.bytes) }));
+    Ok(json!({ "facts": facts, "text": text, "image": image }))
+}
