@@ -1,5 +1,6 @@
 // The playground as static files that any server can serve from any folder.
 import { defineConfig } from 'vite';
+import { earlyScript, serviceWorker } from './plugins.js';
 
 export default defineConfig({
   base: './',
@@ -10,6 +11,5 @@ export default defineConfig({
     modulePreload: { polyfill: false },
   },
   worker: { format: 'es' },
-  // Examples are files of the repository.
-  server: { fs: { allow: ['../..'] } },
+  plugins: [earlyScript, serviceWorker],
 });

@@ -7,7 +7,9 @@ use gen_lsp_types::{Position, Range, TextDocumentContentChangeEvent, Uri};
 use shaderlint_engine::{FileType, Files, LoadError, Options};
 use shaderlint_ide::{Document, RunObservations};
 use shaderlint_text::LineIndex;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Bound;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
@@ -166,6 +168,23 @@ pub struct OpenFiles {
     pub open: Arc<BTreeMap<PathBuf, Arc<TextBuffer>>>,
 }
 
+impl OpenFiles {
+    /// The names in a folder that only the editor knows: those of unsaved documents, and of folders with some.
+    fn unsaved(&self, folder: &Path) -> BTreeSet<&str> {
+        let inside = self
+            .open
+            .range::<Path, _>((Bound::Included(folder), Bound::Unbounded));
+        let inside = inside.map(|(path, _)| path);
+        let inside = inside.take_while(|path| path.starts_with(folder));
+        let names = inside.filter_map(|path| {
+            let name = path.strip_prefix(folder).ok()?.components().next()?;
+            name.as_os_str().to_str()
+        });
+        let is_saved = |name: &str| self.others.entry(&folder.join(name)).is_some();
+        names.filter(|name| !is_saved(name)).collect()
+    }
+}
+
 impl Files for OpenFiles {
     fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
         match self.open.get(path) {
@@ -177,12 +196,17 @@ impl Files for OpenFiles {
     fn entry(&self, path: &Path) -> Option<FileType> {
         match self.open.contains_key(path) {
             true => Some(FileType::File),
-            false => self.others.entry(path),
+            false => self.others.entry(path).or_else(|| {
+                let is_folder = !self.unsaved(path).is_empty();
+                is_folder.then_some(FileType::Folder)
+            }),
         }
     }
 
     fn names(&self, folder: &Path) -> Vec<String> {
-        self.others.names(folder)
+        let mut names = self.others.names(folder);
+        names.extend(self.unsaved(folder).into_iter().map(str::to_string));
+        names
     }
 
     fn here(&self) -> &Path {
@@ -200,7 +224,16 @@ impl Files for OpenFiles {
         match self.open.get(path) {
             // Never equal to a version of a file on disk.
             Some(buffer) => Some(buffer.state.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
-            None => self.others.version(path),
+            None => {
+                let version = self.others.version(path)?;
+                let names = self.unsaved(path);
+                if names.is_empty() {
+                    return Some(version);
+                }
+                let mut hasher = DefaultHasher::new();
+                (version, names).hash(&mut hasher);
+                Some(hasher.finish())
+            }
         }
     }
 }

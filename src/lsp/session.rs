@@ -16,6 +16,7 @@ use gen_lsp_types::*;
 use lsp_server::{ErrorCode, Message, Notification as Sent, Request as Asked};
 use lsp_server::{RequestId, Response};
 use serde_json::{Value, json};
+use shaderlint_engine::Files;
 use shaderlint_ide::Document;
 use shaderlint_lint::Page;
 use shaderlint_rules::page;
@@ -312,13 +313,24 @@ impl Session {
         let item = params.text_document;
         let state = self.next_state();
         let language = item.language_id.to_string();
-        self.put(TextBuffer::new(
-            item.uri,
-            language,
-            item.version,
-            item.text,
-            state,
-        ));
+        let buffer = TextBuffer::new(item.uri, language, item.version, item.text, state);
+        let path = PathBuf::from(&buffer.path);
+        let is_new = self.now.files.entry(&path).is_none();
+        self.put(buffer);
+        if is_new {
+            self.renew_others(&path);
+        }
+    }
+
+    /// Analyses the other open documents again, which may include a file that exists since now, or
+    /// no longer does.
+    fn renew_others(&mut self, path: &Path) {
+        let open = self.now.files.open.iter();
+        let others = open.filter(|(other, _)| *other != path);
+        let others: Vec<Arc<TextBuffer>> = others.map(|(_, buffer)| buffer.clone()).collect();
+        for buffer in others {
+            self.again(&buffer);
+        }
     }
 
     fn changed(&mut self, params: DidChangeTextDocumentParams) {
@@ -348,8 +360,11 @@ impl Session {
                 diagnostics: Vec::new(),
             });
         }
-        // From now on the file on disk counts.
-        self.renew_users(&path);
+        // From now on the file on disk counts, if there is one.
+        match self.now.files.entry(&path) {
+            Some(_) => self.renew_users(&path),
+            None => self.renew_others(&path),
+        }
     }
 
     fn watched(&mut self, params: DidChangeWatchedFilesParams) {

@@ -2,11 +2,12 @@
 
 use super::project::{ShaderText, load};
 use super::result::RequestResult;
+use super::workspace::MemoryFiles;
 use serde::Deserialize;
 use serde_json::json;
 use shaderlint_diagnostic::Severity;
 use shaderlint_engine::config::{Selection, options};
-use shaderlint_engine::{Analysis, NoFiles, analyze};
+use shaderlint_engine::{Analysis, Report, analyze};
 use shaderlint_ide::{FrameCost, frame_cost};
 use shaderlint_port::naga::FirstRow;
 use shaderlint_port::{Composed, Destination, MainChoice, Order, Target};
@@ -74,21 +75,81 @@ pub fn player_data(shader: &ShaderText) -> RequestResult {
 }
 
 /// The operations per pixel of all passes that have the size of the canvas, and whether there are more.
-fn operations(ShaderText { name, text }: &ShaderText) -> (f64, bool) {
+fn operations(
+    ShaderText {
+        name, text, passes, ..
+    }: &ShaderText,
+) -> (f64, bool) {
     let selection = Selection {
         run_samples: Some(0),
         ..Selection::default()
     };
     let options = options(None, &[], &selection).unwrap_or_default();
-    let report = analyze(name, text, &options, &NoFiles);
+    let files = MemoryFiles::new(passes);
+    let mut reports: Vec<Report> = Vec::new();
+    if passes.is_empty() {
+        reports.push(analyze(name, text, &options, &files));
+    }
+    for (path, text) in passes {
+        reports.push(analyze(&path.to_string_lossy(), text, &options, &files));
+    }
     let has_size = |analysis: &&Analysis| match analysis.program.dialect {
         Dialect::ShaderToy(pass) => matches!(pass, Pass::Image | Pass::Buffer),
         _ => true,
     };
-    let costs = report.analyses.iter().filter(has_size).map(frame_cost);
+    let analyses = reports.iter().flat_map(|report| &report.analyses);
+    let costs = analyses.filter(has_size).map(frame_cost);
     costs.fold((0.0, false), |(sum, is_more), cost| match cost {
         FrameCost::PerPixel(count) => (sum + count, is_more),
         FrameCost::Exceeded(count) => (sum + count, true),
         FrameCost::Unknown => (sum, is_more),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::Value;
+
+    fn data(request: Value) -> RequestResult {
+        player_data(&serde_json::from_value(request).unwrap())
+    }
+
+    const IMAGE: &str =
+        "void mainImage(out vec4 c, in vec2 p) {\n    c = SCALE * texture(iChannel0, p);\n}\n";
+    const BUFFER: &str =
+        "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(SCALE) * sin(p.x);\n}\n";
+
+    #[test]
+    fn passes_are_ported_together() {
+        let passes = json!({
+            "image.glsl": IMAGE, "common.glsl": "const float SCALE = 2.0;\n", "buffer_a.glsl": BUFFER,
+        });
+        let request = json!({ "name": "x", "passes": passes, "channels": ["0=buffer_a"] });
+        let made = data(request).unwrap();
+        assert_eq!(made["errors"], 0);
+        let project = made["project"].as_str().unwrap();
+        assert!(project.contains("\"buffer\""), "{project}");
+        let alone = data(json!({ "name": "image.glsl", "text": BUFFER.replace("SCALE", "1.0") }));
+        let (both, one) = (&made["operations"], &alone.unwrap()["operations"]);
+        assert!(both.as_f64() > one.as_f64(), "{both} and {one}");
+    }
+
+    #[test]
+    fn what_is_wrong_with_passes_is_reported() {
+        let wrong = |request: Value| data(request).unwrap_err();
+        let none = wrong(json!({ "name": "x", "passes": { "buffer_a.glsl": BUFFER } }));
+        assert!(
+            none.starts_with("no file defines the pass `image`"),
+            "{none}"
+        );
+        let name = wrong(json!({ "name": "x", "passes": { "noise.glsl": BUFFER } }));
+        assert_eq!(name, "noise.glsl: the file name does not match a pass");
+        let passes = json!({ "image.glsl": BUFFER });
+        let channel = wrong(json!({ "name": "x", "passes": passes, "channels": ["0=buffer_b"] }));
+        assert!(
+            channel.contains("the project has no pass `buffer_b`"),
+            "{channel}"
+        );
+    }
 }

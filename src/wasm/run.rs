@@ -30,15 +30,15 @@ pub struct RunRequest {
     pass: Option<String>,
     /// Values of uniforms by name.
     uniforms: Option<Value>,
-    heatmap: Option<Heat>,
-    show: Option<RequestShow>,
+    heatmap: Option<HeatMap>,
+    show: Option<Show>,
     /// Whether loops, functions and invalid numbers are reported.
     #[serde(default)]
     report: bool,
     /// The pixel to trace, from the lower left corner.
     pixel: Option<[u32; 2]>,
     /// Another version of the shader.
-    compare: Option<String>,
+    compare: Option<ShaderText>,
 }
 
 /// The mouse: its position in pixels from the lower left corner.
@@ -48,23 +48,6 @@ struct RequestMouse {
     y: f64,
     #[serde(default)]
     down: bool,
-}
-
-/// The heat maps, named as on the command line.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Heat {
-    Steps,
-    Cost,
-    Overdraw,
-    Nan,
-}
-
-/// A variable on a line.
-#[derive(Deserialize)]
-struct RequestShow {
-    name: String,
-    line: u32,
 }
 
 /// Default size in pixels.
@@ -110,13 +93,10 @@ impl RunRequest {
         }
     }
 
-    /// The shader `text`, ready to draw.
-    fn prepared(&self, text: &str, show: Option<&Show>) -> Result<(Loaded, Shot), String> {
-        let name = &self.shader.name;
-        let (project, composed) = load(&ShaderText {
-            name: name.clone(),
-            text: text.to_string(),
-        })?;
+    /// A shader, ready to draw.
+    fn prepared(&self, shader: &ShaderText, show: Option<&Show>) -> Result<(Loaded, Shot), String> {
+        let name = &shader.name;
+        let (project, composed) = load(shader)?;
         if composed.has_errors() {
             return Err(format!("{name}: the shader has errors"));
         }
@@ -150,11 +130,7 @@ impl RunRequest {
 
 /// `run`: facts as the command line prints them, as JSON and as text, and the image.
 pub fn run(request: &RunRequest) -> RequestResult {
-    let show = request.show.as_ref().map(|show| Show {
-        name: show.name.clone(),
-        line: show.line,
-    });
-    let (loaded, mut own) = request.prepared(&request.shader.text, show.as_ref())?;
+    let (loaded, mut own) = request.prepared(&request.shader, request.show.as_ref())?;
     let moment = request.moment();
     let mut nobody = |_: u32| {};
     if let Some(pixel) = request.pixel {
@@ -162,15 +138,15 @@ pub fn run(request: &RunRequest) -> RequestResult {
         return answer(&facts, facts.text(), None);
     }
     if let Some(other) = &request.compare {
-        let (_, mut other) = request.prepared(other, None)?;
+        let (other, mut other_shot) = request.prepared(other, None)?;
         let moments = match request.time.is_some() || request.frame.is_some() {
             true => vec![moment],
             false => compared_moments(request.size()?, request.mouse()),
         };
-        let names = [&*loaded.name, "the other version"];
+        let names = [&*loaded.name, &*other.name];
         let size = request.size()?;
         let (facts, image) = compare(
-            [&mut own, &mut other],
+            [&mut own, &mut other_shot],
             names,
             size,
             &moments,
@@ -179,23 +155,12 @@ pub fn run(request: &RunRequest) -> RequestResult {
         return answer(&facts, facts.text(), image.as_ref());
     }
     let view = FrameView {
-        heat: request.heatmap.map(Heat::map),
-        show: show.as_ref(),
+        heat: request.heatmap,
+        show: request.show.as_ref(),
         report: request.report,
     };
     let made = frame(&loaded, &mut own, &moment, view, &mut nobody)?;
     answer(&made.facts, made.facts.text(), Some(&made.bitmap))
-}
-
-impl Heat {
-    fn map(self) -> HeatMap {
-        match self {
-            Heat::Steps => HeatMap::Steps,
-            Heat::Cost => HeatMap::Cost,
-            Heat::Overdraw => HeatMap::Overdraw,
-            Heat::Nan => HeatMap::Nan,
-        }
-    }
 }
 
 /// The answer: the image has three bytes per pixel in base64, top row first.

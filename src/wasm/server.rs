@@ -104,3 +104,66 @@ fn listed(messages: &[Message]) -> RequestResult {
     });
     all.collect::<Result<Vec<_>, String>>().map(Value::from)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// Opens a document. Returns the names of the findings that are published, by document.
+    fn open(server: &mut InstantServer, name: &str, text: &str) -> Vec<(String, Vec<String>)> {
+        let document = json!({
+            "uri": format!("file:///{name}"), "languageId": "glsl", "version": 1, "text": text,
+        });
+        let params = json!({ "textDocument": document });
+        send(server, "textDocument/didOpen", params)
+    }
+
+    fn send(server: &mut InstantServer, method: &str, params: Value) -> Vec<(String, Vec<String>)> {
+        let sent = lsp_server::Notification::new(method.to_string(), params);
+        let messages = server.message(sent.into()).unwrap();
+        let published = messages.as_array().unwrap().iter();
+        let published = published.filter(|m| m["method"] == "textDocument/publishDiagnostics");
+        let found = published.map(|message| {
+            let all = message["params"]["diagnostics"].as_array().unwrap();
+            let names = all.iter().map(|d| d["code"].as_str().unwrap().to_string());
+            let uri = message["params"]["uri"].as_str().unwrap();
+            (uri.replace("file:///", ""), names.collect())
+        });
+        found.collect()
+    }
+
+    #[test]
+    fn open_documents_are_the_passes_of_a_folder() {
+        let mut server = InstantServer::default();
+        let start = lsp_server::Request {
+            id: 1.into(),
+            method: "initialize".to_string(),
+            params: json!({ "capabilities": {} }),
+        };
+        server.message(start.into()).unwrap();
+        let image = "void mainImage(out vec4 c, in vec2 p) {\n    c = tint(p);\n}\n";
+        let of = |name: &str, found: &[&str]| {
+            let found = found.iter().map(ToString::to_string);
+            (name.to_string(), found.collect::<Vec<_>>())
+        };
+        let unknown = of("image.glsl", &["undeclared-name"]);
+        assert_eq!(
+            open(&mut server, "image.glsl", image),
+            std::slice::from_ref(&unknown)
+        );
+        let common = "vec4 tint(vec2 p) {\n    return vec4(p, 0.0, 1.0);\n}\n";
+        let both = open(&mut server, "common.glsl", common);
+        assert_eq!(both, [of("common.glsl", &[]), of("image.glsl", &[])]);
+        let change = json!({
+            "textDocument": { "uri": "file:///common.glsl", "version": 2 },
+            "contentChanges": [{ "text": common.replace("vec2 p", "vec3 p").replace("(p, 0.0", "(p") }],
+        });
+        let changed = send(&mut server, "textDocument/didChange", change);
+        let wrong = of("image.glsl", &["vector-size"]);
+        assert_eq!(changed, [of("common.glsl", &[]), wrong]);
+        let closed = json!({ "textDocument": { "uri": "file:///common.glsl" } });
+        let closed = send(&mut server, "textDocument/didClose", closed);
+        assert_eq!(closed, [of("common.glsl", &[]), unknown]);
+    }
+}

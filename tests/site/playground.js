@@ -8,7 +8,7 @@ import { listen } from '../browser/browser.js';
 const axe = createRequire(new URL('../../site/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
 
 /** Opens the playground in a window of its own, and fails if anything is loaded from elsewhere or complains. */
-async function within(browser, address, { fragment = '', ...options }, run) {
+export async function within(browser, address, { fragment = '', ...options }, run) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   context.setDefaultTimeout(0);
   const page = await context.newPage();
@@ -27,13 +27,13 @@ async function within(browser, address, { fragment = '', ...options }, run) {
   }
 }
 
-const linkTo = (text) => `#code=${zlib.deflateRawSync(text).toString('base64url')}`;
+export const linkTo = (text) => `#code=${zlib.deflateRawSync(text).toString('base64url')}`;
 
 /**
  * Waits until the list has the findings of some rules, none of others, and this many.
  * @param {{ has?: string[], lacks?: string[], count?: number }} wanted
  */
-const findings = (page, wanted) => page.waitForFunction(({ has = [], lacks = [], count }) => {
+export const findings = (page, wanted) => page.waitForFunction(({ has = [], lacks = [], count }) => {
   const rules = [...document.querySelectorAll('#list .finding small')].map((name) => name.textContent);
   const isShown = document.querySelector('#summary')?.textContent !== 'Loading…';
   const fits = has.every((rule) => rules.includes(rule)) && !lacks.some((rule) => rules.includes(rule));
@@ -41,8 +41,8 @@ const findings = (page, wanted) => page.waitForFunction(({ has = [], lacks = [],
 }, wanted);
 
 /** The text in the editor. The lines of a short one are all in the page. */
-const text = (page) => page.evaluate(() =>
-  [.../** @type {any} */ (document.querySelector('#code')).shadowRoot.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\n'));
+export const text = (page) => page.evaluate(() =>
+  [.../** @type {any} */ (document.querySelector('#code')).shadowRoot.querySelectorAll('.cm-editor:not([hidden]) .cm-line')].map((line) => line.textContent).join('\n'));
 
 const FAULTY = 'void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(p.x * 2, 0.0, 0.0, 1.0);\n}\n';
 
@@ -123,7 +123,8 @@ async function escaping(browser, address) {
 async function examples(browser, address) {
   await within(browser, address, {}, async (page) => {
     await findings(page, { has: ['nan-pixels'] });
-    await page.locator('#examples').selectOption({ label: 'cast_is_reserved.glsl' });
+    await page.locator('#examples').click();
+    await page.getByRole('button', { name: 'cast_is_reserved.glsl' }).click();
     await findings(page, { has: ['reserved-word'] });
   });
 }
@@ -148,7 +149,7 @@ async function looks(browser, address) {
 }
 
 /** The frame that shows the image of the shader. */
-const imageOf = async (page) => {
+export const imageOf = async (page) => {
   await page.locator('#image iframe:not(.next)').waitFor();
   return page.frames().find((frame) => frame.url().includes('player.html'));
 };
@@ -164,7 +165,7 @@ const middle = (frame) => frame.evaluate(() => {
 });
 
 /** Waits until the image has this colour in its middle. Typing may replace it several times. */
-async function drawn(page, color) {
+export async function drawn(page, color) {
   for (;;) {
     const frame = await imageOf(page);
     // A frame may be replaced while it is asked.

@@ -6,10 +6,11 @@ import {
   LSPClient, findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, renameKeymap, serverCompletion,
   signatureHelp,
 } from '@codemirror/lsp-client';
-import { EditorState } from '@codemirror/state';
+import { Compartment, EditorState } from '@codemirror/state';
 import { ViewPlugin, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { EditorView, basicSetup } from 'codemirror';
+import controlStyle from './controls.css?inline';
 import style from './editor.css?inline';
 import findingStyle from './finding.css?inline';
 import { findings } from './findings.js';
@@ -60,22 +61,41 @@ const common = [
 ];
 
 /**
- * Opens an editor in an element. It lies in a shadow root: there its styles are objects, while the page's
- * policy forbids style elements.
+ * The place for editors in an element. They lie in a shadow root: there their styles are objects, while the
+ * page's policy forbids style elements.
+ * @param {HTMLElement} parent
  */
-export function openEditor(parent) {
+export function editorRoot(parent) {
   const root = parent.attachShadow({ mode: 'open' });
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(style + findingStyle);
+  sheet.replaceSync(controlStyle + style + findingStyle);
   root.adoptedStyleSheets = [sheet];
-  return new EditorView({ parent: root, root });
+  return root;
 }
 
-/** Shows a text as a new document. `changed` is called with each new text. */
-export function show(view, name, text, changed) {
+/** The connection of an editor to the language server, under a name that may change. */
+const connection = new Compartment();
+
+/** The document of a file for the language server. @param {string} file */
+const document = (file) => client.plugin(addressOf(file), file.endsWith('.html') ? 'html' : 'glsl');
+
+/** The address of a file for the language server: all lie in one folder. @param {string} file */
+export const addressOf = (file) => `file:///${encodeURIComponent(file)}`;
+
+/**
+ * Opens an editor of a file.
+ * @param {ShadowRoot} root
+ * @param {string} file
+ * @param {string} text
+ * @param {() => void} changed is called after each change
+ */
+export function openEditor(root, file, text, changed) {
   const follow = EditorView.updateListener.of((update) => {
-    if (update.docChanged) changed(update.state.doc.toString());
+    if (update.docChanged) changed();
   });
-  const extensions = [common, follow, client.plugin(`file:///${encodeURIComponent(name)}`, 'glsl')];
-  view.setState(EditorState.create({ doc: text, extensions }));
+  const state = EditorState.create({ doc: text, extensions: [common, follow, connection.of(document(file))] });
+  return new EditorView({ state, parent: root, root });
 }
+
+/** Gives the file of an editor another name. @param {EditorView} view @param {string} file */
+export const rename = (view, file) => view.dispatch({ effects: connection.reconfigure(document(file)) });

@@ -1,32 +1,65 @@
-// Examples: the shaders of the repository.
-const templates = import.meta.glob('../../../corpus/templates/*.glsl', { query: '?raw', import: 'default' });
-const pitfalls = import.meta.glob('../../../corpus/pitfalls/*.glsl', { query: '?raw', import: 'default' });
-const mistakes = import.meta.glob('../../../corpus/mistakes/*.{glsl,frag}', { query: '?raw', import: 'default' });
+// Examples: shaders of the repository, and the code of the pages of rules. They are loaded when somebody
+// wants to see them.
+import { element } from './element.js';
+import { FIRST } from './first.js';
 
-/** What a visitor sees first: an image, and a warning about it. */
-export const FIRST = `// Errors and warnings appear as you type: write 8 for 8.0.
-float wave(vec2 p) {
-    return 0.5 + 0.5 * sin(p.x * 8.0 + iTime) * cos(p.y * 8.0);
+/** @typedef {{ name: string, file: string, text: string }} Example */
+/** @typedef {{ label: string, summary?: string, examples: Example[] }} Group */
+
+/** All examples, by group. @returns {Promise<Group[]>} */
+async function load() {
+  const response = await fetch(new URL('examples.json', document.baseURI));
+  if (!response.ok) throw new Error(`the examples cannot be loaded (status ${response.status})`);
+  const start = { label: 'Start', examples: [{ name: 'wave.glsl', file: 'wave.glsl', text: FIRST }] };
+  return [start, ...await response.json()];
 }
 
-void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    vec2 uv = (2.0 * fragCoord - iResolution.xy) / iResolution.y;
-    float height = wave(uv) - 0.5 * length(uv);
-    vec3 color = mix(vec3(0.05, 0.2, 0.4), vec3(1.0, 0.8, 0.5), sqrt(height));
-    fragColor = vec4(color, 1.0);
-}
-`;
-
-const named = (files, label) =>
-  Object.entries(files).map(([path, load]) => {
-    const name = path.slice(path.lastIndexOf('/') + 1);
-    return { label, name, load };
+/** A group of examples as an element, and the words that find it. */
+function groupOf({ label, summary = '', examples }, choose) {
+  const buttons = examples.map((example) => {
+    const button = element('button', { type: 'button', textContent: example.name });
+    button.addEventListener('click', () => choose({ [example.file]: example.text }));
+    return button;
   });
+  const words = [label, summary, ...examples.map(({ name }) => name)].join(' ').toLowerCase();
+  const shown = element('section', {}, element('h3', { textContent: label }), element('p', { textContent: summary }), element('div', {}, ...buttons));
+  return { words, shown };
+}
 
-/** All examples, by group. */
-export const examples = [
-  { label: 'Start', name: 'wave.glsl', load: () => Promise.resolve(FIRST) },
-  ...named(templates, 'Complete shaders'),
-  ...named(pitfalls, 'Pitfalls'),
-  ...named(mistakes, 'Mistakes'),
-];
+/**
+ * Opens a list of the examples with a button.
+ * @param {HTMLElement} button
+ * @param {(files: import('./passes.js').Files) => void} choose is called with what somebody chose
+ */
+export function openExamples(button, choose) {
+  const filter = element('input', { type: 'search', placeholder: 'Rule or shader' });
+  const list = element('div', { className: 'list', textContent: 'Loading…' });
+  list.tabIndex = 0;
+  const close = element('button', { type: 'button', textContent: 'Close' });
+  const head = element('div', { className: 'head' }, element('h2', { id: 'examples-title', textContent: 'Examples' }), element('label', {}, 'Find ', filter), close);
+  const dialog = element('dialog', {}, head, list);
+  dialog.setAttribute('aria-labelledby', 'examples-title');
+  document.body.append(dialog);
+  close.addEventListener('click', () => dialog.close());
+  /** @type {ReturnType<typeof groupOf>[]} */
+  let groups = [];
+  const show = () => {
+    const words = filter.value.toLowerCase().split(/\s+/);
+    for (const group of groups) group.shown.hidden = !words.every((word) => group.words.includes(word));
+  };
+  filter.addEventListener('input', show);
+  button.addEventListener('click', async () => {
+    dialog.showModal();
+    if (groups.length > 0) return;
+    try {
+      groups = (await load()).map((group) => groupOf(group, (files) => {
+        dialog.close();
+        choose(files);
+      }));
+      list.replaceChildren(...groups.map(({ shown }) => shown));
+      show();
+    } catch (error) {
+      list.textContent = error.message;
+    }
+  });
+}

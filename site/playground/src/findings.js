@@ -1,29 +1,32 @@
-// The findings of the language server: marks in the editor, and the list beside it.
+// The findings of the language server: marks in the editors, and one list of all beside them.
 import { setDiagnostics } from '@codemirror/lint';
-import { LSPPlugin } from '@codemirror/lsp-client';
+import { element } from './element.js';
+import { positionOf, titleOf } from './passes.js';
+import { pluginOf } from './plugin.js';
 
 const SEVERITIES = { 1: 'error', 2: 'warning', 3: 'info', 4: 'info' };
 const NAMES = { error: ['error', 'errors'], warning: ['warning', 'warnings'], info: ['info', 'infos'] };
 
-function element(name, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(name), properties);
-  made.append(...children);
-  return made;
-}
+/** The findings and their entries in the list, by address of the document. @type {Map<string, { severities: string[], entries: Element[] }>} */
+const all = new Map();
 
 /** A message with the code in it as elements. @param {string} message */
 const withCode = (message) => message.split('`').map((part, i) => (i % 2 ? element('code', { textContent: part }) : part));
 
-/** Applies the edits of a code action to the document of an editor. */
-function apply(plugin, action) {
-  const edits = Object.values(action.edit?.changes ?? {}).flat();
-  const changes = edits.map(({ range, newText }) => ({
-    from: plugin.fromPosition(range.start),
-    to: plugin.fromPosition(range.end),
-    insert: newText,
-  }));
-  plugin.view.dispatch({ changes, userEvent: 'input.fix' });
-  plugin.view.focus();
+/** The file of an address. @param {string} uri */
+const fileOf = (uri) => decodeURIComponent(uri.slice('file:///'.length));
+
+/** Applies the edits of a code action to the documents that it is about. */
+export function applyEdits(client, action) {
+  for (const [uri, edits] of Object.entries(action.edit?.changes ?? {})) {
+    const plugin = pluginOf(client, uri);
+    const changes = edits.map(({ range, newText }) => ({
+      from: plugin.fromPosition(range.start),
+      to: plugin.fromPosition(range.end),
+      insert: newText,
+    }));
+    plugin.view.dispatch({ changes, userEvent: 'input.fix' });
+  }
 }
 
 /** The fixes of a finding, as buttons. */
@@ -36,7 +39,11 @@ async function addFixes(plugin, finding, into) {
   };
   const actions = (await plugin.client.request('textDocument/codeAction', params)) ?? [];
   for (const action of actions.filter((offered) => offered.edit)) {
-    into.append(element('button', { type: 'button', onclick: () => apply(plugin, action) }, ...withCode(action.title)));
+    const apply = () => {
+      applyEdits(plugin.client, action);
+      plugin.client.workspace.displayFile(plugin.uri).then((view) => view.focus());
+    };
+    into.append(element('button', { type: 'button', onclick: apply }, ...withCode(action.title)));
   }
 }
 
@@ -56,25 +63,32 @@ function described(plugin, finding) {
   return made;
 }
 
-/** Shows findings in the list. Returns nothing; a click goes to the place. */
-function list(plugin, findings) {
+/** An entry of the list. A click on its place goes there. */
+function entry(plugin, finding) {
+  const line = finding.range.start.line + 1;
+  const go = async () => {
+    const view = await plugin.client.workspace.displayFile(plugin.uri);
+    const at = plugin.fromPosition(finding.range.start);
+    view.dispatch({ selection: { anchor: at }, scrollIntoView: true });
+    view.focus();
+  };
+  const place = element('button', { type: 'button', className: 'place', onclick: go });
+  place.append(element('span', { className: 'pass', textContent: `${titleOf(fileOf(plugin.uri))}, ` }), `Line ${line}`);
+  return element('li', {}, place, described(plugin, finding));
+}
+
+/** Shows the findings of all documents, in the order of their tabs. */
+function list() {
+  const documents = [...all].sort(([a], [b]) => positionOf(fileOf(a)) - positionOf(fileOf(b))).map(([, found]) => found);
+  const severities = documents.flatMap((found) => found.severities);
   const counts = Object.entries(NAMES).map(([severity, [one, several]]) => {
-    const count = findings.filter((finding) => SEVERITIES[finding.severity] === severity).length;
+    const count = severities.filter((own) => own === severity).length;
     return count === 0 ? '' : `${count} ${count === 1 ? one : several}`;
   });
-  const summary = counts.filter(Boolean).join(', ');
-  document.querySelector('#summary').textContent = summary || 'No findings';
-  const items = findings.map((finding) => {
-    const line = finding.range.start.line + 1;
-    const go = () => {
-      const at = plugin.fromPosition(finding.range.start);
-      plugin.view.dispatch({ selection: { anchor: at }, scrollIntoView: true });
-      plugin.view.focus();
-    };
-    const place = element('button', { type: 'button', className: 'place', textContent: `Line ${line}`, onclick: go });
-    return element('li', {}, place, described(plugin, finding));
-  });
-  document.querySelector('#list').replaceChildren(...items);
+  const items = document.querySelector('#list');
+  document.querySelector('#summary').textContent = counts.filter(Boolean).join(', ') || 'No findings';
+  items.classList.toggle('several', all.size > 1);
+  items.replaceChildren(...documents.flatMap((found) => found.entries));
 }
 
 /** Handles the findings that the server publishes. */
@@ -89,9 +103,15 @@ export const findings = {
   notificationHandlers: {
     'textDocument/publishDiagnostics': (client, params) => {
       const file = client.workspace.getFile(params.uri);
-      const view = file?.getView();
-      const plugin = view && LSPPlugin.get(view);
-      if (!plugin || (params.version ?? file.version) !== file.version) return false;
+      const plugin = pluginOf(client, params.uri);
+      // A document that was closed has no version. Another one may be open under its name.
+      const isClosed = (params.version ?? null) === null;
+      if (isClosed && !file) {
+        all.delete(params.uri);
+        list();
+      }
+      if (isClosed) return true;
+      if (!plugin || params.version !== file.version) return false;
       const at = (position) => plugin.unsyncedChanges.mapPos(plugin.fromPosition(position, plugin.syncedDoc));
       const marks = params.diagnostics.map((finding) => ({
         from: at(finding.range.start),
@@ -100,8 +120,12 @@ export const findings = {
         message: finding.message,
         renderMessage: () => described(plugin, finding),
       }));
-      view.dispatch(setDiagnostics(view.state, marks));
-      list(plugin, params.diagnostics);
+      plugin.view.dispatch(setDiagnostics(plugin.view.state, marks));
+      all.set(params.uri, {
+        severities: params.diagnostics.map(({ severity }) => SEVERITIES[severity]),
+        entries: params.diagnostics.map((finding) => entry(plugin, finding)),
+      });
+      list();
       document.dispatchEvent(new Event('findings'));
       return true;
     },

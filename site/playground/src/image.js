@@ -22,6 +22,8 @@ export class ShaderImage {
   #project;
   /** What somebody answered about a shader that takes many operations: drawn pixels per pixel. */
   #answer;
+  /** Whether the next shader is another one, and not a change of the last. */
+  #isOther = true;
 
   /**
    * @param {HTMLElement} parent
@@ -33,26 +35,33 @@ export class ShaderImage {
     addEventListener('message', ({ data, source }) => this.#heard(data, source));
   }
 
-  /** Shows a shader after a pause. @param {string} name @param {string} text */
-  show(name, text) {
+  /** Shows files after a pause, or at once if they are another shader. @param {import('./passes.js').Files} files */
+  show(files) {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.#port(name, text), PAUSE);
+    if (this.#isOther) this.#port(files);
+    else this.#timer = setTimeout(() => this.#port(files), PAUSE);
+    this.#isOther = false;
   }
 
-  /** Forgets the image, the time and the mouse of another shader. */
+  /** Forgets the image, the time and the mouse of another shader, and what its port would still answer. */
   restart() {
+    clearTimeout(this.#timer);
+    this.#number++;
+    this.#isOther = true;
     this.#state = undefined;
     this.#answer = undefined;
     this.#forget();
   }
 
-  async #port(name, text) {
+  async #port(files) {
+    const number = ++this.#number;
     await this.#isDue;
+    if (number !== this.#number) return;
     if (!this.#worker) {
       this.#worker = new Worker(new URL('./port-worker.js', import.meta.url), { type: 'module' });
       this.#worker.onmessage = ({ data }) => this.#ported(data);
     }
-    this.#worker.postMessage({ number: ++this.#number, name, text });
+    this.#worker.postMessage({ number, files });
   }
 
   /** A shader with errors keeps the last image. */

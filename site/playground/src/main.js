@@ -1,10 +1,17 @@
-// The playground: an editor whose language server runs in a worker. Nothing leaves the page.
+// The playground: editors whose language server runs in a worker. Nothing leaves the page.
 import { formatDocument } from '@codemirror/lsp-client';
 import { startServer } from '../wasm/server.js';
-import { client, openEditor, show as showText } from './editor.js';
-import { FIRST, examples } from './examples.js';
+import { addressIn, filesAt } from './address.js';
+import { Documents } from './documents.js';
+import { addressOf, client } from './editor.js';
+import { openExamples } from './examples.js';
+import { applyEdits } from './findings.js';
+import { FIRST } from './first.js';
 import { ShaderImage } from './image.js';
-import { fragmentOf, textOf } from './link.js';
+import { filesOf, fragmentOf } from './link.js';
+import { workOffline } from './offline.js';
+import { Tabs } from './tabs.js';
+import { offerThemes } from './theme.js';
 
 /** Starts first: nothing else takes as long. */
 const server = startServer();
@@ -15,16 +22,15 @@ const at = (id) => document.getElementById(id);
 const found = new Promise((resolve) => { document.addEventListener('findings', resolve, { once: true }); });
 found.then(() => performance.mark('first findings'));
 const image = new ShaderImage(at('image'), found);
+const documents = new Documents(at('code'));
+documents.addEventListener('change', () => image.show(documents.files));
 
-/** Shows a text in the editor, and its image. */
-function show(view, name, text) {
+/** Shows other files in the editor, and their image. @param {import('./passes.js').Files} files */
+function show(files) {
   image.restart();
-  image.show(name, text);
-  showText(view, name, text, (changed) => image.show(name, changed));
+  documents.open(files);
+  image.show(files);
 }
-
-/** A file name that says what a text is. */
-const nameOf = (text) => (text.trimStart().startsWith('{') ? 'shader.json' : 'shader.glsl');
 
 /** Shows what went wrong; nothing without a message. @param {string} [message] */
 function warn(message = '') {
@@ -39,39 +45,32 @@ function confirm(button, word) {
   button.addEventListener('blur', () => { button.textContent = textContent; }, { once: true });
 }
 
-async function openLink(view) {
+/** The files that a fragment contains or names; null if there are none. @param {string} hash */
+function linked(hash) {
+  const address = addressIn(hash);
+  return address ? filesAt(address) : filesOf(hash);
+}
+
+/** Opens what the address of the page leads to. Returns whether it leads to anything. */
+async function openLink() {
+  const { hash } = location;
+  const isLatest = () => hash === location.hash;
   try {
-    const text = await textOf(location.hash);
+    const files = await linked(hash);
+    if (!isLatest()) return true;
     warn();
-    if (text !== null) show(view, nameOf(text), text);
-    return text !== null;
+    if (files) show(files);
+    return files !== null;
   } catch (error) {
-    show(view, 'shader.glsl', '');
+    if (!isLatest()) return true;
+    show({ 'shader.glsl': '' });
     warn(`The link cannot be opened: ${error.message}`);
     return true;
   }
 }
 
-function listExamples(view) {
-  const groups = Map.groupBy?.(examples, (example) => example.label) ?? new Map([['Examples', examples]]);
-  for (const [label, list] of groups) {
-    const group = Object.assign(document.createElement('optgroup'), { label });
-    for (const example of list) {
-      group.append(new Option(example.name, String(examples.indexOf(example))));
-    }
-    at('examples').append(group);
-  }
-  at('examples').addEventListener('change', async () => {
-    const example = examples[Number(at('examples').value)];
-    if (!example) return;
-    show(view, example.name, await example.load());
-    warn();
-    history.replaceState(null, '', location.pathname);
-  });
-}
-
-async function share(view) {
-  const fragment = await fragmentOf(view.state.doc.toString());
+async function share() {
+  const fragment = await fragmentOf(documents.files);
   history.replaceState(null, '', fragment);
   try {
     await navigator.clipboard.writeText(location.href);
@@ -82,32 +81,45 @@ async function share(view) {
   }
 }
 
-async function fixAll(view) {
-  client.sync();
-  const [file] = client.workspace.files;
-  const end = view.state.doc.lineAt(view.state.doc.length);
-  const range = { start: { line: 0, character: 0 }, end: { line: end.number - 1, character: end.length } };
-  const context = { diagnostics: [], only: ['source.fixAll.shaderlint'] };
-  const actions = await client.request('textDocument/codeAction', { textDocument: { uri: file.uri }, range, context });
-  const [edit] = Object.values(actions?.[0]?.edit?.changes ?? {}).flat();
-  if (!edit) return confirm(at('fix'), 'Nothing to fix');
-  view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: edit.newText }, userEvent: 'input.fix' });
-  return undefined;
+/** Applies the fixes of all files. */
+async function fixAll() {
+  let isFixed = false;
+  for (const name of documents.names) {
+    client.sync();
+    const uri = addressOf(name);
+    const { doc } = client.workspace.getFile(uri);
+    const end = doc.line(doc.lines);
+    const range = { start: { line: 0, character: 0 }, end: { line: end.number - 1, character: end.length } };
+    const context = { diagnostics: [], only: ['source.fixAll.shaderlint'] };
+    const actions = await client.request('textDocument/codeAction', { textDocument: { uri }, range, context });
+    const action = actions?.find(({ edit }) => edit);
+    if (!action) continue;
+    applyEdits(client, action);
+    isFixed = true;
+  }
+  if (!isFixed) confirm(at('fix'), 'Nothing to fix');
 }
 
 async function start() {
-  const view = openEditor(at('code'));
-  listExamples(view);
-  if (!await openLink(view)) show(view, 'wave.glsl', FIRST);
-  addEventListener('hashchange', () => openLink(view));
-  at('share').addEventListener('click', () => share(view));
-  at('fix').addEventListener('click', () => fixAll(view));
-  at('format').addEventListener('click', () => formatDocument(view));
+  offerThemes(at('theme'));
+  new Tabs(at('passes'), at('code'), documents);
+  if (!await openLink()) show({ 'wave.glsl': FIRST });
+  addEventListener('hashchange', openLink);
+  at('share').addEventListener('click', share);
+  at('fix').addEventListener('click', fixAll);
+  at('format').addEventListener('click', () => formatDocument(documents.view));
+  openExamples(at('examples'), (files) => {
+    show(files);
+    warn();
+    history.replaceState(null, '', location.pathname);
+  });
   try {
     client.connect(await server);
   } catch (error) {
     warn(`shaderlint cannot start: ${error.message}`);
   }
+  await found;
+  workOffline();
 }
 
 await start();

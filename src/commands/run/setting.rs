@@ -1,10 +1,11 @@
 //! What is drawn, and how.
 
+use serde::Deserialize;
 use shaderlint_engine::playback::Decode;
 use shaderlint_exec::Watch;
 
 /// A variable on a source line.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
 pub struct Show {
     /// Name of the variable.
     pub name: String,
@@ -13,7 +14,8 @@ pub struct Show {
 }
 
 /// What a heat map shows of each pixel.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum HeatMap {
     /// Loop iterations.
     Steps,

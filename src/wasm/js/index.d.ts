@@ -89,7 +89,7 @@ export interface RunOptions {
   /** The pixel to trace, from the lower left corner. */
   pixel?: [number, number];
   /** Another version of the shader, to compare with. */
-  compare?: string;
+  compare?: { name: string; text?: string; passes?: Record<string, string>; channels?: string[] };
 }
 
 /** What `shaderlint run` prints, and the image: three bytes per pixel in base64, top row first. */

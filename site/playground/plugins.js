@@ -1,0 +1,38 @@
+// What the build adds to what Vite makes of the page.
+import crypto from 'node:crypto';
+import fs from 'node:fs';
+import path from 'node:path';
+
+const here = (file) => path.join(import.meta.dirname, file);
+const hashOf = (...texts) => crypto.createHash('sha256').update(texts.join('\0')).digest('base64');
+
+/** Writes the script that applies the theme into the page, and allows it there: nothing is shown before it ran. */
+export const earlyScript = {
+  name: 'early script',
+  transformIndexHtml: {
+    order: 'pre',
+    handler(html) {
+      const script = fs.readFileSync(here('src/early.js'), 'utf8').replace(/^\s*\/\/.*\n/gm, '').trim();
+      const written = html.replace('<script src="./src/early.js"></script>', () => `<script>${script}</script>`);
+      return written.replace("script-src 'self'", `script-src 'self' 'sha256-${hashOf(script)}'`);
+    },
+  },
+};
+
+/** Files that are loaded only by some machines or for some tasks. The service worker keeps them once they were loaded. */
+const isRare = (file) => /^assets\/shaderlint-plain-|^service-worker/.test(file);
+
+/** Writes the service worker with the files of this build. */
+export const serviceWorker = {
+  name: 'service worker',
+  enforce: 'post',
+  generateBundle(_, bundle) {
+    const others = fs.readdirSync(here('public'));
+    const built = Object.keys(bundle).filter((file) => !isRare(file) && file !== 'index.html');
+    const files = ['./', ...others, ...built].sort();
+    const contents = [bundle['index.html'].source, ...others.map((file) => fs.readFileSync(here(`public/${file}`), 'utf8'))];
+    const version = hashOf(...files, ...contents).replace(/\W/g, '').slice(0, 12);
+    const source = `const VERSION = '${version}';\nconst FILES = ${JSON.stringify(files)};\n${fs.readFileSync(here('src/service-worker.js'), 'utf8')}`;
+    this.emitFile({ type: 'asset', fileName: 'service-worker.js', source });
+  },
+};
