@@ -1,4 +1,5 @@
 // The open files, each with an editor of which one is shown.
+import { EditorView } from 'codemirror';
 import { existing, readChannels, writeChannels } from './channels.js';
 import { addressOf, client, editorRoot, openEditor, rename } from './editor.js';
 import { CHANNELS, IMAGE, positionOf, startOf } from './passes.js';
@@ -80,6 +81,19 @@ export class Documents extends EventTarget {
     for (const [name, view] of this.#views) view.dom.hidden = name !== file;
     this.view.requestMeasure();
     this.#fire('files');
+  }
+
+  /** The editor of a file. @param {string} file */
+  editor(file) {
+    return this.#views.get(file);
+  }
+
+  /** Shows a line of a file, if it is open. @param {string} file @param {number} line */
+  reveal(file, line) {
+    const view = this.#views.get(file);
+    if (!view || line > view.state.doc.lines) return;
+    if (file !== this.#current) this.select(file);
+    view.dispatch({ effects: EditorView.scrollIntoView(view.state.doc.line(line).from, { y: 'nearest', yMargin: 40 }) });
   }
 
   /** Shows the file at an address of the language server. Returns its editor. @param {string} uri */

@@ -14,6 +14,7 @@ import controlStyle from './controls.css?inline';
 import style from './editor.css?inline';
 import findingStyle from './finding.css?inline';
 import { findings } from './findings.js';
+import { traceMarks } from './trace-marks.js';
 
 /** Milliseconds without typing before the server gets the changes. */
 const PAUSE = 50;
@@ -57,6 +58,7 @@ const common = [
   syntaxHighlighting(colors),
   indentUnit.of('    '),
   keymap.of([indentWithTab]),
+  traceMarks,
   EditorView.contentAttributes.of({ 'aria-label': 'Shader code', tabindex: '0' }),
 ];
 

@@ -18,6 +18,8 @@ export class ShaderImage {
   #frame;
   #next;
   #state;
+  /** Who waits for the state. */
+  #asked = [];
   /** The shader for the next frame. */
   #project;
   /** What somebody answered about a shader that takes many operations: drawn pixels per pixel. */
@@ -33,6 +35,22 @@ export class ShaderImage {
     this.#parent = parent;
     this.#isDue = isDue;
     addEventListener('message', ({ data, source }) => this.#heard(data, source));
+  }
+
+  /** What the frame shows: time, mouse, size and place of the canvas; undefined if no frame answers. */
+  state() {
+    const frame = this.#frame;
+    if (!frame) return Promise.resolve(undefined);
+    frame.contentWindow.postMessage({ isWanted: true }, '*');
+    return new Promise((resolve) => {
+      this.#asked.push(resolve);
+      setTimeout(() => resolve(undefined), PATIENCE);
+    });
+  }
+
+  /** Stops the image, or lets it continue. @param {boolean} isPaused */
+  pause(isPaused) {
+    this.#frame?.contentWindow.postMessage({ isPaused }, '*');
   }
 
   /** Shows files after a pause, or at once if they are another shader. @param {import('./passes.js').Files} files */
@@ -125,6 +143,7 @@ export class ShaderImage {
   #heard(data, source) {
     if (source === this.#frame?.contentWindow && data.state) {
       this.#state = data.state;
+      for (const resolve of this.#asked.splice(0)) resolve(data.state);
       this.#open(this.#next);
     }
     const next = this.#next;
@@ -141,6 +160,7 @@ export class ShaderImage {
       this.#frame = next;
       this.#next = undefined;
       this.#frame.className = '';
+      this.#parent.dispatchEvent(new Event('drawn'));
     }
   }
 

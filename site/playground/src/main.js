@@ -8,10 +8,13 @@ import { openExamples } from './examples.js';
 import { applyEdits } from './findings.js';
 import { FIRST } from './first.js';
 import { ShaderImage } from './image.js';
+import { Inspector } from './inspect.js';
 import { filesOf, fragmentOf } from './link.js';
 import { workOffline } from './offline.js';
+import { Runner } from './runner.js';
 import { Tabs } from './tabs.js';
 import { offerThemes } from './theme.js';
+import { Views } from './views.js';
 
 /** Starts first: nothing else takes as long. */
 const server = startServer();
@@ -24,9 +27,14 @@ found.then(() => performance.mark('first findings'));
 const image = new ShaderImage(at('image'), found);
 const documents = new Documents(at('code'));
 documents.addEventListener('change', () => image.show(documents.files));
+const shader = { image, documents, runner: new Runner() };
+const inspector = new Inspector(shader, { button: at('pick'), image: at('image'), panel: at('pixel') });
+const views = new Views(shader, { image: at('image'), select: at('view'), button: at('compare'), status: at('status') });
 
 /** Shows other files in the editor, and their image. @param {import('./passes.js').Files} files */
 function show(files) {
+  inspector.close();
+  views.restart();
   image.restart();
   documents.open(files);
   image.show(files);

@@ -1,4 +1,4 @@
-// The page inside another one, which sends the project, and asks for the state before it shows another.
+// The page inside another one, which sends the project, asks for the state, and pauses the image to look at it.
 
 /** Opens the project that the page around this one sends. */
 function receiveProject() {
@@ -18,6 +18,8 @@ function receiveProject() {
         send({ drawn: true });
       });
     }
+    if (player && data.isPaused === true) player.pause();
+    if (player && data.isPaused === false) player.play();
     if (data.isWanted && player) send({ state: stateOf(player) });
   });
   send({ isReady: true });

@@ -1,10 +1,21 @@
 // What a page keeps of the player when it shows another version of the shader.
 
-/** Time, mouse and the open tab. @param {Player} player */
-function stateOf({ clock, mouse, isPlaying }) {
+/** Time, mouse, the open tab, and what is drawn where. @param {Player} player */
+function stateOf({ canvas, clock, controls, mouse, isPlaying }) {
   const { x, y, clickX, clickY } = mouse;
   const tab = TABS.find(({ id }) => isTabOpen(id))?.id;
-  return { time: clock.time, isPlaying, mouse: { x, y, clickX, clickY }, tab };
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  return {
+    time: clock.time,
+    // The number is that of the next frame, unless the clock stands.
+    frame: Math.max(0, clock.number - (isPlaying ? 1 : 0)),
+    isPlaying,
+    mouse: { x, y, clickX, clickY },
+    tab,
+    size: [canvas.width, canvas.height],
+    box: { left, top, width, height },
+    controls: Object.fromEntries(controls),
+  };
 }
 
 /** @param {Player} player @param {ReturnType<typeof stateOf>} state */
