@@ -23,6 +23,7 @@ pub use args::RunArgs;
 pub(super) use args::{Heat, ShotSetting, size_of, time_of};
 pub(super) use columns::{percent, seconds};
 pub(super) use heat::{map, short};
+pub(super) use image_file::decode;
 pub(super) use load::{Shot, Trouble, Undrawable, read, shot};
 pub(super) use place::position;
 pub(super) use png::Bitmap;

@@ -1,0 +1,156 @@
+//! Draws the still image of a page, without a GPU and within a budget.
+//!
+//! The budget counts operations, so that the same shader gives the same image on every machine. Each
+//! image is drawn only if a smaller one showed that it is within the budget.
+
+use crate::cli::run::{Bitmap, decode};
+use crate::engine::playback::{Moment, PlaybackOptions, Played, Player, RenderedImage};
+use crate::exec::{CompileOptions, Drawn};
+use crate::port::{Composed, Project, Still};
+use std::collections::HashSet;
+
+/// The sizes of the image: the largest within the budget.
+const SIZES: [[u32; 2]; 3] = [[640, 360], [480, 270], [320, 180]];
+/// The sizes of the images that are drawn first, to count operations.
+const SAMPLES: [[u32; 2]; 2] = [[16, 9], [64, 36]];
+/// Operations of all pixels and frames of an image: two or three seconds on two cores.
+const BUDGET: f64 = 1.2e10;
+/// The moments of a shader that does not depend on previous frames, in seconds: the first at which
+/// the image is more than one colour. Many shaders start black.
+const TIMES: [f64; 3] = [2.0, 5.0, 10.0];
+/// The number of frames of other shaders.
+const FRAMES: u32 = 60;
+/// Fewer colours than this in a small image are almost one colour.
+const FEW_COLORS: usize = 16;
+
+/// The still image, or why there is none.
+pub(super) fn still(project: &Project, composed: &Composed) -> Result<Still, String> {
+    if composed.has_errors() {
+        return Err("the shader has errors".to_string());
+    }
+    let mut cost = StillCost::default();
+    let mut best: Option<(usize, f64)> = None;
+    for (i, size) in SAMPLES.into_iter().enumerate() {
+        let is_last = i + 1 == SAMPLES.len();
+        let times = if is_last { &TIMES[..] } else { &TIMES[..1] };
+        for time in times {
+            cost.check(size)?;
+            let frame = play(project, composed, size, *time)?;
+            cost = frame.cost;
+            let count = colors(&frame.image);
+            if best.is_none_or(|(most, _)| count > most) {
+                best = Some((count, *time));
+            }
+            if count >= FEW_COLORS || frame.remembers {
+                break;
+            }
+        }
+    }
+    let time = best.map_or(0.0, |(_, time)| time);
+    let fitting = SIZES.into_iter().find(|size| cost.check(*size).is_ok());
+    let [.., least] = SIZES;
+    let size = fitting.unwrap_or(least);
+    cost.check(size)?;
+    let image = play(project, composed, size, time)?.image;
+    let bytes = image.bytes();
+    let png = Bitmap { size, bytes }.png()?;
+    Ok(Still { size, png })
+}
+
+/// The number of colours of an image.
+fn colors(image: &RenderedImage) -> usize {
+    let bytes = image.bytes();
+    let (pixels, _) = bytes.as_chunks::<3>();
+    pixels.iter().collect::<HashSet<_>>().len()
+}
+
+/// An image, and what it took.
+struct StillFrame {
+    image: RenderedImage,
+    cost: StillCost,
+    /// Whether it depends on previous frames, which were drawn as well.
+    remembers: bool,
+}
+
+/// The operations of an image.
+#[derive(Clone, Copy, Default)]
+struct StillCost {
+    /// Per pixel of the image.
+    per_pixel: f64,
+    /// Of passes whose size does not depend on the image.
+    fixed: f64,
+}
+
+impl StillCost {
+    /// Adds a frame of this size.
+    fn add(&mut self, played: &Played, size: [u32; 2]) {
+        for (_, drawn) in &played.passes {
+            let cost: f64 = drawn.ran.iter().copied().map(f64::from).sum();
+            match drawn.size == size {
+                true => self.per_pixel += cost / area(size),
+                // The faces of a cube map, of which only the last is known.
+                false if is_face(drawn) => self.fixed += 6.0 * cost,
+                false => self.fixed += cost,
+            }
+        }
+    }
+
+    /// Refuses a size at which the image exceeds the budget.
+    fn check(&self, size: [u32; 2]) -> Result<(), String> {
+        let cost = self.per_pixel * area(size) + self.fixed;
+        match cost <= BUDGET {
+            true => Ok(()),
+            false => Err(format!(
+                "it needs {cost:.0e} operations; the limit is {BUDGET:.0e}"
+            )),
+        }
+    }
+}
+
+fn area([width, height]: [u32; 2]) -> f64 {
+    f64::from(width) * f64::from(height)
+}
+
+fn is_face(drawn: &Drawn) -> bool {
+    let [width, height] = drawn.size;
+    width == height
+}
+
+/// Draws the image at a time, or after some frames if it depends on them.
+fn play(
+    project: &Project,
+    composed: &Composed,
+    size: [u32; 2],
+    time: f64,
+) -> Result<StillFrame, String> {
+    let options = PlaybackOptions {
+        size,
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        compile: CompileOptions {
+            cost: true,
+            ..CompileOptions::default()
+        },
+        decode: Some(decode),
+    };
+    let mut player = Player::new(project, composed, &options).map_err(|e| e.to_string())?;
+    let remembers = player.remembers();
+    let moments: Vec<Moment> = match remembers {
+        true => (0..=FRAMES).map(Moment::of_frame).collect(),
+        false => vec![Moment::at(time)],
+    };
+    let mut cost = StillCost::default();
+    let mut image = None;
+    for moment in &moments {
+        let stopped = |_| "some pixels need too many operations".to_string();
+        let played = player.frame(moment).map_err(stopped)?;
+        cost.add(&played, size);
+        cost.check(size)?;
+        image = Some(played.image);
+    }
+    let image = image.ok_or("the shader has no image")?;
+    Ok(StillFrame {
+        image,
+        cost,
+        remembers,
+    })
+}
