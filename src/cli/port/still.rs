@@ -4,22 +4,25 @@
 //! image is drawn only if a smaller one showed that it is within the budget.
 
 use crate::cli::run::{Bitmap, decode};
+pub(super) use crate::cli::run::{Progress, position};
 use crate::engine::playback::{Moment, PlaybackOptions, Played, Player, RenderedImage};
 use crate::exec::{CompileOptions, Drawn};
 use crate::port::{Composed, Project, Still};
 use std::collections::HashSet;
 
-/// The sizes of the image: the largest within the budget.
+/// The sizes of the image: the largest within the budget and the file size.
 const SIZES: [[u32; 2]; 3] = [[640, 360], [480, 270], [320, 180]];
 /// The sizes of the images that are drawn first, to count operations.
 const SAMPLES: [[u32; 2]; 2] = [[16, 9], [64, 36]];
-/// Operations of all pixels and frames of an image: two or three seconds on two cores.
-const BUDGET: f64 = 1.2e10;
+/// Operations of all pixels and frames of an image: some seconds on two cores.
+const BUDGET: f64 = 6e10;
+/// Largest file in bytes. Images full of noise are made smaller, because the page contains them.
+const MAX_FILE: usize = 256 * 1024;
 /// The moments of a shader that does not depend on previous frames, in seconds: the first at which
 /// the image is more than one colour. Many shaders start black.
 const TIMES: [f64; 3] = [2.0, 5.0, 10.0];
-/// The number of frames of other shaders.
-const FRAMES: u32 = 60;
+/// The number of frames of other shaders; the second if the first exceeds the budget.
+const FRAMES: [u32; 2] = [60, 5];
 /// Fewer colours than this in a small image are almost one colour.
 const FEW_COLORS: usize = 16;
 
@@ -28,6 +31,16 @@ pub(super) fn still(project: &Project, composed: &Composed) -> Result<Still, Str
     if composed.has_errors() {
         return Err("the shader has errors".to_string());
     }
+    let [frames, few] = FRAMES;
+    let remembers = player(project, composed, [1, 1])?.remembers();
+    match draw_still(project, composed, frames) {
+        Err(_) if remembers => draw_still(project, composed, few),
+        drawn => drawn,
+    }
+}
+
+/// The still image of a shader, after some frames if it depends on them.
+fn draw_still(project: &Project, composed: &Composed, frames: u32) -> Result<Still, String> {
     let mut cost = StillCost::default();
     let mut best: Option<(usize, f64)> = None;
     for (i, size) in SAMPLES.into_iter().enumerate() {
@@ -35,7 +48,7 @@ pub(super) fn still(project: &Project, composed: &Composed) -> Result<Still, Str
         let times = if is_last { &TIMES[..] } else { &TIMES[..1] };
         for time in times {
             cost.check(size)?;
-            let frame = play(project, composed, size, *time)?;
+            let frame = play(player(project, composed, size)?, size, (*time, frames))?;
             cost = frame.cost;
             let count = colors(&frame.image);
             if best.is_none_or(|(most, _)| count > most) {
@@ -51,10 +64,22 @@ pub(super) fn still(project: &Project, composed: &Composed) -> Result<Still, Str
     let [.., least] = SIZES;
     let size = fitting.unwrap_or(least);
     cost.check(size)?;
-    let image = play(project, composed, size, time)?.image;
+    let image = play(player(project, composed, size)?, size, (time, frames))?.image;
     let bytes = image.bytes();
-    let png = Bitmap { size, bytes }.png()?;
-    Ok(Still { size, png })
+    encoded(&Bitmap { size, bytes })
+}
+
+/// The file of an image, which is made smaller until the file is small enough.
+fn encoded(image: &Bitmap) -> Result<Still, String> {
+    let png = image.png()?;
+    let smaller = SIZES.into_iter().find(|size| *size < image.size);
+    match smaller {
+        Some(size) if png.len() > MAX_FILE => encoded(&image.shrunk(size)),
+        _ => Ok(Still {
+            size: image.size,
+            png,
+        }),
+    }
 }
 
 /// The number of colours of an image.
@@ -101,7 +126,8 @@ impl StillCost {
         match cost <= BUDGET {
             true => Ok(()),
             false => Err(format!(
-                "it needs {cost:.0e} operations; the limit is {BUDGET:.0e}"
+                "it needs more than {:.0} billion operations",
+                BUDGET / 1e9
             )),
         }
     }
@@ -116,13 +142,8 @@ fn is_face(drawn: &Drawn) -> bool {
     width == height
 }
 
-/// Draws the image at a time, or after some frames if it depends on them.
-fn play(
-    project: &Project,
-    composed: &Composed,
-    size: [u32; 2],
-    time: f64,
-) -> Result<StillFrame, String> {
+/// What draws the image at a size.
+fn player(project: &Project, composed: &Composed, size: [u32; 2]) -> Result<Player, String> {
     let options = PlaybackOptions {
         size,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
@@ -132,10 +153,18 @@ fn play(
         },
         decode: Some(decode),
     };
-    let mut player = Player::new(project, composed, &options).map_err(|e| e.to_string())?;
+    Player::new(project, composed, &options).map_err(|e| e.to_string())
+}
+
+/// Draws the image at a time, or after some frames if it depends on them.
+fn play(
+    mut player: Player,
+    size: [u32; 2],
+    (time, frames): (f64, u32),
+) -> Result<StillFrame, String> {
     let remembers = player.remembers();
     let moments: Vec<Moment> = match remembers {
-        true => (0..=FRAMES).map(Moment::of_frame).collect(),
+        true => (0..=frames).map(Moment::of_frame).collect(),
         false => vec![Moment::at(time)],
     };
     let mut cost = StillCost::default();
