@@ -139,12 +139,6 @@ fn a_page_without_a_still_image_says_why() {
             .map(str::to_string);
         (exit, why.unwrap_or(message))
     };
-    let heavy = |count: &str| {
-        format!(
-            "void mainImage(out vec4 c, in vec2 p) {{\n    float x = p.x + p.y;\n    \
-             for (int i = 0; i < {count}; i++) x = sin(x * 1.1) + p.x;\n    c = vec4(fract(x));\n}}\n"
-        )
-    };
     let errors = "the shader has errors".to_string();
     let wrong = "void mainImage(out vec4 c, in vec2 p) { c = vec4(q); }";
     assert_eq!(embed(wrong), (Some(1), errors));
@@ -153,8 +147,6 @@ fn a_page_without_a_still_image_says_why() {
     let (code, why) = embed(vertices);
     assert_eq!(code, Some(0), "{why}");
     assert!(why.contains("vertex shader"), "{why}");
-    let many = "it needs more than 60 billion operations".to_string();
-    assert_eq!(embed(&heavy("125000")), (Some(0), many));
 }
 
 /// Noise does not compress; its image is smaller.
@@ -248,6 +240,29 @@ fn a_gallery_has_a_page_for_each_shader() {
     let page = folder.text("s/out/passes.html");
     assert!(page.contains("og:url\" content=\"https://e.org/seas/passes.html\""));
     assert!(page.contains("og:image\" content=\"https://e.org/seas/passes.png\""));
+}
+
+/// The shaders of a project that names them are not shaders of the gallery.
+#[test]
+fn a_gallery_has_projects_of_several_files() {
+    let folder = Folder::new();
+    let fixtures = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/fixtures/dialects/shadered"
+    );
+    for file in [
+        "single.sprj",
+        "shaders/quadVS.glsl",
+        "shaders/simplePS.glsl",
+    ] {
+        folder.put(
+            &format!("s/{file}"),
+            fs::read(format!("{fixtures}/{file}")).unwrap(),
+        );
+    }
+    folder.works("gallery s -o out", NO_ADDRESSES);
+    assert!(folder.path("out/single.png").is_file());
+    assert!(!folder.path("out/shaders_quadVS.html").exists());
 }
 
 #[test]

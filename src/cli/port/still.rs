@@ -183,3 +183,19 @@ fn play(
         remembers,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_budget_counts_all_pixels() {
+        let cost = StillCost {
+            per_pixel: 1e6,
+            fixed: 1e9,
+        };
+        let why = "it needs more than 60 billion operations".to_string();
+        assert_eq!(cost.check([320, 180]), Ok(()));
+        assert_eq!(cost.check([480, 270]), Err(why));
+    }
+}
