@@ -3,6 +3,7 @@
 mod cli;
 mod corpus;
 mod differential;
+mod embed;
 mod formatting;
 mod hostile;
 mod media;

@@ -351,6 +351,7 @@ fn linked_stages_share_varying_locations() {
         main: MainChoice::Wrap,
         output: Destination::Folder(Path::new("out")),
         version: None,
+        poster: None,
         interface: true,
         first_row: FirstRow::Top,
     };

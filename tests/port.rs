@@ -14,27 +14,27 @@ const CODE: &str =
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// A folder with a shader `a.glsl` and an image `a.png`.
-struct Folder(tempfile::TempDir);
+pub struct Folder(tempfile::TempDir);
 
 impl Folder {
-    fn new() -> Folder {
+    pub fn new() -> Folder {
         let folder = Folder(tempfile::tempdir().unwrap());
         folder.put("a.glsl", CODE);
         folder.put("a.png", PNG);
         folder
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
-    fn put(&self, name: &str, content: impl AsRef<[u8]>) {
+    pub fn put(&self, name: &str, content: impl AsRef<[u8]>) {
         let path = self.path(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, content).unwrap();
     }
 
-    fn command(&self, args: &str) -> Command {
+    pub fn command(&self, args: &str) -> Command {
         let mut command = Command::new(get_cargo_bin("shaderport"));
         command.current_dir(self.0.path());
         command.args(args.split_whitespace());
@@ -42,7 +42,7 @@ impl Folder {
     }
 
     /// Exit code and messages, without the notes about missing media files.
-    fn run(&self, args: &str) -> (Option<i32>, String) {
+    pub fn run(&self, args: &str) -> (Option<i32>, String) {
         let out = self.command(args).output().unwrap();
         let message = String::from_utf8(out.stderr).unwrap();
         let lines = message.lines().filter(|l| !l.contains(" file given; "));
@@ -51,12 +51,12 @@ impl Folder {
     }
 
     #[track_caller]
-    fn works(&self, args: &str, message: &str) {
+    pub fn works(&self, args: &str, message: &str) {
         assert_eq!(self.run(args), (Some(0), message.to_string()), "{args}");
     }
 
     #[track_caller]
-    fn fails(&self, args: &str, message: &str) {
+    pub fn fails(&self, args: &str, message: &str) {
         let message = format!("shaderport: {message}");
         assert_eq!(self.run(args), (Some(2), message), "{args}");
     }

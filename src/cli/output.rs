@@ -14,6 +14,16 @@ pub enum Overwrite {
     Allowed,
 }
 
+impl Overwrite {
+    /// What `--force` allows.
+    pub fn if_forced(is_forced: bool) -> Overwrite {
+        match is_forced {
+            true => Overwrite::Allowed,
+            false => Overwrite::Never,
+        }
+    }
+}
+
 /// Writes a file atomically, and creates missing folders.
 pub fn write(path: &Path, content: &[u8], overwrite: Overwrite) -> io::Result<()> {
     let folder = match path.parent() {

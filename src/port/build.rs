@@ -4,7 +4,10 @@ use super::order::{Destination, MainChoice, Order, Target};
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
 use super::translated::translated;
-use super::{Composed, Project, ScriptModule, glsl, html, json, module, react, rewrite, three};
+use super::{
+    Composed, Poster, Project, ScriptModule, embed, glsl, html, json, module, react, rewrite,
+    still_name, three,
+};
 use shaderlint_semantic::{Pass, Stage};
 use std::path::{Path, PathBuf};
 
@@ -16,7 +19,10 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
     let output = order.output.path();
     let one = |text: String| Build::of(vec![file(output, text)]);
     match order.target {
-        Target::Html => Ok(one(html(project, composed, order.version))),
+        Target::Html => Ok(match order.poster {
+            Some(poster) => Build::of(embedded(project, composed, poster, output)),
+            None => one(html(project, composed, order.version)),
+        }),
         Target::Json => Ok(one(json(project))),
         Target::Module => Ok(Build::of(typed(output, module(project, composed)))),
         Target::Three => match project.passes.iter().any(|p| p.kind == Pass::Cubemap) {
@@ -38,6 +44,17 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
             translated(order, project, composed)
         }
     }
+}
+
+/// A page for frames of other pages. If its address is known, its still image is also a file beside
+/// it, since link previews require one.
+fn embedded(project: &Project, composed: &Composed, poster: &Poster, output: &Path) -> Vec<File> {
+    let mut files = vec![file(output, embed(project, composed, poster, output))];
+    if let (Some(still), Some(_)) = (&poster.still, &poster.address) {
+        let path = output.with_file_name(still_name(output));
+        files.push(file(&path, still.png.as_slice()));
+    }
+    files
 }
 
 /// A module and its type declarations.

@@ -12,6 +12,8 @@ use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 
 const PAGE: &str = include_str!("player/page/page.html");
+/// The colours of all pages.
+pub(super) const COLORS: &str = include_str!("player/page/colors.css");
 const STYLE: &str = include_str!("player/page/page.css");
 const PAGE_SCRIPTS: [&str; 19] = [
     include_str!("player/page/dom.js"),
@@ -58,14 +60,25 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
         name => name,
     };
     let credits = credits::lines(project).join("\n");
-    let project = escape(&payload(project, composed));
-    page((title, &credits), &project, &start, version)
+    page(&PageParts {
+        title,
+        description: &credits,
+        project: &escape(&payload(project, composed)),
+        start: &start,
+        version,
+        ..PageParts::default()
+    })
 }
 
 /// A page without a shader: the page around it sends [`player_data`] in a message.
 pub fn receiving_page() -> String {
     let start = format!("{}receiveProject();\n", without_comments(RECEIVE));
-    page(("Shader", ""), "null", &start, None)
+    page(&PageParts {
+        title: "Shader",
+        project: "null",
+        start: &start,
+        ..PageParts::default()
+    })
 }
 
 /// The project as JSON for [`receiving_page`].
@@ -73,26 +86,45 @@ pub fn player_data(project: &Project, composed: &Composed) -> String {
     payload(project, composed)
 }
 
-/// A page with a title and a description, whose script ends with `start`.
-fn page(
-    (title, description): (&str, &str),
-    project: &str,
-    start: &str,
-    version: Option<&str>,
-) -> String {
+/// What distinguishes the pages that play shaders.
+#[derive(Default)]
+pub(super) struct PageParts<'a> {
+    pub(super) title: &'a str,
+    pub(super) description: &'a str,
+    /// Further elements of the head.
+    pub(super) meta: &'a str,
+    /// Attributes of the body.
+    pub(super) classes: &'a str,
+    /// Elements over the image.
+    pub(super) poster: &'a str,
+    /// The project as JSON in an element.
+    pub(super) project: &'a str,
+    /// The end of the script.
+    pub(super) start: &'a str,
+    /// The version of a served page.
+    pub(super) version: Option<&'a str>,
+}
+
+/// A page with the player.
+pub(super) fn page(parts: &PageParts<'_>) -> String {
     let script = format!(
-        "(() => {{\n'use strict';\n{}{BORDER}{}{start}}})();\n",
+        "(() => {{\n'use strict';\n{}{BORDER}{}{}}})();\n",
         without_comments(&PLAYER.concat()),
-        without_indentation(&without_comments(&PAGE_SCRIPTS.concat()))
+        without_indentation(&without_comments(&PAGE_SCRIPTS.concat())),
+        parts.start
     );
+    let style = [COLORS, STYLE].concat();
     fill(
         PAGE,
         &[
-            ("title", &attribute(title)),
-            ("credits", &attribute(description)),
-            ("policy", &policy(&script, STYLE, version)),
-            ("style", STYLE),
-            ("project", project),
+            ("title", &attribute(parts.title)),
+            ("credits", &attribute(parts.description)),
+            ("policy", &policy(&script, &style, parts.version)),
+            ("meta", parts.meta),
+            ("style", &style),
+            ("classes", parts.classes),
+            ("poster", parts.poster),
+            ("project", parts.project),
             ("mount", &without_comments(MOUNT)),
             ("script", &script),
         ],
@@ -101,7 +133,7 @@ fn page(
 
 /// Removes comment lines, which are a quarter of the script, and half of the indentation.
 /// Comment-like lines inside template literals would be removed too, but there are none.
-fn without_comments(script: &str) -> String {
+pub(super) fn without_comments(script: &str) -> String {
     let mut out = String::with_capacity(script.len());
     let mut in_block = false;
     for line in script.split_inclusive('\n') {
@@ -125,7 +157,7 @@ fn without_indentation(script: &str) -> String {
 }
 
 /// Replaces the placeholders `{{name}}` of a template. Placeholders in the values are not replaced.
-fn fill(template: &str, values: &[(&str, &str)]) -> String {
+pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
     let room: usize = values.iter().map(|(_, v)| v.len()).sum();
     let mut out = String::with_capacity(template.len() + room);
     let mut rest = template;
@@ -159,7 +191,6 @@ pub fn waiting_page(message: &str, version: &str) -> String {
 /// served page may connect to its server.
 fn policy(script: &str, style: &str, version: Option<&str>) -> String {
     let connect = version.map_or("'none'", |_| "'self'");
-    let hash = |text: &str| BASE64_STANDARD.encode(Sha256::digest(text));
     format!(
         "default-src 'none'; script-src 'sha256-{}'; style-src 'sha256-{}'; img-src data: blob:; \
          media-src data: blob:; connect-src {connect}; base-uri 'none'; form-action 'none'",
@@ -168,8 +199,13 @@ fn policy(script: &str, style: &str, version: Option<&str>) -> String {
     )
 }
 
+/// The hash of a script or a style.
+pub(super) fn hash(text: &str) -> String {
+    BASE64_STANDARD.encode(Sha256::digest(text))
+}
+
 /// Escapes text for use in an element or a quoted attribute.
-fn attribute(text: &str) -> String {
+pub(super) fn attribute(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -190,7 +226,7 @@ mod tests {
 
     #[test]
     fn the_page_cannot_end_its_elements() {
-        for text in PAGE_SCRIPTS.iter().chain([&STYLE, &LIVE, &MOUNT]) {
+        for text in PAGE_SCRIPTS.iter().chain([&COLORS, &STYLE, &LIVE, &MOUNT]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
     }

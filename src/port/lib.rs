@@ -12,8 +12,10 @@ mod control;
 mod credits;
 mod dialect;
 mod draw;
+mod embed;
 mod export;
 mod findings;
+mod gallery;
 mod glsl;
 mod html;
 mod json;
@@ -45,7 +47,9 @@ pub use dialect::{
     UniformData, VaryingValue, bindings, calls_entry, hosted, may_be_composed, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
+pub use embed::{PageAddress, Poster, Still, embed, still_name};
 pub use export::{MAX_EXPORT, ProjectError};
+pub use gallery::{GalleryEntry, gallery};
 pub use glsl::{GlslPass, VERTEX, glsl};
 pub use html::{html, player_data, receiving_page, waiting_page};
 pub use json::json;

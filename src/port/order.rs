@@ -1,5 +1,6 @@
 //! Build orders: a target and a destination.
 
+use super::Poster;
 #[cfg(feature = "naga")]
 use super::naga::{FirstRow, TargetLanguage};
 use std::fmt;
@@ -161,6 +162,8 @@ pub struct Order<'a> {
     pub first_row: FirstRow,
     /// The version of a served page, which reloads itself when the server announces another.
     pub version: Option<&'a str>,
+    /// What a page for frames of other pages shows until its shader plays.
+    pub poster: Option<&'a Poster>,
 }
 
 /// The destination of a build.

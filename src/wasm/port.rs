@@ -41,6 +41,7 @@ pub fn port(PortRequest { shader, output }: &PortRequest) -> RequestResult {
         interface: false,
         first_row: FirstRow::default(),
         version: None,
+        poster: None,
     };
     let made = build(&project, &composed, order);
     let made = made.map_err(|e| format!("{}: {e}", shader.name))?;

@@ -5,6 +5,7 @@ import { colors, differences, frame, frames, open, pixels, port, put, top } from
 import { shader } from './cases.js';
 import { codeTests } from './page/code.js';
 import { controlTests } from './page/controls.js';
+import { embedTests } from './page/embed.js';
 import { exportTests } from './page/export.js';
 import { inputTests } from './page/input.js';
 import { layoutTests } from './page/layout.js';
@@ -303,4 +304,5 @@ export const pageTests = [
   ...controlTests,
   ...codeTests,
   ...exportTests,
+  ...embedTests,
 ];

@@ -16,8 +16,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Files that the documentation expects its reader to have, and the fixtures used in their place.
-const READERS: [(&str, &str); 4] = [
+const READERS: [(&str, &str); 6] = [
     ("image.glsl", "tests/fixtures/clean.glsl"),
+    ("water.glsl", "tests/fixtures/clean.glsl"),
+    ("toys/sky.glsl", "tests/fixtures/clean.glsl"),
     ("photo.jpg", "tests/browser/page.png"),
     ("folder", "tests/fixtures/passes"),
     ("src", "tests/fixtures/passes"),
@@ -111,7 +113,9 @@ impl Place {
         let work = folder.path().join("work");
         copy(&root().join("corpus"), &work.join("corpus"));
         for (name, fixture) in READERS {
-            copy(&root().join(fixture), &work.join(name));
+            let to = work.join(name);
+            fs::create_dir_all(to.parent().unwrap()).unwrap();
+            copy(&root().join(fixture), &to);
         }
         for (name, text) in MESH {
             fs::write(work.join(name), text).unwrap();
@@ -266,7 +270,7 @@ fn every_option_and_path_of_the_text_exists() {
     let (_, lint) = place.run(
         "shaderlint --help; for c in rules reduce run test fmt; do shaderlint $c --help; done",
     );
-    let (_, port) = place.run("shaderport --help");
+    let (_, port) = place.run("shaderport --help; shaderport gallery --help");
     let others = [CARGO.as_slice(), &INSTALLERS].concat();
     let is_end = |c: char| !c.is_ascii_alphanumeric() && c != '-';
     for (path, text) in texts() {

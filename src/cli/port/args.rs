@@ -4,18 +4,24 @@ use super::read;
 use crate::cli::output::Overwrite;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
-use crate::port::{Destination, MainChoice, Order, Target};
-use clap::Parser;
+use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, Target};
+use clap::{Args, Parser, Subcommand};
 use std::path::{Path, PathBuf};
 
 /// Ports ShaderToy shaders to WebGL2.
 ///
 /// Reads a shader file, a folder of passes or a ShaderToy export. Writes an HTML page, a JavaScript
 /// module or plain shaders.
-#[derive(Parser, Debug)]
+#[derive(Parser, Default, Debug)]
 #[command(name = "shaderport", version, max_term_width = 100)]
+#[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+#[command(override_usage = "shaderport [OPTIONS] [INPUT]...\n       shaderport <COMMAND>")]
 #[command(after_help = EXIT_CODES)]
 pub struct PortArgs {
+    /// Without a command, shaderport ports one shader
+    #[command(subcommand)]
+    pub(super) command: Option<PortCommand>,
+
     /// Shader file, ShaderToy export (.json) or folder of passes; `-` reads standard input
     ///
     /// The files of a folder, or several files, are assigned to passes by name: image.glsl,
@@ -77,6 +83,17 @@ pub struct PortArgs {
     #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "4700")]
     #[arg(require_equals = true, conflicts_with_all = ["diff", "output"], help_heading = OUTPUT)]
     pub(super) serve: Option<u16>,
+    /// Write a page for frames of other pages: a still image until it is clicked
+    ///
+    /// The image is drawn without a GPU.
+    #[arg(long, conflicts_with_all = ["diff", "serve"], help_heading = OUTPUT)]
+    pub(super) embed: bool,
+    /// Address at which the page will be published: `https://example.org/water.html`
+    ///
+    /// Also writes the still image beside the page and names it in `og:image`, for link previews.
+    #[arg(long, value_name = "ADDRESS", value_parser = PageAddress::read, requires_all = ["embed", "output"])]
+    #[arg(help_heading = OUTPUT)]
+    pub(super) url: Option<PageAddress>,
 
     /// Repair code that does not compile where only one fix is possible
     ///
@@ -106,6 +123,47 @@ pub struct PortArgs {
     pub(super) first_row: FirstRow,
 }
 
+/// The commands of `shaderport`.
+#[derive(Subcommand, Debug)]
+pub(super) enum PortCommand {
+    /// Write a page of many shaders: a still image of each that links to its page
+    ///
+    /// To port a file or folder called `gallery`, write `./gallery`.
+    Gallery(GalleryArgs),
+}
+
+/// The arguments of `shaderport gallery`.
+#[derive(Args, Debug)]
+#[command(after_help = GALLERY_EXIT_CODES)]
+pub(super) struct GalleryArgs {
+    /// Folder with shader files, ShaderToy exports (.json) and folders of passes
+    #[arg(value_name = "DIR")]
+    pub(super) folder: PathBuf,
+    /// Output folder: index.html, and a page and an image for each shader
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) output: PathBuf,
+    /// Title of the page; default: the name of the folder
+    #[arg(long, value_name = "TITLE")]
+    pub(super) title: Option<String>,
+    /// Address at which the output folder will be published: `https://example.org/shaders/`
+    ///
+    /// Names the still images in `og:image`, for link previews.
+    #[arg(long, value_name = "ADDRESS", value_parser = PageAddress::read)]
+    pub(super) url: Option<PageAddress>,
+    /// Site or library that the shaders are written for; default: detected for each
+    #[arg(long, value_name = "NAME")]
+    pub(super) host: Option<String>,
+    /// Overwrite existing files
+    #[arg(long)]
+    pub(super) force: bool,
+}
+
+const GALLERY_EXIT_CODES: &str = "\
+Exit codes:
+  0  All shaders are in the gallery
+  1  Shaders with errors were left out
+  2  Wrong usage, or a file cannot be read or written";
+
 const INPUT: &str = "Input";
 const OUTPUT: &str = "Output";
 const CHECKS: &str = "Repair and verification";
@@ -125,12 +183,14 @@ impl PortArgs {
         target: Target,
         output: Destination<'a>,
         version: Option<&'a str>,
+        poster: Option<&'a Poster>,
     ) -> Order<'a> {
         Order {
             target,
             main: self.main,
             output,
             version,
+            poster,
             #[cfg(feature = "naga")]
             interface: self.interface,
             #[cfg(feature = "naga")]
@@ -141,13 +201,24 @@ impl PortArgs {
     /// The output format: `--target`, or else chosen by the extension of the output.
     pub(super) fn target(&self) -> Result<Target, String> {
         let path = self.output.as_deref().unwrap_or(Path::new(""));
-        match (self.target, self.serve) {
-            (Some(target), _) => Ok(target),
-            (None, Some(_)) if self.output.is_none() => Ok(Target::Html),
+        let usual = match self.embed {
+            true => Target::Html,
+            false => Target::Glsl,
+        };
+        let target = match (self.target, self.serve) {
+            (Some(target), _) => target,
+            (None, Some(_)) if self.output.is_none() => Target::Html,
             // A folder may have an extension in its name.
-            (None, _) if path.is_dir() => Ok(Target::of_path(path).unwrap_or(Target::Glsl)),
-            (None, _) if path.as_os_str() == "-" => Ok(Target::Glsl),
-            (None, _) => Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display())),
+            (None, _) if path.is_dir() && self.embed => usual,
+            (None, _) if path.is_dir() => Target::of_path(path).unwrap_or(usual),
+            (None, _) if path.as_os_str().is_empty() || path.as_os_str() == "-" => usual,
+            (None, _) => {
+                Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display()))?
+            }
+        };
+        match self.embed && target != Target::Html {
+            true => Err("`--embed` requires an HTML page; use `-o NAME.html`".to_string()),
+            false => Ok(target),
         }
     }
 
@@ -160,9 +231,6 @@ impl PortArgs {
 
     /// Whether existing files may be overwritten.
     pub(super) fn overwrite(&self) -> Overwrite {
-        match self.force {
-            true => Overwrite::Allowed,
-            false => Overwrite::Never,
-        }
+        Overwrite::if_forced(self.force)
     }
 }

@@ -6,11 +6,13 @@ use super::complete;
 use super::load::{self, LoadedProject};
 use super::report::{is_colored, report};
 use super::save::OutputPlace;
+use super::still::still;
 use crate::cli::command::{CLEAN, FINDINGS};
 use crate::cli::output::diff;
+use crate::cli::run::Progress;
 use crate::engine::{Original, Repairs, Verified, repairable, verify};
 use crate::exec::Equality;
-use crate::port::{Composed, File, Target, build, missing};
+use crate::port::{Composed, File, Poster, Project, Target, build, missing};
 use crate::report::{Format, Reporter};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -64,7 +66,11 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
     }
     let target = args.target()?;
     let place = OutputPlace::of(args.output.as_deref(), target, &project.info.name);
-    let order = args.order(target, place.output(), version);
+    let poster = match args.embed {
+        true => Some(poster(args, &project, &composed)?),
+        false => None,
+    };
+    let order = args.order(target, place.output(), version, poster.as_ref());
     let made = build(&project, &composed, order).map_err(|e| e.to_string())?;
     let analyses = composed.units.iter().map(|u| composed.analysis(u));
     let found = analyses.flat_map(|a| &a.diagnostics);
@@ -99,6 +105,31 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
 pub(super) fn print(text: &[u8]) -> Result<(), String> {
     let printed = io::stdout().lock().write_all(text);
     printed.map_err(|e| format!("cannot write the output: {e}"))
+}
+
+/// What the page shows until it plays. Notes say what is missing, and why.
+fn poster(args: &PortArgs, project: &Project, composed: &Composed) -> Result<Poster, String> {
+    if args.url.is_some() && !args.is_saved() {
+        return Err("`--url` requires `-o FILE`: the still image is written beside it".to_string());
+    }
+    let progress = Progress::new(1);
+    let drawn = still(project, composed);
+    drop(progress);
+    let mut stderr = io::stderr();
+    if let Err(why) = &drawn {
+        let _ = writeln!(stderr, "note: the page has no still image: {why}");
+    }
+    if args.url.is_none() {
+        let _ = writeln!(
+            stderr,
+            "note: link previews show no image, because `og:image` requires an absolute address; \
+             pass the address of the page with `--url`"
+        );
+    }
+    Ok(Poster {
+        still: drawn.ok(),
+        address: args.url.clone(),
+    })
 }
 
 /// Reports for each pass whether the output draws the same as the original.

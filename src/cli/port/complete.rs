@@ -39,7 +39,7 @@ pub(super) fn build_output(
     let target = args.target()?;
     let name = all.shaders.first().map_or("", |s| &s.path);
     let place = OutputPlace::of(args.output.as_deref(), target, name);
-    let order = args.order(target, place.output(), None);
+    let order = args.order(target, place.output(), None, None);
     let made = translate_shaders(order, all).map_err(|e| e.to_string())?;
     let found = all.shaders.iter().flat_map(|s| &s.checked.diagnostics);
     let summary = report(&all.sources, found, &made.remarks).map_err(|e| e.to_string())?;

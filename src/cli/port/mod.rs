@@ -5,6 +5,7 @@ mod build;
 mod channels;
 #[cfg(feature = "naga")]
 mod complete;
+mod gallery;
 mod load;
 mod media;
 mod read;
@@ -12,6 +13,7 @@ mod report;
 mod save;
 mod serve;
 mod siblings;
+mod still;
 mod watch;
 
 pub use args::PortArgs;
@@ -20,6 +22,7 @@ pub(super) use read::{read_text, shown};
 pub(super) use save::save;
 
 use super::command::FAILED;
+use args::PortCommand;
 use build::{build_output, print};
 use report::print_note;
 
@@ -35,6 +38,9 @@ pub fn run(args: &PortArgs) -> u8 {
 }
 
 fn port(args: &PortArgs) -> Result<u8, String> {
+    if let Some(PortCommand::Gallery(args)) = &args.command {
+        return gallery::run(args);
+    }
     if args.watch || args.serve.is_some() {
         return watch::run(args);
     }

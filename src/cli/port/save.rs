@@ -45,7 +45,7 @@ impl OutputPlace {
 }
 
 /// A title as a file name.
-fn file_name(title: &str) -> String {
+pub(super) fn file_name(title: &str) -> String {
     let kept = |c: char| c.is_alphanumeric() || c == '-';
     let words = title.split(|c| !kept(c)).filter(|w| !w.is_empty());
     let name: String = words.collect::<Vec<_>>().join("_");
@@ -93,9 +93,7 @@ pub(in crate::cli) fn save(
             ));
         }
         if overwrite == Overwrite::Never {
-            return Err(format!(
-                "{shown} already exists; use --force to overwrite it"
-            ));
+            return Err(already_exists(path));
         }
     }
     for File { path, content } in files {
@@ -103,6 +101,12 @@ pub(in crate::cli) fn save(
         write(path, content, overwrite).map_err(wrong)?;
     }
     Ok(())
+}
+
+/// The message about a file that would be overwritten.
+pub(super) fn already_exists(path: &Path) -> String {
+    let shown = path.display();
+    format!("{shown} already exists; use --force to overwrite it")
 }
 
 /// Whether two paths refer to the same file, including hard links.

@@ -1,5 +1,5 @@
 // State in the URL fragment:
-// `#size=320x180&t=2.5&paused&scale=0.5&bar=off&embed&u.SPEED=2&u.TINT=1,0.5,0`.
+// `#size=320x180&t=2.5&paused&scale=0.5&bar=off&embed&play&u.SPEED=2&u.TINT=1,0.5,0`.
 
 /** Parses the numbers of a control. @param {string} text */
 function readNumbers(text) {
@@ -23,6 +23,7 @@ function readAddress() {
     time: time ? time[0] : null,
     scale: scale && scale[0] > 0 ? scale[0] : null,
     isPaused: words.has('paused'),
+    isOpened: words.has('play'),
     isEmbedded: words.has('embed'),
     hasBar: words.get('bar') !== 'off' && !words.has('embed'),
     values,

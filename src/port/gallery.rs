@@ -1,0 +1,120 @@
+//! A page that lists the pages of many shaders, with a still image of each. It has no script.
+
+use super::Project;
+use super::embed::{Card, PageAddress, Poster, decoded, in_address, title};
+use super::html::{COLORS, attribute, fill, hash};
+
+const PAGE: &str = include_str!("player/page/gallery.html");
+const STYLE: &str = include_str!("player/page/gallery.css");
+
+/// A shader of a gallery.
+pub struct GalleryEntry {
+    /// The name of its page and of its still image, without extension.
+    pub name: String,
+    /// Its title.
+    pub title: String,
+    /// Its author; empty if unknown.
+    pub author: String,
+    /// Width and height of its still image; `None` if it has none.
+    pub still: Option<[u32; 2]>,
+}
+
+impl GalleryEntry {
+    /// The entry of a project.
+    pub fn of(name: &str, project: &Project, poster: &Poster) -> GalleryEntry {
+        GalleryEntry {
+            name: name.to_string(),
+            title: title(project),
+            author: decoded(&project.info.author),
+            still: poster.still.as_ref().map(|still| still.size),
+        }
+    }
+
+    fn card(&self) -> String {
+        let name = in_address(&self.name);
+        let image = match self.still {
+            Some([width, height]) => format!(
+                "<img src=\"{name}.png\" alt=\"\" width=\"{width}\" height=\"{height}\" \
+                 loading=\"lazy\">"
+            ),
+            None => "<span class=\"plain\"></span>".to_string(),
+        };
+        let author = match self.author.as_str() {
+            "" => String::new(),
+            author => format!("<small>by {}</small>", attribute(author)),
+        };
+        format!(
+            "<li><a href=\"{name}.html#play\"><span class=\"image\">{image}</span>\
+             <b>{}</b>{author}</a></li>\n",
+            attribute(&self.title)
+        )
+    }
+}
+
+/// The page. `address` is where it will be published.
+pub fn gallery(heading: &str, entries: &[GalleryEntry], address: Option<&PageAddress>) -> String {
+    let description = match entries.len() {
+        1 => "1 shader that plays in the browser".to_string(),
+        n => format!("{n} shaders that play in the browser"),
+    };
+    let image = address.and_then(|address| {
+        let first = entries.iter().find(|entry| entry.still.is_some())?;
+        let file = address.beside(&format!("{}.png", first.name));
+        Some((
+            file,
+            first.still?,
+            format!("Still image of {}", first.title),
+        ))
+    });
+    let card = Card {
+        title: heading,
+        description: &description,
+        address,
+        image,
+    };
+    let style = [COLORS, STYLE].concat();
+    // Browsers differ in whether `'self'` includes files on disk.
+    let policy = format!(
+        "default-src 'none'; style-src 'sha256-{}'; img-src 'self' file: data:; base-uri 'none'; \
+         form-action 'none'",
+        hash(&style)
+    );
+    let cards: String = entries.iter().map(GalleryEntry::card).collect();
+    fill(
+        PAGE,
+        &[
+            ("policy", &policy),
+            ("title", &attribute(heading)),
+            ("description", &attribute(&description)),
+            ("meta", &card.meta()),
+            ("style", &style),
+            ("cards", &cards),
+        ],
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_titles_are_escaped() {
+        let entry = GalleryEntry {
+            name: "a\"b".to_string(),
+            title: "<c>".to_string(),
+            author: "d&e".to_string(),
+            still: None,
+        };
+        let page = gallery("<x>", &[entry], None);
+        assert!(page.contains("<h1>&lt;x&gt;</h1>"), "{page}");
+        assert!(page.contains("href=\"a%22b.html#play\""), "{page}");
+        assert!(
+            page.contains("<b>&lt;c&gt;</b><small>by d&amp;e</small>"),
+            "{page}"
+        );
+        assert!(
+            !page.contains("og:image") && !page.contains("<script"),
+            "{page}"
+        );
+    }
+}
