@@ -3,7 +3,9 @@
 //   node all.js [WORD...]   only the tests whose names contain one of the words
 import { launch } from '../browser/browser.js';
 import { builtTests } from './built.js';
+import { openingTests } from './opening.js';
 import { pageTests } from './pages.js';
+import { passTests } from './passes.js';
 import { playgroundTests } from './playground.js';
 import { folder } from './read.js';
 import { serve } from './serve.js';
@@ -17,7 +19,7 @@ setTimeout(() => {
 }, minutes * 60_000).unref();
 
 const words = process.argv.slice(2);
-const all = [...builtTests, ...pageTests, ...playgroundTests];
+const all = [...builtTests, ...pageTests, ...playgroundTests, ...passTests, ...openingTests];
 const tests = words.length > 0 ? all.filter((test) => words.some((word) => test.name.includes(word))) : all;
 const server = await serve(folder);
 const { browser, kill } = await launch();
