@@ -148,7 +148,10 @@ mod tests {
             (name.to_string(), found.collect::<Vec<_>>())
         };
         let unknown = of("image.glsl", &["undeclared-name"]);
-        assert_eq!(open(&mut server, "image.glsl", image), std::slice::from_ref(&unknown));
+        assert_eq!(
+            open(&mut server, "image.glsl", image),
+            std::slice::from_ref(&unknown)
+        );
         let common = "vec4 tint(vec2 p) {\n    return vec4(p, 0.0, 1.0);\n}\n";
         let both = open(&mut server, "common.glsl", common);
         assert_eq!(both, [of("common.glsl", &[]), of("image.glsl", &[])]);

@@ -48,9 +48,10 @@ async function common(browser, address) {
     await findings(page, { has: ['vector-size'] });
     // The finding is in the other pass. It leads there.
     await isSelected(page, 'Common');
-    await page.locator('#list li', { hasText: 'vector-size' }).locator('.place', { hasText: 'Image, Line 2' }).click();
+    await page.locator('#list li', { hasText: 'vector-size' }).locator('.place', { hasText: 'Image · Line 2' }).click();
     await isSelected(page, 'Image');
     assert.equal(await text(page), image('tint(p)'));
+    assert.deepEqual(await page.locator('#code .cm-editor').evaluateAll((all) => all.map((editor) => editor.clientHeight > 0)), [true, false]);
     const name = await page.evaluate(() => document.querySelector('#code').getAttribute('aria-labelledby'));
     assert.equal(await page.locator(`#${name}`).innerText(), 'Image');
     await tab(page, 'Common').click();
