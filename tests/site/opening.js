@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
-import { drawn, findings, linkTo, text, within } from './playground.js';
+import { drawn, findings, imageOf, linkTo, text, within } from './playground.js';
 import { serve } from './serve.js';
 
 const red = 'void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1.0, 0.0, 0.0, 1.0);\n}\n';
@@ -114,8 +114,7 @@ async function examples(browser, address) {
 
 /** The background of the page, the editor and the bar of the image. */
 async function colors(page) {
-  const bar = await page.locator('#image iframe:not(.next)').elementHandle();
-  const frame = await bar.contentFrame();
+  const frame = await imageOf(page);
   const isDark = ([r, g, b]) => r + g + b < 384;
   const numbers = (css) => css.match(/\d+/g).slice(0, 3).map(Number);
   const own = await page.evaluate(() => [document.body, /** @type {any} */ (document.querySelector('#code')).shadowRoot.querySelector('.cm-editor')].map((e) => getComputedStyle(e).backgroundColor));

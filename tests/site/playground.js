@@ -153,10 +153,13 @@ async function looks(browser, address) {
   }
 }
 
-/** The frame that shows the image of the shader. */
+/** The frame that shows the image of the shader. One that is replaced at the same time is none. */
 export const imageOf = async (page) => {
-  await page.locator('#image iframe:not(.next)').waitFor();
-  return (await page.locator('#image iframe:not(.next)').elementHandle()).contentFrame();
+  for (;;) {
+    const element = await page.locator('#image iframe:not(.next)').elementHandle();
+    const frame = await element.contentFrame();
+    if (frame) return frame;
+  }
 };
 
 /** The colour in the middle of the image, as the shader writes it. */

@@ -58,6 +58,16 @@ export interface Unformatted {
   message: string;
 }
 
+/** What is ported. */
+export interface ShaderOptions {
+  /** Name of the file, or of the project. Default: `shader.glsl`. */
+  name?: string;
+  /** The passes of a ShaderToy project by file name, such as `buffer_a.glsl`, instead of the text. */
+  passes?: Record<string, string>;
+  /** What channels read, as after `--channel`: `image.0=buffer_a`. */
+  channels?: string[];
+}
+
 /** A file that a shader was ported to; `text` is null for binary files. */
 export interface PortedFile {
   path: string;
@@ -90,9 +100,12 @@ export class Shaderlint {
   rules(): { schema: number; rules: Record<string, unknown>[] };
   port(
     text: string,
-    options?: { name?: string; output?: string },
+    options?: ShaderOptions & { output?: string },
   ): { files: PortedFile[]; errors: number; remarks: string[] };
-  playerData(text: string, options?: { name?: string }): { project: string; errors: number };
+  playerData(
+    text: string,
+    options?: ShaderOptions,
+  ): { project: string; errors: number; operations: number; isMore: boolean };
   playerPage(): string;
   lsp(message: object): object[];
   runChanged(): object[];
