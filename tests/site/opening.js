@@ -15,12 +15,16 @@ async function elsewhere(answers) {
   const seen = [];
   const server = http.createServer((request, response) => {
     seen.push(request.headers);
+    if (request.url === '/never') return;
     const { status = 200, headers = {}, body = '' } = answers[request.url] ?? { status: 404 };
     response.writeHead(status, { 'Access-Control-Allow-Origin': '*', ...headers }).end(body);
   });
   await new Promise((resolve) => { server.listen(0, '127.0.0.1', resolve); });
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-  return { seen, address: `http://127.0.0.1:${port}`, end: () => server.close() };
+  return { seen, address: `http://127.0.0.1:${port}`, end: () => {
+    server.close();
+    server.closeAllConnections();
+  } };
 }
 
 async function addresses(browser, address) {
@@ -42,6 +46,13 @@ async function addresses(browser, address) {
       });
     }
     assert.ok(other.seen.length === 2 && other.seen.every(({ cookie, referer }) => !cookie && !referer));
+    await within(browser, address, { fragment: `#url=${other.address}/never`, allowed: other.address, mayComplain: true }, async (page) => {
+      await page.locator('#notice', { hasText: 'Loading from 127.0.0.1' }).waitFor();
+      await page.locator('#examples').click();
+      await page.getByRole('button', { name: 'cast_is_reserved.glsl' }).click();
+      await findings(page, { has: ['reserved-word'] });
+      assert.equal(await page.locator('#notice').isVisible(), false);
+    });
     const failures = {
       [`${other.address}/long.glsl`]: 'longer than 1 MB',
       [`${other.address}/image.png`]: 'not a text',
