@@ -6,6 +6,25 @@ import path from 'node:path';
 const here = (file) => path.join(import.meta.dirname, file);
 const hashOf = (...texts) => crypto.createHash('sha256').update(texts.join('\0')).digest('base64');
 
+/** A page whose policy has more sources. */
+const allowing = (html, directive, sources) => html.replace(`${directive} 'self'`, `${directive} 'self' ${sources}`);
+
+/**
+ * Allows the script and the style of the player, and no others: without a network its page is not loaded into
+ * the frame but written into it, and then has the policy of this page beside its own.
+ */
+export const offlinePlayer = {
+  name: 'offline player',
+  transformIndexHtml: {
+    order: 'pre',
+    handler(html) {
+      const player = fs.readFileSync(here('public/player.html'), 'utf8');
+      const hashes = (directive) => new RegExp(`${directive} ('sha256-[^;]*);`).exec(player)[1];
+      return ['script-src', 'style-src'].reduce((made, directive) => allowing(made, directive, hashes(directive)), html);
+    },
+  },
+};
+
 /** Writes the script that applies the theme into the page, and allows it there: nothing is shown before it ran. */
 export const earlyScript = {
   name: 'early script',
@@ -14,7 +33,7 @@ export const earlyScript = {
     handler(html) {
       const script = fs.readFileSync(here('src/early.js'), 'utf8').replace(/^\s*\/\/.*\n/gm, '').trim();
       const written = html.replace('<script src="./src/early.js"></script>', () => `<script>${script}</script>`);
-      return written.replace("script-src 'self'", `script-src 'self' 'sha256-${hashOf(script)}'`);
+      return allowing(written, 'script-src', `'sha256-${hashOf(script)}'`);
     },
   },
 };

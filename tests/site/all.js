@@ -4,7 +4,9 @@
 import { launch } from '../browser/browser.js';
 import { builtTests } from './built.js';
 import { inspectTests } from './inspect.js';
+import { openingTests } from './opening.js';
 import { pageTests } from './pages.js';
+import { passTests } from './passes.js';
 import { playgroundTests } from './playground.js';
 import { folder } from './read.js';
 import { serve } from './serve.js';
@@ -18,7 +20,7 @@ setTimeout(() => {
 }, minutes * 60_000).unref();
 
 const words = process.argv.slice(2);
-const all = [...builtTests, ...pageTests, ...playgroundTests, ...inspectTests];
+const all = [...builtTests, ...pageTests, ...playgroundTests, ...passTests, ...openingTests, ...inspectTests];
 const tests = words.length > 0 ? all.filter((test) => words.some((word) => test.name.includes(word))) : all;
 const server = await serve(folder);
 const { browser, kill } = await launch();

@@ -100,21 +100,23 @@ function decoded(data, address) {
 /** Each example has a link, and the link has its code. */
 function shaders() {
   let count = 0;
+  let pages = 0;
   for (const { address, html } of all) {
     for (const [, figure] of html.matchAll(/<figure class="example (?!output)[a-z]+">(.*?)<\/figure>/gs)) {
       const code = textOf(/<pre[^>]*>(.*?)<\/pre>/s.exec(figure)[1]);
       const link = attributes(figure, 'href').find((href) => href.startsWith(`${base}playground/#code=`));
-      if (!link) {
-        assert.ok(figure.includes('language-html'), `${address}: an example without a link:\n${code}`);
-        continue;
-      }
+      assert.ok(link, `${address}: an example without a link:\n${code}`);
       const data = link.split('#code=')[1];
       assert.match(data, /^[\w-]+$/, address);
-      assert.equal(decoded(data, address).trimEnd(), code.trimEnd(), address);
+      const linked = decoded(data, address);
+      const isPage = /<(script|canvas)/.test(code);
+      const text = isPage ? Object.entries(JSON.parse(linked)).find(([name]) => name.endsWith('.html'))[1] : linked;
+      assert.equal(text.trimEnd(), code.trimEnd(), address);
+      if (isPage) pages++;
       count++;
     }
   }
-  assert.ok(count > 400, `only ${count} examples`);
+  assert.ok(count > 400 && pages > 10, `only ${count} examples, ${pages} of them pages`);
 }
 
 export const builtTests = [

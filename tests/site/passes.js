@@ -48,9 +48,10 @@ async function common(browser, address) {
     await findings(page, { has: ['vector-size'] });
     // The finding is in the other pass. It leads there.
     await isSelected(page, 'Common');
-    await page.locator('#list li', { hasText: 'vector-size' }).locator('.place', { hasText: 'Image, Line 2' }).click();
+    await page.locator('#list li', { hasText: 'vector-size' }).locator('.place', { hasText: 'Image · Line 2' }).click();
     await isSelected(page, 'Image');
     assert.equal(await text(page), image('tint(p)'));
+    assert.deepEqual(await page.locator('#code .cm-editor').evaluateAll((all) => all.map((editor) => editor.clientHeight > 0)), [true, false]);
     const name = await page.evaluate(() => document.querySelector('#code').getAttribute('aria-labelledby'));
     assert.equal(await page.locator(`#${name}`).innerText(), 'Image');
     await tab(page, 'Common').click();
@@ -127,10 +128,29 @@ async function links(browser, address) {
   });
 }
 
+/** Opens a link when the first image is ready to be drawn, and lets it go on when the link is open. */
+function openBeforeImage(hash) {
+  let isFirst = true;
+  window.Worker = class extends Worker {
+    set onmessage(handler) {
+      super.onmessage = (event) => {
+        if (!isFirst || !('errors' in event.data)) return handler.call(this, event);
+        isFirst = false;
+        new MutationObserver((_, observer) => {
+          observer.disconnect();
+          handler.call(this, event);
+        }).observe(document.querySelector('#passes'), { childList: true, subtree: true });
+        location.hash = hash;
+        return undefined;
+      };
+    }
+  };
+}
+
 /** What is still being drawn of a shader does not appear in the next one. */
 async function replacing(browser, address) {
-  await within(browser, address, { fragment: linkTo(image('vec4(1.0, 0.0, 0.0, 1.0)')) }, async (page) => {
-    await page.evaluate((hash) => { location.hash = hash; }, linkTo(image('vec3(1.0)')));
+  const init = [openBeforeImage, linkTo(image('vec3(1.0)'))];
+  await within(browser, address, { fragment: linkTo(image('vec4(1.0)')), init }, async (page) => {
     await findings(page, { has: ['vector-size'] });
     await page.locator('#image.stale').waitFor();
     assert.equal(await page.locator('#image iframe').count(), 0);

@@ -7,21 +7,26 @@ import { listen } from '../browser/browser.js';
 
 const axe = createRequire(new URL('../../site/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
 
-/** Opens the playground in a window of its own, and fails if anything is loaded from elsewhere or complains. */
-export async function within(browser, address, { fragment = '', ...options }, run) {
+/**
+ * Opens the playground in a window of its own, and fails if anything is loaded from elsewhere or complains.
+ * `allowed` is another address that may be loaded; `init` runs before the scripts of the page.
+ * @param {{ fragment?: string, allowed?: string, mayComplain?: boolean, init?: [Function, unknown], [option: string]: unknown }} options
+ */
+export async function within(browser, address, { fragment = '', allowed = address, mayComplain = false, init, ...options }, run) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   context.setDefaultTimeout(0);
   const page = await context.newPage();
   const complaints = listen(page);
   page.on('request', (request) => {
-    const isOwn = request.url().startsWith(address) || request.url().startsWith('data:');
+    const isOwn = [address, allowed, 'data:'].some((start) => request.url().startsWith(start));
     if (!isOwn) complaints.push(`request: ${request.url()}`);
   });
   page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
   try {
+    if (init) await page.addInitScript(...init);
     await page.goto(`${address}playground/${fragment}`);
     await run(page);
-    assert.deepEqual(complaints, []);
+    if (!mayComplain) assert.deepEqual(complaints, []);
   } finally {
     await context.close();
   }
@@ -148,10 +153,13 @@ async function looks(browser, address) {
   }
 }
 
-/** The frame that shows the image of the shader. */
+/** The frame that shows the image of the shader. One that is replaced at the same time is none. */
 export const imageOf = async (page) => {
-  await page.locator('#image iframe:not(.next)').waitFor();
-  return page.frames().find((frame) => frame.url().includes('player.html'));
+  for (;;) {
+    const element = await page.locator('#image iframe:not(.next)').elementHandle();
+    const frame = await element.contentFrame();
+    if (frame) return frame;
+  }
 };
 
 /** The colour in the middle of the image, as the shader writes it. */

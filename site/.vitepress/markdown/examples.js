@@ -55,7 +55,9 @@ export function examples(md) {
     if (!(kind in DEFAULTS)) return code(tokens, index, options, env, self);
     token.info = language;
     const file = name ? `<span class="file">${md.utils.escapeHtml(name)}</span>` : '';
-    const link = language === 'glsl' ? `<a class="try" target="_self" href="${playground(token.content)}" aria-label="Try it in the playground">Try it</a>` : '';
+    // A page with shaders in it is one by its name.
+    const named = language === 'html' || name?.endsWith('.html') ? (name ?? 'page.html') : undefined;
+    const link = `<a class="try" target="_self" href="${playground(token.content, named)}" aria-label="Try it in the playground">Try it</a>`;
     return `<figure class="example ${kind}"><figcaption><span class="what">${caption || DEFAULTS[kind]}</span>${file}${link}</figcaption>${code(tokens, index, options, env, self)}</figure>`;
   };
 }

@@ -73,7 +73,7 @@ function entry(plugin, finding) {
     view.focus();
   };
   const place = element('button', { type: 'button', className: 'place', onclick: go });
-  place.append(element('span', { className: 'pass', textContent: `${titleOf(fileOf(plugin.uri))}, ` }), `Line ${line}`);
+  place.append(element('span', { className: 'pass', textContent: `${titleOf(fileOf(plugin.uri))} · ` }), `Line ${line}`);
   return element('li', {}, place, described(plugin, finding));
 }
 

@@ -1,6 +1,7 @@
 // The image of the shader: the page of `shaderport` in a frame that can reach nothing else.
 
 import { frameCost, inWords } from './cost.js';
+import { theme } from './theme.js';
 
 /** Milliseconds without changes before the image is drawn anew. */
 const PAUSE = 250;
@@ -35,6 +36,7 @@ export class ShaderImage {
     this.#parent = parent;
     this.#isDue = isDue;
     addEventListener('message', ({ data, source }) => this.#heard(data, source));
+    document.addEventListener('theme', () => this.#frame?.contentWindow.postMessage({ theme: theme() }, '*'));
   }
 
   /** What the frame shows: time, mouse, size and place of the canvas; undefined if no frame answers. */
@@ -124,11 +126,22 @@ export class ShaderImage {
     frame.setAttribute('sandbox', 'allow-scripts allow-downloads');
     frame.allow = 'autoplay; fullscreen';
     frame.className = 'next';
-    const page = new URL('player.html', document.baseURI);
-    if (share < 1) page.hash = `scale=${Math.sqrt(share).toFixed(3)}`;
-    frame.src = page.href;
+    frame.dataset.settings = share < 1 ? `scale=${Math.sqrt(share).toFixed(3)}` : '';
     this.#next = frame;
-    this.#parent.append(frame);
+    this.#load(frame).catch(() => {});
+  }
+
+  /** Loads the page of the player into a frame, and shows it. @param {HTMLIFrameElement} frame */
+  async #load(frame) {
+    const page = new URL('player.html', document.baseURI);
+    if (navigator.onLine) {
+      page.hash = frame.dataset.settings;
+      frame.src = page.href;
+    } else {
+      // The service worker has the page, but not for frames with a sandbox. The policy allows its script.
+      frame.srcdoc = await (await fetch(page)).text();
+    }
+    if (frame === this.#next) this.#parent.append(frame);
   }
 
   /** Removes all images and questions. */
@@ -168,6 +181,7 @@ export class ShaderImage {
   #open(frame) {
     if (!frame || frame !== this.#next || frame.dataset.state !== 'ready') return;
     frame.dataset.state = 'opened';
-    frame.contentWindow.postMessage({ project: this.#project, state: this.#state }, '*');
+    const { settings } = frame.dataset;
+    frame.contentWindow.postMessage({ project: this.#project, state: this.#state, theme: theme(), settings }, '*');
   }
 }

@@ -53,18 +53,21 @@ function confirm(button, word) {
   button.addEventListener('blur', () => { button.textContent = textContent; }, { once: true });
 }
 
-/** The files that a fragment contains or names; null if there are none. @param {string} hash */
-function linked(hash) {
-  const address = addressIn(hash);
-  return address ? filesAt(address) : filesOf(hash);
+/** The files at an address. Meanwhile the page can be used. @param {URL} address */
+function loaded(address) {
+  show({ 'shader.glsl': '' });
+  warn(`Loading from ${address.hostname}…`);
+  return filesAt(address);
 }
 
 /** Opens what the address of the page leads to. Returns whether it leads to anything. */
 async function openLink() {
   const { hash } = location;
+  // Somebody may have chosen something else in the meantime.
   const isLatest = () => hash === location.hash;
   try {
-    const files = await linked(hash);
+    const address = addressIn(hash);
+    const files = await (address ? loaded(address) : filesOf(hash));
     if (!isLatest()) return true;
     warn();
     if (files) show(files);
@@ -108,24 +111,28 @@ async function fixAll() {
   if (!isFixed) confirm(at('fix'), 'Nothing to fix');
 }
 
-async function start() {
-  offerThemes(at('theme'));
-  new Tabs(at('passes'), at('code'), documents);
-  if (!await openLink()) show({ 'wave.glsl': FIRST });
-  addEventListener('hashchange', openLink);
-  at('share').addEventListener('click', share);
-  at('fix').addEventListener('click', fixAll);
-  at('format').addEventListener('click', () => formatDocument(documents.view));
-  openExamples(at('examples'), (files) => {
-    show(files);
-    warn();
-    history.replaceState(null, '', location.pathname);
-  });
+async function connect() {
   try {
     client.connect(await server);
   } catch (error) {
     warn(`shaderlint cannot start: ${error.message}`);
   }
+}
+
+async function start() {
+  offerThemes(at('theme'));
+  new Tabs(at('passes'), at('code'), documents);
+  addEventListener('hashchange', openLink);
+  at('share').addEventListener('click', share);
+  at('fix').addEventListener('click', fixAll);
+  at('format').addEventListener('click', () => formatDocument(documents.view));
+  openExamples(at('examples'), (files) => {
+    history.replaceState(null, '', location.pathname);
+    show(files);
+    warn();
+  });
+  connect();
+  if (!await openLink()) show({ 'wave.glsl': FIRST });
   await found;
   workOffline();
 }

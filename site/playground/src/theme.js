@@ -8,23 +8,27 @@ const THEMES = { auto: 'Auto', light: 'Light', dark: 'Dark' };
 /** The theme that somebody chose. */
 function chosen() {
   try {
-    const theme = localStorage.getItem(KEY);
-    return theme in THEMES ? theme : 'auto';
+    const name = localStorage.getItem(KEY);
+    return name in THEMES ? name : 'auto';
   } catch {
     // The browser may not let pages keep anything.
     return 'auto';
   }
 }
 
-/** @param {string} theme */
-function apply(theme) {
-  if (theme === 'auto') delete document.documentElement.dataset.theme;
-  else document.documentElement.dataset.theme = theme;
+/** The theme of the page: `auto` is that of the system. */
+export const theme = () => document.documentElement.dataset.theme ?? 'auto';
+
+/** Applies a theme, and tells the image by the event `theme`. @param {string} name */
+function apply(name) {
+  if (name === 'auto') delete document.documentElement.dataset.theme;
+  else document.documentElement.dataset.theme = name;
+  document.dispatchEvent(new Event('theme'));
 }
 
 /** Offers the themes in a list. @param {HTMLSelectElement} select */
 export function offerThemes(select) {
-  for (const [theme, label] of Object.entries(THEMES)) select.append(new Option(label, theme));
+  for (const [name, label] of Object.entries(THEMES)) select.append(new Option(label, name));
   const follow = () => {
     select.value = chosen();
     apply(select.value);

@@ -58,6 +58,16 @@ export interface Unformatted {
   message: string;
 }
 
+/** What is ported or drawn. */
+export interface ShaderOptions {
+  /** Name of the file, or of the project. Default: `shader.glsl`. */
+  name?: string;
+  /** The passes of a ShaderToy project by file name, such as `buffer_a.glsl`, instead of the text. */
+  passes?: Record<string, string>;
+  /** What channels read, as after `--channel`: `image.0=buffer_a`. */
+  channels?: string[];
+}
+
 /** A file that a shader was ported to; `text` is null for binary files. */
 export interface PortedFile {
   path: string;
@@ -65,9 +75,7 @@ export interface PortedFile {
 }
 
 /** What is drawn of a shader, as after `shaderlint run`. */
-export interface RunOptions {
-  /** Name of the file; its extension selects the kind of file. Default: `shader.glsl`. */
-  name?: string;
+export interface RunOptions extends ShaderOptions {
   /** Width and height in pixels; default: 320 and 180. */
   size?: [number, number];
   /** Time in seconds. */
@@ -89,7 +97,7 @@ export interface RunOptions {
   /** The pixel to trace, from the lower left corner. */
   pixel?: [number, number];
   /** Another version of the shader, to compare with. */
-  compare?: { name: string; text?: string; passes?: Record<string, string>; channels?: string[] };
+  compare?: ShaderOptions & { name: string; text?: string };
 }
 
 /** What `shaderlint run` prints, and the image: three bytes per pixel in base64, top row first. */
@@ -125,10 +133,13 @@ export class Shaderlint {
   rules(): { schema: number; rules: Record<string, unknown>[] };
   port(
     text: string,
-    options?: { name?: string; output?: string },
+    options?: ShaderOptions & { output?: string },
   ): { files: PortedFile[]; errors: number; remarks: string[] };
   run(text: string, options?: RunOptions): RunResult;
-  playerData(text: string, options?: { name?: string }): { project: string; errors: number };
+  playerData(
+    text: string,
+    options?: ShaderOptions,
+  ): { project: string; errors: number; operations: number; isMore: boolean };
   playerPage(): string;
   lsp(message: object): object[];
   runChanged(): object[];
