@@ -38,6 +38,19 @@ export const earlyScript = {
   },
 };
 
+/** Loads the editor while the script before it starts the language server. */
+export const preload = {
+  name: 'preload',
+  transformIndexHtml: {
+    order: 'post',
+    handler(_, { bundle }) {
+      const chunks = Object.values(bundle ?? {});
+      const editor = chunks.find(({ type, facadeModuleId }) => type === 'chunk' && facadeModuleId?.endsWith('/main.js'));
+      return editor && [{ tag: 'link', attrs: { rel: 'modulepreload', href: `./${editor.fileName}` }, injectTo: 'head' }];
+    },
+  },
+};
+
 /** Files that are loaded only by some machines or for some tasks. The service worker keeps them once they were loaded. */
 const isRare = (file) => /^assets\/shaderlint-plain-|^service-worker/.test(file);
 

@@ -1,6 +1,6 @@
 // The playground as static files that any server can serve from any folder.
 import { defineConfig } from 'vite';
-import { earlyScript, offlinePlayer, serviceWorker } from './plugins.js';
+import { earlyScript, offlinePlayer, preload, serviceWorker } from './plugins.js';
 
 export default defineConfig({
   base: './',
@@ -13,5 +13,5 @@ export default defineConfig({
     chunkSizeWarningLimit: 600,
   },
   worker: { format: 'es' },
-  plugins: [earlyScript, offlinePlayer, serviceWorker],
+  plugins: [earlyScript, offlinePlayer, preload, serviceWorker],
 });

@@ -1,6 +1,5 @@
 // The playground: editors whose language server runs in a worker. Nothing leaves the page.
 import { formatDocument } from '@codemirror/lsp-client';
-import { startServer } from '../wasm/server.js';
 import { addressIn, filesAt } from './address.js';
 import { Documents } from './documents.js';
 import { addressOf, client } from './editor.js';
@@ -12,12 +11,10 @@ import { Inspector } from './inspect.js';
 import { filesOf, fragmentOf } from './link.js';
 import { workOffline } from './offline.js';
 import { Runner } from './runner.js';
+import { server } from './start.js';
 import { Tabs } from './tabs.js';
 import { offerThemes } from './theme.js';
 import { Views } from './views.js';
-
-/** Starts first: nothing else takes as long. */
-const server = startServer();
 
 const at = (id) => document.getElementById(id);
 
