@@ -193,11 +193,14 @@ async function deployment(address) {
 /** Another version of the playground: its script has another name, and the page another title. */
 function deploy({ at }) {
   const edit = (file, change) => fs.writeFileSync(at(file), change(fs.readFileSync(at(file), 'utf8')));
-  const [script] = fs.readdirSync(at('assets')).filter((file) => /^index-.*\.js$/.test(file));
-  const renamed = 'index-NEWnew00.js';
+  const scripts = () => fs.readdirSync(at('assets')).filter((file) => file.endsWith('.js'));
+  const script = scripts().find((file) => file.startsWith('start-'));
+  const renamed = 'start-NEWnew00.js';
   fs.renameSync(at(`assets/${script}`), at(`assets/${renamed}`));
-  edit('index.html', (html) => html.replace(script, renamed).replace('<title>', '<title>New: '));
-  edit('service-worker.js', (code) => code.replace(script, renamed).replace(/VERSION = '/, "VERSION = 'new"));
+  const files = ['index.html', 'service-worker.js', ...scripts().map((file) => `assets/${file}`)];
+  for (const file of files) edit(file, (code) => code.replaceAll(script, renamed));
+  edit('index.html', (html) => html.replace('<title>', '<title>New: '));
+  edit('service-worker.js', (code) => code.replace(/VERSION = '/, "VERSION = 'new"));
 }
 
 /** Waits until the service worker of the page has stored everything. */
