@@ -180,7 +180,7 @@ impl OpenFiles {
             let name = path.strip_prefix(folder).ok()?.components().next()?;
             name.as_os_str().to_str()
         });
-        let is_saved = |name: &str| self.others.entry(&folder.join(name)).is_some();
+        let is_saved = |name: &str| self.others.saved().entry(&folder.join(name)).is_some();
         names.filter(|name| !is_saved(name)).collect()
     }
 }
@@ -189,14 +189,14 @@ impl Files for OpenFiles {
     fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
         match self.open.get(path) {
             Some(buffer) => Ok(buffer.text.clone()),
-            None => self.others.load(path),
+            None => self.others.saved().load(path),
         }
     }
 
     fn entry(&self, path: &Path) -> Option<FileType> {
         match self.open.contains_key(path) {
             true => Some(FileType::File),
-            false => self.others.entry(path).or_else(|| {
+            false => self.others.saved().entry(path).or_else(|| {
                 let is_folder = !self.unsaved(path).is_empty();
                 is_folder.then_some(FileType::Folder)
             }),
@@ -204,19 +204,19 @@ impl Files for OpenFiles {
     }
 
     fn names(&self, folder: &Path) -> Vec<String> {
-        let mut names = self.others.names(folder);
+        let mut names = self.others.saved().names(folder);
         names.extend(self.unsaved(folder).into_iter().map(str::to_string));
         names
     }
 
     fn here(&self) -> &Path {
-        self.others.here()
+        self.others.saved().here()
     }
 
     fn real(&self, path: &Path) -> Option<PathBuf> {
         match self.open.contains_key(path) {
             true => Some(path.to_path_buf()),
-            false => self.others.real(path),
+            false => self.others.saved().real(path),
         }
     }
 
@@ -225,7 +225,7 @@ impl Files for OpenFiles {
             // Never equal to a version of a file on disk.
             Some(buffer) => Some(buffer.state.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
             None => {
-                let version = self.others.version(path)?;
+                let version = self.others.saved().version(path)?;
                 let names = self.unsaved(path);
                 if names.is_empty() {
                     return Some(version);

@@ -16,7 +16,10 @@ pub enum SampleRuns {
 }
 
 /// The files that are not open, and the options of all files.
-pub trait Workspace: Files + Send {
+pub trait Workspace: Send + Sync {
+    /// The files that are not open.
+    fn saved(&self) -> &dyn Files;
+
     /// The options for checking a file; `None` if its configuration is invalid.
     fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>>;
 

@@ -69,6 +69,8 @@ impl Files for MemoryFiles {
 /// A workspace whose files are all open, with the default options.
 pub struct OpenWorkspace {
     nothing: MemoryFiles,
+    /// The options of a check without and with sample runs.
+    options: [Arc<Options>; 2],
     /// Address of the documentation; ends with a slash.
     site: Option<String>,
 }
@@ -78,44 +80,29 @@ impl OpenWorkspace {
     pub fn new(site: Option<String>) -> OpenWorkspace {
         OpenWorkspace {
             nothing: MemoryFiles::default(),
+            options: [Some(0), None].map(|run_samples| {
+                let selection = Selection {
+                    run_samples,
+                    ..Selection::default()
+                };
+                Arc::new(options(None, &[], &selection).unwrap_or_default())
+            }),
             site,
         }
     }
 }
 
-impl Files for OpenWorkspace {
-    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
-        self.nothing.load(path)
-    }
-
-    fn entry(&self, path: &Path) -> Option<FileType> {
-        self.nothing.entry(path)
-    }
-
-    fn names(&self, folder: &Path) -> Vec<String> {
-        self.nothing.names(folder)
-    }
-
-    fn here(&self) -> &Path {
-        self.nothing.here()
-    }
-
-    fn real(&self, path: &Path) -> Option<PathBuf> {
-        self.nothing.real(path)
-    }
-
-    fn version(&self, path: &Path) -> Option<u64> {
-        self.nothing.version(path)
-    }
-}
-
 impl Workspace for OpenWorkspace {
+    fn saved(&self) -> &dyn Files {
+        &self.nothing
+    }
+
     fn options(&self, _: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
-        let selection = Selection {
-            run_samples: (runs == SampleRuns::Off).then_some(0),
-            ..Selection::default()
-        };
-        options(None, &[], &selection).ok().map(Arc::new)
+        let [quick, full] = &self.options;
+        Some(match runs {
+            SampleRuns::Off => quick.clone(),
+            SampleRuns::AsConfigured => full.clone(),
+        })
     }
 
     fn style(&self, _: &Path, client: StyleChoice) -> Result<Style, Arc<str>> {

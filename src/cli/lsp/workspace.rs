@@ -5,7 +5,7 @@ use super::super::disk::Disk;
 use super::super::input::collect;
 use super::pages::PageFiles;
 use crate::engine::config::Selection;
-use crate::engine::{FileType, Files, LoadError, Options};
+use crate::engine::{Files, Options};
 use crate::format::{Style, StyleChoice};
 use crate::lsp::{SampleRuns, Workspace};
 use gen_lsp_types::Uri;
@@ -47,33 +47,11 @@ fn configs(folders: &[PathBuf], run_samples: Option<u32>) -> Configs {
     })
 }
 
-impl Files for DiskWorkspace {
-    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
-        self.disk.load(path)
-    }
-
-    fn entry(&self, path: &Path) -> Option<FileType> {
-        self.disk.entry(path)
-    }
-
-    fn names(&self, folder: &Path) -> Vec<String> {
-        self.disk.names(folder)
-    }
-
-    fn here(&self) -> &Path {
-        self.disk.here()
-    }
-
-    fn real(&self, path: &Path) -> Option<PathBuf> {
-        self.disk.real(path)
-    }
-
-    fn version(&self, path: &Path) -> Option<u64> {
-        self.disk.version(path)
-    }
-}
-
 impl Workspace for DiskWorkspace {
+    fn saved(&self) -> &dyn Files {
+        &self.disk
+    }
+
     fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
         let configs = match runs {
             SampleRuns::Off => &self.quick,
