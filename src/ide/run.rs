@@ -2,7 +2,7 @@
 
 use shaderlint_engine::Analysis;
 use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
-use shaderlint_exec::{CompileOptions, LANES, LoopObservation, Probe, Watch, draw};
+use shaderlint_exec::{CompileOptions, Drawn, LANES, LoopObservation, Probe, Stop, Watch, draw};
 use shaderlint_semantic::{Stage, VariableId};
 use shaderlint_syntax::ast::StmtId;
 use shaderlint_text::Span;
@@ -81,9 +81,7 @@ pub fn frame_cost(analysis: &Analysis) -> FrameCost {
     let Some(scene) = scene(analysis, &options) else {
         return FrameCost::Unknown;
     };
-    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
-    drawing.budget = BUDGET;
-    match draw(&drawing, 1) {
+    match drawn(&scene) {
         Ok(drawn) => FrameCost::PerPixel(drawn.mean_cost()),
         Err(_) => {
             let groups = f64::from(SIZE[0] * SIZE[1]) / LANES as f64;
@@ -102,9 +100,7 @@ pub fn run(analysis: &Analysis) -> Option<RunObservations> {
         ..CompileOptions::default()
     };
     let scene = scene(analysis, &options)?;
-    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
-    drawing.budget = BUDGET;
-    let drawn = draw(&drawing, 1).ok()?;
+    let drawn = drawn(&scene).ok()?;
     let module = analysis.module();
     let loops = drawn.seen.loops.iter().filter(|l| l.entries > 0);
     let iterations =
@@ -125,9 +121,7 @@ pub fn image_of(analysis: &Analysis, variable: VariableId, within: Span) -> Opti
         ..CompileOptions::default()
     };
     let scene = scene(analysis, &options)?;
-    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
-    drawing.budget = BUDGET;
-    let drawn = draw(&drawing, 1).ok()?;
+    let drawn = drawn(&scene).ok()?;
     // The last output is the flag that says whether the line ran.
     let output = scene.code.outputs.len().checked_sub(2)?;
     let mut image = RenderedImage::of(&scene.code, &drawn, output);
@@ -137,6 +131,13 @@ pub fn image_of(analysis: &Analysis, variable: VariableId, within: Span) -> Opti
         image.pixels.iter_mut().for_each(grey);
     }
     (!image.pixels.is_empty()).then_some(image)
+}
+
+/// The small image of a scene, within the budget.
+fn drawn(scene: &Scene) -> Result<Drawn, Stop> {
+    let mut drawing = scene.draw(SIZE, &Moment::at(TIME));
+    drawing.budget = BUDGET;
+    draw(&drawing, 1)
 }
 
 fn scene(analysis: &Analysis, options: &CompileOptions) -> Option<Scene> {
