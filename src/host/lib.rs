@@ -277,8 +277,11 @@ impl Preset {
             text.push_str(
                 "\n## Declarations\n\nThe host puts these before each shader:\n\n```glsl\n",
             );
-            text.push_str(prelude);
-            text.push_str("\n```\n");
+            // Descriptions of names were taken out and left empty lines.
+            for line in prelude.lines().filter(|line| !line.trim().is_empty()) {
+                text.push_str(&format!("{line}\n"));
+            }
+            text.push_str("```\n");
         }
         text
     }
