@@ -8,7 +8,6 @@ export function serve(port) {
   port.onmessage = ({ data }) => {
     if (data.module) {
       server = new Shaderlint(data.module);
-      port.postMessage({ ready: true });
       return;
     }
     const { number } = data;

@@ -91,7 +91,11 @@ class Server {
 
   #schedule() {
     clearTimeout(this.#timers.run);
-    this.#timers.run = setTimeout(() => this.#post("run"), this.#pause);
+    this.#timers.run = setTimeout(() => {
+      // A spare worker starts when the first one may be busy, so that it does not delay the first answers.
+      this.#spare ??= this.#start();
+      this.#post("run");
+    }, this.#pause);
   }
 
   #post(message) {
@@ -116,11 +120,8 @@ class Server {
     this.#timers.limit = setTimeout(() => this.#replace(), isHeldUp ? PATIENCE : LIMIT);
   }
 
-  #received(worker, { number, messages, crash, ready }) {
+  #received(worker, { number, messages, crash }) {
     if (worker !== this.#worker) return;
-    // A spare worker starts when this one is ready, so that it does not delay the first answer.
-    this.#spare ??= this.#start();
-    if (ready) return;
     if (number === REPLAY) {
       // The client got the answer to `initialize` from the first worker.
       this.#deliver(messages?.filter((message) => message.method !== undefined) ?? []);
