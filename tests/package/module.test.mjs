@@ -108,6 +108,12 @@ test("files that git ignores are not checked", (t) => {
   same(["--no-cache", "."], folder);
 });
 
+// More than a pipe holds.
+test("a reader that closes the output", () => {
+  const { stderr } = run("sh", ["-c", '"$LAUNCHER" --format jsonl . | head -1'], MISTAKES);
+  assert.equal(stderr, "");
+});
+
 test("what needs the program is refused", (t) => {
   const refused = (args, message, cwd = MISTAKES) => {
     const { status, stderr, stdout } = launch(args, cwd);

@@ -84,6 +84,8 @@ async function startWithoutPrograms(program) {
   if (!found) throw new Error(`${missing()}. Other ways to install: ${homepage}`);
   if (program !== name) throw new Error(`${program} needs the program, and ${missing()}`);
   const run = require("../module/main.js");
+  // The reader of the output closed it.
+  process.stdout.on("error", ({ code }) => process.exit(code === "EPIPE" ? 1 : 2));
   try {
     process.exitCode = run(await found.Shaderlint.load(), process.argv.slice(2));
   } catch (error) {

@@ -19,8 +19,15 @@ const known = new Map();
 function shaders(folder, isDeep) {
   const key = `${isDeep} ${folder}`;
   if (!known.has(key)) {
-    const names = [...search(folder, SHADER, isDeep)];
-    known.set(key, new Map(names.map((name) => [name, fs.readFileSync(name, "utf8")])));
+    const texts = new Map();
+    for (const name of search(folder, SHADER, isDeep)) {
+      try {
+        texts.set(name, fs.readFileSync(name, "utf8"));
+      } catch {
+        // As if it did not exist: nobody asked to check it.
+      }
+    }
+    known.set(key, texts);
   }
   return known.get(key);
 }
