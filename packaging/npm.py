@@ -1,15 +1,21 @@
-"""npm packages: a small one that people install, and one with the programs for each platform, of which
-npm installs the one that fits."""
+"""npm packages: a small one that people install, one with the programs for each platform, of which npm
+installs the one that fits, and the WebAssembly module, which it installs where none fits.
+
+The module is not a dependency of the package that people install: npm would download all of it (6 MB)
+everywhere, also where a program fits. It is a dependency of small packages that are, like those with
+programs, optional dependencies, and whose `os` and `cpu` are the platforms without programs.
+"""
 
 import json
 
 import archive
 from archive import Entry, licenses, text
 from project import PROGRAMS, ROOT, project
-from targets import TARGETS
+from targets import TARGETS, without_programs
 from wheel import server_name
 
 SOURCES = ROOT / "packaging/npm"
+MODULE = "shaderlint-wasm"
 
 
 def write_platform(target, programs, out):
@@ -36,13 +42,42 @@ def write_main(out):
         "mcpName": server_name(),
         "bin": {name: f"bin/{name}.js" for name in PROGRAMS},
         "engines": {"node": ">=16"},
-        "optionalDependencies": {t.npm_package: project().version for t in TARGETS},
+        "optionalDependencies": {name: project().version for name in optional()},
     }
     entries = []
     for path in sorted(SOURCES.glob("*/*.js")):
         inside = path.relative_to(SOURCES).as_posix()
         entries.append(Entry(f"package/{inside}", path.read_bytes(), inside.startswith("bin/")))
     return pack(manifest, entries, project().readme, out)
+
+
+def optional():
+    """The packages of which npm installs those for the platform."""
+    return [*(t.npm_package for t in TARGETS), *(f"@shaderlint/wasm-{name}" for name in without_programs())]
+
+
+def write_module(folder, out):
+    """Writes the package with the WebAssembly modules in a folder, and those that install it."""
+    manifest = json.loads((folder / "package.json").read_text())
+    manifest = common(MODULE) | manifest | {"version": project().version}
+    files = [path for path in sorted(folder.iterdir()) if path.suffix in (".js", ".ts", ".wasm")]
+    # A test may pack fewer modules than a release has.
+    exported = manifest["exports"]
+    missing = [name for name in exported if name.endswith(".wasm") and not (folder / name).is_file()]
+    manifest["exports"] = {name: target for name, target in exported.items() if name not in missing}
+    entries = [Entry(f"package/{path.name}", path.read_bytes()) for path in files]
+    pack(manifest, entries, project().page("docs/javascript.md"), out)
+    for name, (systems, cpus) in without_programs().items():
+        manifest = common(f"@shaderlint/wasm-{name}")
+        manifest["description"] = f"Installs {MODULE} where {project().name} has no programs"
+        manifest["os"] = systems
+        if cpus:
+            manifest["cpu"] = cpus
+        manifest |= {"main": "index.js", "dependencies": {MODULE: project().version}}
+        note = f"Installs `{MODULE}` for `{project().name}`. Install `{project().name}` instead.\n"
+        # Package managers with strict folders find the module from the package that depends on it only.
+        entry = text("package/index.js", f'"use strict";\n\nmodule.exports = () => import("{MODULE}");\n')
+        pack(manifest, [entry], note, out)
 
 
 def common(name):

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -47,7 +48,7 @@ def build(targets):
         "CARGO_TARGET_DIR": str(target_folder()),
         "CARGO_INCREMENTAL": "0",
         "MACOSX_DEPLOYMENT_TARGET": MACOS,
-        "RUSTFLAGS": " ".join(f"--remap-path-prefix={path}={name}" for path, name in names_of_sources().items()),
+        "RUSTFLAGS": remapping(),
     }
     command = ["cargo", "zigbuild", "--locked", "--profile", PROFILE, "--features", FEATURES, "--bins"]
     # All at once: while the program of one target is linked, which uses one core, others are compiled.
@@ -55,6 +56,23 @@ def build(targets):
         command += ["--target", target.zig]
     subprocess.run(command, check=True, cwd=ROOT, env=environment)
     return {target: built(target_folder() / target.triple / PROFILE, target) for target in targets}
+
+
+def build_modules():
+    """Builds the WebAssembly modules for a release; gives the folder of the package."""
+    out = target_folder() / "packaging-modules"
+    # Files of an earlier version would be packed too.
+    shutil.rmtree(out, ignore_errors=True)
+    environment = os.environ | {"CARGO_TARGET_DIR": str(target_folder()), "REMAP": remapping()}
+    subprocess.run([ROOT / "src/wasm/build", out], check=True, env=environment)
+    for path in out.glob("*.wasm"):
+        check_names(path)
+    return out
+
+
+def remapping():
+    """The flags of rustc that replace paths of this machine."""
+    return " ".join(f"--remap-path-prefix={path}={name}" for path, name in names_of_sources().items())
 
 
 def names_of_sources():

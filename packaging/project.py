@@ -4,6 +4,7 @@ import functools
 import json
 import os
 import pathlib
+import posixpath
 import re
 import subprocess
 from dataclasses import dataclass
@@ -41,12 +42,17 @@ class Project:
 
     @property
     def readme(self):
-        """The README for pages outside the repository: links and images are absolute."""
-        text = (ROOT / "README.md").read_text()
+        """The README for pages outside the repository."""
+        return self.page("README.md")
+
+    def page(self, path):
+        """A page for places outside the repository: links and images are absolute."""
+        text = (ROOT / path).read_text()
 
         def absolute(match):
             image, label, target = match.groups()
             kind = "raw" if image else "blob"
+            target = posixpath.normpath(posixpath.join(posixpath.dirname(path), target))
             return f"{image}[{label}]({self.repository}/{kind}/v{self.version}/{target})"
 
         return re.sub(r"(!?)\[([^]\n]*)\]\((?!https?:|#)([^)\s]+)\)", absolute, text)

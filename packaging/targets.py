@@ -92,6 +92,19 @@ TARGETS = (
 )
 
 
+def without_programs():
+    """The platforms that no target fits, as `os` and `cpu` of npm packages by a name; `!` excludes."""
+    cpus = {}
+    for target in TARGETS:
+        system, cpu, _ = target.npm
+        cpus.setdefault(system, set()).add(cpu)
+    systems = {}
+    for system, known in sorted(cpus.items()):
+        systems.setdefault(tuple(sorted(known)), []).append(system)
+    rest = {"-".join(same): (same, [f"!{cpu}" for cpu in known]) for known, same in systems.items()}
+    return rest | {"other": ([f"!{system}" for system in sorted(cpus)], [])}
+
+
 def host():
     """Rust's name of the machine that builds."""
     lines = subprocess.check_output(["rustc", "-vV"], text=True).splitlines()

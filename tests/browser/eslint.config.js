@@ -33,10 +33,15 @@ const rules = {
 export default [
   { files: [`${player}/**/*.js`], languageOptions: { sourceType: 'script', ecmaVersion: 2023 }, rules },
   {
+    files: ['packaging/npm/*/*.js', 'tests/package/*.cjs'],
+    languageOptions: { sourceType: 'commonjs', ecmaVersion: 2023 },
+    rules,
+  },
+  {
     files: [
       `${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/react.js`,
       'tests/browser/*.js', 'tests/browser/page/*.js', 'tests/site/*.js', 'site/.vitepress/**/*.js',
-      'tests/wasm/*.js', 'src/wasm/js/*.js', 'site/playground/*.js', 'site/playground/src/*.js',
+      'tests/wasm/*.js', 'tests/package/*.mjs', 'src/wasm/js/*.js', 'site/playground/*.js', 'site/playground/src/*.js',
     ],
     languageOptions: { sourceType: 'module', ecmaVersion: 2023 },
     rules,

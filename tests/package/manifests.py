@@ -74,14 +74,44 @@ def check_npm():
         modes = {member.name: member.mode for member in package.getmembers()}
     assert all(modes[f"package/{path}"] == 0o755 for path in manifest["bin"].values())
     platforms = manifest["optionalDependencies"]
-    assert set(platforms.values()) == {VERSION} and len(platforms) == len(TARGETS)
+    fallbacks = {name for name in platforms if name.startswith("@shaderlint/wasm-")}
+    assert set(platforms.values()) == {VERSION} and len(platforms) == len(TARGETS) + len(fallbacks)
     for path in OUT.glob("shaderlint-*-*.tgz"):
         with tarfile.open(path) as package:
             platform = json.load(package.extractfile("package/package.json"))
+        if platform["name"] == "shaderlint-wasm":
+            continue
+        if platform["name"] in fallbacks:
+            assert platform["dependencies"] == {"shaderlint-wasm": VERSION}
+            continue
         name = "-".join([*platform["os"], *platform["cpu"]])
         name += {"glibc": "-gnu", "musl": "-musl", "": ""}["".join(platform.get("libc", []))]
         assert platform["name"] == f"@shaderlint/{name}" and platform["name"] in platforms
     return manifest
+
+
+def check_fallbacks():
+    """On each platform npm installs programs or the module, never both."""
+
+    def fits(manifest, field, value):
+        listed = manifest.get(field, [])
+        wanted = [item for item in listed if not item.startswith("!")]
+        return f"!{value}" not in listed and (not wanted or value in wanted)
+
+    manifests = []
+    for path in OUT.glob("shaderlint-wasm-*-*.tgz"):
+        with tarfile.open(path) as package:
+            manifests.append(json.load(package.extractfile("package/package.json")))
+    assert manifests
+    systems = {"linux": "linux", "darwin": "darwin", "windows": "win32"}
+    cpus = {"x86_64": "x64", "aarch64": "arm64"}
+    programs = {
+        (systems[next(s for s in systems if s in triple)], cpus[triple.split("-")[0]]) for triple in TARGETS
+    }
+    for system in [*systems.values(), "freebsd", "android", "sunos"]:
+        for cpu in ["x64", "arm64", "arm", "ia32", "riscv64", "s390x"]:
+            modules = [m["name"] for m in manifests if fits(m, "os", system) and fits(m, "cpu", cpu)]
+            assert len(modules) == ((system, cpu) not in programs), (system, cpu, modules)
 
 
 def filled(template, values):
@@ -161,6 +191,7 @@ def check_all():
     """All checks; no template value is left."""
     check_wheel()
     npm = check_npm()
+    check_fallbacks()
     check_binstall()
     check_server(npm)
     check_others()

@@ -58,20 +58,59 @@ function start(file) {
   });
 }
 
-/** Runs where no package has programs for this platform. There is no WebAssembly build yet. */
-function startWithoutPrograms() {
+/** Loads the WebAssembly module, or `undefined` if it is not installed. */
+async function load() {
+  const packages = Object.keys(optionalDependencies).filter((each) => each.startsWith(`@${name}/wasm-`));
+  for (const each of packages) {
+    try {
+      require.resolve(each);
+    } catch {
+      // Not for this platform.
+      continue;
+    }
+    return require(each)();
+  }
+  try {
+    // Installed by hand.
+    return await import("shaderlint-wasm");
+  } catch {
+    return undefined;
+  }
+}
+
+/** Runs where no package has programs for this platform. */
+async function startWithoutPrograms(program) {
+  const found = await load();
+  if (!found) throw new Error(`${missing()}. Other ways to install: ${homepage}`);
+  if (program !== name) throw new Error(`${program} needs the program, and ${missing()}`);
+  const run = require("../module/main.js");
+  // The reader of the output closed it.
+  process.stdout.on("error", ({ code }) => process.exit(code === "EPIPE" ? 1 : 2));
+  try {
+    process.exitCode = run(await found.Shaderlint.load(), process.argv.slice(2));
+  } catch (error) {
+    throw new Error(error.needsProgram ? `${error.message}; ${missing()}` : error.message);
+  }
+}
+
+/** Why there are no programs. */
+function missing() {
   const platforms = Object.keys(optionalDependencies).map((each) => each.replace(/^.*\//, ""));
+  const known = platforms.filter((each) => !each.startsWith("wasm-"));
   const here = candidates()[0].replace(/^.*\//, "");
-  const reason = platforms.includes(here)
+  return known.includes(here)
     ? `the package @${name}/${here} is not installed; install again, with optional dependencies`
-    : `there is no package for ${here}, only for ${platforms.join(", ")}`;
-  console.error(`${name}: ${reason}. Other ways to install: ${homepage}`);
-  process.exitCode = 2;
+    : `there is no package for ${here}, only for ${known.join(", ")}`;
 }
 
 /** Runs the program with the arguments of this process. */
 module.exports = function launch(program) {
   const file = find(program);
   if (file) start(file);
-  else startWithoutPrograms();
+  else {
+    startWithoutPrograms(program).catch((error) => {
+      console.error(`${name}: ${error.message}`);
+      process.exitCode = 2;
+    });
+  }
 };
