@@ -78,6 +78,9 @@ async function tracing(browser, address) {
     await page.locator('.picker').focus();
     await page.keyboard.press('Shift+ArrowLeft');
     await page.waitForFunction((old) => document.querySelector('#pixel h2').textContent.startsWith(`Pixel ${old - 10},`), x);
+    // Of many keys, the last one counts.
+    for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowRight');
+    await page.waitForFunction((old) => document.querySelector('#pixel h2').textContent.startsWith(`Pixel ${old + 30},`), x);
     await panel(page).getByRole('button', { name: 'Close' }).click();
     await panel(page).waitFor({ state: 'hidden' });
     assert.deepEqual(await marks(page), {});
@@ -157,7 +160,7 @@ async function views(browser, address) {
     await findings(page, {});
     await imageOf(page);
     const drawn = page.locator('canvas.drawn');
-    for (const [view, label] of [['steps', 'Loop iterations of each pixel'], ['nan', 'Not finite of each pixel']]) {
+    for (const [view, label] of [['steps', 'Heat map: loop iterations'], ['nan', 'Heat map: not finite']]) {
       await page.locator('#view').selectOption(view);
       await page.locator(`canvas.drawn[aria-label="${label}"]:not([hidden])`).waitFor();
     }

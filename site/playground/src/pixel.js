@@ -9,8 +9,11 @@ const button = (textContent, title, onclick) => element('button', { type: 'butto
 /** A button that goes to a line. */
 const lineButton = (line, go) => element('button', { type: 'button', className: 'place', textContent: `Line ${line}`, onclick: go });
 
-/** The line in a position such as `shader.glsl:12:5`. @param {string} at */
-const lineOf = (at) => Number(at.split(':').at(-2));
+/** The file and the line in a position such as `shader.glsl:12:5`. @param {string} at */
+function placeOf(at) {
+  const [, file, line] = /^(.*):(\d+):\d+$/.exec(at);
+  return { file, line: Number(line) };
+}
 
 /** Shows a trace in an element. */
 export class PixelPanel extends EventTarget {
@@ -92,7 +95,7 @@ export class PixelPanel extends EventTarget {
       ...loops.map(({ at, function: name, most, pixels, mean }) => [at, `loop in ${name}(): ${most === mean || pixels === 0 ? most : `at most ${most}`} iterations`]),
     ];
     if (items.length === 0) return [];
-    const rows = items.map(([at, what]) => element('li', {}, lineButton(lineOf(at), () => this.#seek(lineOf(at))), ' ', what));
+    const rows = items.map(([at, what]) => element('li', {}, lineButton(placeOf(at).line, () => this.#seek(placeOf(at))), ' ', what));
     return [element('ul', { className: 'causes' }, ...rows)];
   }
 
@@ -110,10 +113,12 @@ export class PixelPanel extends EventTarget {
     return element('table', {}, head, this.#table);
   }
 
-  /** Goes to the first step at a line or after it. @param {number} line */
-  #seek(line) {
-    const { steps } = this.#trace;
-    const at = steps.findIndex(({ site }) => site.line === line);
+  /** Goes to the first step at a line, or to that at the next line with one. @param {{ file: string, line: number }} place */
+  #seek({ file, line }) {
+    const places = this.#trace.steps.map(({ site }) => placeOf(site.at));
+    const lines = places.filter((place) => place.file === file && place.line >= line).map((place) => place.line);
+    const next = Math.min(...lines);
+    const at = places.findIndex((place) => place.file === file && place.line === next);
     this.#go(at < 0 ? this.#step : at);
   }
 

@@ -98,7 +98,7 @@ export class Views {
       return;
     }
     const pass = isFolder(files) && current !== IMAGE && /^buffer_/.test(current) ? { pass: current.replace('.glsl', '') } : {};
-    const label = show ? `Values of ${show.name} on line ${show.line}` : `${HEATMAPS[value]} of each pixel`;
+    const label = show ? `Values of ${show.name} on line ${show.line}` : `Heat map: ${HEATMAPS[value].toLowerCase()}`;
     await this.#run(label, async () => {
       const options = { ...momentOf(await this.#image.state()), ...pass, size: this.#size(WIDTH.view) };
       const { image } = await this.#runner.run(files, { ...options, ...(show ? { show } : { heatmap: value }) });
