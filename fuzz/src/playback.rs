@@ -81,6 +81,7 @@ fn played((project, composed): &Export, gpu_profile: GpuProfile) -> Result<Vec<P
     let options = PlaybackOptions {
         size: SIZE,
         threads: thread::available_parallelism().map_or(1, usize::from),
+        observed: None,
         compile: CompileOptions {
             watch: match gpu_profile {
                 GpuProfile::Exact => Watch::Numbers,

@@ -147,6 +147,7 @@ fn player(project: &Project, composed: &Composed, size: [u32; 2]) -> Result<Play
     let options = PlaybackOptions {
         size,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
+        observed: None,
         compile: CompileOptions {
             cost: true,
             ..CompileOptions::default()

@@ -213,6 +213,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
                 size,
                 threads,
                 compile,
+                observed: Some(unit.pass),
                 decode: setting.decode,
             };
             let player = Player::new(&loaded.project, composed, &options);

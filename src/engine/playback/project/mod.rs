@@ -68,8 +68,10 @@ pub struct PlaybackOptions {
     pub size: [u32; 2],
     /// Number of threads.
     pub threads: usize,
-    /// Compiler options of the passes.
+    /// Compiler options of the observed passes; others are only drawn.
     pub compile: CompileOptions,
+    /// The observed pass, by its index in the project; `None` for all.
+    pub observed: Option<usize>,
     /// Decoder for embedded images.
     pub decode: Option<Decode>,
 }
@@ -98,7 +100,15 @@ impl Player {
             let Some(pass) = project.passes.get(unit.pass) else {
                 continue;
             };
-            let shader = PassShader::of(project, composed, unit, &options.compile)?;
+            let compile = match options.observed {
+                Some(observed) if observed != unit.pass => CompileOptions {
+                    gpu_profile: options.compile.gpu_profile,
+                    most: options.compile.most,
+                    ..CompileOptions::default()
+                },
+                _ => options.compile,
+            };
+            let shader = PassShader::of(project, composed, unit, &compile)?;
             player.passes.push(PlayedPass {
                 index: unit.pass,
                 kind: pass.kind,

@@ -32,6 +32,7 @@ fn player(passes: &[Value], size: [u32; 2]) -> Result<Player, PlaybackProblem> {
     let options = PlaybackOptions {
         size,
         threads: 1,
+        observed: None,
         compile: CompileOptions::default(),
         decode: None,
     };
