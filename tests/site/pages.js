@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import zlib from 'node:zlib';
-import { listen } from '../browser/browser.js';
+import { watch } from './watch.js';
 
 const axe = createRequire(new URL('../../site/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
 
@@ -22,13 +22,9 @@ const KINDS = {
 const WINDOWS = [1280, 390].flatMap((width) => ['light', 'dark'].map((colorScheme) => (
   { width, colorScheme: /** @type {'light' | 'dark'} */ (colorScheme) })));
 
-/** Collects what goes wrong in a page: messages of the console, and requests that fail or leave the site. */
-function watch(page, address) {
-  const complaints = listen(page);
-  page.on('request', (request) => {
-    if (!request.url().startsWith(address) && !request.url().startsWith('data:')) complaints.push(`request: ${request.url()}`);
-  });
-  page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
+/** Collects what goes wrong in a page, also answers that say so. */
+function watchAnswers(page, address) {
+  const complaints = watch(page, address);
   page.on('response', (response) => {
     if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
   });
@@ -38,7 +34,7 @@ function watch(page, address) {
 /** Opens a page and waits until its components run. */
 async function open(context, address, to) {
   const page = await context.newPage();
-  const complaints = watch(page, address);
+  const complaints = watchAnswers(page, address);
   await page.goto(address + to);
   await page.waitForFunction(() => /** @type {any} */ (document.querySelector('#app')).__vue_app__);
   return { page, complaints };

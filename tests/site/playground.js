@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import zlib from 'node:zlib';
-import { listen } from '../browser/browser.js';
+import { watch } from './watch.js';
 
 const axe = createRequire(new URL('../../site/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
 
@@ -16,12 +16,7 @@ export async function within(browser, address, { fragment = '', allowed = addres
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   context.setDefaultTimeout(0);
   const page = await context.newPage();
-  const complaints = listen(page);
-  page.on('request', (request) => {
-    const isOwn = [address, allowed, 'data:'].some((start) => request.url().startsWith(start));
-    if (!isOwn) complaints.push(`request: ${request.url()}`);
-  });
-  page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
+  const complaints = watch(page, address, allowed);
   try {
     if (init) await page.addInitScript(...init);
     await page.goto(`${address}playground/${fragment}`);
