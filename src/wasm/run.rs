@@ -79,18 +79,7 @@ impl RunRequest {
 
     /// The frame, by its number, its time or both.
     fn moment(&self) -> Moment {
-        let moment = match (self.time, self.frame) {
-            (Some(time), None) => Moment::at(time),
-            (None, frame) => Moment::of_frame(frame.unwrap_or(0)),
-            (Some(time), Some(frame)) => Moment {
-                frame,
-                ..Moment::at(time)
-            },
-        };
-        Moment {
-            mouse: self.mouse(),
-            ..moment
-        }
+        Moment::given(self.time, self.frame, self.mouse())
     }
 
     /// A shader, ready to draw.

@@ -1,6 +1,5 @@
 // The values of a pixel, in a panel and at the lines that wrote them.
-import { momentOf } from './moment.js';
-import { IMAGE, isFolder } from './passes.js';
+import { momentOf, passOf } from './moment.js';
 import { Picker } from './pick.js';
 import { PixelPanel } from './pixel.js';
 import { Trace, nameOf } from './trace.js';
@@ -83,16 +82,14 @@ export class Inspector {
   }
 
   async #run() {
-    const { files, current } = this.#documents;
-    const isPass = isFolder(files) && /^(image|buffer_)/.test(current);
     const options = {
       ...momentOf(this.#state),
       size: this.#state.size,
       pixel: this.#picker.pixel,
-      ...(isPass && current !== IMAGE && { pass: current.replace('.glsl', '') }),
+      ...passOf(this.#documents),
     };
     try {
-      const { facts } = await this.#runner.run(files, options);
+      const { facts } = await this.#runner.run(this.#documents.files, options);
       if (!this.#isOpen) return;
       this.#trace = new Trace(facts);
       this.#panel.show(this.#trace);

@@ -1,4 +1,9 @@
-// The frame that the image shows, for runs on the processor.
+// The frame and the pass that are looked at, for runs on the processor.
+import { IMAGE, isFolder } from './passes.js';
+
+/** The option of a run that chooses the buffer whose tab is open; nothing for the image. */
+export const passOf = ({ files, current }) =>
+  (isFolder(files) && current !== IMAGE && /^buffer_/.test(current) ? { pass: current.replace('.glsl', '') } : {});
 
 /**
  * The options of a run for what the image shows.

@@ -1,7 +1,6 @@
 // Images that the processor draws: heat maps, the values of a variable, and what differs between two versions.
 import { DrawnImage } from './drawn.js';
-import { momentOf } from './moment.js';
-import { IMAGE, isFolder } from './passes.js';
+import { momentOf, passOf } from './moment.js';
 
 /** Width of the images in pixels; those that are compared are sixteen. */
 const WIDTH = { view: 320, compared: 128 };
@@ -90,14 +89,14 @@ export class Views {
     this.#drawn.close();
     this.#status.textContent = '';
     if (value === '') return;
-    const { current, files, view } = this.#documents;
+    const { files, view } = this.#documents;
+    const pass = passOf(this.#documents);
     const show = value === 'variable' ? nameAtCursor(view) : undefined;
     if (value === 'variable' && !show) {
       this.#select.value = '';
       this.#status.textContent = 'Place the cursor on a variable first.';
       return;
     }
-    const pass = isFolder(files) && current !== IMAGE && /^buffer_/.test(current) ? { pass: current.replace('.glsl', '') } : {};
     const label = show ? `Values of ${show.name} on line ${show.line}` : `Heat map: ${HEATMAPS[value].toLowerCase()}`;
     await this.#run(label, async () => {
       const options = { ...momentOf(await this.#image.state()), ...pass, size: this.#size(WIDTH.view) };

@@ -65,8 +65,7 @@ fn draw_still(project: &Project, composed: &Composed, frames: u32) -> Result<Sti
     let size = fitting.unwrap_or(least);
     cost.check(size)?;
     let image = play(player(project, composed, size)?, size, (time, frames))?.image;
-    let bytes = image.bytes();
-    encoded(&Bitmap { size, bytes })
+    encoded(&Bitmap::of(&image))
 }
 
 /// The file of an image, which is made smaller until the file is small enough.

@@ -182,18 +182,7 @@ impl RunArgs {
 
     /// The time, frame and mouse to draw.
     pub fn moment(&self) -> Moment {
-        let moment = match (self.time, self.frame) {
-            (Some(time), None) => Moment::at(time),
-            (None, frame) => Moment::of_frame(frame.unwrap_or(0)),
-            (Some(time), Some(frame)) => Moment {
-                frame,
-                ..Moment::at(time)
-            },
-        };
-        Moment {
-            mouse: self.mouse,
-            ..moment
-        }
+        Moment::given(self.time, self.frame, self.mouse)
     }
 
     /// The settings of the draw. `uniforms` is the text of the file of uniforms.

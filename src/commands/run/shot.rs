@@ -189,8 +189,9 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
     let program = &composed.analysis(unit).program;
     let pass = loaded.project.passes.get(unit.pass);
     if unit.stage != Stage::Fragment || pass.is_some_and(|p| p.draw.has_vertices) {
-        let words = format!("{name}: shaders that draw with a vertex shader are not supported");
-        return Err(words);
+        return Err(format!(
+            "{name}: shaders that draw with a vertex shader are not supported"
+        ));
     }
     let known = Arc::<CachedFacts>::default();
     let module = known.module(program).clone();
@@ -275,11 +276,10 @@ fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a Pas
         let all: Vec<&str> = loaded.composed.units.iter().map(slug).collect();
         let requested = asked.unwrap_or("image");
         let name = &loaded.name;
-        let words = format!(
+        format!(
             "{name}: the project has no pass `{requested}`; it has {}",
             all.join(", ")
-        );
-        words
+        )
     })
 }
 

@@ -70,6 +70,19 @@ impl Moment {
         }
     }
 
+    /// The frame at a time, with a number, or both; the first one if neither is given.
+    pub fn given(time: Option<f64>, frame: Option<u32>, mouse: Option<Mouse>) -> Moment {
+        let moment = match (time, frame) {
+            (Some(time), None) => Moment::at(time),
+            (None, frame) => Moment::of_frame(frame.unwrap_or(0)),
+            (Some(time), Some(frame)) => Moment {
+                frame,
+                ..Moment::at(time)
+            },
+        };
+        Moment { mouse, ..moment }
+    }
+
     /// ShaderToy's `iMouse`: the last position with the button down, and the position of the click;
     /// its signs encode the state of the button.
     pub fn shadertoy_mouse(&self) -> [f64; 4] {
