@@ -1,0 +1,1 @@
+const ms=new Map,ps=new Set;function fs(e,t,n){if(ps.has(e))return;const a=hn("div","","notice");a.append(hn("span",t)),n&&a.append(mn(n.label,n.act)),a.append(mn("×",()=>{ps.add(e),Es(e)},"Dismiss"));const o=ms.get(e);o?.textContent!==a.textContent&&(Es(e),ms.set(e,a),dn("notices",HTMLElement).append(a))}function Es(e){ms.get(e)?.remove(),ms.delete(e)}
