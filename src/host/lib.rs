@@ -120,6 +120,8 @@ pub struct Preset {
     pub extensions: Vec<String>,
     /// Directives that it processes before compilation; a trailing `*` matches any suffix.
     pub directives: Vec<String>,
+    /// Names that it defines as macros; their declarations in shaders are ignored.
+    pub defined: Vec<String>,
     /// The functions that it calls.
     pub entries: Vec<String>,
     /// Further evidence for this host in a shader.
@@ -271,6 +273,7 @@ impl Preset {
             ("Extensions of pass files", &self.extensions),
             ("Directives", &self.directives),
             ("Provides for includes", &self.files),
+            ("Defines as macros", &self.defined),
         ] {
             if !words.is_empty() {
                 facts.push((what, code(words)));
@@ -584,7 +587,7 @@ pub fn declared_in(line: &str) -> Option<&str> {
 }
 
 /// The keys of a header.
-const KEYS: [&str; 23] = [
+const KEYS: [&str; 24] = [
     "alias",
     "reads",
     "base",
@@ -607,6 +610,7 @@ const KEYS: [&str; 23] = [
     "also",
     "composes",
     "directive",
+    "defines",
     "ending",
 ];
 
@@ -663,6 +667,7 @@ impl Preset {
             "complete" => self.complete.extend(words()),
             "patched" => self.patched.extend(words()),
             "also" => self.also.extend(words()),
+            "defines" => self.defined.extend(words()),
             "directive" => self.directives.extend(words()),
             "ending" => self.extensions.extend(words()),
             "renames" => self.renames = yes_or_no(value)?,

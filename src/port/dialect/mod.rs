@@ -18,6 +18,7 @@ mod shadertoy;
 mod synthclipse;
 mod three;
 mod twigl;
+mod veda;
 mod vertex;
 mod vertexshaderart;
 mod vscode;
@@ -203,6 +204,7 @@ static CODES: &[&HostCode] = &[
     &synthclipse::CODE,
     &three::CODE,
     &twigl::CODE,
+    &veda::CODE,
     &vertexshaderart::CODE,
     &vscode::CODE,
 ];
