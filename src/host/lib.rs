@@ -391,7 +391,10 @@ impl Preset {
         let names = &self.meanings;
         let is_feed = |r: &FeedRow| is_named(&r.name, name) && r.types.iter().any(|t| t == ty);
         names.feeds.iter().any(is_feed)
-            || names.textures.iter().any(|r| is_named(&r.name, name) && ty == "sampler2D")
+            || names
+                .textures
+                .iter()
+                .any(|r| is_named(&r.name, name) && ty == "sampler2D")
             || names.varyings.iter().any(|r| r.name == name && r.ty == ty)
     }
 

@@ -64,8 +64,7 @@ fn what_shaders_declare_is_put_before_none() {
 
 #[test]
 fn comments_say_what_names_are() {
-    let text =
-        "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
+    let text = "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
     let preset = read(text).unwrap();
     assert_eq!(
         preset.descriptions.get("a").map(String::as_str),

@@ -2,8 +2,8 @@
 
 use super::SiblingTexts;
 use super::complete::{Completion, completions_of};
-use shaderlint_host::is_provided;
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_host::is_provided;
 use shaderlint_semantic::{Guess, Program, Storage, guess};
 use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::Role;

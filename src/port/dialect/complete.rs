@@ -280,11 +280,7 @@ pub(super) fn has_images(clues: &Clues) -> bool {
 }
 
 /// Comments out the declarations of uniforms that contain a word.
-fn hide_declarations(
-    text: &str,
-    changes: &mut Vec<TextChange>,
-    is_hidden: impl Fn(&str) -> bool,
-) {
+fn hide_declarations(text: &str, changes: &mut Vec<TextChange>, is_hidden: impl Fn(&str) -> bool) {
     let mut lexer = Lexer::new(text, 0);
     // Start of the current declaration, and whether it contains such a word.
     let (mut first, mut is_found): (Option<usize>, bool) = (None, false);
@@ -364,7 +360,9 @@ pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
         is_hidden: true,
     });
     let mut all = usual_changes(text);
-    hide_declarations(text, &mut all, |word| host.defined.iter().any(|own| own == word));
+    hide_declarations(text, &mut all, |word| {
+        host.defined.iter().any(|own| own == word)
+    });
     all.extend(hidden);
     in_order(all)
 }
@@ -373,7 +371,9 @@ pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
 fn usual_changes(text: &str) -> Vec<TextChange> {
     let mut all = Vec::new();
     hide_first_lines(text, &mut all);
-    hide_declarations(text, &mut all, |word| IMAGES.iter().any(|(image, _)| *image == word));
+    hide_declarations(text, &mut all, |word| {
+        IMAGES.iter().any(|(image, _)| *image == word)
+    });
     make_struct_inputs(text, &mut all);
     in_order(all)
 }

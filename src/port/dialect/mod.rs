@@ -33,10 +33,10 @@ pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use complete::{
-    completions_after, completions_of, declarations, has_images, modern, without_own,
+use complete::{completions_after, completions_of, declarations, has_images, modern, without_own};
+use shaderlint_host::{
+    Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
 };
-use shaderlint_host::{Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -79,7 +79,10 @@ fn plan(clues: &Clues) -> Plan {
         let name = target(pass)?;
         Some(read_buffer(name, name))
     }));
-    for (name, signal) in [("spectrum", SignalForm::Spectrum), ("samples", SignalForm::Wave)] {
+    for (name, signal) in [
+        ("spectrum", SignalForm::Spectrum),
+        ("samples", SignalForm::Wave),
+    ] {
         let input = sampled(name, InputKind::Music, ("linear", "clamp"));
         inputs.push(Input { signal, ..input });
     }
@@ -160,7 +163,9 @@ fn candidates(
     match clues.siblings.get(&path) {
         Some(Some(text)) => numbered(&Clues::of(text), host, index),
         Some(None) => {
-            plan.notes.push(format!("pass {index}: file `{path}` not found; the pass stays empty"));
+            plan.notes.push(format!(
+                "pass {index}: file `{path}` not found; the pass stays empty"
+            ));
             vec![Completion::bare(
                 "precision highp float;\nvoid main() {\n    gl_FragColor = vec4(0.0);\n}\n",
             )]
