@@ -1,3 +1,5 @@
+//! Tests of reading host files.
+
 use super::*;
 
 #[test]
@@ -63,7 +65,7 @@ fn what_shaders_declare_is_put_before_none() {
 }
 
 #[test]
-fn comments_say_what_names_are() {
+fn comments_describe_names() {
     let text = "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
     let preset = read(text).unwrap();
     assert_eq!(

@@ -78,7 +78,8 @@ impl Project {
             let kind = pass.ok_or(ShaderError::NoEntry)?;
             return Ok(Project::of_pass(title, ProjectPass::new(kind, code)));
         };
-        let is_body = clues.is_body && !recognised.signs.is_empty();
+        let is_known = host.is_some() || !recognised.signs.is_empty();
+        let is_body = clues.is_body && is_known;
         if !clues.is_shader() && !is_body && !plan.is_description {
             return Err(ShaderError::NoEntry);
         }
