@@ -36,8 +36,28 @@ const SOURCES = {
   volume: (f) => [madeUpSpectrum(f.time)[0]],
   historySize: () => [SIGNAL_WIDTH, HISTORY_ROWS],
   camera: () => [0, 0, 1],
+  width: (_, w) => [w],
+  height: (_, _w, h) => [h],
+  progress: (f) => [Math.min(f.time % CURSOR_STEP, 1)],
+  cursor: (f, w, h) => textCursor(f.time, w, h),
+  cursorBefore: (f, w, h) => textCursor(f.time - CURSOR_STEP, w, h),
+  cursorTime: (f) => [Math.floor(f.time / CURSOR_STEP) * CURSOR_STEP],
+  cursorColor: () => [1, 0.6, 0.2, 1],
+  ones: () => [1, 1, 1, 1],
   nothing: () => [],
 };
+
+/** Seconds between two moves of the text cursor, and from one animation to the next. */
+const CURSOR_STEP = 1.5;
+
+/**
+ * The text cursor at a time: its left and upper edge, width and height. It visits the cells of a grid.
+ * @param {number} time @param {number} w @param {number} h
+ */
+function textCursor(time, w, h) {
+  const step = Math.floor(time / CURSOR_STEP) + 1;
+  return [(((step * 19) % 48) * w) / 48, h - (((step * 5) % 16) * h) / 16, w / 48, h / 16];
+}
 
 /** Synthetic levels of low, middle and high frequencies. @param {number} time */
 function madeUpSpectrum(time) {
