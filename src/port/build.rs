@@ -5,8 +5,8 @@ use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
 use super::translated::translated;
 use super::{
-    Composed, Page, Poster, Project, ScriptModule, embed, glsl, html, json, module, react, rewrite,
-    still_name, three,
+    Composed, PlayerPage, Poster, Project, ScriptModule, embed, glsl, html, json, module, react,
+    rewrite, still_name, three,
 };
 use shaderlint_semantic::{Pass, Stage};
 use std::path::{Path, PathBuf};
@@ -48,12 +48,7 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
 
 /// A page for frames of other pages. If its address is known, its still image is also a file beside
 /// it, since link previews require one.
-fn embedded(
-    project: &Project,
-    composed: &Composed,
-    poster: &Poster,
-    order: Order,
-) -> Vec<File> {
+fn embedded(project: &Project, composed: &Composed, poster: &Poster, order: Order) -> Vec<File> {
     let output = order.output.path();
     let mut files = paged(order, &embed(project, composed, poster, output));
     if let (Some(still), Some(_)) = (&poster.still, &poster.address) {
@@ -64,7 +59,7 @@ fn embedded(
 }
 
 /// A page as one file, or with its script and its style beside it.
-fn paged(order: Order, page: &Page) -> Vec<File> {
+fn paged(order: Order, page: &PlayerPage) -> Vec<File> {
     let output = order.output.path();
     if !order.split {
         return vec![file(output, page.whole())];

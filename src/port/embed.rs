@@ -1,9 +1,9 @@
 //! A page for frames of other pages: it shows a still image and plays after a click.
 
 use super::credits;
-use super::html::{Page, PageParts, attribute, in_address};
+use super::html::{PageParts, PlayerPage, attribute, in_address};
 use super::payload::payload;
-use super::pieces::Needs;
+use super::pieces::PlayerParts;
 use super::script::escape;
 use super::{Composed, Project};
 use base64::Engine;
@@ -131,7 +131,7 @@ impl Card<'_> {
 }
 
 /// The page. `output` is its path, if it is written to a file.
-pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &Path) -> Page {
+pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &Path) -> PlayerPage {
     let info = &project.info;
     let title = title(project);
     let author = match info.author.as_str() {
@@ -166,7 +166,7 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
         attribute(&title),
         attribute(&author)
     );
-    Page::new(&PageParts {
+    PlayerPage::new(&PageParts {
         title: &title,
         description: match credits.as_str() {
             "" => &description,
@@ -176,8 +176,8 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
         poster: Some(&poster_element),
         project: &escape(&payload(project, composed)),
         needs: match poster.shared {
-            true => Needs::all(),
-            false => Needs::of(project, composed, false),
+            true => PlayerParts::all(),
+            false => PlayerParts::of(project, composed, false),
         },
         start: START,
         version: None,

@@ -1,8 +1,8 @@
 //! A page that lists the pages of many shaders, with a still image of each. Its script only searches.
 
 use super::embed::{Card, PageAddress, Poster, START, decoded, title};
-use super::html::{COLORS, Page, PageParts, attribute, fill, hash, in_address};
-use super::pieces::Needs;
+use super::html::{COLORS, PageParts, PlayerPage, attribute, fill, hash, in_address};
+use super::pieces::PlayerParts;
 use super::{Project, credits};
 
 const PAGE: &str = include_str!("player/page/gallery.html");
@@ -71,18 +71,14 @@ pub struct Gallery {
 }
 
 /// The gallery. `address` is where its page will be published.
-pub fn gallery(
-    heading: &str,
-    entries: &[&GalleryEntry],
-    address: Option<&PageAddress>,
-) -> Gallery {
+pub fn gallery(heading: &str, entries: &[&GalleryEntry], address: Option<&PageAddress>) -> Gallery {
     let parts = PageParts {
         poster: Some(""),
-        needs: Needs::all(),
+        needs: PlayerParts::all(),
         start: START,
         ..PageParts::default()
     };
-    let [_, script, style] = Page::new(&parts).split("", "");
+    let [_, script, style] = PlayerPage::new(&parts).split("", "");
     Gallery {
         page: list(heading, entries, address),
         script,
@@ -150,7 +146,9 @@ mod tests {
         assert!(page.contains("<h1>&lt;x&gt;</h1>"), "{page}");
         assert!(page.contains("href=\"a%22b.html#play\""), "{page}");
         assert!(
-            page.contains("<b>&lt;c&gt;</b><small>by d&amp;e</small></a><small class=\"license\">f&lt;<"),
+            page.contains(
+                "<b>&lt;c&gt;</b><small>by d&amp;e</small></a><small class=\"license\">f&lt;<"
+            ),
             "{page}"
         );
         assert!(!page.contains("og:image"), "{page}");

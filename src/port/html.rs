@@ -5,7 +5,7 @@
 //! script and style.
 
 use super::payload::payload;
-use super::pieces::Needs;
+use super::pieces::PlayerParts;
 use super::script::{MOUNT, escape};
 use super::{Composed, Project, credits};
 use base64::Engine;
@@ -39,7 +39,7 @@ const RECEIVE: [&str; 2] = [
 ];
 
 /// The page. A served page has a version and reloads itself when there is a newer one.
-pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> Page {
+pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> PlayerPage {
     let start = match version {
         Some(version) => format!(
             "{}const player = openPage();\nfollowChanges('{version}', player);\n",
@@ -52,11 +52,11 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> Pa
         name => name,
     };
     let credits = credits::lines(project).join("\n");
-    Page::new(&PageParts {
+    PlayerPage::new(&PageParts {
         title,
         description: &credits,
         project: &escape(&payload(project, composed)),
-        needs: Needs::of(project, composed, true),
+        needs: PlayerParts::of(project, composed, true),
         start: &start,
         version,
         ..PageParts::default()
@@ -66,10 +66,10 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> Pa
 /// A page without a shader: the page around it sends [`player_data`] in a message.
 pub fn receiving_page() -> String {
     let start = format!("{}receiveProject();\n", RECEIVE.concat());
-    let page = Page::new(&PageParts {
+    let page = PlayerPage::new(&PageParts {
         title: "Shader",
         project: "null",
-        needs: Needs::all(),
+        needs: PlayerParts::all(),
         start: &start,
         ..PageParts::default()
     });
@@ -93,7 +93,7 @@ pub(super) struct PageParts<'a> {
     /// The project as JSON in an element.
     pub(super) project: &'a str,
     /// What the project needs of the player.
-    pub(super) needs: Needs,
+    pub(super) needs: PlayerParts,
     /// The end of the script.
     pub(super) start: &'a str,
     /// The version of a served page.
@@ -102,7 +102,7 @@ pub(super) struct PageParts<'a> {
 
 /// A page with the player, in its parts.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Page {
+pub struct PlayerPage {
     before_style: String,
     style: String,
     before_script: String,
@@ -115,8 +115,8 @@ pub struct Page {
 /// The place of the policy in the first part.
 const POLICY: &str = "{{policy}}";
 
-impl Page {
-    pub(super) fn new(parts: &PageParts<'_>) -> Page {
+impl PlayerPage {
+    pub(super) fn new(parts: &PageParts<'_>) -> PlayerPage {
         let has_panel = parts.poster.is_none();
         let own = match has_panel {
             true => parts.needs.panel(),
@@ -146,7 +146,7 @@ impl Page {
         );
         // The project is text of a user, and stands behind the style.
         let (before_style, before_script) = body.split_once(MARK).unwrap_or((&body, ""));
-        Page {
+        PlayerPage {
             before_style: before_style.to_string(),
             style: [COLORS, STYLE, of_panel(PANEL_STYLE)].concat(),
             before_script: before_script.to_string(),

@@ -52,7 +52,7 @@ pub use embed::{PageAddress, Poster, Still, embed, still_name};
 pub use export::{MAX_EXPORT, ProjectError, exports_in};
 pub use gallery::{Gallery, GalleryEntry, gallery};
 pub use glsl::{GlslPass, VERTEX, glsl};
-pub use html::{Page, html, player_data, receiving_page, waiting_page};
+pub use html::{PlayerPage, html, player_data, receiving_page, waiting_page};
 pub use json::json;
 pub use media::{Generator, StandIn, add_stand_ins, is_gray};
 pub use order::{BadExtension, Destination, MainChoice, Order, Target};

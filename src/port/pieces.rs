@@ -8,7 +8,7 @@ use shaderlint_semantic::{Pass, Stage};
 
 /// What a project needs of the player. The files of the player are in [`PLAYER`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Need {
+pub(super) enum PlayerPart {
     /// Buffers, and images that are read.
     Buffers,
     /// The cube map pass.
@@ -24,7 +24,7 @@ pub(super) enum Need {
     /// Videos and cameras.
     Films,
     /// Images, cube maps and volumes.
-    Pictures,
+    Images,
     /// Drawings for missing files.
     StandIns,
     /// Passes that declare their own uniforms.
@@ -39,86 +39,90 @@ pub(super) enum Need {
     Channels,
 }
 
-const ALL: [Need; 14] = [
-    Need::Buffers,
-    Need::Cube,
-    Need::Keyboard,
-    Need::Sound,
-    Need::Devices,
-    Need::Heard,
-    Need::Films,
-    Need::Pictures,
-    Need::StandIns,
-    Need::Own,
-    Need::Vertices,
-    Need::Tunables,
-    Need::Controls,
-    Need::Channels,
+const ALL: [PlayerPart; 14] = [
+    PlayerPart::Buffers,
+    PlayerPart::Cube,
+    PlayerPart::Keyboard,
+    PlayerPart::Sound,
+    PlayerPart::Devices,
+    PlayerPart::Heard,
+    PlayerPart::Films,
+    PlayerPart::Images,
+    PlayerPart::StandIns,
+    PlayerPart::Own,
+    PlayerPart::Vertices,
+    PlayerPart::Tunables,
+    PlayerPart::Controls,
+    PlayerPart::Channels,
 ];
 
 /// The needs of a project.
 #[derive(Clone, Default, Debug)]
-pub(super) struct Needs(Vec<Need>);
+pub(super) struct PlayerParts(Vec<PlayerPart>);
 
-impl Needs {
+impl PlayerParts {
     /// Those of a project that is not known yet.
-    pub(super) fn all() -> Needs {
-        Needs(ALL.to_vec())
+    pub(super) fn all() -> PlayerParts {
+        PlayerParts(ALL.to_vec())
     }
 
     /// Those of a project. In pages with a panel its channels also take other files.
-    pub(super) fn of(project: &Project, composed: &Composed, has_panel: bool) -> Needs {
-        let mut needs = Needs::default();
+    pub(super) fn of(project: &Project, composed: &Composed, has_panel: bool) -> PlayerParts {
+        let mut needs = PlayerParts::default();
         for pass in &project.passes {
             needs.add(match pass.kind {
-                Pass::Buffer => &[Need::Buffers],
-                Pass::Cubemap => &[Need::Cube],
-                Pass::Sound => &[Need::Sound, Need::Devices],
+                Pass::Buffer => &[PlayerPart::Buffers],
+                Pass::Cubemap => &[PlayerPart::Cube],
+                Pass::Sound => &[PlayerPart::Sound, PlayerPart::Devices],
                 Pass::Image | Pass::Common => &[],
             });
             if pass.wrapper == Wrapper::Own {
-                needs.add(&[Need::Own]);
+                needs.add(&[PlayerPart::Own]);
             }
             if pass.stage == Stage::Vertex {
-                needs.add(&[Need::Vertices]);
+                needs.add(&[PlayerPart::Vertices]);
             }
             for input in &pass.inputs {
                 let is_cube = input.id == OutputId::CUBE;
                 needs.add(match input.kind {
-                    InputKind::Buffer => &[Need::Buffers],
-                    InputKind::Keyboard => &[Need::Keyboard],
-                    InputKind::Cubemap if is_cube => &[Need::Cube, Need::Pictures],
-                    InputKind::Texture | InputKind::Cubemap | InputKind::Volume => &[Need::Pictures],
-                    InputKind::Video | InputKind::Webcam => &[Need::Films, Need::Devices],
+                    InputKind::Buffer => &[PlayerPart::Buffers],
+                    InputKind::Keyboard => &[PlayerPart::Keyboard],
+                    InputKind::Cubemap if is_cube => &[PlayerPart::Cube, PlayerPart::Images],
+                    InputKind::Texture | InputKind::Cubemap | InputKind::Volume => {
+                        &[PlayerPart::Images]
+                    }
+                    InputKind::Video | InputKind::Webcam => {
+                        &[PlayerPart::Films, PlayerPart::Devices]
+                    }
                     InputKind::Music | InputKind::MusicStream | InputKind::Microphone => {
-                        &[Need::Heard, Need::Devices]
+                        &[PlayerPart::Heard, PlayerPart::Devices]
                     }
                 });
                 if input.stand_in.is_some() {
-                    needs.add(&[Need::StandIns]);
+                    needs.add(&[PlayerPart::StandIns]);
                 }
             }
         }
         let files = composed.sources.files();
         // Users may fill channels without an input.
         if files.iter().any(|f| f.text.contains("iChannel")) && is_read_empty(project) {
-            needs.add(&[Need::Pictures]);
+            needs.add(&[PlayerPart::Images]);
         }
         if has_tunables(composed) {
-            needs.add(&[Need::Tunables, Need::Controls]);
+            needs.add(&[PlayerPart::Tunables, PlayerPart::Controls]);
         }
         if !project.controls.is_empty() {
-            needs.add(&[Need::Controls]);
+            needs.add(&[PlayerPart::Controls]);
         }
-        let takes_files = [Need::Pictures, Need::Films, Need::Heard];
+        let takes_files = [PlayerPart::Images, PlayerPart::Films, PlayerPart::Heard];
         if has_panel && takes_files.iter().any(|need| needs.has(*need)) {
             needs.add(&takes_files);
-            needs.add(&[Need::Channels, Need::Devices]);
+            needs.add(&[PlayerPart::Channels, PlayerPart::Devices]);
         }
         needs
     }
 
-    fn add(&mut self, more: &[Need]) {
+    fn add(&mut self, more: &[PlayerPart]) {
         for need in more {
             if !self.has(*need) {
                 self.0.push(*need);
@@ -126,11 +130,11 @@ impl Needs {
         }
     }
 
-    fn has(&self, need: Need) -> bool {
+    fn has(&self, need: PlayerPart) -> bool {
         self.0.contains(&need)
     }
 
-    fn code(&self, pieces: &[(Option<Need>, &str)]) -> String {
+    fn code(&self, pieces: &[(Option<PlayerPart>, &str)]) -> String {
         let used = pieces
             .iter()
             .filter(|(need, _)| need.is_none_or(|need| self.has(need)));
@@ -156,45 +160,77 @@ impl Needs {
 /// Whether some pass has fewer inputs than channels.
 fn is_read_empty(project: &Project) -> bool {
     let passes = &project.passes;
-    passes.iter().any(|p| p.kind != Pass::Common && p.inputs.len() < 4)
+    passes
+        .iter()
+        .any(|p| p.kind != Pass::Common && p.inputs.len() < 4)
 }
 
 /// The files of the player, in order of dependency.
-const PLAYER: [(Option<Need>, &str); 30] = [
+const PLAYER: [(Option<PlayerPart>, &str); 30] = [
     (None, include_str!("player/min/parts.js")),
     (None, include_str!("player/min/frame.js")),
-    (Some(Need::Own), include_str!("player/min/sources.js")),
-    (Some(Need::Heard), include_str!("player/min/spectrum.js")),
+    (Some(PlayerPart::Own), include_str!("player/min/sources.js")),
+    (
+        Some(PlayerPart::Heard),
+        include_str!("player/min/spectrum.js"),
+    ),
     (None, include_str!("player/min/gl.js")),
     (None, include_str!("player/min/log.js")),
-    (Some(Need::Tunables), include_str!("player/min/tunable.js")),
+    (
+        Some(PlayerPart::Tunables),
+        include_str!("player/min/tunable.js"),
+    ),
     (None, include_str!("player/min/mouse.js")),
-    (Some(Need::Keyboard), include_str!("player/min/keyboard.js")),
-    (Some(Need::Buffers), include_str!("player/min/buffer.js")),
-    (Some(Need::Cube), include_str!("player/min/cube.js")),
-    (Some(Need::Devices), include_str!("player/min/devices.js")),
+    (
+        Some(PlayerPart::Keyboard),
+        include_str!("player/min/keyboard.js"),
+    ),
+    (
+        Some(PlayerPart::Buffers),
+        include_str!("player/min/buffer.js"),
+    ),
+    (Some(PlayerPart::Cube), include_str!("player/min/cube.js")),
+    (
+        Some(PlayerPart::Devices),
+        include_str!("player/min/devices.js"),
+    ),
     (None, include_str!("player/min/inputs.js")),
-    (Some(Need::Pictures), include_str!("player/min/pictures.js")),
-    (Some(Need::Films), include_str!("player/min/films.js")),
-    (Some(Need::Heard), include_str!("player/min/signals.js")),
-    (Some(Need::StandIns), include_str!("player/min/standins.js")),
+    (
+        Some(PlayerPart::Images),
+        include_str!("player/min/pictures.js"),
+    ),
+    (Some(PlayerPart::Films), include_str!("player/min/films.js")),
+    (
+        Some(PlayerPart::Heard),
+        include_str!("player/min/signals.js"),
+    ),
+    (
+        Some(PlayerPart::StandIns),
+        include_str!("player/min/standins.js"),
+    ),
     (None, include_str!("player/min/program.js")),
-    (Some(Need::Own), include_str!("player/min/sizes.js")),
-    (Some(Need::Own), include_str!("player/min/own.js")),
-    (Some(Need::Vertices), include_str!("player/min/vertices.js")),
+    (Some(PlayerPart::Own), include_str!("player/min/sizes.js")),
+    (Some(PlayerPart::Own), include_str!("player/min/own.js")),
+    (
+        Some(PlayerPart::Vertices),
+        include_str!("player/min/vertices.js"),
+    ),
     (None, include_str!("player/min/programs.js")),
-    (Some(Need::Sound), include_str!("player/min/sound.js")),
+    (Some(PlayerPart::Sound), include_str!("player/min/sound.js")),
     (None, include_str!("player/min/clock.js")),
     (None, include_str!("player/min/context.js")),
     (None, include_str!("player/min/renderer.js")),
     (None, include_str!("player/min/player.js")),
     (None, include_str!("player/min/listen.js")),
     (None, include_str!("player/min/presence.js")),
-    (Some(Need::Own), include_str!("player/min/samplers.js")),
+    (
+        Some(PlayerPart::Own),
+        include_str!("player/min/samplers.js"),
+    ),
 ];
 
 /// What all pages use.
-const BASE: [(Option<Need>, &str); 6] = [
+const BASE: [(Option<PlayerPart>, &str); 6] = [
     (None, include_str!("player/min/page_dom.js")),
     (None, include_str!("player/min/page_address.js")),
     (None, include_str!("player/min/page_notices.js")),
@@ -204,7 +240,7 @@ const BASE: [(Option<Need>, &str); 6] = [
 ];
 
 /// The panel, in order of dependency.
-const PANEL: [(Option<Need>, &str); 17] = [
+const PANEL: [(Option<PlayerPart>, &str); 17] = [
     (None, include_str!("player/min/page_keep.js")),
     (None, include_str!("player/min/page_write.js")),
     (None, include_str!("player/min/page_prose.js")),
@@ -213,8 +249,14 @@ const PANEL: [(Option<Need>, &str); 17] = [
     (None, include_str!("player/min/page_highlight.js")),
     (None, include_str!("player/min/page_editor.js")),
     (None, include_str!("player/min/page_code.js")),
-    (Some(Need::Controls), include_str!("player/min/page_controls.js")),
-    (Some(Need::Channels), include_str!("player/min/page_channels.js")),
+    (
+        Some(PlayerPart::Controls),
+        include_str!("player/min/page_controls.js"),
+    ),
+    (
+        Some(PlayerPart::Channels),
+        include_str!("player/min/page_channels.js"),
+    ),
     (None, include_str!("player/min/page_size.js")),
     (None, include_str!("player/min/page_webm.js")),
     (None, include_str!("player/min/page_film.js")),
@@ -239,7 +281,7 @@ mod tests {
     fn a_plain_shader_needs_nothing() {
         let code = "void mainImage(out vec4 o, vec2 u) { o = vec4(u / iResolution.xy, 0, 1); }";
         let project = Project::from_shader("", code).unwrap();
-        let needs = Needs::of(&project, &super::super::compose(&project), true);
+        let needs = PlayerParts::of(&project, &crate::compose(&project, "").unwrap(), true);
         assert_eq!(needs.0, []);
     }
 }

@@ -1,7 +1,7 @@
 //! The player's code, and the modules made from it.
 
 use super::payload::payload;
-use super::pieces::Needs;
+use super::pieces::PlayerParts;
 use super::{Composed, ControlKind, Project, UniformControl, credits};
 
 /// What the module for three.js shares with the player: values of uniforms, sizes and sound.
@@ -36,7 +36,7 @@ pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
         "{}{}{}{}",
         comment(project),
         project_constant(project, composed),
-        Needs::of(project, composed, false).player(),
+        PlayerParts::of(project, composed, false).player(),
         MOUNT
     );
     ScriptModule {

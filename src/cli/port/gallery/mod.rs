@@ -45,12 +45,16 @@ pub(super) fn run(args: &GalleryArgs) -> Result<u8, String> {
     let mut made = MadeGallery::default();
     let code = made.update(args, overwrite)?;
     if args.url.is_none() && !made.pages.is_empty() {
-        print_note(
-            "link previews show no images, because `og:image` requires an absolute address; pass \
-             the address of the output folder with `--url`",
+        let _ = writeln!(
+            io::stderr(),
+            "note: link previews show no images, because `og:image` requires an absolute address; \
+             pass the address of the output folder with `--url`"
         );
     }
-    while args.watch {
+    if !args.watch {
+        return Ok(code);
+    }
+    loop {
         print_note("waiting for changes");
         let before = made.stamp();
         wait(before, || made.stamp());
@@ -58,11 +62,10 @@ pub(super) fn run(args: &GalleryArgs) -> Result<u8, String> {
             print_note(&message);
         }
     }
-    Ok(code)
 }
 
 /// The page of a shader.
-struct MadePage {
+struct GalleryPage {
     entry: GalleryEntry,
     files: Vec<File>,
     note: Option<String>,
@@ -71,7 +74,7 @@ struct MadePage {
 /// A page, or why the shader cannot be played, and the state of its files.
 struct BuiltPage {
     source: GallerySource,
-    made: Result<MadePage, String>,
+    made: Result<GalleryPage, String>,
     read: Vec<PathBuf>,
     stamp: Stamp,
 }
@@ -114,7 +117,9 @@ impl MadeGallery {
         drop(progress);
         let names: Vec<&str> = sources.iter().map(|s| s.name.as_str()).collect();
         let code = self.report(&names);
-        let made = names.iter().filter_map(|n| self.pages.get(*n)?.made.as_ref().ok());
+        let made = names
+            .iter()
+            .filter_map(|n| self.pages.get(*n)?.made.as_ref().ok());
         let entries: Vec<&GalleryEntry> = made.map(|made| &made.entry).collect();
         if entries.is_empty() {
             return Ok(code);
@@ -126,7 +131,11 @@ impl MadeGallery {
             _ => title(&args.output),
         });
         let address = args.url.as_ref().map(PageAddress::folder);
-        let Gallery { page, script, style } = gallery(&heading, &entries, address.as_ref());
+        let Gallery {
+            page,
+            script,
+            style,
+        } = gallery(&heading, &entries, address.as_ref());
         let [script_name, style_name] = PLAYER;
         let shared = [
             (format!("{INDEX}.html"), page),
@@ -149,7 +158,10 @@ impl MadeGallery {
         let mut stderr = io::stderr();
         let pages: Vec<&BuiltPage> = names.iter().filter_map(|n| self.pages.get(*n)).collect();
         for page in &pages {
-            if let Ok(MadePage { note: Some(note), .. }) = &page.made {
+            if let Ok(GalleryPage {
+                note: Some(note), ..
+            }) = &page.made
+            {
                 let _ = writeln!(stderr, "note: {note}");
             }
         }
@@ -182,7 +194,7 @@ impl BuiltPage {
     fn build(args: &GalleryArgs, source: &GallerySource) -> BuiltPage {
         let mut read = vec![source.path.clone()];
         let stamp = Stamp::of(read.iter().cloned());
-        let made = MadePage::build(args, source, &mut read);
+        let made = GalleryPage::build(args, source, &mut read);
         BuiltPage {
             source: source.clone(),
             made,
@@ -199,13 +211,13 @@ impl BuiltPage {
     }
 }
 
-impl MadePage {
+impl GalleryPage {
     /// The page, or why the shader cannot be played. `read` gets the files that were read.
     fn build(
         args: &GalleryArgs,
         source: &GallerySource,
         read: &mut Vec<PathBuf>,
-    ) -> Result<MadePage, String> {
+    ) -> Result<GalleryPage, String> {
         let LoadedProject {
             project,
             composed,
@@ -238,7 +250,7 @@ impl MadePage {
         };
         let [script, style] = PLAYER;
         let [text, ..] = embed(&project, &composed, &poster, &page).split(script, style);
-        Ok(MadePage {
+        Ok(GalleryPage {
             entry: GalleryEntry::of(name, &project, &poster),
             files: page_files(&page, text, poster),
             note,
