@@ -5,6 +5,7 @@
 use super::payload::has_tunables;
 use super::{Composed, InputKind, OutputId, Project, Wrapper};
 use shaderlint_semantic::{Pass, Stage};
+use shaderlint_text::Role;
 
 /// What a project needs of the player. The files of the player are in [`PLAYER`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -103,9 +104,13 @@ impl PlayerParts {
                 }
             }
         }
-        let files = composed.sources.files();
+        let mut own = composed
+            .sources
+            .files()
+            .iter()
+            .filter(|f| f.role != Role::Prelude);
         // Users may fill channels without an input.
-        if files.iter().any(|f| f.text.contains("iChannel")) && is_read_empty(project) {
+        if own.any(|f| f.text.contains("iChannel")) && is_read_empty(project) {
             needs.add(&[PlayerPart::Images]);
         }
         if has_tunables(composed) {
