@@ -108,6 +108,14 @@ function moduleText(player) {
   return `${head}\n/** @type {ProjectData} */\nconst PROJECT = ${data};\n\n${code}${mount}`;
 }
 
+/** A frame that shows this page. @param {Player} player */
+function embedCode(player) {
+  const address = location.href.replace(/#.*$/, '').replaceAll('&', '&amp;');
+  const title = make('i', player.project.title || 'Shader').innerHTML.replaceAll('"', '&quot;');
+  const { clientWidth: width, clientHeight: height } = player.canvas;
+  return `<iframe src="${address}#${fragmentWith({ ...pendingWords, embed: '' })}" title="${title}" width="${width}" height="${height}" loading="lazy" allow="autoplay; fullscreen" style="border: 0"></iframe>`;
+}
+
 /** @param {Player} player */
 function showExport(player) {
   const box = element('export', HTMLElement);
@@ -118,7 +126,7 @@ function showExport(player) {
   pass.setAttribute('aria-label', 'Pass');
   pass.hidden = passes.length < 2;
   const row = make('div', '', 'row');
-  row.append(copier('Link', () => addressOfNow(player)), copier('GLSL', () => passSource(player.project, passes[Number(pass.value)])), pass, copier('Module', () => moduleText(player)));
+  row.append(copier('Link', () => addressOfNow(player)), copier('GLSL', () => passSource(player.project, passes[Number(pass.value)])), pass, ...(document.querySelector('#mount') ? [copier('Module', () => moduleText(player))] : []), copier('Embed code', () => embedCode(player)));
   const picture = makeButton('Save', () => savePicture(player));
   box.append(make('h2', 'Copy'), row, make('h2', 'Image'), picture);
   element('shot', HTMLButtonElement).addEventListener('click', () => savePicture(player));
