@@ -62,7 +62,7 @@ async function copied(context) {
   assert.match(glsl, /^#version 300 es/);
   assert.match(glsl, /#define SPEED 3\.0/);
   const frame = await copy('Embed code');
-  assert.match(frame, /^<iframe src="file:[^"]*copied\.html#[^"]*&embed" title="copied" width="64" height="36" loading="lazy" /);
+  assert.match(frame, /^<iframe src="file:[^"]*copied\.html#[^"]*&amp;embed" title="copied" width="64" height="36" loading="lazy" /);
   const again = await context.newPage();
   await again.goto(link);
   await again.evaluate(() => globalThis.shaderport.ready);

@@ -110,10 +110,12 @@ function moduleText(player) {
 
 /** A frame that shows this page. @param {Player} player */
 function embedCode(player) {
-  const address = location.href.replace(/#.*$/, '').replaceAll('&', '&amp;');
-  const title = make('i', player.project.title || 'Shader').innerHTML.replaceAll('"', '&quot;');
-  const { clientWidth: width, clientHeight: height } = player.canvas;
-  return `<iframe src="${address}#${fragmentWith({ ...pendingWords, embed: '' })}" title="${title}" width="${width}" height="${height}" loading="lazy" allow="autoplay; fullscreen" style="border: 0"></iframe>`;
+  const { clientWidth, clientHeight } = player.canvas;
+  const frame = document.createElement('iframe');
+  const address = `${location.href.replace(/#.*$/, '')}#${fragmentWith({ ...pendingWords, embed: '' })}`;
+  const attributes = { src: address, title: player.project.title || 'Shader', width: clientWidth, height: clientHeight, loading: 'lazy', allow: 'autoplay; fullscreen', style: 'border: 0' };
+  for (const [name, value] of Object.entries(attributes)) frame.setAttribute(name, String(value));
+  return frame.outerHTML;
 }
 
 /** @param {Player} player */
