@@ -1,10 +1,11 @@
 //! The shaders that draw stand-ins for ShaderToy's media files.
 
 use shaderlint::engine::{NoFiles, Options, check};
-use shaderlint::port::{Generator, Project, add_stand_ins, html};
+use shaderlint::port::{Generator, OutputId, Project, add_stand_ins, html};
 use std::fs;
 
-/// One input for each of ShaderToy's files, and one of each kind with an unknown file.
+/// One input for each of ShaderToy's files, one of each kind with an unknown file, and the screen of
+/// a host.
 fn inputs() -> Vec<String> {
     let rows = fs::read_to_string("src/port/media/stock.rs").unwrap();
     let files = rows.lines().filter_map(|line| {
@@ -13,7 +14,8 @@ fn inputs() -> Vec<String> {
     });
     let kinds = ["texture", "cubemap", "volume", "video", "music"];
     let unknown = kinds.map(|kind| (kind.to_string(), String::new()));
-    let all = files.chain(unknown);
+    let screen = [("texture".to_string(), OutputId::SCREEN.to_string())];
+    let all = files.chain(unknown).chain(screen);
     all.map(|(kind, id)| format!(r#"{{"type":"{kind}","id":"{id}","channel":0}}"#))
         .collect()
 }
@@ -46,7 +48,7 @@ const COSTLY: [&str; 2] = ["map-inlining", "nested-iterations"];
 #[test]
 fn generators_have_no_findings() {
     let all = generators();
-    assert_eq!(all.len(), 30);
+    assert_eq!(all.len(), 31);
     for generator in all {
         let (name, text) = (format!("{}.frag", generator.name), generator.fragment());
         let report = check(&name, &text, &Options::default(), &NoFiles);
@@ -71,9 +73,7 @@ fn every_generator_file_is_used() {
     ] {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
-            // The screens of hosts are no files of ShaderToy.
-            let is_screen = path.to_string_lossy().contains("screen");
-            if path.extension().is_some_and(|e| e == "glsl") && !is_screen {
+            if path.extension().is_some_and(|e| e == "glsl") {
                 let text = fs::read_to_string(&path).unwrap();
                 let lines = text.lines().map(str::trim);
                 let code: Vec<_> = lines.filter(|l| !l.starts_with("//")).collect();

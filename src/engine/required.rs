@@ -12,7 +12,7 @@ use shaderlint_text::{Role, Sources, Span};
 pub fn apply(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
     let is_own = part.host.is_none() && part.readings.hosts.is_empty();
     let is_complete = checked.completeness == Completeness::Complete;
-    if !is_own || !is_complete || checked.program.stage != Stage::Fragment {
+    if !is_own || !is_complete || !draws_image(&checked.program) {
         return;
     }
     let mut all = presets().filter(|h| h.required.is_some() || h.takes_late_version);
@@ -33,21 +33,27 @@ pub fn apply(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
     }
 }
 
-/// Whether all inputs of a shader are names that a host sets, and it has a varying and a sampler.
-fn is_written_for(host: &Preset, program: &Program) -> bool {
-    let is_user = |v: &&Variable| program.declared_at(v).is_some_and(|s| program.is_user(s));
+/// The uniforms and varyings that a shader declares.
+fn inputs(program: &Program) -> impl Iterator<Item = &Variable> {
     let is_input = |v: &&Variable| matches!(v.storage, Storage::Uniform | Storage::Input);
-    let inputs = program.variables.iter().filter(is_input).filter(is_user);
-    let (mut has_varying, mut has_sampler) = (false, false);
-    for variable in inputs {
-        has_varying |= variable.storage == Storage::Input;
-        has_sampler |= variable.ty.as_sampler().is_some();
+    let declared = |v: &&Variable| program.declared_at(v).is_some_and(|s| program.is_user(s));
+    program.variables.iter().filter(is_input).filter(declared)
+}
+
+/// Whether a fragment shader has a varying and a sampler, as those that draw an image have. Others
+/// need no look at the hosts.
+fn draws_image(program: &Program) -> bool {
+    program.stage == Stage::Fragment
+        && inputs(program).any(|v| v.storage == Storage::Input)
+        && inputs(program).any(|v| v.ty.as_sampler().is_some())
+}
+
+/// Whether all inputs of a shader are names that a host sets.
+fn is_written_for(host: &Preset, program: &Program) -> bool {
+    inputs(program).all(|variable| {
         let name = program.names.text(variable.name);
-        if !host.sets(name, &program.type_name(variable.ty)) {
-            return false;
-        }
-    }
-    has_varying && has_sampler
+        host.sets(name, &program.type_name(variable.ty))
+    })
 }
 
 /// Whether a finding is about a `#version` after comments and blank lines alone.

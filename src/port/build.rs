@@ -1,12 +1,13 @@
 //! Builds the output files of each target.
 
+use super::embed::still_name;
 use super::order::{Destination, MainChoice, Order, Target};
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
 use super::translated::translated;
 use super::{
-    Composed, PlayerPage, Poster, Project, ScriptModule, embed, glsl, html, json, module, react,
-    rewrite, still_name, three,
+    Composed, PlayerPage, Poster, Project, ScriptModule, Still, embed, glsl, html, json, module,
+    react, rewrite, three,
 };
 use shaderlint_semantic::{Pass, Stage};
 use std::path::{Path, PathBuf};
@@ -52,10 +53,14 @@ fn embedded(project: &Project, composed: &Composed, poster: &Poster, order: Orde
     let output = order.output.path();
     let mut files = paged(order, &embed(project, composed, poster, output));
     if let (Some(still), Some(_)) = (&poster.still, &poster.address) {
-        let path = output.with_file_name(still_name(output));
-        files.push(file(&path, still.png.as_slice()));
+        files.push(still_file(output, still));
     }
     files
+}
+
+/// A still image as a file beside its page.
+pub fn still_file(page: &Path, still: &Still) -> File {
+    file(&page.with_file_name(still_name(page)), still.png.as_slice())
 }
 
 /// A page as one file, or with its script and its style beside it.

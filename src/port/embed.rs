@@ -83,7 +83,7 @@ impl PageAddress {
 const ABSOLUTE: &str = "expected an absolute address such as https://example.org/water.html";
 
 /// The file name of the still image beside a page.
-pub fn still_name(page: &Path) -> String {
+pub(super) fn still_name(page: &Path) -> String {
     let name = page.with_extension("png");
     let name = name.file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()

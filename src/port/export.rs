@@ -135,16 +135,20 @@ pub fn exports_in(text: &str) -> Vec<(String, String)> {
         Ok(one @ Value::Object(_)) => vec![one],
         _ => Vec::new(),
     };
-    let shaders = all.into_iter().filter(|shader| {
-        let shader = shader.get("Shader").unwrap_or(shader);
-        shader.get("renderpass").is_some()
-    });
+    let shaders = all
+        .into_iter()
+        .filter(|shader| unwrapped(shader).get("renderpass").is_some());
     let named = shaders.map(|shader| {
-        let info = shader.get("Shader").unwrap_or(&shader).get("info");
+        let info = unwrapped(&shader).get("info");
         let name = info.and_then(|info| info.get("name")?.as_str());
         (name.unwrap_or_default().to_string(), shader.to_string())
     });
     named.collect()
+}
+
+/// A shader without the object around it that some downloads have.
+fn unwrapped(json: &Value) -> &Value {
+    json.get("Shader").unwrap_or(json)
 }
 
 /// The object that contains the passes.
@@ -159,7 +163,7 @@ fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
         Value::Array(all) => all.first().unwrap_or(json),
         _ => json,
     };
-    let shader = shader.get("Shader").unwrap_or(shader);
+    let shader = unwrapped(shader);
     match (shader.get("renderpass"), shader.get("Error")) {
         (Some(Value::Array(_) | Value::Object(_)), _) => Ok(shader),
         (_, Some(Value::String(answer))) => Err(ProjectError::Answer(plain(answer))),

@@ -144,7 +144,7 @@ impl PlayerPage {
                 ("project", parts.project),
             ],
         );
-        // The project is text of a user, and stands behind the style.
+        // The project is text of a user and follows the style, so that the first mark is the right one.
         let (before_style, before_script) = body.split_once(MARK).unwrap_or((&body, ""));
         PlayerPage {
             before_style: before_style.to_string(),
@@ -208,7 +208,8 @@ pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
 
 /// The page that a server shows until the first build succeeds, with the error.
 pub fn waiting_page(message: &str, version: &str) -> String {
-    let script = format!("{}followChanges('{version}', null);\n", LIVE.concat());
+    let [_, live] = LIVE;
+    let script = format!("{live}followChanges('{version}', null);\n");
     let style =
         "body { font: 16px/1.5 system-ui, sans-serif; margin: 2em; color-scheme: light dark; }";
     format!(

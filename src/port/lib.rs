@@ -38,7 +38,7 @@ mod supply;
 #[cfg(feature = "naga")]
 mod translated;
 
-pub use build::build;
+pub use build::{build, still_file};
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
@@ -48,7 +48,7 @@ pub use dialect::{
     UniformData, VaryingValue, bindings, calls_entry, hosted, may_be_composed, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
-pub use embed::{PageAddress, Poster, Still, embed, still_name};
+pub use embed::{PageAddress, Poster, Still, embed};
 pub use export::{MAX_EXPORT, ProjectError, exports_in};
 pub use gallery::{Gallery, GalleryEntry, gallery};
 pub use glsl::{GlslPass, VERTEX, glsl};

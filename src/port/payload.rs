@@ -3,7 +3,7 @@
 use super::findings::{FindingData, findings};
 use super::media::is_gray;
 use super::{
-    Composed, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
+    Composed, Generator, Input, InputKind, OutputId, PassUnit, Project, ProjectPass, SizeTerm,
     UniformControl, UniformData, VERTEX, Wrapper, credits,
 };
 use rustc_hash::FxHashSet;
@@ -277,7 +277,19 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
 
 /// Whether a pass has tunable numbers.
 pub(super) fn has_tunables(composed: &Composed) -> bool {
-    !all_tunables(composed).is_empty()
+    composed
+        .units
+        .iter()
+        .any(|unit| !tunables_of(composed, unit).is_empty())
+}
+
+/// The tunable numbers of a pass.
+fn tunables_of(composed: &Composed, unit: &PassUnit) -> Vec<Tunable> {
+    let mut files = unit.files.iter().filter_map(|f| composed.sources.file(*f));
+    match files.any(|f| may_hold_tunables(&f.text)) {
+        true => tunables(&composed.analysis(unit).program),
+        false => Vec::new(),
+    }
 }
 
 /// The tunable numbers of all passes, without duplicates, with offsets in UTF-16 units.
@@ -285,13 +297,8 @@ fn all_tunables(composed: &Composed) -> Vec<TunableData> {
     let mut found: Vec<TunableData> = Vec::new();
     let mut known: FxHashSet<u32> = FxHashSet::default();
     for unit in &composed.units {
-        let mut files = unit.files.iter().filter_map(|f| composed.sources.file(*f));
-        if !files.any(|f| may_hold_tunables(&f.text)) {
-            continue;
-        }
-        let analysis = composed.analysis(unit);
         let mut units = Units::default();
-        for tunable in tunables(&analysis.program) {
+        for tunable in tunables_of(composed, unit) {
             if known.insert(tunable.value_span.start) {
                 found.extend(tunable_data(&composed.sources, &tunable, &mut units));
             }

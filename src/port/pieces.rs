@@ -40,23 +40,6 @@ pub(super) enum PlayerPart {
     Channels,
 }
 
-const ALL: [PlayerPart; 14] = [
-    PlayerPart::Buffers,
-    PlayerPart::Cube,
-    PlayerPart::Keyboard,
-    PlayerPart::Sound,
-    PlayerPart::Devices,
-    PlayerPart::Heard,
-    PlayerPart::Films,
-    PlayerPart::Images,
-    PlayerPart::StandIns,
-    PlayerPart::Own,
-    PlayerPart::Vertices,
-    PlayerPart::Tunables,
-    PlayerPart::Controls,
-    PlayerPart::Channels,
-];
-
 /// The needs of a project.
 #[derive(Clone, Default, Debug)]
 pub(super) struct PlayerParts(Vec<PlayerPart>);
@@ -64,7 +47,11 @@ pub(super) struct PlayerParts(Vec<PlayerPart>);
 impl PlayerParts {
     /// Those of a project that is not known yet.
     pub(super) fn all() -> PlayerParts {
-        PlayerParts(ALL.to_vec())
+        let mut parts = PlayerParts::default();
+        for part in PLAYER.iter().chain(&PANEL).filter_map(|(part, _)| *part) {
+            parts.add(&[part]);
+        }
+        parts
     }
 
     /// Those of a project. In pages with a panel its channels also take other files.
@@ -235,13 +222,17 @@ const PLAYER: [(Option<PlayerPart>, &str); 30] = [
 ];
 
 /// What all pages use.
-const BASE: [(Option<PlayerPart>, &str); 6] = [
+const BASE: [(Option<PlayerPart>, &str); 7] = [
     (None, include_str!("player/min/page_dom.js")),
     (None, include_str!("player/min/page_address.js")),
     (None, include_str!("player/min/page_notices.js")),
     (None, include_str!("player/min/page_bar.js")),
     (None, include_str!("player/min/page_keys.js")),
     (None, include_str!("player/min/page_open.js")),
+    (
+        Some(PlayerPart::Controls),
+        include_str!("player/min/page_values.js"),
+    ),
 ];
 
 /// The panel, in order of dependency.

@@ -13,12 +13,11 @@ use super::clues::VersionAsked;
 use super::complete::{defaults, modern};
 use super::{Clues, Completion, Credit, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{
-    ControlChoice, ControlKind, Input, InputKind, OutputId, PassDraw, SignalForm, SizeTerm,
-    UniformControl,
+    ControlChoice, ControlKind, Input, InputKind, PassDraw, SignalForm, SizeTerm, UniformControl,
 };
 use serde_json::{Map, Value};
 use shaderlint_host::{OWN, preset};
-use shaderlint_semantic::{Pass, Stage};
+use shaderlint_semantic::Stage;
 use shaderlint_syntax::Version;
 use std::sync::Arc;
 
@@ -141,14 +140,7 @@ fn plan(clues: &Clues) -> Plan {
             Some(name) => PlannedPass::buffer(name, candidates),
             // Later passes draw over it.
             None if !is_last => continue,
-            None => PlannedPass {
-                kind: Pass::Image,
-                name: String::new(),
-                output: OutputId(OutputId::IMAGE.to_string()),
-                candidates,
-                inputs: Vec::new(),
-                is_of_text: true,
-            },
+            None => PlannedPass::image(candidates),
         };
         pass.inputs.clone_from(&head.inputs);
         plan.passes.push(pass);
@@ -534,6 +526,7 @@ mod tests {
     use super::*;
     use crate::Project;
     use crate::dialect::recognise;
+    use shaderlint_semantic::Pass;
 
     #[track_caller]
     fn known(text: &str) -> &'static str {

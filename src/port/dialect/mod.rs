@@ -131,20 +131,25 @@ impl Plan {
     /// A plan with a single Image pass.
     pub fn image(candidates: Vec<Completion>) -> Plan {
         Plan {
-            passes: vec![PlannedPass {
-                kind: Pass::Image,
-                name: String::new(),
-                output: OutputId(OutputId::IMAGE.to_string()),
-                candidates,
-                inputs: Vec::new(),
-                is_of_text: true,
-            }],
+            passes: vec![PlannedPass::image(candidates)],
             ..Plan::default()
         }
     }
 }
 
 impl PlannedPass {
+    /// The Image pass.
+    pub fn image(candidates: Vec<Completion>) -> PlannedPass {
+        PlannedPass {
+            kind: Pass::Image,
+            name: String::new(),
+            output: OutputId(OutputId::IMAGE.to_string()),
+            candidates,
+            inputs: Vec::new(),
+            is_of_text: true,
+        }
+    }
+
     /// A pass that draws into a named buffer.
     pub fn buffer(name: &str, candidates: Vec<Completion>) -> PlannedPass {
         PlannedPass {

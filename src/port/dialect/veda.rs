@@ -5,10 +5,9 @@
 use super::complete::{changed, changes, completions_of, defaults, modern};
 use super::isf::{head, is_identifier, object};
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::{Input, InputKind, OutputId, PassDraw, SignalForm};
+use crate::{Input, InputKind, PassDraw, SignalForm};
 use serde_json::{Map, Value};
 use shaderlint_host::{OWN, Preset, preset};
-use shaderlint_semantic::Pass;
 use shaderlint_syntax::Version;
 use std::sync::Arc;
 
@@ -96,14 +95,7 @@ fn plan(clues: &Clues) -> Plan {
         let candidates = candidates(clues, pass, index, &mut plan);
         let mut planned = match name {
             Some(name) => PlannedPass::buffer(name, candidates),
-            None => PlannedPass {
-                kind: Pass::Image,
-                name: String::new(),
-                output: OutputId(OutputId::IMAGE.to_string()),
-                candidates,
-                inputs: Vec::new(),
-                is_of_text: true,
-            },
+            None => PlannedPass::image(candidates),
         };
         planned.is_of_text = !pass.contains_key("fs");
         planned.inputs.clone_from(&inputs);

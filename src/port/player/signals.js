@@ -15,6 +15,22 @@ function openSignal(gl, data, { devices, standIns }) {
 }
 
 /**
+ * Reads the spectrum and the waveform of a signal, which are made up while it is silent. Returns the position in
+ * it, in seconds.
+ * @param {Signal} signal @param {number} time @param {Uint8Array<ArrayBuffer>} spectrum @param {Uint8Array<ArrayBuffer>} wave
+ */
+function readSignal(signal, time, spectrum, wave) {
+  const analyser = signal.analyser();
+  if (!analyser) {
+    makeUpSignal(time, spectrum, wave);
+    return 10 + time;
+  }
+  analyser.getByteFrequencyData(spectrum);
+  analyser.getByteTimeDomainData(wave);
+  return signal.time();
+}
+
+/**
  * Music or a microphone as a texture of 512 x 2: the spectrum and the waveform. Without sound, both are
  * synthesised from the time, as in ShaderToy.
  * @param {WebGL2RenderingContext} gl
@@ -32,14 +48,7 @@ function signalInput(gl, data, signal) {
   gl.bindTexture(gl.TEXTURE_2D, input.texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, 512, 2, 0, gl.RED, gl.UNSIGNED_BYTE, null);
   input.update = (time) => {
-    const analyser = signal.analyser();
-    if (analyser) {
-      analyser.getByteFrequencyData(spectrum);
-      analyser.getByteTimeDomainData(wave);
-    } else {
-      makeUpSignal(time, spectrum, wave);
-    }
-    input.time = analyser ? signal.time() : 10 + time;
+    input.time = readSignal(signal, time, spectrum, wave);
     gl.bindTexture(gl.TEXTURE_2D, input.texture);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 512, 1, gl.RED, gl.UNSIGNED_BYTE, spectrum);
@@ -72,14 +81,7 @@ function formInput(gl, data, signal) {
   input.size = [SIGNAL_WIDTH, rows, 1];
   input.isLoaded = true;
   input.update = (time) => {
-    const analyser = signal.analyser();
-    if (analyser) {
-      analyser.getByteFrequencyData(spectrum);
-      analyser.getByteTimeDomainData(wave);
-    } else {
-      makeUpSignal(time, spectrum, wave);
-    }
-    input.time = analyser ? signal.time() : 10 + time;
+    input.time = readSignal(signal, time, spectrum, wave);
     const values = data.form === 'wave' ? wave : spectrum;
     addSignal(texels, values, Math.max(0, time - last));
     last = time;

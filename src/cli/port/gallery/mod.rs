@@ -15,12 +15,12 @@ use crate::cli::watch::{Stamp, wait};
 use crate::commands::run::position;
 use crate::diagnostic::Severity;
 use crate::port::{
-    Composed, File, Gallery, GalleryEntry, PageAddress, Poster, embed, gallery, still_name,
+    Composed, File, Gallery, GalleryEntry, PageAddress, Poster, embed, gallery, still_file,
 };
 use find::{GallerySource, INDEX, sources, title};
 use std::collections::HashMap;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Largest media file that a page embeds, in bytes.
 const MAX_MEDIA: u64 = 64 << 20;
@@ -56,8 +56,8 @@ pub(super) fn run(args: &GalleryArgs) -> Result<u8, String> {
     }
     loop {
         print_note("waiting for changes");
-        let before = made.stamp();
-        wait(before, || made.stamp());
+        let before = made.stamp(args);
+        wait(before, || made.stamp(args));
         if let Err(message) = made.update(args, Overwrite::Allowed) {
             print_note(&message);
         }
@@ -83,16 +83,11 @@ struct BuiltPage {
 #[derive(Default)]
 struct MadeGallery {
     pages: HashMap<String, BuiltPage>,
-    /// What was found last; folders may get new files.
-    inputs: Vec<PathBuf>,
-    output: PathBuf,
 }
 
 impl MadeGallery {
     /// Builds the pages that are new or changed, and writes them with the page of all shaders.
     fn update(&mut self, args: &GalleryArgs, overwrite: Overwrite) -> Result<u8, String> {
-        self.inputs.clone_from(&args.input);
-        self.output.clone_from(&args.output);
         let sources = sources(&args.input, &args.output)?;
         if sources.is_empty() {
             let places: Vec<_> = args.input.iter().map(|path| shown(path)).collect();
@@ -183,8 +178,8 @@ impl MadeGallery {
     }
 
     /// The state of all files, including those that were added.
-    fn stamp(&self) -> Stamp {
-        let found = sources(&self.inputs, &self.output).unwrap_or_default();
+    fn stamp(&self, args: &GalleryArgs) -> Stamp {
+        let found = sources(&args.input, &args.output).unwrap_or_default();
         let read = self.pages.values().flat_map(|page| page.read.clone());
         Stamp::of(found.into_iter().map(|source| source.path).chain(read))
     }
@@ -250,27 +245,17 @@ impl GalleryPage {
         };
         let [script, style] = PLAYER;
         let [text, ..] = embed(&project, &composed, &poster, &page).split(script, style);
+        let mut files = vec![File {
+            path: page.clone(),
+            content: text.into_bytes(),
+        }];
+        files.extend(poster.still.iter().map(|still| still_file(&page, still)));
         Ok(GalleryPage {
             entry: GalleryEntry::of(name, &project, &poster),
-            files: page_files(&page, text, poster),
+            files,
             note,
         })
     }
-}
-
-/// A page and its still image.
-fn page_files(page: &Path, text: String, poster: Poster) -> Vec<File> {
-    let mut files = vec![File {
-        path: page.to_path_buf(),
-        content: text.into_bytes(),
-    }];
-    if let Some(still) = poster.still {
-        files.push(File {
-            path: page.with_file_name(still_name(page)),
-            content: still.png,
-        });
-    }
-    files
 }
 
 /// The first error of a shader, and how many there are.

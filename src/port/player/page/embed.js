@@ -1,13 +1,5 @@
 // The page for a frame of another page: an image until the shader plays, and a bar without a panel.
 
-/** The values of uniforms in the URL. @param {Player} player */
-function takeValues(player) {
-  for (const [name, value] of readAddress().values) {
-    if (player.controls.has(name)) player.setControl(name, value);
-    else if (player.project.tunables.some((t) => t.name === name)) void player.setTunable(name, value[0]);
-  }
-}
-
 /** Errors of shaders over the image. @param {Player} player */
 function showPlainErrors(player) {
   const box = element('errors', HTMLElement);
@@ -40,7 +32,7 @@ function openFrame(isAsked) {
   attach(player);
   const ready = player.ready.then(() => {
     button.disabled = false;
-    takeValues(player);
+    pageParts.takeValues?.(player);
     begin(player);
     tellKeys(player);
     if (!isAsked && !player.isPlaying) return;
