@@ -38,6 +38,7 @@ mod shader;
 mod shader_input;
 mod typo;
 mod unknown;
+mod upgrade;
 mod verify;
 mod version;
 
