@@ -352,6 +352,7 @@ fn linked_stages_share_varying_locations() {
         output: Destination::Folder(Path::new("out")),
         version: None,
         poster: None,
+        split: false,
         interface: true,
         first_row: FirstRow::Top,
     };

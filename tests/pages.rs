@@ -411,7 +411,7 @@ fn pages_of_hosts() {
         varying vec2 vPlace; // = port_place, own\n#endif\n```\n\n\
         The header has a title, a description and facts: `base` (the host that it extends), `version` (`any`, `own`, `desktop`, \
         `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), `entry`, `include`, `hole`, `package`, \
-        `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`.\n\n\
+        `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`.\n\n\
         A comment `// =` after a declaration states the value that the host sets, so that the shader can be run. Options \
         follow after commas: `or TYPE` lists more types, `numbered` accepts any number in the name, and `usual` or `own` \
         states how strongly the name indicates this host. Names between `#ifdef SHADER_DECLARES` and `#endif` are declared \

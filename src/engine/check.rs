@@ -7,6 +7,7 @@ use super::hosted;
 use super::options::{DialectChoice, Options};
 use super::playback::Supply;
 use super::reading::{Readings, lacking};
+use super::required;
 use super::shader_input::{Shader, ShaderInput};
 use super::unknown::{self, Unresolved};
 use super::{upgrade, version};
@@ -49,6 +50,7 @@ pub fn check_shader(
     let known = Arc::default();
     let before = found.diagnostics.len();
     unknown::decide_severity(sources, part, &mut checked, hosts, &mut found.unresolved);
+    required::apply(sources, part, &mut checked);
     let missing = version::missing(sources, part, &checked, hosts);
     checked.diagnostics.extend(missing);
     version::lower_reserved_words(sources, part, &mut checked);

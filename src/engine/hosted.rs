@@ -86,8 +86,11 @@ pub(super) fn compose(
     let is_vertex = found.completion.stage == Stage::Vertex;
     let guessed = guess(&text);
     let has_entry = guessed.has_main || guessed.is_shadertoy() || is_body(&text);
-    // Without an entry function, no `main` is appended.
-    let is_misread = !has_entry && !found.completion.after.is_empty();
+    // Without an entry function, no `main` is appended that would call it.
+    let after = &found.completion.after;
+    let mut entries = host.entries.iter();
+    let lacks_entry = entries.any(|entry| after.contains(entry.as_str()) && !text.contains(entry));
+    let is_misread = !has_entry && !after.is_empty() || lacks_entry;
     if !host.composes || is_misread || part.readings.is_vertex() && !is_vertex {
         return None;
     }

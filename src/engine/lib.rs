@@ -34,6 +34,7 @@ mod prelude;
 mod reading;
 mod repair;
 mod repository;
+mod required;
 mod shader;
 mod shader_input;
 mod typo;

@@ -52,6 +52,15 @@ impl fmt::Display for HostVersion {
     }
 }
 
+/// A version of GLSL that a host requires.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RequiredVersion {
+    /// The text after `#version`.
+    pub version: String,
+    /// The release since which it requires it.
+    pub since: String,
+}
+
 /// A site or library that runs or completes shaders.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Preset {
@@ -75,12 +84,16 @@ pub struct Preset {
     pub words: Vec<String>,
     /// JavaScript globals of this host in pages without modules.
     pub globals: Vec<String>,
+    /// Files that it provides for includes, as in `#include <flutter/runtime_effect.glsl>`.
+    pub files: Vec<String>,
     /// Its include syntax.
     pub includes: String,
     /// Its placeholders, each as `START...END`.
     pub holes: Vec<String>,
     /// The version that it compiles as.
     pub version: HostVersion,
+    /// The version without which shaders do not work in its current releases.
+    pub required: Option<RequiredVersion>,
     /// Whether it declares no other names, so that an unknown name is an error.
     pub is_complete: bool,
     /// JavaScript names that receive shaders to which the host adds nothing else, so that an
@@ -95,6 +108,9 @@ pub struct Preset {
     pub takes_version: bool,
     /// Whether it accepts desktop GLSL as well.
     pub takes_desktop: bool,
+    /// Whether comments and lines may come before the `#version` of its shaders, as in drivers other
+    /// than those of browsers.
+    pub takes_late_version: bool,
     /// Whether it renames the declarations of a shader.
     pub renames: bool,
     /// Whether its declarations depend on the shader, so that a shader is checked in its completed
@@ -104,6 +120,8 @@ pub struct Preset {
     pub extensions: Vec<String>,
     /// Directives that it processes before compilation; a trailing `*` matches any suffix.
     pub directives: Vec<String>,
+    /// Names that it defines as macros; their declarations in shaders are ignored.
+    pub defined: Vec<String>,
     /// The functions that it calls.
     pub entries: Vec<String>,
     /// Further evidence for this host in a shader.
@@ -158,6 +176,11 @@ pub fn preset(name: &str) -> Option<&'static Preset> {
         Some(index) => at(index),
         None => presets().find(|p| p.aliases.iter().any(|alias| alias == name)),
     }
+}
+
+/// Whether a host provides a file of this name for includes.
+pub fn is_provided(path: &str) -> bool {
+    presets().any(|host| host.files.iter().any(|file| file == path))
 }
 
 /// Keeps a host written by a user until the program ends. Equal hosts are kept once.
@@ -249,10 +272,16 @@ impl Preset {
             ("May also declare", &self.also),
             ("Extensions of pass files", &self.extensions),
             ("Directives", &self.directives),
+            ("Provides for includes", &self.files),
+            ("Defines as macros", &self.defined),
         ] {
             if !words.is_empty() {
                 facts.push((what, code(words)));
             }
+        }
+        if let Some(required) = &self.required {
+            let text = format!("`#version {}` since {}", required.version, required.since);
+            facts.push(("Requires", text));
         }
         if self.composes {
             facts.push(("Declarations", "depend on the shader".to_string()));
@@ -355,6 +384,24 @@ impl Preset {
     pub fn is_complete_in(&self, script: &str) -> bool {
         let uses = |name: &String| script.contains(name.as_str());
         self.is_complete || self.complete.iter().any(uses) && !self.patched.iter().any(uses)
+    }
+
+    /// Whether a name, and a type if it has one, is one that the host sets.
+    pub fn sets(&self, name: &str, ty: &str) -> bool {
+        let names = &self.meanings;
+        let is_feed = |r: &FeedRow| is_named(&r.name, name) && r.types.iter().any(|t| t == ty);
+        names.feeds.iter().any(is_feed)
+            || names
+                .textures
+                .iter()
+                .any(|r| is_named(&r.name, name) && ty == "sampler2D")
+            || names.varyings.iter().any(|r| r.name == name && r.ty == ty)
+    }
+
+    /// Whether its declarations define a macro.
+    pub fn defines(&self, name: &str) -> bool {
+        let mut lines = self.prelude.lines();
+        lines.any(|line| line.starts_with("#define ") && declared_in(line) == Some(name))
     }
 
     /// Whether a file with this extension can contain a pass.
@@ -543,7 +590,7 @@ pub fn declared_in(line: &str) -> Option<&str> {
 }
 
 /// The keys of a header.
-const KEYS: [&str; 21] = [
+const KEYS: [&str; 24] = [
     "alias",
     "reads",
     "base",
@@ -555,7 +602,9 @@ const KEYS: [&str; 21] = [
     "entry",
     "include",
     "hole",
+    "file",
     "version",
+    "requires",
     "names",
     "renames",
     "takes",
@@ -564,6 +613,7 @@ const KEYS: [&str; 21] = [
     "also",
     "composes",
     "directive",
+    "defines",
     "ending",
 ];
 
@@ -585,6 +635,7 @@ impl Preset {
             "word" => self.words.extend(words()),
             "entry" => self.entries.extend(words()),
             "global" => self.globals.extend(words()),
+            "file" => self.files.extend(words()),
             "include" => self.includes = value.to_string(),
             "hole" => self.holes.extend(words()),
             "version" => {
@@ -601,14 +652,25 @@ impl Preset {
                     }
                 }
             }
+            "requires" => {
+                let (version, since) = value
+                    .split_once(", ")
+                    .ok_or_else(|| format!("expected `VERSION, RELEASE`, found `{value}`"))?;
+                self.required = Some(RequiredVersion {
+                    version: version.to_string(),
+                    since: since.to_string(),
+                });
+            }
             "takes" => match value {
                 "version" => self.takes_version = true,
                 "desktop" => self.takes_desktop = true,
-                _ => return Err(none_of(value, &["version", "desktop"])),
+                "late-version" => self.takes_late_version = true,
+                _ => return Err(none_of(value, &["version", "desktop", "late-version"])),
             },
             "complete" => self.complete.extend(words()),
             "patched" => self.patched.extend(words()),
             "also" => self.also.extend(words()),
+            "defines" => self.defined.extend(words()),
             "directive" => self.directives.extend(words()),
             "ending" => self.extensions.extend(words()),
             "renames" => self.renames = yes_or_no(value)?,
@@ -655,93 +717,4 @@ fn sign(value: &str) -> Result<TextSign, String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_head_is_read() {
-        let text = "// My engine\n//\n// Puts things: many.\n//\n// And more.\n// word: my_* uMine\n// package: mine @mine/\n\
-            // version: 100\n// names: all\nuniform float uMine;\n";
-        let preset = read(text).unwrap();
-        assert_eq!(preset.title, "My engine");
-        assert_eq!(preset.about, "Puts things: many.\n\nAnd more.");
-        assert!(preset.has_word("my_x") && preset.has_word("uMine") && !preset.has_word("uMin"));
-        assert!(preset.is_package("mine") && preset.is_package("@mine/core"));
-        assert!(!preset.is_package("@mine2/core") && !preset.is_package("mine-too"));
-        assert_eq!(preset.version, HostVersion::Es100);
-        assert!(preset.is_complete);
-        assert_eq!(preset.prelude, "\n\n\n\n\n\n\n\n\nuniform float uMine;\n");
-        let error = read("// A\n// version: 2\n").unwrap_err();
-        assert_eq!(
-            (error.line, error.message.as_str()),
-            (
-                2,
-                "expected one of `any`, `own`, `desktop`, `100`, `300 es`, found `2`"
-            )
-        );
-        assert_eq!(
-            read("// A\n// names: all\n// wrong: 2\n").unwrap_err().line,
-            3
-        );
-    }
-
-    #[test]
-    fn a_host_builds_on_another() {
-        let text =
-            "// Mine\n//\n// Like three.js.\n// base: three\nuniform float mine; // = time, own\n";
-        let preset = read(text).unwrap();
-        let three = super::preset("three").unwrap();
-        assert_eq!(
-            (preset.version, &preset.entries),
-            (three.version, &three.entries)
-        );
-        assert!(preset.prelude.starts_with(&three.prelude));
-        assert!(preset.prelude.contains("uniform float mine;"));
-        assert_eq!(preset.meanings.feeds[0].name, "mine");
-        assert!(preset.meanings.feeds.len() == three.meanings.feeds.len() + 1);
-        assert!(preset.packages.is_empty() && preset.words.is_empty());
-        let error = read("// A\n// base: threee\n").unwrap_err();
-        assert!(
-            error.message.ends_with("did you mean `three`?"),
-            "{error:?}"
-        );
-    }
-
-    #[test]
-    fn what_shaders_declare_is_put_before_none() {
-        let text = "// A\nuniform float a; // = time\n#ifdef SHADER_DECLARES\n\
-            uniform float b; // = frame\n#endif\nuniform float c; // = tim\n";
-        let error = read(text).unwrap_err();
-        assert_eq!(error.line, 6);
-        let preset = read(&text.replace("= tim\n", "= time\n")).unwrap();
-        let own: Vec<&str> = preset.prelude.lines().filter(|l| !l.is_empty()).collect();
-        assert_eq!(own, ["uniform float a;", "uniform float c;"]);
-        let declared = preset.meanings.feeds.iter().map(|r| r.is_declared);
-        assert_eq!(declared.collect::<Vec<_>>(), [true, false, true]);
-    }
-
-    #[test]
-    fn comments_say_what_names_are() {
-        let text =
-            "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
-        let preset = read(text).unwrap();
-        assert_eq!(
-            preset.descriptions.get("a").map(String::as_str),
-            Some("How long it runs.")
-        );
-        assert_eq!(preset.descriptions.len(), 1);
-        assert_eq!(preset.prelude, "\n\n\nuniform float a;\nuniform float b;\n");
-    }
-
-    #[test]
-    fn every_preset_is_read() {
-        for (name, text) in FILES {
-            let preset = read(text).unwrap_or_else(|e| panic!("{name}: {e:?}"));
-            assert!(
-                !preset.title.is_empty() && !preset.about.is_empty(),
-                "{name}"
-            );
-            assert!(!preset.source.is_empty(), "{name}");
-        }
-    }
-}
+mod tests;

@@ -10,6 +10,8 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ),
     ("butterchurn", include_str!("presets/butterchurn.glsl")),
     ("cesium", include_str!("presets/cesium.glsl")),
+    ("flutter", include_str!("presets/flutter.glsl")),
+    ("ghostty", include_str!("presets/ghostty.glsl")),
     ("gl-react", include_str!("presets/gl-react.glsl")),
     (
         "gl-transitions",
@@ -18,6 +20,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ("glsl-sandbox", include_str!("presets/glsl-sandbox.glsl")),
     ("glslify", include_str!("presets/glslify.glsl")),
     ("hydra", include_str!("presets/hydra.glsl")),
+    ("hyprland", include_str!("presets/hyprland.glsl")),
     ("isf", include_str!("presets/isf.glsl")),
     ("kodelife", include_str!("presets/kodelife.glsl")),
     ("kodi", include_str!("presets/kodi.glsl")),
@@ -26,6 +29,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ("lygia", include_str!("presets/lygia.glsl")),
     ("mapbox", include_str!("presets/mapbox.glsl")),
     ("maplibre", include_str!("presets/maplibre.glsl")),
+    ("niri", include_str!("presets/niri.glsl")),
     ("ogl", include_str!("presets/ogl.glsl")),
     (
         "openframeworks",
@@ -53,6 +57,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ),
     ("twgl", include_str!("presets/twgl.glsl")),
     ("twigl", include_str!("presets/twigl.glsl")),
+    ("veda", include_str!("presets/veda.glsl")),
     (
         "vertexshaderart",
         include_str!("presets/vertexshaderart.glsl"),

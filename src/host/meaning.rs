@@ -65,6 +65,14 @@ feeds! {
     HistorySize "history-size" "width and height of the texture with the most recent spectra",
     Camera "camera" "position of a camera that faces the image: (0, 0, 1)",
     Identity "identity" "identity matrix",
+    Width "width" "width in pixels",
+    Height "height" "height in pixels",
+    Progress "progress" "progress of an animation, from 0 to 1 in a second, then 1 for half a second",
+    Cursor "cursor" "a text cursor that moves every 1.5 seconds: left edge, upper edge, width and height, in pixels",
+    CursorBefore "cursor-before" "the same before its last move",
+    CursorTime "cursor-time" "seconds from the start to the last move of the cursor",
+    CursorColor "cursor-color" "colour of the cursor: orange",
+    Ones "ones" "ones",
     Control "control" "value set by the user",
     Nothing "nothing" "zeros",
 }
@@ -84,10 +92,12 @@ pub enum TextureFeed {
     Buffer,
     /// The input of the pass's channel with this number.
     Channel,
+    /// The screen, window or widget that the host draws through the shader.
+    Screen,
 }
 
 /// The inputs of samplers, with the name in host files and a description.
-const TEXTURES: [(&str, TextureFeed, &str); 6] = [
+const TEXTURES: [(&str, TextureFeed, &str); 7] = [
     ("file", TextureFeed::File, "a file provided by the user"),
     ("last-frame", TextureFeed::LastFrame, "the previous frame"),
     (
@@ -109,6 +119,11 @@ const TEXTURES: [(&str, TextureFeed, &str); 6] = [
         "channel",
         TextureFeed::Channel,
         "input of the channel with this number",
+    ),
+    (
+        "screen",
+        TextureFeed::Screen,
+        "what the host shows: a file provided by the user, or a page of text",
     ),
 ];
 
@@ -153,6 +168,8 @@ pub struct TextureRow {
     pub filter: &'static str,
     /// `clamp` or `repeat`.
     pub wrap: &'static str,
+    /// Whether `v` is 0 at the upper edge of the image.
+    pub top_first: bool,
     /// How strongly it indicates the host.
     pub weight: u8,
     /// Whether the host declares it, and not the shader.
@@ -369,6 +386,7 @@ impl Meanings {
             texture: *texture,
             filter: "linear",
             wrap: "clamp",
+            top_first: false,
             weight,
             is_declared,
         };
@@ -381,8 +399,9 @@ impl Meanings {
                 (Some(filter), _) => row.filter = filter,
                 (_, Some(wrap)) => row.wrap = wrap,
                 _ if word == "numbered" => row.name = numbered(declared.name)?,
+                _ if word == "top-first" => row.top_first = true,
                 _ => {
-                    let others = ["numbered", "usual", "own"];
+                    let others = ["top-first", "numbered", "usual", "own"];
                     let all = [&FILTERS[..], &WRAPS[..], &others[..]].concat();
                     return Err(none_of(word, &all));
                 }

@@ -26,7 +26,7 @@ pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
     }
     add_stand_ins(&mut project);
     let composed = project.renew(composed, &buffer.path).map_err(wrong)?;
-    Ok(html(&project, &composed, None))
+    Ok(html(&project, &composed, None).whole())
 }
 
 /// The first error in the passes of a project, with its line.

@@ -5,8 +5,8 @@ use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
 use super::translated::translated;
 use super::{
-    Composed, Poster, Project, ScriptModule, embed, glsl, html, json, module, react, rewrite,
-    still_name, three,
+    Composed, PlayerPage, Poster, Project, ScriptModule, embed, glsl, html, json, module, react,
+    rewrite, still_name, three,
 };
 use shaderlint_semantic::{Pass, Stage};
 use std::path::{Path, PathBuf};
@@ -19,10 +19,10 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
     let output = order.output.path();
     let one = |text: String| Build::of(vec![file(output, text)]);
     match order.target {
-        Target::Html => Ok(match order.poster {
-            Some(poster) => Build::of(embedded(project, composed, poster, output)),
-            None => one(html(project, composed, order.version)),
-        }),
+        Target::Html => Ok(Build::of(match order.poster {
+            Some(poster) => embedded(project, composed, poster, order),
+            None => paged(order, &html(project, composed, order.version)),
+        })),
         Target::Json => Ok(one(json(project))),
         Target::Module => Ok(Build::of(typed(output, module(project, composed)))),
         Target::Three => match project.passes.iter().any(|p| p.kind == Pass::Cubemap) {
@@ -48,13 +48,34 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
 
 /// A page for frames of other pages. If its address is known, its still image is also a file beside
 /// it, since link previews require one.
-fn embedded(project: &Project, composed: &Composed, poster: &Poster, output: &Path) -> Vec<File> {
-    let mut files = vec![file(output, embed(project, composed, poster, output))];
+fn embedded(project: &Project, composed: &Composed, poster: &Poster, order: Order) -> Vec<File> {
+    let output = order.output.path();
+    let mut files = paged(order, &embed(project, composed, poster, output));
     if let (Some(still), Some(_)) = (&poster.still, &poster.address) {
         let path = output.with_file_name(still_name(output));
         files.push(file(&path, still.png.as_slice()));
     }
     files
+}
+
+/// A page as one file, or with its script and its style beside it.
+fn paged(order: Order, page: &PlayerPage) -> Vec<File> {
+    let output = order.output.path();
+    if !order.split {
+        return vec![file(output, page.whole())];
+    }
+    let paths = ["js", "css"].map(|extension| output.with_extension(extension));
+    let [script_path, style_path] = &paths;
+    let name = |path: &Path| {
+        let name = path.file_name().unwrap_or_default();
+        name.to_string_lossy().into_owned()
+    };
+    let [html, script, style] = page.split(&name(script_path), &name(style_path));
+    vec![
+        file(output, html),
+        file(script_path, script),
+        file(style_path, style),
+    ]
 }
 
 /// A module and its type declarations.

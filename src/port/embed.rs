@@ -1,17 +1,17 @@
 //! A page for frames of other pages: it shows a still image and plays after a click.
 
 use super::credits;
-use super::html::{PageParts, attribute, page, without_comments};
+use super::html::{PageParts, PlayerPage, attribute, in_address};
 use super::payload::payload;
+use super::pieces::PlayerParts;
 use super::script::escape;
 use super::{Composed, Project};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use std::fmt::Write;
 use std::path::Path;
 
-/// Opens the page after a click.
-const EMBED: &str = include_str!("player/page/embed.js");
+/// Starts the page.
+pub(super) const START: &str = "startFrame();\n";
 
 /// Maximum length of a description, in characters.
 const MAX_DESCRIPTION: usize = 200;
@@ -32,6 +32,10 @@ pub struct Poster {
     pub still: Option<Still>,
     /// Where the page will be published.
     pub address: Option<PageAddress>,
+    /// Whether the shader waits for a click, instead of playing when it is seen.
+    pub click: bool,
+    /// Whether the script is the same for all shaders, so that pages share it.
+    pub shared: bool,
 }
 
 /// The absolute address of a page.
@@ -77,22 +81,6 @@ impl PageAddress {
 }
 
 const ABSOLUTE: &str = "expected an absolute address such as https://example.org/water.html";
-
-/// A file name as a part of an address.
-pub(super) fn in_address(name: &str) -> String {
-    let mut out = String::with_capacity(name.len());
-    for byte in name.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' => {
-                out.push(char::from(byte));
-            }
-            _ => {
-                let _ = write!(out, "%{byte:02X}");
-            }
-        }
-    }
-    out
-}
 
 /// The file name of the still image beside a page.
 pub fn still_name(page: &Path) -> String {
@@ -143,7 +131,7 @@ impl Card<'_> {
 }
 
 /// The page. `output` is its path, if it is written to a file.
-pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &Path) -> String {
+pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &Path) -> PlayerPage {
     let info = &project.info;
     let title = title(project);
     let author = match info.author.as_str() {
@@ -171,22 +159,27 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
         )
     });
     let credits = credits::lines(project).join("\n");
-    page(&PageParts {
+    let poster_element = format!(
+        "<div id=\"poster\"{}>{}<p>{} <small>{}</small></p></div>\n",
+        if poster.click { " data-click" } else { "" },
+        image.unwrap_or_default(),
+        attribute(&title),
+        attribute(&author)
+    );
+    PlayerPage::new(&PageParts {
         title: &title,
         description: match credits.as_str() {
             "" => &description,
             credits => credits,
         },
         meta: &card.meta(),
-        classes: " class=\"bare framed\"",
-        poster: &format!(
-            "<div id=\"poster\">{}<p>{} <small>{}</small></p></div>\n",
-            image.unwrap_or_default(),
-            attribute(&title),
-            attribute(&author)
-        ),
+        poster: Some(&poster_element),
         project: &escape(&payload(project, composed)),
-        start: &format!("{}openOnClick();\n", without_comments(EMBED)),
+        needs: match poster.shared {
+            true => PlayerParts::all(),
+            false => PlayerParts::of(project, composed, false),
+        },
+        start: START,
         version: None,
     })
 }
@@ -275,10 +268,5 @@ mod tests {
     #[test]
     fn entities_are_decoded_once() {
         assert_eq!(decoded("a &amp;lt; &lt;b&gt;"), "a &lt; <b>");
-    }
-
-    #[test]
-    fn the_script_cannot_end_its_element() {
-        assert!(!EMBED.contains("</") && !EMBED.contains("<!--"));
     }
 }

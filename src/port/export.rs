@@ -127,13 +127,33 @@ impl Project {
     }
 }
 
+/// The shaders of an export, each with its title and as an export of its own. Empty if the text is
+/// none.
+pub fn exports_in(text: &str) -> Vec<(String, String)> {
+    let all = match serde_json::from_str(text) {
+        Ok(Value::Array(all)) => all,
+        Ok(one @ Value::Object(_)) => vec![one],
+        _ => Vec::new(),
+    };
+    let shaders = all.into_iter().filter(|shader| {
+        let shader = shader.get("Shader").unwrap_or(shader);
+        shader.get("renderpass").is_some()
+    });
+    let named = shaders.map(|shader| {
+        let info = shader.get("Shader").unwrap_or(&shader).get("info");
+        let name = info.and_then(|info| info.get("name")?.as_str());
+        (name.unwrap_or_default().to_string(), shader.to_string())
+    });
+    named.collect()
+}
+
 /// The object that contains the passes.
 fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
     let shader = match json {
         Value::Array(all) if all.iter().filter(|s| s.get("renderpass").is_some()).count() > 1 => {
             return Err(field(
                 "[1]",
-                "the file contains several shaders; only one is supported",
+                "the file contains several shaders; `shaderport gallery` writes a page for each",
             ));
         }
         Value::Array(all) => all.first().unwrap_or(json),

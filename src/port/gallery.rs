@@ -1,11 +1,13 @@
-//! A page that lists the pages of many shaders, with a still image of each. It has no script.
+//! A page that lists the pages of many shaders, with a still image of each. Its script only searches.
 
-use super::Project;
-use super::embed::{Card, PageAddress, Poster, decoded, in_address, title};
-use super::html::{COLORS, attribute, fill, hash};
+use super::embed::{Card, PageAddress, Poster, START, decoded, title};
+use super::html::{COLORS, PageParts, PlayerPage, attribute, fill, hash, in_address};
+use super::pieces::PlayerParts;
+use super::{Project, credits};
 
 const PAGE: &str = include_str!("player/page/gallery.html");
-const STYLE: &str = include_str!("player/page/gallery.css");
+const STYLE: &str = include_str!("player/min/page_gallery.css");
+const SEARCH: &str = include_str!("player/min/page_search.js");
 
 /// A shader of a gallery.
 pub struct GalleryEntry {
@@ -15,6 +17,8 @@ pub struct GalleryEntry {
     pub title: String,
     /// Its author; empty if unknown.
     pub author: String,
+    /// Its licence in a line; empty if unknown.
+    pub license: String,
     /// Width and height of its still image; `None` if it has none.
     pub still: Option<[u32; 2]>,
 }
@@ -26,6 +30,7 @@ impl GalleryEntry {
             name: name.to_string(),
             title: title(project),
             author: decoded(&project.info.author),
+            license: credits::license(project),
             still: poster.still.as_ref().map(|still| still.size),
         }
     }
@@ -43,16 +48,45 @@ impl GalleryEntry {
             "" => String::new(),
             author => format!("<small>by {}</small>", attribute(author)),
         };
+        let license = match self.license.as_str() {
+            "" => String::new(),
+            license => format!("<small class=\"license\">{}</small>", attribute(license)),
+        };
         format!(
             "<li><a href=\"{name}.html#play\"><span class=\"image\">{image}</span>\
-             <b>{}</b>{author}</a></li>\n",
+             <b>{}</b>{author}</a>{license}</li>\n",
             attribute(&self.title)
         )
     }
 }
 
-/// The page. `address` is where it will be published.
-pub fn gallery(heading: &str, entries: &[GalleryEntry], address: Option<&PageAddress>) -> String {
+/// What all shaders of a gallery share.
+pub struct Gallery {
+    /// The page that lists them.
+    pub page: String,
+    /// The script of their pages.
+    pub script: String,
+    /// The style of their pages.
+    pub style: String,
+}
+
+/// The gallery. `address` is where its page will be published.
+pub fn gallery(heading: &str, entries: &[&GalleryEntry], address: Option<&PageAddress>) -> Gallery {
+    let parts = PageParts {
+        poster: Some(""),
+        needs: PlayerParts::all(),
+        start: START,
+        ..PageParts::default()
+    };
+    let [_, script, style] = PlayerPage::new(&parts).split("", "");
+    Gallery {
+        page: list(heading, entries, address),
+        script,
+        style,
+    }
+}
+
+fn list(heading: &str, entries: &[&GalleryEntry], address: Option<&PageAddress>) -> String {
     let description = match entries.len() {
         1 => "1 shader that plays in the browser".to_string(),
         n => format!("{n} shaders that play in the browser"),
@@ -75,11 +109,12 @@ pub fn gallery(heading: &str, entries: &[GalleryEntry], address: Option<&PageAdd
     let style = [COLORS, STYLE].concat();
     // Browsers differ in whether `'self'` includes files on disk.
     let policy = format!(
-        "default-src 'none'; style-src 'sha256-{}'; img-src 'self' file: data:; base-uri 'none'; \
-         form-action 'none'",
-        hash(&style)
+        "default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; \
+         img-src 'self' file: data:; base-uri 'none'; form-action 'none'",
+        hash(&style),
+        hash(SEARCH)
     );
-    let cards: String = entries.iter().map(GalleryEntry::card).collect();
+    let cards: String = entries.iter().map(|entry| entry.card()).collect();
     fill(
         PAGE,
         &[
@@ -89,6 +124,7 @@ pub fn gallery(heading: &str, entries: &[GalleryEntry], address: Option<&PageAdd
             ("meta", &card.meta()),
             ("style", &style),
             ("cards", &cards),
+            ("script", SEARCH),
         ],
     )
 }
@@ -103,18 +139,18 @@ mod tests {
             name: "a\"b".to_string(),
             title: "<c>".to_string(),
             author: "d&e".to_string(),
+            license: "f<".to_string(),
             still: None,
         };
-        let page = gallery("<x>", &[entry], None);
+        let page = list("<x>", &[&entry], None);
         assert!(page.contains("<h1>&lt;x&gt;</h1>"), "{page}");
         assert!(page.contains("href=\"a%22b.html#play\""), "{page}");
         assert!(
-            page.contains("<b>&lt;c&gt;</b><small>by d&amp;e</small>"),
+            page.contains(
+                "<b>&lt;c&gt;</b><small>by d&amp;e</small></a><small class=\"license\">f&lt;<"
+            ),
             "{page}"
         );
-        assert!(
-            !page.contains("og:image") && !page.contains("<script"),
-            "{page}"
-        );
+        assert!(!page.contains("og:image"), "{page}");
     }
 }

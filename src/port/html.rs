@@ -5,65 +5,58 @@
 //! script and style.
 
 use super::payload::payload;
-use super::script::{MOUNT, PLAYER, escape};
+use super::pieces::PlayerParts;
+use super::script::{MOUNT, escape};
 use super::{Composed, Project, credits};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
+use std::fmt::Write;
 
 const PAGE: &str = include_str!("player/page/page.html");
 /// The colours of all pages.
-pub(super) const COLORS: &str = include_str!("player/page/colors.css");
-const STYLE: &str = include_str!("player/page/page.css");
-const PAGE_SCRIPTS: [&str; 19] = [
-    include_str!("player/page/dom.js"),
-    include_str!("player/page/address.js"),
-    include_str!("player/page/prose.js"),
-    include_str!("player/page/notices.js"),
-    include_str!("player/page/excerpt.js"),
-    include_str!("player/page/errors.js"),
-    include_str!("player/page/highlight.js"),
-    include_str!("player/page/editor.js"),
-    include_str!("player/page/code.js"),
-    include_str!("player/page/controls.js"),
-    include_str!("player/page/channels.js"),
-    include_str!("player/page/webm.js"),
-    include_str!("player/page/film.js"),
-    include_str!("player/page/export.js"),
-    include_str!("player/page/panel.js"),
-    include_str!("player/page/bar.js"),
-    include_str!("player/page/keys.js"),
-    include_str!("player/page/state.js"),
-    include_str!("player/page/page.js"),
-];
+pub(super) const COLORS: &str = include_str!("player/min/page_colors.css");
+const STYLE: &str = include_str!("player/min/page_page.css");
+const PANEL_STYLE: &str = include_str!("player/min/page_tools.css");
+const EXTRAS: &str = include_str!("player/page/extras.html");
+const MORE: &str = include_str!("player/page/more.html");
+const PANEL: &str = include_str!("player/page/panel.html");
 
 /// Separates the player from the page's own code in the script: a module exported by the page ends
 /// here.
 const BORDER: &str = "// The page begins here.\n";
 
-/// Script of a served page.
-const LIVE: &str = include_str!("player/live.js");
+/// Script of a served page, which reads what the page keeps during a reload.
+const LIVE: [&str; 2] = [
+    include_str!("player/min/page_state.js"),
+    include_str!("player/min/live.js"),
+];
 
 /// Script of a page inside another one, which sends the project.
-const RECEIVE: &str = include_str!("player/page/receive.js");
+const RECEIVE: [&str; 2] = [
+    include_str!("player/min/page_state.js"),
+    include_str!("player/min/page_receive.js"),
+];
 
 /// The page. A served page has a version and reloads itself when there is a newer one.
-pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> String {
+pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> PlayerPage {
     let start = match version {
-        Some(version) => {
-            format!("{LIVE}const player = openPage();\nfollowChanges('{version}', player);\n")
-        }
-        None => "const player = openPage();\n".to_string(),
+        Some(version) => format!(
+            "{}const player = openPage();\nfollowChanges('{version}', player);\n",
+            LIVE.concat()
+        ),
+        None => "openPage();\n".to_string(),
     };
     let title = match project.info.name.as_str() {
         "" => "shader",
         name => name,
     };
     let credits = credits::lines(project).join("\n");
-    page(&PageParts {
+    PlayerPage::new(&PageParts {
         title,
         description: &credits,
         project: &escape(&payload(project, composed)),
+        needs: PlayerParts::of(project, composed, true),
         start: &start,
         version,
         ..PageParts::default()
@@ -72,13 +65,15 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> St
 
 /// A page without a shader: the page around it sends [`player_data`] in a message.
 pub fn receiving_page() -> String {
-    let start = format!("{}receiveProject();\n", without_comments(RECEIVE));
-    page(&PageParts {
+    let start = format!("{}receiveProject();\n", RECEIVE.concat());
+    let page = PlayerPage::new(&PageParts {
         title: "Shader",
         project: "null",
+        needs: PlayerParts::all(),
         start: &start,
         ..PageParts::default()
-    })
+    });
+    page.whole()
 }
 
 /// The project as JSON for [`receiving_page`].
@@ -93,68 +88,107 @@ pub(super) struct PageParts<'a> {
     pub(super) description: &'a str,
     /// Further elements of the head.
     pub(super) meta: &'a str,
-    /// Attributes of the body.
-    pub(super) classes: &'a str,
-    /// Elements over the image.
-    pub(super) poster: &'a str,
+    /// For pages in frames: what is over the image. Other pages have a panel.
+    pub(super) poster: Option<&'a str>,
     /// The project as JSON in an element.
     pub(super) project: &'a str,
+    /// What the project needs of the player.
+    pub(super) needs: PlayerParts,
     /// The end of the script.
     pub(super) start: &'a str,
     /// The version of a served page.
     pub(super) version: Option<&'a str>,
 }
 
-/// A page with the player.
-pub(super) fn page(parts: &PageParts<'_>) -> String {
-    let script = format!(
-        "(() => {{\n'use strict';\n{}{BORDER}{}{}}})();\n",
-        without_comments(&PLAYER.concat()),
-        without_indentation(&without_comments(&PAGE_SCRIPTS.concat())),
-        parts.start
-    );
-    let style = [COLORS, STYLE].concat();
-    fill(
-        PAGE,
-        &[
-            ("title", &attribute(parts.title)),
-            ("credits", &attribute(parts.description)),
-            ("policy", &policy(&script, &style, parts.version)),
-            ("meta", parts.meta),
-            ("style", &style),
-            ("classes", parts.classes),
-            ("poster", parts.poster),
-            ("project", parts.project),
-            ("mount", &without_comments(MOUNT)),
-            ("script", &script),
-        ],
-    )
+/// A page with the player, in its parts.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct PlayerPage {
+    before_style: String,
+    style: String,
+    before_script: String,
+    /// The end of a module that the page exports.
+    mount: Option<&'static str>,
+    script: String,
+    is_served: bool,
 }
 
-/// Removes comment lines, which are a quarter of the script, and half of the indentation.
-/// Comment-like lines inside template literals would be removed too, but there are none.
-pub(super) fn without_comments(script: &str) -> String {
-    let mut out = String::with_capacity(script.len());
-    let mut in_block = false;
-    for line in script.split_inclusive('\n') {
-        let text = line.trim();
-        in_block |= text.starts_with("/**");
-        if !in_block && !text.starts_with("//") {
-            let indent = line.len() - line.trim_start_matches(' ').len();
-            out.push_str(line.get(indent / 2..).unwrap_or(""));
+/// The place of the policy in the first part.
+const POLICY: &str = "{{policy}}";
+
+impl PlayerPage {
+    pub(super) fn new(parts: &PageParts<'_>) -> PlayerPage {
+        let has_panel = parts.poster.is_none();
+        let own = match has_panel {
+            true => parts.needs.panel(),
+            false => parts.needs.frame(),
+        };
+        let script = format!(
+            "(() => {{\n'use strict';\n{}{BORDER}{own}{}}})();\n",
+            parts.needs.player(),
+            parts.start
+        );
+        let of_panel = |text| if has_panel { text } else { "" };
+        let body = fill(
+            PAGE,
+            &[
+                ("title", &attribute(parts.title)),
+                ("credits", &attribute(parts.description)),
+                ("policy", POLICY),
+                ("meta", parts.meta),
+                ("style", MARK),
+                ("classes", if has_panel { "" } else { " class=\"framed\"" }),
+                ("poster", parts.poster.unwrap_or("")),
+                ("extras", of_panel(EXTRAS)),
+                ("more", of_panel(MORE)),
+                ("panel", of_panel(PANEL)),
+                ("project", parts.project),
+            ],
+        );
+        // The project is text of a user, and stands behind the style.
+        let (before_style, before_script) = body.split_once(MARK).unwrap_or((&body, ""));
+        PlayerPage {
+            before_style: before_style.to_string(),
+            style: [COLORS, STYLE, of_panel(PANEL_STYLE)].concat(),
+            before_script: before_script.to_string(),
+            mount: has_panel.then_some(MOUNT),
+            script,
+            is_served: parts.version.is_some(),
         }
-        in_block &= !text.ends_with("*/");
     }
-    out
+
+    /// The page as one file.
+    pub fn whole(&self) -> String {
+        let mount = self.mount.map_or(String::new(), |mount| {
+            format!("<script type=\"text/plain\" id=\"mount\">{mount}</script>\n")
+        });
+        self.text(
+            &policy(&self.script, &self.style, self.is_served),
+            &format!("<style>{}</style>\n", self.style),
+            &format!("{mount}<script>{}</script>\n", self.script),
+        )
+    }
+
+    /// The page, and its script and style as files with these names beside it, for sites whose
+    /// policy allows only files.
+    pub fn split(&self, script: &str, style: &str) -> [String; 3] {
+        let page = self.text(
+            "default-src 'none'; script-src 'self' file:; style-src 'self' file:; img-src data: blob:; \
+             media-src data: blob:; base-uri 'none'; form-action 'none'",
+            &format!("<link rel=\"stylesheet\" href=\"{}\">\n", in_address(style)),
+            &format!("<script src=\"{}\"></script>\n", in_address(script)),
+        );
+        [page, self.script.clone(), self.style.clone()]
+    }
+
+    fn text(&self, policy: &str, style: &str, script: &str) -> String {
+        let head = self.before_style.replacen(POLICY, policy, 1);
+        let end = "</body>\n</html>\n";
+        [&head, style, &self.before_script, script, end].concat()
+    }
 }
 
-/// Removes the indentation of a script that users do not read.
-fn without_indentation(script: &str) -> String {
-    let lines = script
-        .split_inclusive('\n')
-        .map(|l| l.trim_start_matches(' '));
-    lines.collect()
-}
+/// Marks the place of the style. Attributes of the head cannot contain it, because `<` is escaped.
+const MARK: &str = "<style>\n";
 
 /// Replaces the placeholders `{{name}}` of a template. Placeholders in the values are not replaced.
 pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
@@ -174,7 +208,7 @@ pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
 
 /// The page that a server shows until the first build succeeds, with the error.
 pub fn waiting_page(message: &str, version: &str) -> String {
-    let script = format!("{LIVE}followChanges('{version}', null);\n");
+    let script = format!("{}followChanges('{version}', null);\n", LIVE.concat());
     let style =
         "body { font: 16px/1.5 system-ui, sans-serif; margin: 2em; color-scheme: light dark; }";
     format!(
@@ -182,15 +216,15 @@ pub fn waiting_page(message: &str, version: &str) -> String {
          <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
          <title>No page yet</title>\n<style>{style}</style>\n<p>{}</p>\n\
          <p>This page reloads when you save the file.</p>\n<script>{script}</script>\n",
-        policy(&script, style, Some(version)),
+        policy(&script, style, true),
         attribute(message)
     )
 }
 
 /// The content security policy: only this script and this style, and no requests to any host. A
 /// served page may connect to its server.
-fn policy(script: &str, style: &str, version: Option<&str>) -> String {
-    let connect = version.map_or("'none'", |_| "'self'");
+fn policy(script: &str, style: &str, is_served: bool) -> String {
+    let connect = if is_served { "'self'" } else { "'none'" };
     format!(
         "default-src 'none'; script-src 'sha256-{}'; style-src 'sha256-{}'; img-src data: blob:; \
          media-src data: blob:; connect-src {connect}; base-uri 'none'; form-action 'none'",
@@ -202,6 +236,22 @@ fn policy(script: &str, style: &str, version: Option<&str>) -> String {
 /// The hash of a script or a style.
 pub(super) fn hash(text: &str) -> String {
     BASE64_STANDARD.encode(Sha256::digest(text))
+}
+
+/// A file name as a part of an address.
+pub(super) fn in_address(name: &str) -> String {
+    let mut out = String::with_capacity(name.len());
+    for byte in name.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' => {
+                out.push(char::from(byte));
+            }
+            _ => {
+                let _ = write!(out, "%{byte:02X}");
+            }
+        }
+    }
+    out
 }
 
 /// Escapes text for use in an element or a quoted attribute.
@@ -226,35 +276,9 @@ mod tests {
 
     #[test]
     fn the_page_cannot_end_its_elements() {
-        for text in PAGE_SCRIPTS.iter().chain([&COLORS, &STYLE, &LIVE, &MOUNT]) {
+        let texts = LIVE.iter().chain(&RECEIVE);
+        for text in texts.chain(&[COLORS, STYLE, PANEL_STYLE, MOUNT]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
-        }
-    }
-
-    #[test]
-    fn comments_stay_out_of_the_page() {
-        let script =
-            "// a\n/** b */\nlet x = 1; // c\n  /**\n   * d\n   */\n  x /* e */ = '/** f */';\n";
-        let left = "let x = 1; // c\n x /* e */ = '/** f */';\n";
-        assert_eq!(without_comments(script), left);
-    }
-
-    #[test]
-    fn a_line_keeps_what_is_inside_it() {
-        assert_eq!(
-            without_indentation("a {\n  b('  c');\n}\n"),
-            "a {\nb('  c');\n}\n"
-        );
-    }
-
-    /// A line inside a literal could start like a comment.
-    #[test]
-    fn no_literal_of_the_page_goes_on_in_the_next_line() {
-        for script in PLAYER.iter().chain(&PAGE_SCRIPTS) {
-            for line in without_comments(script).lines() {
-                let ticks = line.matches('`').count() - line.matches("\\`").count();
-                assert!(ticks.is_multiple_of(2), "{line}");
-            }
         }
     }
 

@@ -164,6 +164,8 @@ pub struct Order<'a> {
     pub version: Option<&'a str>,
     /// What a page for frames of other pages shows until its shader plays.
     pub poster: Option<&'a Poster>,
+    /// Whether the script and the style of a page are files beside it.
+    pub split: bool,
 }
 
 /// The destination of a build.

@@ -275,6 +275,11 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
     }
 }
 
+/// Whether a pass has tunable numbers.
+pub(super) fn has_tunables(composed: &Composed) -> bool {
+    !all_tunables(composed).is_empty()
+}
+
 /// The tunable numbers of all passes, without duplicates, with offsets in UTF-16 units.
 fn all_tunables(composed: &Composed) -> Vec<TunableData> {
     let mut found: Vec<TunableData> = Vec::new();

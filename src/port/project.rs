@@ -95,6 +95,8 @@ impl OutputId {
     pub const IMAGE: &'static str = "4dfGRr";
     /// The output of the cube map pass.
     pub const CUBE: &'static str = "4dX3Rr";
+    /// What a host shows on its screen, which no pass draws.
+    pub const SCREEN: &'static str = "port-screen";
     /// The output of the sound pass.
     pub const SOUND: &'static str = "XsfGRr";
 

@@ -1,34 +1,19 @@
 //! The player's code, and the modules made from it.
 
 use super::payload::payload;
+use super::pieces::PlayerParts;
 use super::{Composed, ControlKind, Project, UniformControl, credits};
 
-/// Values of uniforms, shared with the module for three.js.
-const SOURCES: &str = include_str!("player/sources.js");
-
-/// The files of the player, in order of dependency.
-pub(super) const PLAYER: [&str; 17] = [
-    include_str!("player/types.js"),
-    SOURCES,
-    include_str!("player/gl.js"),
-    include_str!("player/log.js"),
-    include_str!("player/tunable.js"),
-    include_str!("player/mouse.js"),
-    include_str!("player/keyboard.js"),
-    include_str!("player/targets.js"),
-    include_str!("player/devices.js"),
-    include_str!("player/media.js"),
-    include_str!("player/inputs.js"),
-    include_str!("player/program.js"),
-    include_str!("player/programs.js"),
-    include_str!("player/sound.js"),
-    include_str!("player/clock.js"),
-    include_str!("player/player.js"),
-    include_str!("player/listen.js"),
+/// What the module for three.js shares with the player: values of uniforms, sizes and sound.
+const SHARED: [&str; 4] = [
+    include_str!("player/frame.js"),
+    include_str!("player/sources.js"),
+    include_str!("player/sizes.js"),
+    include_str!("player/spectrum.js"),
 ];
 
 /// The end of a module, which exports `mount`.
-pub(super) const MOUNT: &str = include_str!("player/mount.js");
+pub(super) const MOUNT: &str = include_str!("player/min/mount.js");
 const MATERIALS: &str = include_str!("player/materials.js");
 const THREE: &str = include_str!("player/three.js");
 const REACT: &str = include_str!("player/react.js");
@@ -51,7 +36,7 @@ pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
         "{}{}{}{}",
         comment(project),
         project_constant(project, composed),
-        PLAYER.concat(),
+        PlayerParts::of(project, composed, false).player(),
         MOUNT
     );
     ScriptModule {
@@ -63,9 +48,10 @@ pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
 /// A module for three.js, which exports a `RawShaderMaterial` and its update function.
 pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
     let code = format!(
-        "{}{}{SOURCES}{MATERIALS}{THREE}",
+        "{}{}{}{MATERIALS}{THREE}",
         comment(project),
         project_constant(project, composed),
+        SHARED.concat(),
     );
     ScriptModule {
         code,
@@ -195,13 +181,6 @@ mod tests {
             escaped,
             "\"\\u003c/script\\u003e\\u003c!--\\u0026\\u2028é\""
         );
-    }
-
-    #[test]
-    fn the_player_cannot_end_its_element() {
-        for text in PLAYER {
-            assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
-        }
     }
 
     #[test]

@@ -78,7 +78,9 @@ impl Project {
             let kind = pass.ok_or(ShaderError::NoEntry)?;
             return Ok(Project::of_pass(title, ProjectPass::new(kind, code)));
         };
-        if !clues.is_shader() && !plan.is_description {
+        let is_known = host.is_some() || !recognised.signs.is_empty();
+        let is_body = clues.is_body && is_known;
+        if !clues.is_shader() && !is_body && !plan.is_description {
             return Err(ShaderError::NoEntry);
         }
         let draws_vertices = plan.draws.iter().any(|d| d.has_vertices);

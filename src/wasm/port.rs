@@ -42,6 +42,7 @@ pub fn port(PortRequest { shader, output }: &PortRequest) -> RequestResult {
         first_row: FirstRow::default(),
         version: None,
         poster: None,
+        split: false,
     };
     let made = build(&project, &composed, order);
     let made = made.map_err(|e| format!("{}: {e}", shader.name))?;

@@ -20,6 +20,11 @@ const TOLD = {
   vertexshaderart: 'read as VertexShaderArt',
   shadered: 'read as SHADERed',
   synthclipse: 'read as Synthclipse',
+  hyprland: 'read as Hyprland',
+  ghostty: 'read as Ghostty',
+  niri: 'read as niri',
+  flutter: 'read as Flutter',
+  veda: 'read as VEDA',
 };
 
 /** Converts a file; resolves to the page and the messages. */

@@ -31,6 +31,7 @@ const rules = {
 };
 
 export default [
+  { ignores: [`${player}/min`] },
   { files: [`${player}/**/*.js`], languageOptions: { sourceType: 'script', ecmaVersion: 2023 }, rules },
   {
     files: ['packaging/npm/*/*.js', 'tests/package/*.cjs'],

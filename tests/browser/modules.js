@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Linter } from 'eslint';
 import { bytesOf, colors, differences, folder, listen, put, shaderport, top } from './browser.js';
 import { CASES } from './cases.js';
 import { reference } from './reference.js';
@@ -105,6 +107,42 @@ async function mount(context) {
   });
   assert.deepEqual(after, [false, []]);
   assert.deepEqual(complaints, []);
+}
+
+/** Pages and modules have only the parts that a project uses; these use nothing of the others. */
+async function complete(context) {
+  const input = (channel, type, id) => ({ id, type, channel, sampler: { filter: 'nearest', wrap: 'repeat', vflip: 'true' } });
+  const image = (code, ...inputs) => ({ type: 'image', code, inputs, outputs: [{ id: '37', channel: 0 }] });
+  const plain = 'void mainImage(out vec4 O, vec2 U) { O = vec4(1); }';
+  const read = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U); }';
+  const projects = {
+    plain: [image(plain)],
+    tuned: [image(`#define A 1.0 // Tunable: a (0.0~2.0)\n${plain.replace('1)', 'A)')}`)],
+    keyboard: [image(read, input(0, 'keyboard', '4dXGRr'))],
+    picture: [image(read, input(0, 'texture', 'Xsf3zn'))],
+    music: [image(read, input(0, 'music', '4sXGzn'))],
+    film: [image(read, input(0, 'video', '4sf3zn'))],
+    buffer: [image(read, input(0, 'buffer', '4dXGR8')), { type: 'buffer', code: plain, inputs: [], outputs: [{ id: '4dXGR8', channel: 0 }] }],
+    sound: [image(plain), { type: 'sound', code: 'vec2 mainSound(int s, float t) { return vec2(0); }', inputs: [], outputs: [] }],
+  };
+  const texts = [];
+  for (const [name, renderpass] of Object.entries(projects)) {
+    const file = put(`${name}.json`, JSON.stringify({ info: {}, renderpass }));
+    for (const [out, ...more] of [[`${name}.js`], [`${name}.html`], [`${name}.html`, '--embed']]) {
+      const { code, stderr } = await shaderport(file, '-o', out, '--force', ...more);
+      assert.equal(code, 0, stderr);
+      texts.push({ name: `${name} ${out} ${more}`, text: fs.readFileSync(path.join(folder(), out), 'utf8') });
+    }
+  }
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(put('empty.html', '<!doctype html>')).href);
+  for (const { name, text } of texts) {
+    const code = text.startsWith('<') ? text.slice(text.lastIndexOf('<script>') + 8, text.lastIndexOf('</script>')) : text;
+    const found = new Linter().verify(code, [{ languageOptions: { sourceType: 'module', ecmaVersion: 2023 }, rules: { 'no-undef': 'error' } }]);
+    assert.deepEqual(found.filter((f) => f.fatal), [], name);
+    const names = [...new Set(found.map((f) => /'(.*?)'/.exec(f.message)[1]))];
+    assert.deepEqual(await page.evaluate((all) => all.filter((n) => !(n in globalThis)), names), [], name);
+  }
 }
 
 async function three(context) {
@@ -335,6 +373,7 @@ async function misuse(context) {
 }
 
 export const moduleTests = [
+  { name: 'module: nothing that is used is left out', run: complete },
   { name: 'module: mount draws the same pixels, twice on one page', run: mount },
   { name: 'module: misuse reports an error or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },

@@ -9,6 +9,6 @@ export function load(files, names) {
   const player = path.join(top, 'src/port/player');
   const code = files.map((f) => fs.readFileSync(path.join(player, f), 'utf8')).join('');
   // The files are scripts that share one scope, not modules.
-  const open = vm.runInThisContext(`(navigator, window) => {\n${code}\nreturn { ${names.join(', ')} };\n}`);
-  return open({ userAgent: '' }, { addEventListener() {} });
+  const open = vm.runInThisContext(`(navigator, window, document) => {\n${code}\nreturn { ${names.join(', ')} };\n}`);
+  return open({ userAgent: '' }, { addEventListener() {} }, { addEventListener() {} });
 }

@@ -38,7 +38,7 @@ function tuned(text, number) {
 }
 
 function tunables() {
-  const { changeText, setNumber } = load(['tunable.js'], ['changeText', 'setNumber']);
+  const { changeText, setNumber } = load(['parts.js', 'tunable.js', 'programs.js'], ['changeText', 'setNumber']);
   const found = (project) => project.tunables.map((t) => [project.files[0].text.slice(t.start, t.end), t.value]);
   const text = 'a = 1.5; b';
   for (const [after, expected] of [
@@ -76,7 +76,27 @@ function clock() {
   assert.equal(at.time, 0);
 }
 
+/** A tab that slept does not lose its simulation; frames that always take long are not sleep. */
+function gaps() {
+  const { Clock } = load(['clock.js'], ['Clock']);
+  const at = new Clock();
+  at.tick();
+  at.last -= 16;
+  at.tick();
+  const before = at.time;
+  at.last -= 600e3;
+  assert.equal(at.tick().delta, 1 / 60);
+  assert.ok(at.time - before < 1, `${at.time - before} s`);
+  at.usual = 0.016;
+  const passed = [1, 2, 3].map(() => {
+    at.last -= 3000;
+    return at.tick().delta >= 3;
+  });
+  assert.deepEqual(passed, [false, true, true]);
+}
+
 export const unitTests = [
+  { name: 'unit: pauses between frames', run: gaps },
   { name: "unit: the compiler's log", run: logs },
   { name: 'unit: tunable numbers move with the text', run: tunables },
   { name: 'unit: invalid times', run: clock },

@@ -202,7 +202,7 @@ export async function beside({ passes, last }) {
     const channel = player.project.passes[pass.index].inputs.findIndex((input, i) => input && (input.uniform ?? `iChannel${i}`) === name);
     const isKeyboard = source.kind === 'keyboard';
     const input = isKeyboard
-      ? { texture: player.keyboard.texture, size: [256, 3, 1], time: 0, isLoaded: true }
+      ? { texture: player.renderer.keys.texture, size: [256, 3, 1], time: 0, isLoaded: true }
       : player.inputs[pass.index][channel];
     if (!input?.texture) return { ...none, size: input?.size ?? none.size };
     const known = pass.copies.get(name);

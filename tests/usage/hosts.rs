@@ -451,3 +451,22 @@ fn host_declarations_compile() {
         }
     }
 }
+
+/// The current releases of a host may require a version that a shader lacks, and accept comments
+/// before `#version`.
+#[test]
+fn hosts_require_versions() {
+    let old = "varying vec2 v_texcoord;\nuniform sampler2D tex;\nvoid main() { gl_FragColor = texture2D(tex, v_texcoord); }\n";
+    let old = format!("precision mediump float;\n{old}");
+    let other = old.replace("uniform", "uniform float alpha;\nuniform");
+    let new = "// A\n#version 300 es\nprecision highp float;\nin vec2 v_texcoord;\nuniform sampler2D tex;\n\
+        out vec4 c;\nvoid main() { c = texture(tex, v_texcoord); }\n";
+    let scratch = Scratch::new(&[("a.frag", &old), ("b.frag", &other), ("c.frag", new)]);
+    assert_eq!(scratch.places(&["a.frag"]), ["1:1 unsupported-version"]);
+    assert!(
+        !scratch
+            .places(&["b.frag"])
+            .contains(&"1:1 unsupported-version".to_string())
+    );
+    assert_eq!(scratch.places(&["c.frag"]), [] as [&str; 0]);
+}

@@ -29,6 +29,10 @@ pub struct PortArgs {
     #[arg(value_name = "INPUT")]
     pub(super) input: Vec<PathBuf>,
 
+    /// The text of the input, if its file has several shaders
+    #[arg(skip)]
+    pub(super) text: Option<String>,
+
     /// File of one pass: `image=a.glsl`, `buffer_a=b.glsl`
     #[arg(long, value_name = "PASS=FILE", help_heading = INPUT)]
     pub(super) pass: Vec<String>,
@@ -83,11 +87,20 @@ pub struct PortArgs {
     #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "4700")]
     #[arg(require_equals = true, conflicts_with_all = ["diff", "output"], help_heading = OUTPUT)]
     pub(super) serve: Option<u16>,
-    /// Write a page for frames of other pages: a still image until it is clicked
+    /// Write a small page for frames of other pages: without a panel, and with a still image until the
+    /// shader plays
     ///
     /// The image is drawn without a GPU.
     #[arg(long, conflicts_with_all = ["diff", "serve"], help_heading = OUTPUT)]
     pub(super) embed: bool,
+    /// Let the shader of the page wait for a click; nothing is compiled before that
+    #[arg(long, requires = "embed", help_heading = OUTPUT)]
+    pub(super) click: bool,
+    /// Write the script and the style of the page as files beside it
+    ///
+    /// For sites whose policy allows only files: `script-src 'self'`.
+    #[arg(long, conflicts_with_all = ["diff", "serve"], help_heading = OUTPUT)]
+    pub(super) split: bool,
     /// Address at which the page will be published: `https://example.org/water.html`
     ///
     /// Also writes the still image beside the page and names it in `og:image`, for link previews.
@@ -136,13 +149,15 @@ pub(super) enum PortCommand {
 #[derive(Args, Debug)]
 #[command(after_help = GALLERY_EXIT_CODES)]
 pub(super) struct GalleryArgs {
-    /// Folder with shader files, ShaderToy exports (.json) and folders of passes
-    #[arg(value_name = "DIR")]
-    pub(super) folder: PathBuf,
+    /// Folders, files, ShaderToy exports (.json) and folders of passes
+    ///
+    /// An export may be an array of shaders.
+    #[arg(value_name = "INPUT", required = true)]
+    pub(super) input: Vec<PathBuf>,
     /// Output folder: index.html, and a page and an image for each shader
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,
-    /// Title of the page; default: the name of the folder
+    /// Title of the page; default: the name of the input folder, or else of the output folder
     #[arg(long, value_name = "TITLE")]
     pub(super) title: Option<String>,
     /// Address at which the output folder will be published: `https://example.org/shaders/`
@@ -153,6 +168,12 @@ pub(super) struct GalleryArgs {
     /// Site or library that the shaders are written for; default: detected for each
     #[arg(long, value_name = "NAME")]
     pub(super) host: Option<String>,
+    /// Let each shader wait for a click, instead of playing when it is seen
+    #[arg(long)]
+    pub(super) click: bool,
+    /// Rewrite the pages of shaders that change
+    #[arg(long)]
+    pub(super) watch: bool,
     /// Overwrite existing files
     #[arg(long)]
     pub(super) force: bool,
@@ -191,6 +212,7 @@ impl PortArgs {
             output,
             version,
             poster,
+            split: self.split,
             #[cfg(feature = "naga")]
             interface: self.interface,
             #[cfg(feature = "naga")]
@@ -201,7 +223,7 @@ impl PortArgs {
     /// The output format: `--target`, or else chosen by the extension of the output.
     pub(super) fn target(&self) -> Result<Target, String> {
         let path = self.output.as_deref().unwrap_or(Path::new(""));
-        let usual = match self.embed {
+        let usual = match self.embed || self.split {
             true => Target::Html,
             false => Target::Glsl,
         };
@@ -209,16 +231,22 @@ impl PortArgs {
             (Some(target), _) => target,
             (None, Some(_)) if self.output.is_none() => Target::Html,
             // A folder may have an extension in its name.
-            (None, _) if path.is_dir() && self.embed => usual,
+            (None, _) if path.is_dir() && usual == Target::Html => usual,
             (None, _) if path.is_dir() => Target::of_path(path).unwrap_or(usual),
             (None, _) if path.as_os_str().is_empty() || path.as_os_str() == "-" => usual,
             (None, _) => {
                 Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display()))?
             }
         };
-        match self.embed && target != Target::Html {
-            true => Err("`--embed` requires an HTML page; use `-o NAME.html`".to_string()),
-            false => Ok(target),
+        let page = [("--embed", self.embed), ("--split", self.split)];
+        match page.iter().find(|(_, is_given)| *is_given) {
+            Some((option, _)) if target != Target::Html => Err(format!(
+                "`{option}` requires an HTML page; use `-o NAME.html`"
+            )),
+            _ if self.split && !self.is_saved() => {
+                Err("`--split` requires `-o FILE`: further files are written beside it".to_string())
+            }
+            _ => Ok(target),
         }
     }
 

@@ -129,6 +129,8 @@ fn poster(args: &PortArgs, project: &Project, composed: &Composed) -> Result<Pos
     Ok(Poster {
         still: drawn.ok(),
         address: args.url.clone(),
+        click: args.click,
+        shared: false,
     })
 }
 

@@ -47,6 +47,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         [] if args.pass.is_empty() => {
             return Err(USAGE.to_string());
         }
+        [one] if let Some(text) = &args.text => Drafted::of(export(&shown(one), text)?),
         [one] if args.pass.is_empty() && !one.is_dir() => {
             one_file(one, mode, host(args.host.as_deref())?)?
         }
@@ -254,13 +255,17 @@ impl Drafted {
     }
 }
 
+/// The project of an export.
+fn export(name: &str, text: &str) -> Result<Project, String> {
+    Project::from_json(text).map_err(|e| format!("{name}: {e}"))
+}
+
 fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Drafted, String> {
     let name = shown(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");
     if text.trim_start().starts_with(['{', '[']) {
-        let project = Project::from_json(&text).map_err(|e| wrong(e.to_string()))?;
-        return Ok(Drafted::of(project));
+        return Ok(Drafted::of(export(&name, &text)?));
     }
     if text.trim_start().starts_with('<') && !text.contains("<pipeline") {
         return Err(wrong("expected a shader, found HTML or XML".to_string()));

@@ -17,6 +17,7 @@ use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
 use scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_host::is_provided;
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
@@ -271,6 +272,10 @@ impl Spreader<'_, '_> {
         let requested = &directive.requested;
         let is_chunk =
             requested.manner == Manner::Chunk && self.context.options.host.preset.is_some();
+        // The host inserts what the file contains.
+        if requested.manner == Manner::Chunk && is_provided(&requested.path) {
+            return Some(());
+        }
         if is_chunk && !requested.path.contains(['/', '.']) {
             self.found.is_open = true;
             return Some(());

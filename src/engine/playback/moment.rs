@@ -139,10 +139,30 @@ impl Moment {
             Feed::Volume => made_up_spectrum(self.time).into_iter().take(1).collect(),
             Feed::HistorySize => vec![SIGNAL_WIDTH, HISTORY_ROWS],
             Feed::Camera => vec![0.0, 0.0, 1.0],
+            Feed::Width => vec![w],
+            Feed::Height => vec![h],
+            Feed::Progress => vec![(self.time % CURSOR_STEP).min(1.0)],
+            Feed::Cursor => text_cursor(self.time, [w, h]).to_vec(),
+            Feed::CursorBefore => text_cursor(self.time - CURSOR_STEP, [w, h]).to_vec(),
+            Feed::CursorTime => vec![(self.time / CURSOR_STEP).floor() * CURSOR_STEP],
+            Feed::CursorColor => vec![1.0, 0.6, 0.2, 1.0],
+            Feed::Ones => vec![1.0; 4],
             Feed::ChannelTime | Feed::ChannelResolution | Feed::TextureSize => Vec::new(),
             Feed::Identity | Feed::Control | Feed::Nothing => Vec::new(),
         }
     }
+}
+
+/// Seconds between two moves of the text cursor, and from one animation to the next.
+const CURSOR_STEP: f64 = 1.5;
+
+/// The text cursor at a time: its left and upper edge, width and height. It visits the cells of a
+/// grid of 48 columns and 16 rows.
+fn text_cursor(time: f64, [w, h]: [f64; 2]) -> [f64; 4] {
+    let step = (time / CURSOR_STEP).floor() + 1.0;
+    let (column, row) = ((step * 19.0) % 48.0, (step * 5.0) % 16.0);
+    let (width, height) = (w / 48.0, h / 16.0);
+    [column * width, h - row * height, width, height]
 }
 
 /// The synthetic levels of low, middle and high frequencies, as the page computes them without

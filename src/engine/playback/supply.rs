@@ -102,7 +102,9 @@ fn is_certain(feed: Feed) -> bool {
         | Feed::PointerUnitDown
         | Feed::PointerUnitZero
         | Feed::PointerSigned
-        | Feed::Button => true,
+        | Feed::Button
+        | Feed::Width
+        | Feed::Height => true,
         Feed::SampleRate
         | Feed::ChannelTime
         | Feed::ChannelResolution
@@ -112,6 +114,12 @@ fn is_certain(feed: Feed) -> bool {
         | Feed::HistorySize
         | Feed::Camera
         | Feed::Identity
+        | Feed::Progress
+        | Feed::Cursor
+        | Feed::CursorBefore
+        | Feed::CursorTime
+        | Feed::CursorColor
+        | Feed::Ones
         | Feed::Control
         | Feed::Nothing => false,
     }

@@ -213,6 +213,7 @@ fn inputs_of(
 fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     let (kind, id) = match row.texture {
         TextureFeed::File | TextureFeed::Channel => (InputKind::Texture, String::new()),
+        TextureFeed::Screen => (InputKind::Texture, OutputId::SCREEN.to_string()),
         TextureFeed::Music | TextureFeed::MusicSum => (InputKind::Music, String::new()),
         TextureFeed::LastFrame => (
             InputKind::Buffer,
@@ -228,7 +229,7 @@ fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     input.sampler = SamplerSettings {
         filter: row.filter.to_string(),
         wrap: row.wrap.to_string(),
-        vflip: true,
+        vflip: !row.top_first,
     };
     input
 }

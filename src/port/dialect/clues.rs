@@ -3,6 +3,7 @@
 use super::SiblingTexts;
 use super::complete::{Completion, completions_of};
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_host::is_provided;
 use shaderlint_semantic::{Guess, Program, Storage, guess};
 use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::Role;
@@ -161,9 +162,10 @@ impl<'t> Clues<'t> {
     /// Whether it includes chunks of a library: `#include <common>`.
     pub fn has_include(&self) -> bool {
         let mut lines = self.text.lines().map(str::trim_start);
-        lines.any(|l| {
-            l.strip_prefix("#include")
-                .is_some_and(|r| r.trim_start().starts_with('<'))
+        lines.any(|line| {
+            let rest = line.strip_prefix("#include").map(str::trim_start);
+            let path = rest.and_then(|r| r.strip_prefix('<')?.split_once('>'));
+            path.is_some_and(|(path, _)| !is_provided(path.trim()))
         })
     }
 

@@ -279,11 +279,11 @@ pub(super) fn has_images(clues: &Clues) -> bool {
     IMAGES.iter().any(|(word, _)| clues.has_word(word))
 }
 
-/// Comments out the declarations of images.
-fn hide_images(text: &str, changes: &mut Vec<TextChange>) {
+/// Comments out the declarations of uniforms that contain a word.
+fn hide_declarations(text: &str, changes: &mut Vec<TextChange>, is_hidden: impl Fn(&str) -> bool) {
     let mut lexer = Lexer::new(text, 0);
-    // Start of the current declaration, and whether it declares an image.
-    let (mut first, mut is_image): (Option<usize>, bool) = (None, false);
+    // Start of the current declaration, and whether it contains such a word.
+    let (mut first, mut is_found): (Option<usize>, bool) = (None, false);
     loop {
         let token = lexer.next_token();
         let (start, end) = (token.span.start as usize, token.span.end as usize);
@@ -293,8 +293,8 @@ fn hide_images(text: &str, changes: &mut Vec<TextChange>) {
             RawKind::Whitespace | RawKind::Newline => {}
             RawKind::LineComment | RawKind::BlockComment => {}
             _ if word == ";" => {
-                let image = first.take().filter(|_| is_image);
-                let whole = image.and_then(|at| Some((at, text.get(at..end)?)));
+                let whole = first.take().filter(|_| is_found);
+                let whole = whole.and_then(|at| Some((at, text.get(at..end)?)));
                 if let Some((at, own)) = whole.filter(|(_, own)| !own.contains("*/")) {
                     changes.push(TextChange {
                         range: at..end,
@@ -302,11 +302,11 @@ fn hide_images(text: &str, changes: &mut Vec<TextChange>) {
                         is_hidden: true,
                     });
                 }
-                is_image = false;
+                is_found = false;
             }
-            _ if matches!(word, "{" | "}") => (first, is_image) = (None, false),
+            _ if matches!(word, "{" | "}") => (first, is_found) = (None, false),
             _ if first.is_none() && matches!(word, "layout" | "uniform") => first = Some(start),
-            _ => is_image |= first.is_some() && IMAGES.iter().any(|(image, _)| *image == word),
+            _ => is_found |= first.is_some() && is_hidden(word),
         }
     }
 }
@@ -360,6 +360,9 @@ pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
         is_hidden: true,
     });
     let mut all = usual_changes(text);
+    hide_declarations(text, &mut all, |word| {
+        host.defined.iter().any(|own| own == word)
+    });
     all.extend(hidden);
     in_order(all)
 }
@@ -368,7 +371,9 @@ pub(super) fn changes(text: &str, host: &Preset) -> Vec<TextChange> {
 fn usual_changes(text: &str) -> Vec<TextChange> {
     let mut all = Vec::new();
     hide_first_lines(text, &mut all);
-    hide_images(text, &mut all);
+    hide_declarations(text, &mut all, |word| {
+        IMAGES.iter().any(|(image, _)| *image == word)
+    });
     make_struct_inputs(text, &mut all);
     in_order(all)
 }

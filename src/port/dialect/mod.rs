@@ -11,12 +11,14 @@ mod clues;
 mod complete;
 mod isf;
 mod kodi;
+mod niri;
 #[cfg(feature = "cli")]
 mod shadered;
 mod shadertoy;
 mod synthclipse;
 mod three;
 mod twigl;
+mod veda;
 mod vertex;
 mod vertexshaderart;
 mod vscode;
@@ -31,8 +33,10 @@ pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
 use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
-use complete::{completions_after, completions_of, declarations, has_images, without_own};
-use shaderlint_host::{Feed, Preset, TextSign, is_named, is_one_name, preset, presets};
+use complete::{completions_after, completions_of, declarations, has_images, modern, without_own};
+use shaderlint_host::{
+    Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
+};
 use shaderlint_semantic::{Pass, Program, Stage};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -193,12 +197,14 @@ static CODES: &[&HostCode] = &[
     &bookofshaders::CODE,
     &isf::CODE,
     &kodi::CODE,
+    &niri::CODE,
     #[cfg(feature = "cli")]
     &shadered::CODE,
     &shadertoy::CODE,
     &synthclipse::CODE,
     &three::CODE,
     &twigl::CODE,
+    &veda::CODE,
     &vertexshaderart::CODE,
     &vscode::CODE,
 ];
@@ -245,6 +251,9 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     if !host.prelude.trim().is_empty() {
         let before = declarations(host, clues, false);
         candidates = completions_after(clues, &before, false);
+        if host.version == HostVersion::Desktop && clues.asked == VersionAsked::Nothing {
+            candidates = vec![Completion::after(modern(clues) + &before, clues.text)];
+        }
     }
     let calls = host.entries.iter().any(|entry| entry == "mainImage");
     if calls && clues.has_word("mainImage") && !clues.guess.has_main {
@@ -257,6 +266,13 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     }
     candidates.extend(completions_of(clues));
     let mut plan = Plan::image(candidates);
+    let is_old = matches!(clues.asked, VersionAsked::Nothing | VersionAsked::Es100);
+    if let Some(required) = host.required.as_ref().filter(|_| is_old) {
+        plan.notes.push(format!(
+            "{} requires `#version {}`, which the shader lacks",
+            required.since, required.version
+        ));
+    }
     if has_images(clues) {
         let note = "WebGL has no writable images: reading them returns 0";
         plan.notes.push(note.to_string());
@@ -354,8 +370,13 @@ impl Hosted {
 
 /// A quick test for whether the declarations for a text may depend on it.
 pub fn may_be_composed(text: &str) -> bool {
-    // Only directives distinguish passes of other hosts from those of the player.
-    if text.contains("mainImage") && !vscode::may_have_directives(text) {
+    // Only directives and names of their own distinguish passes of other hosts from those of the
+    // player.
+    let has_name = |host: &Preset| host.words.iter().any(|word| text.contains(word.as_str()));
+    if text.contains("mainImage")
+        && !vscode::may_have_directives(text)
+        && !presets().any(|host| host.composes && calls_entry(host) && has_name(host))
+    {
         return false;
     }
     let nothing = SiblingTexts::new();
@@ -448,6 +469,10 @@ fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
         let first = sign.words.first().map_or("", String::as_str);
         Sign::new(format!("`{first}`"), sign.weight)
     }));
+    if host.composes {
+        let words = clues.free_words(|word| host.has_word(word)).into_iter();
+        found.extend(words.map(|w| Sign::form(format!("`{w}`"), OWN)));
+    }
     let declares = host.declares();
     let shows = |name: &str, types: &dyn Fn(&str) -> bool| {
         let is_row = |d: &&Interfacing| is_named(name, &d.name) && types(&d.ty);

@@ -11,11 +11,14 @@ use super::complete::{self, Directive, modern};
 use super::isf::is_identifier;
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
-use shaderlint_host::{OWN, matches_any, preset};
+use shaderlint_host::{OWN, matches_any, preset, shadertoy};
 use shaderlint_semantic::Pass;
 
+/// The name of its preset.
+const HOST: &str = "vscode-shader-toy";
+
 pub(super) static CODE: HostCode = HostCode {
-    host: "vscode-shader-toy",
+    host: HOST,
     signs,
     plan: Some(plan),
 };
@@ -31,8 +34,18 @@ fn signs(clues: &Clues) -> Vec<Sign> {
         word => Some(Sign::form(format!("`#{word}`"), 3 * OWN)),
     };
     let mut found: Vec<Sign> = Vec::new();
+    // ShaderToy calls no `main`; other hosts that do declare no names of ShaderToy.
+    if clues.guess.has_main && !clues.has_word("mainImage") {
+        let player = shadertoy().map_or(&[][..], |host| &host.words);
+        let is_old = |word: &str| preset(HOST).is_some_and(|host| host.defines(word));
+        let free = clues.free_words(|word| player.iter().any(|own| own == word) || is_old(word));
+        if let Some(word) = free.first() {
+            found.push(Sign::new(format!("`main` and `{word}` undeclared"), OWN));
+        }
+    }
+    let start = found.len();
     for directive in &all {
-        if found.is_empty() {
+        if found.len() == start {
             found.extend(sign(directive));
         }
     }
@@ -51,7 +64,7 @@ fn directives(text: &str) -> Vec<Directive<'_>> {
 
 /// Whether a directive with this name is one of the host.
 fn is_ours(word: &str) -> bool {
-    let own = preset("vscode-shader-toy").map_or(&[][..], |p| &p.directives);
+    let own = preset(HOST).map_or(&[][..], |p| &p.directives);
     match word.starts_with("iChannel") {
         true => channel_of(word).is_some(),
         false => word == "include" || matches_any(own, word),
@@ -496,7 +509,7 @@ fn completion(code: &str, facts: &DirectiveFacts) -> Completion {
 
 /// The declarations of the host, without the channels: their types depend on the text.
 fn host() -> String {
-    let text = preset("vscode-shader-toy").map_or("", |p| &p.prelude);
+    let text = preset(HOST).map_or("", |p| &p.prelude);
     let is_own = |l: &&str| !l.is_empty() && !l.starts_with("uniform sampler");
     let lines = text.lines().filter(is_own);
     lines.map(|line| format!("{line}\n")).collect()

@@ -6,7 +6,7 @@
 
 mod stock;
 
-use super::{Input, OutputId, Project};
+use super::{Input, InputKind, OutputId, Project};
 use shaderlint_semantic::Pass;
 
 /// A stand-in for a file.
@@ -55,6 +55,9 @@ pub fn add_stand_ins(project: &mut Project) {
 
 /// The stand-in for an input: the one for its file on ShaderToy, otherwise the one for its kind.
 fn stand_in(input: &Input) -> Option<StandIn> {
+    if input.kind == InputKind::Texture && input.id == OutputId::SCREEN {
+        return Some(stock::of_screen());
+    }
     let known = stock::find(input).map(|file| file.stand_in);
     known.or_else(|| stock::of_kind(input.kind))
 }
@@ -68,8 +71,6 @@ pub fn is_gray(input: &Input) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::InputKind;
-
     fn check(kind: InputKind, id: &str, src: &str, expected: &str) {
         let mut input = Input::empty(0, kind);
         (input.id, input.src) = (id.to_string(), src.to_string());

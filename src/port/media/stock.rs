@@ -102,6 +102,16 @@ static STOCK: [Stock; 30] = {
     ]
 };
 
+/// The stand-in for what a host shows on its screen.
+pub(super) fn of_screen() -> StandIn {
+    StandIn {
+        title: "",
+        size: [1024, 1024, 1],
+        is_gray: false,
+        generator: SCREEN,
+    }
+}
+
 /// The stand-in for an unknown file, by kind.
 pub(super) fn of_kind(kind: InputKind) -> Option<StandIn> {
     let (generator, size) = match kind {
@@ -177,6 +187,7 @@ generators! {
     BASILICA_BLURRED: "basilica_blurred", "blurred", ["basilica"];
     FOREST: "forest", "cube", ["lib/hash", "forest"];
     FOREST_BLURRED: "forest_blurred", "blurred", ["lib/hash", "forest"];
+    SCREEN: "screen", "flat", ["screen_glyphs", "font", "screen"];
     SKY: "sky", "cube", ["sky"];
     NOISE_VOLUME: "noise_volume", "volume", ["lib/hash", "noise_volume"];
     FILM: "film", "film", ["film"];

@@ -5,6 +5,11 @@ const FIRST_DELTA = 1 / 60;
 /** Maximum time in seconds: later frame numbers do not fit into 32 bits. */
 const LAST_TIME = 3e7;
 
+/** A pause between two frames, in seconds and as a multiple of the usual one, after which the time goes on as if
+ * there had been none: the tab, the machine or a debugger stood still. */
+const GAP = 1;
+const GAP_FACTOR = 8;
+
 class Clock {
   constructor() {
     this.time = 0;
@@ -13,16 +18,18 @@ class Clock {
     this.rate = 60;
     /** Time of the previous frame in milliseconds, by the clock of the page; null before the first frame. */
     this.last = /** @type {number | null} */ (null);
+    /** Seconds between the previous frames. */
+    this.usual = 0;
     this.frames = 0;
     this.since = 0;
-    this.rebase = () => {
-      this.last = null;
-    };
+    this.rebase = () => this.rest();
     window.addEventListener('focus', this.rebase);
+    document.addEventListener('visibilitychange', this.rebase);
   }
 
   dispose() {
     window.removeEventListener('focus', this.rebase);
+    document.removeEventListener('visibilitychange', this.rebase);
   }
 
   reset() {
@@ -31,11 +38,8 @@ class Clock {
     this.last = null;
   }
 
-  resume() {
-    this.last = null;
-  }
-
-  pause() {
+  /** Leaves out the time until the next frame. */
+  rest() {
     this.last = null;
   }
 
@@ -50,11 +54,21 @@ class Clock {
   /** The next frame while playing. */
   tick() {
     const now = performance.now();
-    const delta = this.last === null ? FIRST_DELTA : (now - this.last) / 1000;
+    const delta = this.#since(now);
     if (this.last !== null) this.time += delta;
     this.last = now;
     this.#count(now);
     return this.#next(delta, this.rate);
+  }
+
+  /** Seconds since the previous frame. @param {number} now */
+  #since(now) {
+    if (this.last === null) return FIRST_DELTA;
+    const passed = (now - this.last) / 1000;
+    const isGap = passed > GAP && passed > GAP_FACTOR * this.usual;
+    // A shader whose frames all take that long loses the first pause only.
+    this.usual = passed;
+    return isGap ? FIRST_DELTA : passed;
   }
 
   /** The next frame while paused. */

@@ -194,3 +194,10 @@ const silence = {
   play: () => {},
   rewind: () => {},
 };
+
+/** A sample in -1..1, from its low and high byte. @param {number} low @param {number} high */
+function soundSample(low, high) {
+  return -1 + (2 * (low + 256 * high)) / 65535;
+}
+
+parts.Devices = Devices;

@@ -129,91 +129,37 @@ function samplerCache(gl) {
   return { get, dispose };
 }
 
-/** Maximum number of vertices. */
-const MAX_VERTICES = 100000;
-
 /** @param {WebGL2RenderingContext} gl @param {number} place @param {number} lanes @param {Float32Array} data */
 function fillAttribute(gl, place, lanes, data) {
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
   gl.enableVertexAttribArray(place);
   gl.vertexAttribPointer(place, lanes, gl.FLOAT, false, 0, 0);
+  return buffer;
 }
 
-/**
- * Draws numbered vertices on a background. Controls set their number, the background and the primitive
- * type: the values of `port_mode` are those of WebGL.
- * @param {WebGL2RenderingContext} gl
- * @param {Map<string, number[]>} controls
- */
-function drawVertices(gl, controls) {
-  const [mode, count, background] = ['port_mode', 'vertexCount', 'background'].map((name) => controls.get(name) ?? []);
-  const [r = 0, g = 0, b = 0, a = 1] = background;
-  gl.enable(gl.DEPTH_TEST);
-  gl.enable(gl.BLEND);
-  gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  gl.clearColor(r, g, b, a);
-  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  gl.drawArrays(mode[0] ?? gl.LINES, 0, Math.min(MAX_VERTICES, Math.max(0, Math.floor(count[0] ?? 0))));
-  gl.disable(gl.DEPTH_TEST);
-  gl.disable(gl.BLEND);
-}
-
-/** Black textures, one for each type of channel. @param {WebGL2RenderingContext} gl */
+/** Black textures for channels without an input, made when needed. @param {WebGL2RenderingContext} gl */
 function blackTextures(gl) {
-  /** @type {Map<string, WebGLTexture>} */
-  const plain = new Map();
-  return {
-    flat: blackTexture(gl, gl.TEXTURE_2D),
-    cube: blackTexture(gl, gl.TEXTURE_CUBE_MAP),
-    volume: blackTexture(gl, gl.TEXTURE_3D),
-    /** Binds the default texture for a less common sampler type. @param {string} type */
-    bind: (type) => {
-      const known = plain.get(type);
-      if (known) gl.bindTexture(targetOf(gl, type), known);
-      else plain.set(type, plainTexture(gl, type));
-    },
+  /** @type {Map<string | number, WebGLTexture>} */
+  const made = new Map();
+  /** @template {string | number} T @param {T} key @param {(gl: WebGL2RenderingContext, key: T) => WebGLTexture} make */
+  const get = (key, make) => {
+    const texture = made.get(key) ?? make(gl, key);
+    made.set(key, texture);
+    return texture;
   };
-}
-
-/** @param {WebGL2RenderingContext} gl @param {string} type of a sampler */
-function targetOf(gl, type) {
-  if (type.includes('Cube')) return gl.TEXTURE_CUBE_MAP;
-  if (type.includes('3D')) return gl.TEXTURE_3D;
-  return type.includes('Array') ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
-}
-
-/** @param {WebGL2RenderingContext} gl @param {string} type of a sampler @returns {[number, number, number]} */
-function formatOf(gl, type) {
-  if (type.endsWith('Shadow')) return [gl.DEPTH_COMPONENT16, gl.DEPTH_COMPONENT, gl.UNSIGNED_SHORT];
-  if (type.startsWith('i')) return [gl.RGBA8I, gl.RGBA_INTEGER, gl.BYTE];
-  if (type.startsWith('u')) return [gl.RGBA8UI, gl.RGBA_INTEGER, gl.UNSIGNED_BYTE];
-  return [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE];
-}
-
-/**
- * Binds a texture of one texel to the unit at hand, for a sampler of integers, of layers or of a
- * comparison: one of another kind would keep the whole pass from being drawn.
- * @param {WebGL2RenderingContext} gl
- * @param {string} type isampler2D, sampler2DArray, sampler2DShadow
- */
-function plainTexture(gl, type) {
-  const texture = /** @type {WebGLTexture} */ (gl.createTexture());
-  const target = targetOf(gl, type);
-  const [internal, format, kind] = formatOf(gl, type);
-  const sides = [0, 1, 2, 3, 4, 5].map((face) => gl.TEXTURE_CUBE_MAP_POSITIVE_X + face);
-  gl.bindTexture(target, texture);
-  if (target === gl.TEXTURE_3D || target === gl.TEXTURE_2D_ARRAY) {
-    gl.texImage3D(target, 0, internal, 1, 1, 1, 0, format, kind, null);
-  } else {
-    for (const side of target === gl.TEXTURE_CUBE_MAP ? sides : [target]) {
-      gl.texImage2D(side, 0, internal, 1, 1, 0, format, kind, null);
-    }
-  }
-  gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  if (type.endsWith('Shadow')) gl.texParameteri(target, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
-  return texture;
+  return {
+    /** The texture for a target. @param {number} target */
+    of: (target) => {
+      const texture = get(target, blackTexture);
+      gl.bindTexture(target, texture);
+      return texture;
+    },
+    /** Binds the default texture for a less common sampler type. @param {string} type */
+    bind: (type) => parts.plainTexture && gl.bindTexture(parts.samplerTarget?.(gl, type) ?? gl.TEXTURE_2D, get(type, parts.plainTexture)),
+    dispose: () => made.forEach((texture) => gl.deleteTexture(texture)),
+  };
 }
 
 /**
@@ -241,7 +187,7 @@ function blackTexture(gl, target) {
 }
 
 /** Telephones and tablets, which shaders may ask after. */
-const isWeakDevice = /Android|iPhone|iPad|Mobile/.test(navigator.userAgent);
+const isWeakDevice = /Android|iPhone|iPad|Mobile/.test(globalThis.navigator?.userAgent ?? '');
 
 /** The text of a pass as it is compiled. @param {ProjectData} project @param {PassData} pass */
 function passSource(project, pass) {

@@ -2,16 +2,9 @@
 // the previous frame, row 2 toggled keys.
 
 class Keyboard {
-  /** @param {WebGL2RenderingContext} gl */
-  constructor(gl) {
-    this.gl = gl;
+  constructor() {
     this.data = new Uint8Array(256 * 3);
-    this.texture = /** @type {WebGLTexture} */ (gl.createTexture());
     this.isStale = false;
-    gl.bindTexture(gl.TEXTURE_2D, this.texture);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, 256, 3, 0, gl.RED, gl.UNSIGNED_BYTE, this.data);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   }
 
   /** @param {number} code the keyCode of JavaScript @param {boolean} isDown */
@@ -33,13 +26,22 @@ class Keyboard {
     this.isStale = true;
   }
 
-  upload() {
-    if (!this.isStale) return;
-    const gl = this.gl;
-    this.isStale = false;
-    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+  /** The keyboard as a texture of a context. @param {WebGL2RenderingContext} gl */
+  texture(gl) {
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 256, 3, gl.RED, gl.UNSIGNED_BYTE, this.data);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, 256, 3, 0, gl.RED, gl.UNSIGNED_BYTE, this.data);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    const upload = () => {
+      if (!this.isStale) return;
+      this.isStale = false;
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 256, 3, gl.RED, gl.UNSIGNED_BYTE, this.data);
+    };
+    return { texture, upload, dispose: () => gl.deleteTexture(texture) };
   }
 
   endFrame() {
@@ -48,3 +50,5 @@ class Keyboard {
     this.isStale = true;
   }
 }
+
+parts.Keyboard = Keyboard;

@@ -61,7 +61,7 @@ function listenToKeys(player, signal) {
   };
   canvas.addEventListener('keydown', (event) => handle(event, true), { signal });
   canvas.addEventListener('keyup', (event) => handle(event, false), { signal });
-  canvas.addEventListener('blur', () => player.keyboard.releaseAll(), { signal });
+  canvas.addEventListener('blur', () => player.keyboard?.releaseAll(), { signal });
 }
 
 /**

@@ -37,12 +37,20 @@ export interface MountOptions {
   keyboard?: boolean;
   /** Play sound. Browsers allow this only after a user gesture. */
   sound?: boolean;
+  /**
+   * Play even while the canvas cannot be seen. Default: false. Otherwise the shader starts when the canvas is
+   * seen and stands still when it is not, and its WebGL context may be given to another one meanwhile.
+   */
+  hidden?: boolean;
   /** Called if passes do not compile. */
   onError?: (errors: ShaderError[]) => void;
 }
 
 export interface Mounted {
-  /** Resolves when all passes are compiled and all inputs are loaded. */
+  /**
+   * Resolves when all passes are compiled and all inputs are loaded, which begins when the canvas is seen.
+   * Rejects if the browser gives no WebGL2 context.
+   */
   readonly ready: Promise<void>;
   readonly errors: ShaderError[];
   /** Seconds since the start. */

@@ -4,7 +4,7 @@
  * Plays the shader on a canvas.
  * @param {HTMLCanvasElement} canvas
  * @param {{paused?: boolean, time?: number, size?: [number, number], scale?: number, pointer?: boolean,
- *   keyboard?: boolean, sound?: boolean, onError?: (errors: ShaderError[]) => void}} [options]
+ *   keyboard?: boolean, sound?: boolean, hidden?: boolean, onError?: (errors: ShaderError[]) => void}} [options]
  */
 export function mount(canvas, options = {}) {
   const player = new Player(canvas, structuredClone(PROJECT));
@@ -24,6 +24,8 @@ export function mount(canvas, options = {}) {
     if (options.paused) player.poke();
     else player.play();
   });
+  if (options.hidden) void player.open();
+  else playWhenSeen(player, end.signal);
   return {
     ready,
     get errors() {

@@ -16,7 +16,7 @@ class PassProgram {
       gl.uniform1i(this.at(input?.uniform ?? `iChannel${channel}`), channel);
       gl.uniform1i(this.at(`iCh${channel}.sampler`), channel);
     });
-    if (!data.uniforms) gl.uniform1f(this.at('iSampleRate'), 44100);
+    if (!data.uniforms) gl.uniform1f(this.at('iSampleRate'), SOUND_RATE);
   }
 
   /**
@@ -27,7 +27,7 @@ class PassProgram {
   setFrame(frame, width, height) {
     const { gl, at } = this;
     gl.useProgram(this.program);
-    if (this.data.uniforms) return this.#setOwn(this.data.uniforms, frame, width, height);
+    if (this.data.uniforms) return parts.setOwnUniforms?.(this, this.data.uniforms, frame, width, height);
     gl.uniform3f(at('iResolution'), width, height, 1);
     gl.uniform1f(at('iTime'), frame.time);
     gl.uniform1f(at('iTimeDelta'), frame.delta);
@@ -38,47 +38,12 @@ class PassProgram {
   }
 
   /**
-   * Sets the uniforms of a shader that declares its own.
-   * @param {OwnUniform[]} uniforms
-   * @param {Frame} frame
-   * @param {number} width @param {number} height
-   */
-  #setOwn(uniforms, frame, width, height) {
-    this.gl.uniform2f(this.at('port_size'), width, height);
-    for (const { name, type, source } of uniforms) {
-      if (source === 'textureSize') continue;
-      if (source === 'identity') this.#setIdentity(name, type);
-      else if (source === 'control') this.#set(name, type, frame.controls.get(name) ?? []);
-      else this.#set(name, type, SOURCES[source](frame, width, height));
-    }
-  }
-
-  /** Sets a scalar or vector; missing components are 0. @param {string} name @param {string} type @param {number[]} value */
-  #set(name, type, value) {
-    const place = this.at(name);
-    if (!place || !SETTERS[type]) return;
-    const [method, size] = SETTERS[type];
-    const gl = /** @type {Record<string, any>} */ (/** @type {unknown} */ (this.gl));
-    gl[`uniform${method}`](place, lanesOf(size, value));
-  }
-
-  /** Sets an identity matrix. @param {string} name @param {string} type mat4, mat2x3 */
-  #setIdentity(name, type) {
-    const place = this.at(name);
-    const gl = /** @type {Record<string, any>} */ (/** @type {unknown} */ (this.gl));
-    if (place) gl[`uniformMatrix${type.slice(3)}fv`](place, false, identityOf(type));
-  }
-
-  /**
    * Sets the uniforms of the channels.
    * @param {{size: number[], time: number, isLoaded: boolean}[]} channels
    */
   setChannels(channels) {
     const { gl, at } = this;
-    for (const { name, type, source, of } of this.data.uniforms ?? []) {
-      const channel = source === 'textureSize' ? this.data.inputs.findIndex((i) => i?.uniform === of) : -1;
-      if (channel >= 0) this.#set(name, type, channels[channel].size);
-    }
+    if (this.data.uniforms) parts.setOwnSizes?.(this, this.data.uniforms, channels);
     gl.uniform1fv(at('iChannelTime'), channels.map((c) => c.time));
     gl.uniform3fv(at('iChannelResolution'), channels.flatMap((c) => c.size));
     channels.forEach((channel, i) => {

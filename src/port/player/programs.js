@@ -84,3 +84,22 @@ class Programs {
     this.list.forEach((program) => program?.dispose());
   }
 }
+
+/**
+ * Replaces a text.
+ * @param {ProjectData} project @param {number} index of the file @param {string} text
+ */
+function changeText(project, index, text) {
+  parts.moveNumbers?.(project, index, text);
+  project.files[index].text = text;
+}
+
+/** Start and end of the part of a text that differs from another. @param {string} before @param {string} after */
+function changed(before, after) {
+  const most = Math.min(before.length, after.length);
+  let start = 0;
+  while (start < most && before[start] === after[start]) start++;
+  let tail = 0;
+  while (tail < most - start && before[before.length - 1 - tail] === after[after.length - 1 - tail]) tail++;
+  return [start, before.length - tail];
+}

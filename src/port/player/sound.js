@@ -1,6 +1,5 @@
 // The sound pass: 180 seconds, computed once in blocks of 512 x 512 samples.
 
-const SOUND_RATE = 44100;
 const SOUND_SECONDS = 180;
 const SOUND_SIDE = 512;
 
@@ -92,7 +91,4 @@ class Sound {
   }
 }
 
-/** A sample in -1..1, from its low and high byte. @param {number} low @param {number} high */
-function soundSample(low, high) {
-  return -1 + (2 * (low + 256 * high)) / 65535;
-}
+parts.Sound = Sound;

@@ -36,8 +36,28 @@ const SOURCES = {
   volume: (f) => [madeUpSpectrum(f.time)[0]],
   historySize: () => [SIGNAL_WIDTH, HISTORY_ROWS],
   camera: () => [0, 0, 1],
+  width: (_, w) => [w],
+  height: (_, _w, h) => [h],
+  progress: (f) => [Math.min(f.time % CURSOR_STEP, 1)],
+  cursor: (f, w, h) => textCursor(f.time, w, h),
+  cursorBefore: (f, w, h) => textCursor(f.time - CURSOR_STEP, w, h),
+  cursorTime: (f) => [Math.floor(f.time / CURSOR_STEP) * CURSOR_STEP],
+  cursorColor: () => [1, 0.6, 0.2, 1],
+  ones: () => [1, 1, 1, 1],
   nothing: () => [],
 };
+
+/** Seconds between two moves of the text cursor, and from one animation to the next. */
+const CURSOR_STEP = 1.5;
+
+/**
+ * The text cursor at a time: its left and upper edge, width and height. It visits the cells of a grid.
+ * @param {number} time @param {number} w @param {number} h
+ */
+function textCursor(time, w, h) {
+  const step = Math.floor(time / CURSOR_STEP) + 1;
+  return [(((step * 19) % 48) * w) / 48, h - (((step * 5) % 16) * h) / 16, w / 48, h / 16];
+}
 
 /** Synthetic levels of low, middle and high frequencies. @param {number} time */
 function madeUpSpectrum(time) {
@@ -54,101 +74,4 @@ function lanesOf(size, value) {
 function identityOf(type) {
   const [columns, rows = columns] = type.slice(3).split('x').map(Number);
   return Array.from({ length: columns * rows }, (_, i) => (i % rows === Math.floor(i / rows) ? 1 : 0));
-}
-
-/**
- * The state for drawing a frame.
- * @typedef {object} Frame
- * @property {number} number
- * @property {number} time seconds
- * @property {number} delta seconds since the previous frame
- * @property {number} rate frames per second
- * @property {number[]} mouse
- * @property {{x: number, y: number, isDown: boolean} | null} pointer the mouse position, if known
- * @property {Map<string, number[]>} controls values set by the user
- * @property {number[]} date
- */
-
-/** Year, month from 0, day, and seconds since midnight. */
-function dateUniform() {
-  const now = new Date();
-  const seconds = now.getHours() * 3600 + now.getMinutes() * 60 + now.getSeconds();
-  return [now.getFullYear(), now.getMonth(), now.getDate(), seconds + now.getMilliseconds() / 1000];
-}
-
-/** Functions of size expressions that Math does not have. @type {Record<string, (...n: number[]) => number>} */
-const SIZE_FUNCTIONS = {
-  add: (a, b) => a + b,
-  subtract: (a, b) => a - b,
-  multiply: (a, b) => a * b,
-  divide: (a, b) => a / b,
-  modulo: (a, b) => a % b,
-};
-
-/** @param {SizeTerm} term @param {(name: string) => number} valueOf @returns {number} */
-function sizeOf(term, valueOf) {
-  if (typeof term === 'number') return term;
-  if (typeof term === 'string') return valueOf(term);
-  const [name, terms] = term;
-  const math = /** @type {Record<string, any>} */ (/** @type {unknown} */ (Math));
-  return (SIZE_FUNCTIONS[name] ?? math[name])(...terms.map((t) => sizeOf(t, valueOf)));
-}
-
-/** Maximum width and height of a buffer with its own size. */
-const MAX_SIDE = 8192;
-
-/** Rounds a size to pixels. @param {number} size */
-function pixels(size) {
-  return Math.min(MAX_SIDE, Math.max(1, Math.floor(size) || 1));
-}
-
-/** Number of frames in the history of the spectrum. */
-const HISTORY_ROWS = 240;
-const SIGNAL_WIDTH = 512;
-
-/** Initial texels of a sound texture. @param {string} [form] */
-function signalTexels(form) {
-  if (form === 'sum') return new Float32Array(4 * SIGNAL_WIDTH);
-  return new Uint8Array(4 * SIGNAL_WIDTH * (form === 'history' ? HISTORY_ROWS : 1));
-}
-
-/**
- * Adds a row to a sound texture; rows of a history move up, and a sum grows by one per second at full
- * level.
- * @param {Uint8Array | Float32Array} texels
- * @param {Uint8Array} values
- * @param {number} seconds since the previous row
- */
-function addSignal(texels, values, seconds) {
-  if (texels instanceof Float32Array) {
-    for (let i = 0; i < texels.length; i++) texels[i] += (i % 4 < 3 ? seconds : 0) * (values[i >> 2] / 255);
-    return;
-  }
-  const hasHistory = texels.length > 4 * SIGNAL_WIDTH;
-  texels.copyWithin(4 * SIGNAL_WIDTH, 0);
-  for (let i = 0; i < SIGNAL_WIDTH; i++) {
-    texels.fill(values[i], 4 * i, 4 * i + 4);
-    if (!hasHistory) texels[4 * i + 3] = 255;
-  }
-}
-
-/**
- * Synthesises a spectrum and waveform for silent sound.
- * @param {number} time
- * @param {Uint8Array} spectrum
- * @param {Uint8Array} wave
- */
-function makeUpSignal(time, spectrum, wave) {
-  const count = spectrum.length;
-  for (let j = 0; j < count; j++) {
-    const x = j / count;
-    let f = (0.75 + 0.25 * Math.sin(10 * j + 13 * time)) * Math.exp(-3 * x);
-    if (j < 3) f = Math.pow(0.5 + 0.5 * Math.sin(6.2831 * time), 4) * (1 - j / 3);
-    spectrum[j] = Math.floor(255 * f);
-  }
-  for (let j = 0; j < wave.length; j++) {
-    const x = j / wave.length;
-    const f = 0.5 + 0.15 * Math.sin(17 * time + 62.831 * x) * Math.sin(23 * time + 1.9 * x);
-    wave[j] = Math.floor(255 * f);
-  }
 }

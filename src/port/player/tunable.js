@@ -30,15 +30,14 @@ function setNumber(project, tunable, value) {
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/;
 
 /**
- * Replaces a text and moves the tunables to the new positions of their numbers. Tunables without a
+ * Moves the tunables to the new positions of their numbers when a text is replaced. Tunables without a
  * number are removed.
  * @param {ProjectData} project @param {number} index of the file @param {string} text
  */
-function changeText(project, index, text) {
+function moveNumbers(project, index, text) {
   const file = project.files[index];
   const [from, to] = changed(file.text, text);
   const shift = text.length - file.text.length;
-  file.text = text;
   project.tunables = project.tunables.filter((tunable) => {
     if (tunable.file !== index || tunable.end < from) return true;
     const number = NUMBER.exec(text.slice(tunable.start, tunable.end + shift));
@@ -53,12 +52,4 @@ function changeText(project, index, text) {
   });
 }
 
-/** Start and end of the part of a text that differs from another. @param {string} before @param {string} after */
-function changed(before, after) {
-  const most = Math.min(before.length, after.length);
-  let start = 0;
-  while (start < most && before[start] === after[start]) start++;
-  let tail = 0;
-  while (tail < most - start && before[before.length - 1 - tail] === after[after.length - 1 - tail]) tail++;
-  return [start, before.length - tail];
-}
+Object.assign(parts, { setNumber, moveNumbers });

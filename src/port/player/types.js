@@ -126,4 +126,5 @@
  * @property {ControlData[]} controls
  * @property {MediaData[]} [media] the generators that channels need
  * @property {FindingData[]} [findings] errors, if any
+ * @property {string[]} [keys] names of the keys that it reads
  */

@@ -1,12 +1,12 @@
-// Pages for frames of other pages, which show a still image until they are clicked, and galleries.
+// Pages for frames of other pages, which show a still image until they play, and galleries.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { colors, folder, frames, open, pixels, port, put, shaderport } from '../browser.js';
 import { desk, MOVING, phone } from './show.js';
 
-/** Opens an embedded page; `contexts` counts the contexts that its canvas gave. */
-async function show(context, name, hash = '', code = MOVING) {
+/** Opens an embedded page that waits for a click; `contexts` counts the contexts that its canvas gave. */
+async function show(context, name, hash = '', code = MOVING, ...more) {
   await context.addInitScript(() => {
     globalThis.contexts = 0;
     const { getContext } = HTMLCanvasElement.prototype;
@@ -15,7 +15,7 @@ async function show(context, name, hash = '', code = MOVING) {
       return getContext.apply(this, args);
     };
   });
-  const opened = await open(context, await port(put(`${name}.glsl`, code), name, '--embed'), hash);
+  const opened = await open(context, await port(put(`${name}.glsl`, code), name, '--embed', '--click', ...more), hash);
   return opened;
 }
 
@@ -44,8 +44,9 @@ async function click(context) {
   // An idle bar lets clicks through. The first movement shows it, the second one is on it.
   await page.mouse.move(width / 2, height - 10);
   await page.mouse.move(width / 2 + 5, height - 10);
-  await page.click('#more');
-  assert.ok(await page.isVisible('#panel'));
+  assert.deepEqual(await page.$$eval('#bar > *', (all) => all.filter((e) => e.checkVisibility()).map((e) => e.id)), ['play', 'restart', 'scrub', 'time', 'full']);
+  await page.click('#play');
+  assert.ok(await page.evaluate(() => !globalThis.shaderport.player.isPlaying));
   assert.deepEqual(complaints, []);
 }
 
@@ -87,7 +88,7 @@ async function linked(context) {
 
 /** As the documentation recommends: a frame that may only run scripts. */
 async function framed(context) {
-  const address = await port(put('inner.glsl', MOVING), 'inner', '--embed');
+  const address = await port(put('inner.glsl', MOVING), 'inner', '--embed', '--click');
   const frame = `<iframe src="${address}" title="Water" loading="lazy" sandbox="allow-scripts" allow="autoplay; fullscreen" style="width: 400px; height: 225px"></iframe>`;
   const { page, complaints } = await open(context, pathToFileURL(put('outer.html', `<!doctype html><title>x</title>${frame}`)).href);
   await page.frameLocator('iframe').locator('#begin').click();
@@ -125,7 +126,13 @@ async function cards(context) {
   const dark = await page.evaluate(() => matchMedia('(prefers-color-scheme: dark)').matches);
   const back = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   assert.equal(Number(back.match(/\d+/)[0]) < 128, dark, `the page is ${back}`);
-  assert.equal(await page.locator('canvas, script, button').count(), 0, 'nothing plays here');
+  assert.equal(await page.locator('canvas, button').count(), 0, 'nothing plays here');
+  await page.fill('#search', 'WORDS long');
+  assert.deepEqual(await page.$$eval('li', (all) => all.filter((e) => e.checkVisibility()).map((e) => e.querySelector('b').textContent)), ['a long title with words']);
+  await page.fill('#search', 'nothing like this');
+  assert.ok(await page.isVisible('#none'));
+  await page.fill('#search', '');
+  await page.focus('#search');
   await page.keyboard.press('Tab');
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement?.textContent), 'stripes');
@@ -137,6 +144,108 @@ async function cards(context) {
   assert.deepEqual(complaints, []);
 }
 
+/** Without `--click` it plays as soon as it is seen, and shows its still image until then. */
+async function seen(context) {
+  const address = await port(put('seen.glsl', MOVING), 'seen', '--embed');
+  const frame = `<div style="height: 3000px"></div><iframe src="${address}" style="width: 400px; height: 225px"></iframe>`;
+  const { page, complaints } = await open(context, pathToFileURL(put('tall.html', `<!doctype html><title>x</title>${frame}`)).href);
+  const inner = page.frames().find((f) => f.url().endsWith('seen.html'));
+  await inner.waitForFunction(() => globalThis.shaderport);
+  await frames(page);
+  assert.ok(await inner.evaluate(() => globalThis.shaderport.player.renderer === null && document.querySelector('#poster') !== null));
+  await page.locator('iframe').scrollIntoViewIfNeeded();
+  await plays(inner);
+  const time = () => inner.evaluate(() => globalThis.shaderport.player.clock.time);
+  await page.evaluate(() => scrollTo(0, 0));
+  await inner.waitForFunction(() => !globalThis.shaderport.player.isSeen, null, { polling: 100 });
+  const before = await time();
+  await page.waitForTimeout(300);
+  assert.equal(await time(), before, 'it stands still');
+  await page.locator('iframe').scrollIntoViewIfNeeded();
+  await inner.waitForFunction((t) => globalThis.shaderport.player.clock.time > t, before);
+  assert.ok(await time() - before < 1, 'the time goes on where it stood');
+  assert.deepEqual(complaints, []);
+}
+
+/** A simulation goes on where it stood, although its context was given back. */
+async function simulation(context) {
+  const counter = 'void mainImage(out vec4 O, vec2 U) { O = texelFetch(iChannel0, ivec2(U), 0) + 1.0; }\n';
+  const image = 'void mainImage(out vec4 O, vec2 U) { O = vec4(fract(texelFetch(iChannel0, ivec2(0), 0).r / 100.0)); }\n';
+  put('count/buffer_a.glsl', counter);
+  put('count/image.glsl', image);
+  const address = await port(path.join(folder(), 'count'), 'count', '--channel', 'buffer_a.0=buffer_a', '--channel', 'image.0=buffer_a');
+  const { page, complaints } = await open(context, address, '#paused&size=8x8');
+  const steps = await page.evaluate(async () => {
+    const { player, renderFrame } = globalThis.shaderport;
+    const value = () => {
+      const texel = new Float32Array(4);
+      const { gl } = player;
+      const buffer = [...player.renderer.buffers.values()][0];
+      gl.bindFramebuffer(gl.FRAMEBUFFER, buffer.framebuffer);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, buffer.texture, 0);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, texel);
+      return [texel[0], gl.getError()];
+    };
+    await renderFrame(9);
+    const first = value();
+    player.rest();
+    await new Promise((resolve) => { setTimeout(resolve, 50); });
+    const resting = [player.renderer === null, player.canvas.style.background.startsWith('url("data:image')];
+    const opened = new Promise((resolve) => { player.listeners.push(() => player.renderer?.compiled.list.every(Boolean) && resolve()); });
+    player.open();
+    await opened;
+    await new Promise((resolve) => { setTimeout(resolve, 100); });
+    player.step();
+    return [first, resting, value(), player.canvas.style.background];
+  });
+  // Opening it again draws a frame.
+  assert.deepEqual(steps, [[10, 0], [true, true], [12, 0], '']);
+  assert.deepEqual(complaints, []);
+}
+
+/** Forty frames, scrolled through: never more contexts than browsers keep, and no image is black. */
+async function forty(context) {
+  const addresses = await Promise.all(Array.from({ length: 40 }, (_, i) =>
+    port(put(`many${i}.glsl`, MOVING.replace('0.2', `0.5 + 0.01 * ${i}.0`)), `many${i}`, '--embed')));
+  const all = addresses.map((address) => `<iframe src="${address}" style="width: 320px; height: 180px; border: 0"></iframe>`).join('\n');
+  const { page, complaints } = await open(context, pathToFileURL(put('forty.html', `<!doctype html><title>x</title><body style="margin: 0; background: #fff">${all}`)).href);
+  const count = async () => {
+    const open = await Promise.all(page.frames().slice(1).map((f) => f.evaluate(() => globalThis.shaderport.player.renderer !== null)));
+    return open.filter(Boolean).length;
+  };
+  const height = await page.evaluate(() => document.documentElement.scrollHeight);
+  for (let top = 0; top < height; top += 300) {
+    await page.evaluate((y) => scrollTo(0, y), top);
+    await page.waitForTimeout(400);
+    assert.ok(await count() <= 16);
+    const dark = await darkShare(page, await page.screenshot());
+    assert.ok(dark < 0.02, `${dark} of the window is black at ${top}`);
+  }
+  assert.deepEqual(complaints, []);
+}
+
+/** The share of pixels of a screenshot that are black. */
+function darkShare(page, png) {
+  return page.evaluate(async (text) => {
+    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))]));
+    const to = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    to.drawImage(image, 0, 0);
+    const { data } = to.getImageData(0, 0, image.width, image.height);
+    let dark = 0;
+    for (let i = 0; i < data.length; i += 4) dark += data[i] + data[i + 1] + data[i + 2] < 30 ? 1 : 0;
+    return (4 * dark) / data.length;
+  }, png.toString('base64'));
+}
+
+/** Script and style as files, for a site that allows nothing else. */
+async function split(context) {
+  const { page, complaints } = await show(context, 'split', '', MOVING, '--split');
+  await page.click('#begin');
+  await plays(page);
+  assert.deepEqual(await page.$$eval('script:not([type]), style', (all) => all.map((e) => e.textContent)), ['']);
+  assert.deepEqual(complaints, []);
+}
+
 export const embedTests = [
   { name: 'embed: nothing runs before the click', run: click, context: desk },
   { name: 'embed: a click on the image', run: image },
@@ -145,6 +254,10 @@ export const embedTests = [
   { name: 'embed: a link that plays', run: linked },
   { name: 'embed: in a frame that may only run scripts', run: framed },
   { name: 'embed: without a still image', run: plain },
+  { name: 'embed: plays while it is seen', run: seen, context: desk },
+  { name: 'embed: a simulation keeps its state', run: simulation },
+  { name: 'embed: forty in one page', run: forty, context: { viewport: { width: 1000, height: 600 } } },
+  { name: 'embed: script and style as files', run: split },
   { name: 'gallery: on a desk', run: cards, context: { ...desk, colorScheme: 'light' } },
   { name: 'gallery: on a phone, dark', run: cards, context: { ...phone, colorScheme: 'dark' } },
 ];

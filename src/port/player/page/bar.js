@@ -2,8 +2,6 @@
 
 const PLAY = 'M4 2l10 6-10 6z';
 const PAUSE = 'M3 2h4v12H3zM9 2h4v12H9z';
-/** Frame duration in seconds above which a shader counts as slow. */
-const SLOW = 0.25;
 
 /** @param {Player} player */
 function togglePlay(player) {
@@ -55,7 +53,7 @@ function hideBarWhenIdle(player) {
   let isOver = false;
   const sleep = () => {
     const isUsed = isOver || bar.matches(':has(:focus-visible)');
-    const isWanted = isUsed || !player.isPlaying || !element('panel', HTMLElement).hidden;
+    const isWanted = isUsed || !player.isPlaying || document.querySelector('#panel:not([hidden])') !== null;
     stage.classList.toggle('idle', document.fullscreenElement !== null || !isWanted);
   };
   const wake = () => {
@@ -75,16 +73,13 @@ function hideBarWhenIdle(player) {
   wake();
 }
 
-/** Updates time and frame rate. @param {Player} player */
+/** Updates the time. @param {Player} player */
 function showClock(player) {
   const time = element('time', HTMLOutputElement);
-  const rate = element('rate', HTMLOutputElement);
   const scrub = element('scrub', HTMLInputElement);
   const show = () => {
     const now = player.clock.time;
-    const shownRate = player.clock.rate < 10 ? player.clock.rate.toFixed(1) : player.clock.rate.toFixed(0);
     time.value = now.toFixed(2);
-    rate.value = player.isPlaying ? `${shownRate} fps` : '';
     if (now > Number(scrub.max)) scrub.max = String(2 * now);
     if (document.activeElement !== scrub || player.isPlaying) scrub.value = String(now);
     requestAnimationFrame(show);
@@ -92,73 +87,11 @@ function showClock(player) {
   show();
 }
 
-/**
- * The size of the canvas: `isHeld` prevents changes, as during a recording; `fit` sets it to the displayed
- * size.
- */
-const canvasSize = { isHeld: false, fit: () => {} };
-
-/** Keeps the canvas resolution at its displayed size, times the selected scale. @param {Player} player */
-function fitCanvas(player) {
-  const { canvas } = player;
-  const scale = element('scale', HTMLSelectElement);
-  const asked = readAddress();
-  if (asked.size) {
-    const [width, height] = asked.size;
-    canvas.style.width = `${width}px`;
-    canvas.style.height = `${height}px`;
-    canvas.classList.add('sized');
-    scale.hidden = true;
-    canvasSize.fit = () => player.resize(width, height);
-    canvasSize.fit();
-    return;
-  }
-  if (asked.scale) {
-    const word = String(asked.scale);
-    if (![...scale.options].some((o) => o.value === word)) scale.add(new Option(`${word}×`, word));
-    scale.value = word;
-  }
-  canvasSize.fit = fitToElement(player, () => (canvasSize.isHeld ? null : Number(scale.value)));
-  scale.addEventListener('change', () => {
-    keepInAddress({ scale: scale.value === '1' ? null : scale.value });
-    canvasSize.fit();
-    retract('slow');
+/** Shows a notice when the browser takes the WebGL context away. @param {Player} player */
+function watchContext({ canvas, context }) {
+  canvas.addEventListener('webglcontextlost', () => {
+    if (context.isGivenBack) return;
+    notify('lost', 'WebGL context lost: this shader may be too slow for this device, or too many shaders play at once');
   });
-}
-
-/**
- * Suggests a lower resolution if frames are slow. The first frames are not counted, since shaders are
- * prepared in them.
- * @param {Player} player
- */
-function watchSpeed(player) {
-  const scale = element('scale', HTMLSelectElement);
-  /** @type {number[]} */
-  let times = [];
-  let last = 0;
-  const look = (/** @type {number} */ now) => {
-    times = player.isPlaying && document.visibilityState === 'visible' && last > 0 ? [...times, (now - last) / 1000] : [];
-    last = player.isPlaying ? now : 0;
-    if (times.length < 4) return requestAnimationFrame(look);
-    const usual = times.slice(1).sort((a, b) => a - b)[1];
-    const next = scale.options[scale.selectedIndex - 1];
-    if (usual > SLOW && next && !scale.hidden) {
-      notify('slow', `This shader is slow on this device: ${(1 / usual).toFixed(1)} fps`, {
-        label: `Render at ${next.text}`,
-        act: () => {
-          scale.value = next.value;
-          scale.dispatchEvent(new Event('change'));
-        },
-      });
-    }
-    times = times.slice(1);
-    return requestAnimationFrame(look);
-  };
-  requestAnimationFrame(look);
-}
-
-/** Shows a notice when the WebGL context is lost, which leaves the canvas black. @param {Player} player */
-function watchContext({ canvas }) {
-  canvas.addEventListener('webglcontextlost', () => notify('lost', 'WebGL context lost: this shader may be too slow for this device'));
   canvas.addEventListener('webglcontextrestored', () => retract('lost'));
 }

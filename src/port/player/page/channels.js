@@ -115,7 +115,7 @@ async function putFiles(player, files) {
 /** Requests the camera. @param {Player} player */
 async function allowCamera(player) {
   try {
-    await player.devices.openCamera();
+    await player.devices?.openCamera();
   } catch {
     flash('Camera not available');
     return;
@@ -152,7 +152,7 @@ function channelRow(player, slot) {
   const isDevice = !FILE_KINDS.includes(kind);
   const button = makeButton(isDevice ? 'Allow' : 'File…', () => {
     if (kind === 'webcam') void allowCamera(player);
-    else if (kind === 'mic') void player.devices.openMicrophone().catch(() => flash('Microphone not available'));
+    else if (kind === 'mic') void player.devices?.openMicrophone().catch(() => flash('Microphone not available'));
     else chooser.click();
   }, isDevice ? `Allow the ${KIND_WORDS[kind]}` : `File for ${name}`);
   row.addEventListener('dragover', () => row.classList.add('over'));
@@ -187,7 +187,7 @@ function tellMissing(player, slots, choose) {
 function tellCamera(player, slots) {
   const kindOf = (/** @type {Slot} */ { pass, channel }) => player.project.passes[pass].inputs[channel]?.kind;
   const waiting = slots.find((slot) => kindOf(slot) === 'webcam' && isRead(player, slot));
-  if (!waiting || player.devices.cameraFilm?.srcObject) return retract('camera');
+  if (!waiting || player.devices?.cameraFilm?.srcObject) return retract('camera');
   const act = () => void allowCamera(player);
   return notify('camera', `${channelName(player, waiting)} uses the camera`, { label: 'Allow', act });
 }
@@ -228,3 +228,5 @@ function showChannels(player) {
   player.listeners.push(show);
   show();
 }
+
+pageParts.showChannels = showChannels;

@@ -250,3 +250,5 @@ function showSliders(player) {
   show();
   player.listeners.push(show);
 }
+
+pageParts.showSliders = showSliders;

@@ -18,13 +18,6 @@ function make(tag, text = '', className = '') {
   return node;
 }
 
-/** Text with code in backticks. @param {string} tag @param {string} words @param {string} [className] */
-function makeWords(tag, words, className) {
-  const node = make(tag, '', className);
-  words.split(/\x60([^\x60]+)\x60/).forEach((part, i) => node.append(i % 2 ? make('code', part) : part));
-  return node;
-}
-
 /** @param {string} text @param {() => void} act @param {string} [title] */
 function makeButton(text, act, title = '') {
   const button = document.createElement('button');
@@ -38,43 +31,5 @@ function makeButton(text, act, title = '') {
   return button;
 }
 
-/** A link to another site; only for https: URLs. @param {string} address @param {string} text */
-function makeLink(address, text) {
-  if (!/^https:\/\/[^\s"<>]+$/i.test(address)) return document.createTextNode(text);
-  const link = document.createElement('a');
-  link.href = address;
-  link.rel = 'noopener noreferrer';
-  link.target = '_blank';
-  link.textContent = text;
-  return link;
-}
-
-/** @param {Blob} blob @param {string} name */
-function save(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-
-/** The file name of a download: the title, reduced to letters and digits. @param {Player} player @param {string} ending */
-function fileName(player, ending) {
-  const words = player.project.title.normalize('NFKD').match(/[\p{L}\p{N}]+/gu) ?? ['shader'];
-  return `${words.join('-').slice(0, 60)}-${player.clock.time.toFixed(2)}s.${ending}`;
-}
-
-/** Copies text to the clipboard. @param {string} text */
-async function copy(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {
-    // Fallback for a frame without the permission.
-    const area = document.createElement('textarea');
-    area.value = text;
-    document.body.append(area);
-    area.select();
-    document.execCommand('copy');
-    area.remove();
-  }
-}
+/** What only some pages have. @type {{showChannels?: (player: Player) => void, showSliders?: (player: Player) => void}} */
+const pageParts = {};

@@ -32,7 +32,8 @@ function problemOfError(player, error) {
 
 /** All current errors. @param {Player} player @returns {Problem[]} */
 function problems(player) {
-  const { project, compiled } = player;
+  const { project } = player;
+  const failures = player.renderer?.compiled.failures ?? [];
   /** @param {FindingData} finding */
   const holds = (finding) => finding.labels.every((l) => project.files[l.file].text === checkedTexts[l.file]);
   /** @type {Set<FindingData>} */
@@ -40,10 +41,10 @@ function problems(player) {
   /** @type {ShaderError[]} */
   const plain = player.errors.filter((e) => e.line < 0);
   project.passes.forEach((pass, i) => {
-    if (compiled.failures[i].length === 0) return;
+    if (!failures[i]?.length) return;
     const known = (project.findings ?? []).filter((f) => pass.files.includes(f.labels[0].file) && holds(f));
     known.forEach((finding) => told.add(finding));
-    if (known.length === 0) plain.push(...compiled.failures[i]);
+    if (known.length === 0) plain.push(...failures[i]);
   });
   const distinct = new Map(plain.map((e) => [`${e.pass}\n${e.line}\n${e.text}`, e]));
   return [

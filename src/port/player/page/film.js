@@ -111,17 +111,18 @@ async function encodeSound(player, start, seconds) {
 /** Records image and sound in real time. @param {Player} player @param {FilmOrder} order @param {FilmRun} run @returns {Promise<Blob>} */
 async function filmLive(player, order, run) {
   const stream = player.canvas.captureStream(order.rate);
-  if (order.hasSound) {
+  const { devices } = player;
+  if (order.hasSound && devices) {
     player.setSound(true);
-    const audio = player.devices.openAudio();
+    const audio = devices.openAudio();
     const ear = audio.createMediaStreamDestination();
-    player.devices.output?.connect(ear);
+    devices.output?.connect(ear);
     ear.stream.getAudioTracks().forEach((track) => stream.addTrack(track));
   }
   /** @type {Blob[]} */
-  const parts = [];
+  const recorded = [];
   const recorder = new MediaRecorder(stream, { videoBitsPerSecond: 16e6 });
-  recorder.addEventListener('dataavailable', (event) => parts.push(event.data));
+  recorder.addEventListener('dataavailable', (event) => recorded.push(event.data));
   const ended = new Promise((resolve) => recorder.addEventListener('stop', resolve));
   if (order.isFromStart) player.restart();
   recorder.start();
@@ -134,7 +135,7 @@ async function filmLive(player, order, run) {
   recorder.stop();
   await ended;
   stream.getTracks().forEach((track) => track.stop());
-  return new Blob(parts, { type: recorder.mimeType });
+  return new Blob(recorded, { type: recorder.mimeType });
 }
 
 /** Records a video and restores the state of the player. @param {Player} player @param {FilmOrder} order @param {FilmRun} run */

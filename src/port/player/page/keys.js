@@ -1,4 +1,4 @@
-// Keyboard shortcuts and their list.
+// Keyboard shortcuts.
 
 /** Steps one frame while paused, and five seconds while playing. @param {Player} player @param {number} way */
 function jump(player, way) {
@@ -14,23 +14,7 @@ const SHORTCUTS = [
   { keys: ['ArrowRight'], shown: '→', words: 'Forward 5 seconds, or one frame while paused', act: (player) => jump(player, 1) },
   { keys: ['r', 'R'], shown: 'r', words: 'Restart', act: (player) => player.restart() },
   { keys: ['f', 'F'], shown: 'f', words: 'Full screen', act: toggleFullScreen },
-  { keys: ['s', 'S'], shown: 's', words: 'Save an image', act: savePicture },
-  { keys: ['c', 'C'], shown: 'c', words: 'Show or hide the code', act: () => (isTabOpen('code') ? closePanel() : openTab('code')) },
-  { keys: ['?'], shown: '?', words: 'Show or hide this list', act: (player) => toggleHelp(player) },
 ];
-
-/** @param {Player} player */
-function toggleHelp(player) {
-  const dialog = element('keys', HTMLDialogElement);
-  if (dialog.open) return dialog.close();
-  const list = make('dl');
-  for (const { shown, words } of SHORTCUTS) list.append(make('dt', shown), make('dd', words));
-  list.append(make('dt', 'esc'), make('dd', 'Leave the code editor, or close the panel'));
-  const notes = readsKeys(player) ? [make('p', 'This shader reads the keyboard. While the image has focus, it receives all keys except Tab. To use the shortcuts, press Tab or click outside the image.')] : [];
-  const close = makeButton('×', () => dialog.close(), 'Close');
-  dialog.replaceChildren(close, make('h2', 'Keyboard shortcuts'), list, ...notes);
-  return dialog.showModal();
-}
 
 /** Whether the focused element handles this key itself. @param {EventTarget | null} target @param {string} key */
 function wantsKey(target, key) {
@@ -52,5 +36,12 @@ function listenToShortcuts(player) {
     event.preventDefault();
     if (!event.repeat || event.key.startsWith('Arrow')) shortcut.act(player);
   });
-  element('help', HTMLElement).addEventListener('click', () => toggleHelp(player));
+}
+
+/** Tells which keys a shader reads, once. @param {Player} player */
+function tellKeys(player) {
+  if (!readsKeys(player)) return;
+  const keys = (player.project.keys ?? []).join(', ');
+  notify('keys', keys ? `Click the image, then use ${keys}` : 'This shader reads the keyboard: click the image first');
+  player.canvas.addEventListener('focus', () => setTimeout(() => retract('keys'), 2000), { once: true });
 }

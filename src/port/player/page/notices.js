@@ -32,14 +32,3 @@ function retract(name) {
   notices.get(name)?.remove();
   notices.delete(name);
 }
-
-/** Shows a notice for a few seconds. @param {string} text */
-function flash(text) {
-  dismissed.delete('flash');
-  retract('flash');
-  notify('flash', text);
-  const shown = notices.get('flash');
-  setTimeout(() => {
-    if (shown && notices.get('flash') === shown) retract('flash');
-  }, 4000);
-}

@@ -20,7 +20,8 @@ function isTabOpen(id) {
 
 /** Whether this page has a panel. */
 function canOpenPanel() {
-  return readAddress().hasBar;
+  const { hasBar, isEmbedded } = readAddress();
+  return hasBar && !isEmbedded;
 }
 
 /** Lays out the panel. */

@@ -116,21 +116,5 @@ function standInInput(data, drawn) {
   return input;
 }
 
-/**
- * The samples of a tune, which its stand-in holds as bytes.
- * @param {WebGL2RenderingContext} gl
- * @param {InputData} data
- * @param {DrawnTexture} drawn
- */
-function standInSound(gl, data, { texture }) {
-  const [width, height] = data.size ?? [1, 1];
-  const bytes = new Uint8Array(width * height * 4);
-  const framebuffer = gl.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-  gl.deleteFramebuffer(framebuffer);
-  const side = (/** @type {number} */ at) =>
-    Float32Array.from({ length: width * height }, (_, i) => soundSample(bytes[4 * i + at], bytes[4 * i + at + 1]));
-  return [side(0), side(2)];
-}
+openers.standIn = (_, data, { standIns }) => (standIns ? standInInput(data, standIns.get(data)) : emptyInput());
+parts.standIns = standInCache;

@@ -1,16 +1,4 @@
-// Render targets of passes: pairs of textures, one to write and one to read.
-
-/** Pass index of a buffer that is read but never drawn. It stays empty. */
-const UNDRAWN = -1;
-
-/** Whether a channel reads a pass with mipmaps. @param {ProjectData} project @param {number} pass index */
-function hasMipmaps(project, pass) {
-  const isCube = project.passes[pass]?.kind === 'cubemap';
-  /** @param {InputData} input */
-  const reads = ({ kind, buffer = UNDRAWN }) =>
-    isCube ? kind === 'cubebuffer' : kind === 'buffer' && buffer === pass;
-  return project.passes.some((p) => p.inputs.some((i) => i?.filter === 'mipmap' && reads(i)));
-}
+// A render target: a pair of textures, one to write and one to read.
 
 /** A buffer with 32-bit floats or, like a canvas, with bytes. */
 class Buffer {
@@ -108,75 +96,26 @@ class Buffer {
     gl.deleteFramebuffer(source);
   }
 
-  dispose() {
-    this.textures.forEach((t) => this.gl.deleteTexture(t));
-    this.gl.deleteFramebuffer(this.framebuffer);
-  }
-}
-
-const CUBE_SIZE = 1024;
-
-/** Directions of the faces +X, -X, +Y, -Y, +Z, -Z at their (0,0), (1,0), (1,1) and (0,1). */
-const CUBE_CORNERS = [
-  [1, 1, 1, 1, 1, -1, 1, -1, -1, 1, -1, 1],
-  [-1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1],
-  [-1, 1, -1, 1, 1, -1, 1, 1, 1, -1, 1, 1],
-  [-1, -1, 1, 1, -1, 1, 1, -1, -1, -1, -1, -1],
-  [-1, 1, 1, 1, 1, 1, 1, -1, 1, -1, -1, 1],
-  [1, 1, -1, -1, 1, -1, -1, -1, -1, 1, -1, -1],
-];
-
-/** A cube map of 1024 x 1024 with 16-bit floats. */
-class CubeBuffer {
-  /** @param {WebGL2RenderingContext} gl */
-  constructor(gl) {
-    this.gl = gl;
-    this.front = 0;
-    this.textures = [this.#texture(), this.#texture()];
-    this.framebuffer = /** @type {WebGLFramebuffer} */ (gl.createFramebuffer());
-  }
-
-  #texture() {
-    const gl = this.gl;
-    const texture = /** @type {WebGLTexture} */ (gl.createTexture());
-    const levels = Math.log2(CUBE_SIZE) + 1;
-    gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
-    gl.texStorage2D(gl.TEXTURE_CUBE_MAP, levels, gl.RGBA16F, CUBE_SIZE, CUBE_SIZE);
-    gl.texParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
-    return texture;
-  }
-
-  get texture() {
-    return this.textures[this.front];
-  }
-
-  /** @param {number} face */
-  bind(face) {
-    const gl = this.gl;
-    const side = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;
-    const back = this.textures[1 - this.front];
+  /** The texels that passes read. */
+  save() {
+    const { gl, width, height } = this;
+    const texels = this.isFloat ? new Float32Array(4 * width * height) : new Uint8Array(4 * width * height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, side, back, 0);
-    gl.viewport(0, 0, CUBE_SIZE, CUBE_SIZE);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.texture, 0);
+    gl.readPixels(0, 0, width, height, gl.RGBA, this.isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, texels);
+    return { width, height, texels };
   }
 
-  /** @param {boolean} hasMipmaps */
-  flip(hasMipmaps) {
-    this.front = 1 - this.front;
-    if (!hasMipmaps) return;
-    this.gl.bindTexture(this.gl.TEXTURE_CUBE_MAP, this.texture);
-    this.gl.generateMipmap(this.gl.TEXTURE_CUBE_MAP);
-  }
-
-  /** @param {boolean} hasMipmaps */
-  clear(hasMipmaps) {
-    for (let i = 0; i < 2; i++) {
-      for (let face = 0; face < 6; face++) {
-        this.bind(face);
-        this.gl.clearBufferfv(this.gl.COLOR, 0, [0, 0, 0, 0]);
-      }
-      this.flip(hasMipmaps);
-    }
+  /** @param {ReturnType<Buffer['save']>} saved @param {boolean} hasMipmaps */
+  restore({ width, height, texels }, hasMipmaps) {
+    const { gl } = this;
+    const [nowWidth, nowHeight] = [this.width, this.height];
+    this.resize(width, height, hasMipmaps);
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, this.isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, texels);
+    if (hasMipmaps) gl.generateMipmap(gl.TEXTURE_2D);
+    this.resize(nowWidth, nowHeight, hasMipmaps);
   }
 
   dispose() {
@@ -184,3 +123,5 @@ class CubeBuffer {
     this.gl.deleteFramebuffer(this.framebuffer);
   }
 }
+
+parts.Buffer = Buffer;

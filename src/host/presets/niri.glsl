@@ -1,0 +1,43 @@
+// niri
+//
+// The Wayland compositor niri animates windows with shaders in its configuration:
+// `animations { window-open { custom-shader r"..." } }`. A shader defines one of `open_color`,
+// `close_color` and `resize_color`, which return the premultiplied colour of a pixel. niri puts the
+// declarations below before it and appends main(). Its errors are only in the log.
+//
+// Coordinates have their origin in the upper left corner of the window and are 1 in the lower right
+// one; they may be outside of 0 to 1. A matrix maps them to a texture, such as
+// `niri_tex` with `niri_geo_to_tex * coords_geo`. `niri_progress` may exceed 1, as springs do;
+// `niri_clamped_progress` does not.
+//
+// source: src/render_helpers/shaders/*_prelude.frag and *_epilogue.frag of YaLTeR/niri
+// word: niri_*
+// shows: usual open_color
+// shows: usual close_color
+// shows: usual resize_color
+// version: 100
+// names: all
+// entry: open_color close_color resize_color
+// composes: yes
+precision highp float;
+uniform sampler2D niri_tex; // = screen, top-first
+uniform sampler2D niri_tex_prev; // = screen, top-first
+uniform sampler2D niri_tex_next; // = screen, top-first
+uniform mat3 niri_geo_to_tex; // = identity
+uniform mat3 niri_geo_to_tex_prev; // = identity
+uniform mat3 niri_geo_to_tex_next; // = identity
+uniform mat3 niri_curr_geo_to_prev_geo; // = identity
+uniform mat3 niri_curr_geo_to_next_geo; // = identity
+uniform mat3 niri_input_to_geo; // = identity
+uniform mat3 niri_input_to_curr_geo; // = identity
+uniform vec2 niri_size; // = resolution
+uniform vec2 niri_geo_size; // = resolution
+uniform vec2 niri_curr_geo_size; // = resolution
+uniform float niri_progress; // = progress
+uniform float niri_clamped_progress; // = progress
+/// A random number from 0 to 1, other for each animation.
+uniform float niri_random_seed; // = nothing
+uniform vec4 niri_corner_radius; // = nothing
+uniform float niri_clip_to_geometry; // = nothing
+uniform float niri_alpha; // = ones
+uniform float niri_scale; // = ones

@@ -1,0 +1,2 @@
+// The screen writes with the letters of the font texture.
+#define texel glyph

@@ -1,0 +1,1 @@
+const B=()=>{};function I(){return{texture:null,size:[0,0,0],time:0,isLoaded:!1,ready:Promise.resolve(),update:B,play:B,rewind:B,dispose:B}}function N(e,i,t=!1){e.pixelStorei(e.UNPACK_FLIP_Y_WEBGL,i),e.pixelStorei(e.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),e.pixelStorei(e.UNPACK_COLORSPACE_CONVERSION_WEBGL,t?e.BROWSER_DEFAULT_WEBGL:e.NONE)}

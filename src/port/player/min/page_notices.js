@@ -1,0 +1,1 @@
+const fs=new Map,Es=new Set;function gs(e,t,n){if(Es.has(e))return;const a=pn("div","","notice");a.append(pn("span",t)),n&&a.append(fn(n.label,n.act)),a.append(fn("×",()=>{Es.add(e),bs(e)},"Dismiss"));const o=fs.get(e);o?.textContent!==a.textContent&&(bs(e),fs.set(e,a),mn("notices",HTMLElement).append(a))}function bs(e){fs.get(e)?.remove(),fs.delete(e)}

@@ -1,0 +1,1 @@
+const He={add:(t,n)=>t+n,subtract:(t,n)=>t-n,multiply:(t,n)=>t*n,divide:(t,n)=>t/n,modulo:(t,n)=>t%n};function Xe(t,n){if("number"==typeof t)return t;if("string"==typeof t)return n(t);const[r,o]=t,u=Math;return(He[r]??u[r])(...o.map(t=>Xe(t,n)))}const je=8192;function Ge(t){return Math.min(je,Math.max(1,Math.floor(t)||1))}

@@ -1,0 +1,125 @@
+// Players run only while their canvas can be seen, and share the few contexts that a browser has. The players of
+// a page know each other, and tell those in other frames of the same page what they take and leave.
+
+/** Contexts that all players hold together at most: browsers keep 16, and some are on their way. */
+const MAX_CONTEXTS = 12;
+/** How many others take a context after a player that is not seen before it leaves its own. */
+const MAX_UNSEEN = 4;
+/** Milliseconds in which others may leave before a context is opened. */
+const COURTESY = 60;
+
+/**
+ * The place of a player among all that hold contexts.
+ * @typedef {object} Seat
+ * @property {string} id
+ * @property {boolean} isSeen
+ * @property {boolean} isHeld
+ * @property {() => void} open
+ * @property {() => void} rest
+ */
+
+/**
+ * What the players of this page know: the holders of contexts in the order in which they took them.
+ * @typedef {{seats: Set<Seat>, holders: Set<string>}} Hall
+ */
+
+/** @typedef {'take' | 'leave' | 'hide'} SeatNews */
+
+/** The hall of this page, which all modules in it share. @returns {Hall} */
+function hallOfPage() {
+  const key = Symbol.for('shaderport.hall');
+  const page = /** @type {{[key]?: Hall}} */ (/** @type {unknown} */ (window));
+  const known = page[key];
+  if (known) return known;
+  /** @type {Hall} */
+  const hall = { seats: new Set(), holders: new Set() };
+  page[key] = hall;
+  window.addEventListener('message', ({ data, source }) => {
+    const [news, id] = data?.shaderport ?? [];
+    if (source !== window && typeof id === 'string') hear(hall, news, id);
+  });
+  return hall;
+}
+
+/** Tells the players of this page, and those in other frames of the page around it. @param {Hall} hall @param {SeatNews} news @param {string} id */
+function say(hall, news, id) {
+  hear(hall, news, id);
+  const { parent } = window;
+  if (parent === window) return;
+  for (let i = 0; i < parent.length; i++) {
+    if (parent[i] !== window) parent[i].postMessage({ shaderport: [news, id] }, '*');
+  }
+}
+
+/** @param {Hall} hall @param {SeatNews} news @param {string} id */
+function hear(hall, news, id) {
+  const { seats, holders } = hall;
+  if (news !== 'hide') holders.delete(id);
+  if (news === 'take') holders.add(id);
+  for (const seat of seats) if (mustLeave(hall, seat)) leave(hall, seat);
+  if (news === 'take') return;
+  for (const seat of seats) {
+    // At different times, so that not all of them take the same place.
+    if (seat.isSeen && !seat.isHeld) setTimeout(() => seat.isSeen && (news === 'hide' || holders.size < MAX_CONTEXTS) && take(hall, seat), 300 * Math.random());
+  }
+}
+
+/** Whether too many took a context after this one. @param {Hall} hall @param {Seat} seat */
+function mustLeave({ holders }, seat) {
+  if (!seat.isHeld) return false;
+  const newer = holders.size - 1 - [...holders].indexOf(seat.id);
+  return newer >= (seat.isSeen ? MAX_CONTEXTS : MAX_UNSEEN) || (!seat.isSeen && holders.size > MAX_CONTEXTS);
+}
+
+/** @param {Hall} hall @param {Seat} seat */
+function take(hall, seat) {
+  if (seat.isHeld || !hall.seats.has(seat)) return;
+  seat.isHeld = true;
+  say(hall, 'take', seat.id);
+  setTimeout(() => seat.isHeld && seat.open(), window.parent === window ? 0 : COURTESY);
+}
+
+/** @param {Hall} hall @param {Seat} seat */
+function leave(hall, seat) {
+  if (!seat.isHeld) return;
+  seat.isHeld = false;
+  seat.rest();
+  say(hall, 'leave', seat.id);
+}
+
+/**
+ * Opens a player when its canvas is seen for the first time, and lets it run while it is seen. A canvas outside
+ * of the document counts as seen, since it is shown in another way.
+ * @param {Player} player @param {AbortSignal} [signal] ends this
+ */
+function playWhenSeen(player, signal) {
+  const { canvas } = player;
+  const hall = hallOfPage();
+  /** @type {Seat} */
+  const seat = {
+    id: `${Math.random()}`,
+    isSeen: false,
+    isHeld: false,
+    open: () => void player.open(),
+    rest: () => player.rest(),
+  };
+  hall.seats.add(seat);
+  player.context.isAtRisk = window.parent !== window;
+  player.isSeen = false;
+  const observer = new IntersectionObserver((entries) => {
+    seat.isSeen = !canvas.isConnected || entries[entries.length - 1].isIntersecting;
+    player.setSeen(seat.isSeen);
+    if (seat.isSeen) take(hall, seat);
+    else say(hall, 'hide', seat.id);
+  });
+  observer.observe(canvas);
+  canvas.addEventListener('pointerdown', () => take(hall, seat), { signal });
+  const end = () => {
+    observer.disconnect();
+    hall.seats.delete(seat);
+    seat.isHeld = false;
+    say(hall, 'leave', seat.id);
+  };
+  signal?.addEventListener('abort', end);
+  window.addEventListener('pagehide', (event) => event.persisted || end(), { signal });
+}

@@ -1,0 +1,51 @@
+// Minifies the player and the style of its pages: `node minify.js` writes src/port/player/min, which the converter
+// contains; `--check` fails if a file there is stale.
+import fs from 'node:fs';
+import path from 'node:path';
+import { transform } from 'esbuild';
+import { minify } from 'terser';
+
+const from = path.join(import.meta.dirname, '../../src/port/player');
+const to = path.join(from, 'min');
+
+/** Types only, or modules that users read. */
+const KEPT = ['types.js', 'materials.js', 'three.js', 'react.js'];
+
+/** Names that the converter writes. */
+const RESERVED = ['PROJECT', 'mount', 'openPage', 'startFrame', 'receiveProject', 'followChanges'];
+
+/** The scripts share one scope: a name of all of them gets the same short name in each. */
+const nameCache = { vars: { props: {} } };
+const options = () => ({ compress: { passes: 3 }, mangle: { toplevel: true, reserved: RESERVED }, nameCache, ecma: 2022 });
+
+/** Gives each name of the shared scope its short name. */
+async function nameAll(scripts) {
+  const text = scripts.map((name) => read(name).replace(/^export default .*$/m, '').replace(/^export /m, ''));
+  await minify(text.join('\n'), options());
+}
+
+const read = (name) => fs.readFileSync(path.join(from, name), 'utf8');
+
+async function minified(name) {
+  if (name.endsWith('.js')) return `${(await minify(read(name), options())).code}\n`;
+  return (await transform(read(name), { minify: true, loader: 'css', charset: 'utf8' })).code;
+}
+
+const listed = (folder) => fs.readdirSync(path.join(from, folder)).map((name) => path.posix.join(folder, name));
+const names = [...listed('.'), ...listed('page')].filter((name) => /\.(js|css)$/.test(name) && !KEPT.includes(name));
+await nameAll(names.filter((name) => name.endsWith('.js')));
+const made = new Map();
+for (const name of names) made.set(name.replace('page/', 'page_'), await minified(name));
+const isCheck = process.argv.includes('--check');
+const known = fs.existsSync(to) ? fs.readdirSync(to) : [];
+const stale = [...made].filter(([name, text]) => !known.includes(name) || fs.readFileSync(path.join(to, name), 'utf8') !== text).map(([name]) => name);
+const left = known.filter((name) => !made.has(name));
+if (isCheck && stale.length + left.length > 0) {
+  console.error(`src/port/player/min is stale: ${[...stale, ...left].join(', ')}; run \`node tests/browser/minify.js\``);
+  process.exit(1);
+}
+if (!isCheck) {
+  fs.mkdirSync(to, { recursive: true });
+  for (const name of stale) fs.writeFileSync(path.join(to, name), made.get(name));
+  for (const name of left) fs.rmSync(path.join(to, name));
+}
