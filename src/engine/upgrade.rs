@@ -112,6 +112,10 @@ fn refuse(found: Diagnostic, obstacle: UpgradeObstacle) -> Diagnostic {
             "not a literal constant",
             "the index of `gl_FragData` is not known".to_string(),
         ),
+        ObstacleKind::UnknownCall => (
+            "unknown overload",
+            "the call may be of the built-in function or of the shader's own".to_string(),
+        ),
         ObstacleKind::InitialValue => (
             "not constant",
             "the initial value is not constant and cannot be moved to `main`".to_string(),

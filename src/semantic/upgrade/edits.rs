@@ -1,10 +1,10 @@
 //! The edits of a conversion.
 
-use super::output::is_word;
-use super::scan::{Scan, ScannedDirective, ScannedToken};
+use super::obstacle::{CORE_EXTENSIONS, ObstacleKind, UpgradeObstacle};
+use super::scan::{RawScan, ScannedDirective, ScannedToken};
 use super::words::WordMap;
-use super::{CORE_EXTENSIONS, ObstacleKind, UpgradeObstacle, late_values};
 use crate::builtins::Stage;
+use crate::late_values::{globals, late_values};
 use crate::program::{Program, Storage};
 use shaderlint_text::{CompiledText, Edit, Span, remove_lines};
 
@@ -29,7 +29,7 @@ pub(super) fn original(edits: &[Edit], base: u32, offset: u32) -> u32 {
 /// on the version or on an extension.
 pub(super) fn directives(
     program: &Program,
-    scan: &Scan,
+    scan: &RawScan,
     edits: &mut Vec<Edit>,
 ) -> Result<(), UpgradeObstacle> {
     if let Some(token) = scan.tokens.iter().find(|t| t.text == "__VERSION__") {
@@ -92,11 +92,11 @@ fn is_extension(program: &Program, token: &ScannedToken) -> bool {
         macros.any(|m| !m.name_span.is_empty() && program.names.text(m.name) == token.text)
     };
     let is_fixed = matches!(token.text, "GL_ES" | "GL_FRAGMENT_PRECISION_HIGH");
-    is_word(token.kind) && token.text.starts_with("GL_") && !is_fixed && !is_own()
+    token.is_word() && token.text.starts_with("GL_") && !is_fixed && !is_own()
 }
 
 /// The `#endif` of a condition after which there is nothing but `#extension` of known extensions.
-fn extension_group(scan: &Scan, index: usize) -> Option<usize> {
+fn extension_group(scan: &RawScan, index: usize) -> Option<usize> {
     let start = scan.directives.get(index)?;
     let rest = scan.directives.get(index + 1..)?.iter();
     let held = rest.take_while(|d| d.name == "extension" && is_core(scan.rest(d)));
@@ -113,7 +113,7 @@ pub(super) fn initial_values(
     edits: &mut Vec<Edit>,
 ) -> Result<(), UpgradeObstacle> {
     let late = |init| !program.expr(init).is_const;
-    let mut all = super::super::late_values::globals(program);
+    let mut all = globals(program);
     let Some(init) = all.find_map(|(_, d)| d.init.filter(|init| late(*init))) else {
         return Ok(());
     };
@@ -128,7 +128,7 @@ pub(super) fn initial_values(
 }
 
 /// Removes `invariant` from inputs of fragment shaders.
-pub(super) fn invariant_inputs(program: &Program, scan: &Scan, edits: &mut Vec<Edit>) {
+pub(super) fn invariant_inputs(program: &Program, scan: &RawScan, edits: &mut Vec<Edit>) {
     if program.stage != Stage::Fragment {
         return;
     }
@@ -159,13 +159,12 @@ pub(super) fn invariant_inputs(program: &Program, scan: &Scan, edits: &mut Vec<E
 }
 
 /// Replaces words.
-pub(super) fn words(scan: &Scan, map: &WordMap, edits: &mut Vec<Edit>) {
+pub(super) fn words(scan: &RawScan, map: &WordMap, edits: &mut Vec<Edit>) {
     let is_removed: Vec<Span> = edits.iter().map(|e| e.span).collect();
     let is_removed = |span: Span| is_removed.iter().any(|r| r.contains(span));
     for (at, token) in scan.tokens.iter().enumerate() {
         let name = scan.directive_of(token).map_or("", |d| d.name);
-        if !is_word(token.kind)
-            || matches!(name, "version" | "extension" | "pragma" | "error" | "line")
+        if !token.is_word() || matches!(name, "version" | "extension" | "pragma" | "error" | "line")
         {
             continue;
         }
@@ -195,10 +194,10 @@ fn converted(text: &str, map: &WordMap) -> String {
     };
     let mut out = String::new();
     let mut from = 0;
-    for token in Scan::of(&code).tokens {
+    for token in RawScan::of(&code).tokens {
         let replacement = map
             .get(token.text)
-            .filter(|r| is_word(token.kind) && r.only.is_none());
+            .filter(|r| token.is_word() && r.only.is_none());
         let Some(replacement) = replacement else {
             continue;
         };

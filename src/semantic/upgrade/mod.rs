@@ -4,6 +4,7 @@
 //! in macros, so all of them are converted alike. The result is checked before it is offered.
 
 mod edits;
+mod obstacle;
 mod output;
 mod scan;
 mod words;
@@ -11,32 +12,15 @@ mod words;
 use super::analyze::analyze;
 use super::chunk::Completeness;
 use super::dialect::Dialect;
-use super::late_values::late_values;
 use super::program::Program;
 use super::unit::Unit;
 use edits::original;
-use scan::Scan;
-use shaderlint_diagnostic::{Diagnostic, Severity};
+pub use obstacle::{CORE_EXTENSIONS, ObstacleKind, UpgradeObstacle};
+use scan::RawScan;
+use shaderlint_diagnostic::Severity;
 use shaderlint_text::{CompiledText, Edit, Role, Sources, Span, apply_edits};
 use std::sync::Arc;
 use words::WordMap;
-
-/// Extensions of WebGL1, and the features of WebGL2 that replace them.
-pub const CORE_EXTENSIONS: [(&str, &str); 4] = [
-    (
-        "GL_OES_standard_derivatives",
-        "`dFdx`, `dFdy` and `fwidth` are",
-    ),
-    (
-        "GL_EXT_shader_texture_lod",
-        "`textureLod` and `textureGrad` are",
-    ),
-    ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
-    ("GL_EXT_draw_buffers", "several `out` variables are"),
-];
-
-/// The extension of several outputs.
-const DRAW_BUFFERS: &str = "GL_EXT_draw_buffers";
 
 /// The edits that convert a shader to GLSL ES 3.00.
 #[derive(Clone, Debug)]
@@ -47,50 +31,16 @@ pub struct Upgrade {
     pub renamed: Vec<(String, String)>,
 }
 
-/// Why a shader is not converted.
-#[derive(Clone, Debug)]
-pub struct UpgradeObstacle {
-    /// Where it is.
-    pub span: Span,
-    /// What it is.
-    pub kind: ObstacleKind,
-}
-
-/// What keeps a shader from being converted.
-#[derive(Clone, Debug)]
-pub enum ObstacleKind {
-    /// Part of the code is in another file.
-    Included,
-    /// The code depends on `__VERSION__`.
-    VersionTest,
-    /// The code depends on whether an extension is available.
-    ExtensionTest(String),
-    /// `gl_FragColor` is written to all draw buffers.
-    Broadcast,
-    /// An index of `gl_FragData` is unknown.
-    OutputIndex,
-    /// An initial value that is not constant cannot be moved to `main`.
-    InitialValue,
-    /// The converted shader has this error.
-    Error(Box<Diagnostic>),
-}
-
-impl UpgradeObstacle {
-    fn at(span: Span, kind: ObstacleKind) -> UpgradeObstacle {
-        UpgradeObstacle { span, kind }
-    }
-}
-
 /// Converts a complete shader in GLSL ES 1.00.
 ///
 /// # Errors
 /// If some of it cannot be converted, or the result has an error.
 pub fn upgrade(program: &Program) -> Result<Upgrade, UpgradeObstacle> {
     let code = own_code(program)?;
-    let scan = Scan::of(&code);
+    let scan = RawScan::of(&code);
     let mut edits = Vec::new();
     edits::directives(program, &scan, &mut edits)?;
-    let mut map = WordMap::of(program, &scan);
+    let mut map = WordMap::of(program, &scan)?;
     edits.extend(output::declare(program, &scan, &mut map)?);
     edits::initial_values(program, &mut edits)?;
     edits::invariant_inputs(program, &scan, &mut edits);

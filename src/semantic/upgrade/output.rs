@@ -1,19 +1,19 @@
-//! Declared outputs in place of `gl_FragColor` and `gl_FragData`.
+//! DeclaredNames outputs in place of `gl_FragColor` and `gl_FragData`.
 
-use super::scan::Scan;
+use super::obstacle::{DRAW_BUFFERS, ObstacleKind, UpgradeObstacle};
+use super::scan::RawScan;
 use super::words::WordMap;
-use super::{DRAW_BUFFERS, ObstacleKind, UpgradeObstacle};
 use crate::builtins::Stage;
 use crate::constant::Value;
 use crate::program::Program;
+use shaderlint_syntax::TypeWord;
 use shaderlint_syntax::ast::{DeclKind, ExprKind, Extent, Item, TypeBase};
-use shaderlint_syntax::{RawKind, TypeWord};
 use shaderlint_text::{Edit, Span};
 
 /// Declares the output that a fragment shader uses, and replaces its name.
 pub(super) fn declare(
     program: &Program,
-    scan: &Scan,
+    scan: &RawScan,
     map: &mut WordMap,
 ) -> Result<Vec<Edit>, UpgradeObstacle> {
     let (has_color, has_data) = (scan.has_word("gl_FragColor"), scan.has_word("gl_FragData"));
@@ -47,7 +47,7 @@ pub(super) fn declare(
 }
 
 /// The uses of `gl_FragData`, if all are `gl_FragData[0]`.
-fn first_elements(scan: &Scan) -> Option<Vec<Span>> {
+fn first_elements(scan: &RawScan) -> Option<Vec<Span>> {
     let mut found = Vec::new();
     for (i, token) in scan.tokens.iter().enumerate() {
         if token.text != "gl_FragData" {
@@ -64,7 +64,7 @@ fn first_elements(scan: &Scan) -> Option<Vec<Span>> {
 }
 
 /// With the extension of several outputs, `gl_FragColor` is written to all of them.
-fn refuse_broadcast(program: &Program, scan: &Scan) -> Result<(), UpgradeObstacle> {
+fn refuse_broadcast(program: &Program, scan: &RawScan) -> Result<(), UpgradeObstacle> {
     let is_enabled = program.tokens.extensions.iter().any(|used| {
         let text = |name| program.names.text(name);
         text(used.name) == DRAW_BUFFERS && text(used.behavior) != "disable"
@@ -104,7 +104,7 @@ fn outputs(program: &Program) -> Result<u32, UpgradeObstacle> {
 
 /// Where an output may be declared: before the first declaration that is not a default precision and not
 /// inside `#if`. Also whether `float` has a default precision there.
-fn place(program: &Program, scan: &Scan) -> (u32, bool) {
+fn place(program: &Program, scan: &RawScan) -> (u32, bool) {
     let tree = &program.tree;
     let start = |extent: Extent| program.span(extent).start;
     let mut precisions = Vec::new();
@@ -141,13 +141,8 @@ fn place(program: &Program, scan: &Scan) -> (u32, bool) {
 }
 
 /// Whether there is an `#extension` between two addresses.
-fn has_extension(scan: &Scan, from: u32, to: u32) -> bool {
+fn has_extension(scan: &RawScan, from: u32, to: u32) -> bool {
     let inside = |span: Span| from <= span.start && span.start < to;
     let mut all = scan.directives.iter();
     all.any(|d| d.name == "extension" && inside(d.span))
-}
-
-/// Whether a raw token is a word.
-pub(super) fn is_word(kind: RawKind) -> bool {
-    kind == RawKind::Word
 }

@@ -13,6 +13,12 @@ pub(super) struct ScannedToken<'t> {
     pub directive: Option<usize>,
 }
 
+impl ScannedToken<'_> {
+    pub fn is_word(&self) -> bool {
+        self.kind == RawKind::Word
+    }
+}
+
 /// A directive.
 #[derive(Debug)]
 pub(super) struct ScannedDirective<'t> {
@@ -25,15 +31,15 @@ pub(super) struct ScannedDirective<'t> {
 }
 
 /// The tokens of a shader before the preprocessor.
-pub(super) struct Scan<'t> {
+pub(super) struct RawScan<'t> {
     pub tokens: Vec<ScannedToken<'t>>,
     pub directives: Vec<ScannedDirective<'t>>,
 }
 
-impl<'t> Scan<'t> {
-    pub fn of(code: &CompiledText<'t>) -> Scan<'t> {
+impl<'t> RawScan<'t> {
+    pub fn of(code: &CompiledText<'t>) -> RawScan<'t> {
         let mut lexer = Lexer::new(code.text, code.base);
-        let mut scan = Scan {
+        let mut scan = RawScan {
             tokens: Vec::new(),
             directives: Vec::new(),
         };
@@ -92,9 +98,7 @@ impl<'t> Scan<'t> {
 
     /// Whether a word occurs.
     pub fn has_word(&self, word: &str) -> bool {
-        self.tokens
-            .iter()
-            .any(|t| t.kind == RawKind::Word && t.text == word)
+        self.tokens.iter().any(|t| t.is_word() && t.text == word)
     }
 
     /// The start of the outermost `#if` that is open at an address.

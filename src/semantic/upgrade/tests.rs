@@ -1,3 +1,5 @@
+//! Conversions, and what is refused.
+
 use super::*;
 use crate::builtins::Stage;
 use crate::unit::Checked;
@@ -121,6 +123,17 @@ fn names_are_replaced() {
     check(
         "int mod(int a, int b) { return a - a / b * b; }\nvoid main() { gl_FragColor = vec4(mod(v.x, 2.0) + float(mod(3, 2))); }\n",
         "int myMod(int a, int b) { return a - a / b * b; }\nvoid main() { fragColor = vec4(mod(v.x, 2.0) + float(myMod(3, 2))); }\n",
+    );
+    // Calls with arguments that only GLSL ES 3.00 or an extension accepts.
+    check(
+        "float round(float x) { return x; }\nvoid main() { gl_FragColor = vec4(round(fwidth(v.x))); }\n",
+        "float myRound(float x) { return x; }\nvoid main() { fragColor = vec4(myRound(fwidth(v.x))); }\n",
+    );
+    fragment(
+        &format!(
+            "{head}int mod(int a, int b) {{ return a; }}\nvoid main() {{ gl_FragColor = vec4(mod(fwidth(v.x), 2.0)); }}\n"
+        ),
+        "UnknownCall: mod(fwidth(v.x), 2.0)",
     );
     // Names that hide the new functions.
     check(

@@ -1,6 +1,7 @@
 //! The words that the conversion replaces.
 
-use super::scan::Scan;
+use super::obstacle::{ObstacleKind, UpgradeObstacle};
+use super::scan::RawScan;
 use crate::builtins::{Builtins, LEGACY_FUNCTIONS, Stage};
 use crate::program::{Program, Resolution, Storage};
 use crate::types::Base;
@@ -25,7 +26,7 @@ pub(super) struct Replacement {
 pub(super) struct WordMap(BTreeMap<String, Replacement>);
 
 /// The names that a shader declares.
-struct Declared<'p> {
+struct DeclaredNames<'p> {
     functions: BTreeSet<&'p str>,
     members: BTreeSet<&'p str>,
     /// Variables, parameters, structs.
@@ -36,8 +37,8 @@ struct Declared<'p> {
     interface: BTreeSet<&'p str>,
 }
 
-impl<'p> Declared<'p> {
-    fn of(program: &'p Program) -> Declared<'p> {
+impl<'p> DeclaredNames<'p> {
+    fn of(program: &'p Program) -> DeclaredNames<'p> {
         let (tree, names) = (&program.tree, &program.names);
         let text = |ident: Ident| names.text(ident.name);
         let members = tree.field_lists.iter();
@@ -59,7 +60,7 @@ impl<'p> Declared<'p> {
         if shared.any(|v| matches!(v.ty.base, Base::Struct(_))) {
             interface.extend(&members);
         }
-        Declared {
+        DeclaredNames {
             functions: tree.functions.iter().map(|f| text(f.ident)).collect(),
             members,
             others: others.map(text).collect(),
@@ -75,8 +76,8 @@ impl<'p> Declared<'p> {
 }
 
 impl WordMap {
-    pub fn of(program: &Program, scan: &Scan) -> WordMap {
-        let declared = Declared::of(program);
+    pub fn of(program: &Program, scan: &RawScan) -> Result<WordMap, UpgradeObstacle> {
+        let declared = DeclaredNames::of(program);
         let mut map = WordMap::default();
         let mut needed = BTreeSet::new();
         for (old, new) in LEGACY_FUNCTIONS {
@@ -99,7 +100,7 @@ impl WordMap {
             map.rename_reserved(word, &declared, program, scan);
         }
         for word in &declared.functions {
-            map.rename_builtin(word, program, scan);
+            map.rename_builtin(word, &declared, program, scan)?;
         }
         let hiding = declared.functions.iter().chain(&declared.others);
         for word in hiding.chain(&declared.macros) {
@@ -107,7 +108,7 @@ impl WordMap {
                 map.rename(word, &declared, program, scan);
             }
         }
-        map
+        Ok(map)
     }
 
     pub fn get(&self, word: &str) -> Option<&Replacement> {
@@ -133,14 +134,20 @@ impl WordMap {
         self.0.insert(old.to_string(), replacement);
     }
 
-    fn rename_reserved(&mut self, word: &str, declared: &Declared, program: &Program, scan: &Scan) {
+    fn rename_reserved(
+        &mut self,
+        word: &str,
+        declared: &DeclaredNames,
+        program: &Program,
+        scan: &RawScan,
+    ) {
         let class = |version| classify(word, version) == WordClass::Plain;
         if class(Version::Es100) && !class(Version::Es300) {
             self.rename(word, declared, program, scan);
         }
     }
 
-    fn rename(&mut self, word: &str, declared: &Declared, program: &Program, scan: &Scan) {
+    fn rename(&mut self, word: &str, declared: &DeclaredNames, program: &Program, scan: &RawScan) {
         let replacement = Replacement {
             to: self.unused(&own_name(word), program, scan),
             has_members: declared.members.contains(word),
@@ -151,40 +158,39 @@ impl WordMap {
     }
 
     /// Renames a function that GLSL ES 3.00 does not allow to declare.
-    fn rename_builtin(&mut self, word: &str, program: &Program, scan: &Scan) {
+    fn rename_builtin(
+        &mut self,
+        word: &str,
+        declared: &DeclaredNames,
+        program: &Program,
+        scan: &RawScan,
+    ) -> Result<(), UpgradeObstacle> {
         let is_builtin = |version| {
             Builtins::of(version, program.stage)
                 .function(word)
                 .is_some()
         };
         if !is_builtin(Version::Es300) || self.0.contains_key(word) {
-            return;
+            return Ok(());
         }
         // Other calls may be of the built-in function, and variables may have the same name.
-        let calls = program.tree.exprs.iter().zip(&program.exprs);
-        let calls = calls.filter_map(|(expr, info)| match (expr.kind, info.resolution) {
-            (ExprKind::Call(name, _), Resolution::Function(_))
-                if program.names.text(name) == word =>
-            {
-                Some(expr.extent.first)
-            }
-            _ => None,
-        });
-        let declared = program.tree.functions.iter().map(|f| f.ident);
-        let declared = declared.filter(|ident| program.names.text(ident.name) == word);
-        let tokens = calls.chain(declared.map(|ident| ident.token));
-        let places = tokens.filter_map(|t| Some(program.token(t)?.spelled));
+        let is_shared = is_builtin(Version::Es100) || declared.others.contains(word);
+        let only = match is_shared {
+            true => Some(uses_of(word, is_builtin(Version::Es100), program)?),
+            false => None,
+        };
         let replacement = Replacement {
             to: self.unused(&own_name(word), program, scan),
             has_members: false,
-            only: Some(places.collect()),
+            only,
             is_interface: false,
         };
         self.0.insert(word.to_string(), replacement);
+        Ok(())
     }
 
     /// A name that neither the shader nor another replacement uses.
-    pub fn unused(&self, base: &str, program: &Program, scan: &Scan) -> String {
+    pub fn unused(&self, base: &str, program: &Program, scan: &RawScan) -> String {
         let mut name = base.to_string();
         let mut number = 2;
         let is_used = |name: &str| {
@@ -198,6 +204,37 @@ impl WordMap {
         }
         name
     }
+}
+
+/// Where a function of the shader is declared and called.
+fn uses_of(
+    word: &str,
+    was_builtin: bool,
+    program: &Program,
+) -> Result<BTreeSet<u32>, UpgradeObstacle> {
+    let mut tokens = Vec::new();
+    for (expr, info) in program.tree.exprs.iter().zip(&program.exprs) {
+        let ExprKind::Call(name, _) = expr.kind else {
+            continue;
+        };
+        match info.resolution {
+            _ if program.names.text(name) != word => {}
+            Resolution::Builtin(_) => {}
+            // Its arguments have an error in GLSL ES 1.00.
+            Resolution::None if was_builtin => {
+                let span = program.span(expr.extent);
+                return Err(UpgradeObstacle::at(span, ObstacleKind::UnknownCall));
+            }
+            _ => tokens.push(expr.extent.first),
+        }
+    }
+    let declared = program.tree.functions.iter().map(|f| f.ident);
+    let declared = declared.filter(|ident| program.names.text(ident.name) == word);
+    tokens.extend(declared.map(|ident| ident.token));
+    let places = tokens
+        .into_iter()
+        .filter_map(|t| Some(program.token(t)?.spelled));
+    Ok(places.collect())
 }
 
 /// `mySample` for `sample`.
