@@ -1,7 +1,7 @@
 //! Shaders in GLSL ES 1.00 in a project that converts them to GLSL ES 3.00.
 
 use super::shader_input::ShaderInput;
-use shaderlint_diagnostic::{Diagnostic, Fix, Origin, Severity, error};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Origin, Severity, error};
 use shaderlint_lint::Settings;
 use shaderlint_rules::rule;
 use shaderlint_semantic::{
@@ -26,24 +26,23 @@ pub(super) fn report(
     }
     let first = program.tokens.tokens.first().map(|t| t.span);
     let span = program.tokens.version_span.or(first)?;
-    let message = "shader is written in GLSL ES 1.00, but `target-version` is `300 es`";
-    let found = Diagnostic::new(NAME, Origin::Rule, severity, span, message);
-    let found = match program.stage {
-        Stage::Vertex => found.note("its fragment shader must have the same version (section 3.3)"),
-        Stage::Fragment => found.note("its vertex shader must have the same version (section 3.3)"),
+    let (own, other) = match program.stage {
+        Stage::Vertex => ("vertex", "fragment"),
+        Stage::Fragment => ("fragment", "vertex"),
     };
+    let message = format!("{own} shader is GLSL ES 1.00, but `target-version` is `300 es`");
+    let found = Diagnostic::new(NAME, Origin::Rule, severity, span, message).note(format!(
+        "its {other} shader must have the same version (section 3.3)"
+    ));
     if part.embedder.is_webgl1 {
-        return Some(
-            found
-                .note("not converted: the page requests a WebGL1 context")
-                .help("use `getContext(\"webgl2\")`"),
-        );
+        let found = refuse(found, "the page requests a WebGL1 context");
+        return Some(found.help("use `getContext(\"webgl2\")`"));
     }
     if !takes_lines(program, span) {
-        return Some(found.note("not converted: the shader is a string in one line"));
+        return Some(refuse(found, "it is a string in one line"));
     }
     Some(match upgrade(program) {
-        Err(obstacle) => refuse(found, obstacle),
+        Err(obstacle) => explain(found, obstacle),
         Ok(done) => {
             let title = "convert it to GLSL ES 3.00";
             match done.renamed.first() {
@@ -56,6 +55,15 @@ pub(super) fn report(
             }
         }
     })
+}
+
+/// The finding about a shader that is not converted. The reason is in the message, because findings with
+/// the same message are reported together.
+fn refuse(found: Diagnostic, why: &str) -> Diagnostic {
+    Diagnostic {
+        message: format!("cannot convert to GLSL ES 3.00 because {why}"),
+        ..found
+    }
 }
 
 /// Whether a shader is in an older version than the project's.
@@ -90,46 +98,93 @@ fn takes_lines(program: &Program, at: Span) -> bool {
 }
 
 /// Says why a shader is not converted.
-fn refuse(found: Diagnostic, obstacle: UpgradeObstacle) -> Diagnostic {
-    let (label, note) = match obstacle.kind {
-        ObstacleKind::Included => (
-            "other file",
-            "part of the code is in another file".to_string(),
-        ),
+fn explain(found: Diagnostic, obstacle: UpgradeObstacle) -> Diagnostic {
+    let mut note = None;
+    let (label, why) = match obstacle.kind {
+        ObstacleKind::Included => ("other file", "some code is in another file".to_string()),
         ObstacleKind::VersionTest => (
             "depends on the version",
-            "the code depends on `__VERSION__`".to_string(),
+            "it tests `__VERSION__`".to_string(),
         ),
-        ObstacleKind::ExtensionTest(name) => (
-            "not defined in WebGL2",
-            format!("the code depends on `{name}`, which WebGL2 does not define"),
-        ),
-        ObstacleKind::Broadcast => (
-            "all draw buffers",
-            "with `GL_EXT_draw_buffers`, `gl_FragColor` is written to all draw buffers".to_string(),
-        ),
-        ObstacleKind::OutputIndex => (
-            "not a literal constant",
-            "the index of `gl_FragData` is not known".to_string(),
-        ),
-        ObstacleKind::UnknownCall => (
-            "unknown overload",
-            "the call may be of the built-in function or of the shader's own".to_string(),
-        ),
-        ObstacleKind::InitialValue => (
-            "not constant",
-            "the initial value is not constant and cannot be moved to `main`".to_string(),
-        ),
-        ObstacleKind::Error(error) => (
-            "error in GLSL ES 3.00",
-            format!("GLSL ES 3.00 rejects the result: {}", error.message),
-        ),
+        ObstacleKind::ExtensionTest(name) => {
+            note = Some(
+                "WebGL2 defines no macros of extensions that are part of GLSL ES 3.00".to_string(),
+            );
+            ("depends on an extension", format!("it tests `{name}`"))
+        }
+        ObstacleKind::Broadcast => {
+            note =
+                Some("with `GL_EXT_draw_buffers`, it is written to all draw buffers".to_string());
+            (
+                "several outputs",
+                "`gl_FragColor` is several outputs".to_string(),
+            )
+        }
+        ObstacleKind::OutputIndex => ("index", "an index of `gl_FragData` is unknown".to_string()),
+        ObstacleKind::UnknownCall => {
+            note =
+                Some("the call may be of the built-in function or of the shader's own".to_string());
+            ("unknown overload", "a call cannot be resolved".to_string())
+        }
+        ObstacleKind::InitialValue => {
+            note = Some("the initial value cannot be moved to `main`".to_string());
+            (
+                "not constant",
+                "an initial value is not constant".to_string(),
+            )
+        }
+        ObstacleKind::Error(error) => {
+            let why = format!("the result has an error ({})", error.message);
+            ("error in GLSL ES 3.00", why)
+        }
     };
-    let span = obstacle.span;
-    let found = found.note(format!("not converted: {note}"));
-    match span.is_empty() {
+    let found = refuse(found, &why);
+    let found = match note {
+        Some(note) => found.note(note),
+        None => found,
+    };
+    match obstacle.span.is_empty() {
         true => found,
-        false => found.label(span, label),
+        false => found.label(obstacle.span, label),
+    }
+}
+
+/// How the other stage of a program can be converted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum OtherStage {
+    Converts,
+    /// After a person has looked at it.
+    Asks,
+    Refuses,
+}
+
+impl OtherStage {
+    fn of(own: &Program, other: &Program) -> OtherStage {
+        let start = other
+            .tokens
+            .tokens
+            .first()
+            .map_or(Span::default(), |t| t.span);
+        let Some(done) = upgrade(other).ok().filter(|_| takes_lines(other, start)) else {
+            return OtherStage::Refuses;
+        };
+        // A name that both declare must be renamed in both.
+        let renamed = upgrade(own).map_or(Vec::new(), |own| own.renamed);
+        let declares = |program: &Program, name: &str| {
+            let mut variables = program.variables.iter();
+            variables.any(|v| v.token.is_some() && program.names.text(v.name) == name)
+        };
+        let only = |these: &[(String, String)], those: &[(String, String)], other: &Program| {
+            let mut only = these.iter().filter(|name| !those.contains(name));
+            only.any(|(old, _)| declares(other, old))
+        };
+        if only(&done.renamed, &renamed, own) || only(&renamed, &done.renamed, other) {
+            return OtherStage::Refuses;
+        }
+        match done.renamed.is_empty() {
+            true => OtherStage::Converts,
+            false => OtherStage::Asks,
+        }
     }
 }
 
@@ -141,17 +196,16 @@ pub(super) fn keep_pair(
     diagnostics: &mut [Diagnostic],
 ) {
     let is_old = |program: &Program| is_converted(program, settings);
-    let refused = |program: &Program| upgrade(program).is_err();
     for (own, other, stage) in [(vertex, fragment, "fragment"), (fragment, vertex, "vertex")] {
         if !is_old(other) {
             continue;
         }
-        let is_refused = refused(other);
-        if is_old(own) && is_refused {
-            leave(own, stage, diagnostics);
-        } else if !is_old(own) && !is_refused {
-            let versions = diagnostics.iter_mut().filter(|d| d.is(error::LINK_VERSION));
-            for d in versions {
+        let state = OtherStage::of(own, other);
+        if is_old(own) {
+            follow(own, (state, stage), diagnostics);
+        } else if state != OtherStage::Refuses {
+            let versions = diagnostics.iter_mut();
+            for d in versions.filter(|d| d.is(error::LINK_VERSION)) {
                 d.severity = Severity::Warning;
                 d.help = vec![format!("convert the {stage} shader too, with `--fix`")];
             }
@@ -159,15 +213,27 @@ pub(super) fn keep_pair(
     }
 }
 
-/// Retracts the conversion of a shader.
-fn leave(own: &Program, other: &str, diagnostics: &mut [Diagnostic]) {
+/// Adapts the conversion of a shader to that of the other stage.
+fn follow(own: &Program, (state, other): (OtherStage, &str), diagnostics: &mut [Diagnostic]) {
     let first = own.tokens.tokens.first().map_or(0, |t| t.span.start);
     let base = |address| own.sources.code_at(address).map(|c| c.base);
     for d in diagnostics.iter_mut().filter(|d| d.rule == NAME) {
-        if base(d.span.start) == base(first) && d.fix.take().is_some() {
-            d.notes.push(format!(
-                "not converted: the {other} shader cannot be converted"
-            ));
+        if base(d.span.start) != base(first) {
+            continue;
+        }
+        match state {
+            OtherStage::Converts => {}
+            OtherStage::Asks => {
+                if let Some(fix) = &mut d.fix {
+                    fix.applicability = Applicability::Unsafe;
+                }
+            }
+            OtherStage::Refuses => {
+                if d.fix.take().is_some() {
+                    let why = format!("the {other} shader cannot be");
+                    *d = refuse(d.clone(), &why);
+                }
+            }
         }
     }
 }

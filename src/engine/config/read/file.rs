@@ -28,7 +28,7 @@ pub struct ConfigFile {
     /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
     /// Version of GLSL that shaders are converted to
-    #[serde(rename = "target-version", alias = "target_version")]
+    #[serde(rename = "target-version")]
     pub target_version: Option<TargetVersion>,
     /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
     pub run_samples: Option<u32>,
@@ -68,7 +68,7 @@ pub struct Override {
     /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
     /// Version of GLSL that shaders are converted to
-    #[serde(rename = "target-version", alias = "target_version")]
+    #[serde(rename = "target-version")]
     pub target_version: Option<TargetVersion>,
     /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
     pub run_samples: Option<u32>,
