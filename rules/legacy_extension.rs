@@ -2,6 +2,7 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_lines};
+use shaderlint_semantic::CORE_EXTENSIONS;
 use shaderlint_syntax::Version;
 
 pub static RULE: Rule = Rule {
@@ -14,20 +15,6 @@ pub static RULE: Rule = Rule {
     checks: &[Check::Program(check)],
 };
 
-/// Extensions of WebGL1, and the features of WebGL2 that replace them.
-const CORE: [(&str, &str); 4] = [
-    (
-        "GL_OES_standard_derivatives",
-        "`dFdx`, `dFdy` and `fwidth` are",
-    ),
-    (
-        "GL_EXT_shader_texture_lod",
-        "`textureLod` and `textureGrad` are",
-    ),
-    ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
-    ("GL_EXT_draw_buffers", "several `out` variables are"),
-];
-
 fn check(cx: &mut Context) {
     let program = cx.program;
     if program.version != Version::Es300 {
@@ -35,7 +22,7 @@ fn check(cx: &mut Context) {
     }
     for used in &program.tokens.extensions {
         let name = program.names.text(used.name);
-        let known = CORE.iter().find(|(known, _)| *known == name);
+        let known = CORE_EXTENSIONS.iter().find(|(known, _)| *known == name);
         let Some((_, what)) = known.filter(|_| program.is_user(used.span)) else {
             continue;
         };

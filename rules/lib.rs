@@ -75,6 +75,7 @@ mod normal_length;
 mod normalize_zero;
 mod octal_literal;
 mod octave_budget;
+mod old_version;
 mod out_of_range_seen;
 mod output_not_written;
 mod overwritten_parameter;
@@ -225,6 +226,7 @@ pub static RULES: &[&Rule] = &[
     &normalize_zero::RULE,
     &octal_literal::RULE,
     &octave_budget::RULE,
+    &old_version::RULE,
     &out_of_range_seen::RULE,
     &output_not_written::RULE,
     &overwritten_parameter::RULE,

@@ -15,6 +15,7 @@ use shaderlint::lint::{
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};
+use shaderlint::syntax::Version;
 use shaderlint::text::Sources;
 use std::collections::BTreeSet;
 use std::fs;
@@ -50,9 +51,12 @@ fn settings(name: &str) -> Settings {
     if ERRORS.contains(&name) {
         return none;
     }
-    Settings::new(RULES, &[name.to_string()], &[])
+    let mut settings = Settings::new(RULES, &[name.to_string()], &[])
         .unwrap()
-        .only(name)
+        .only(name);
+    // `old-version` reports nothing without it.
+    settings.set_target_version(Some(Version::Es300));
+    settings
 }
 
 struct Example<'a> {

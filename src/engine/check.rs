@@ -10,7 +10,7 @@ use super::reading::{Readings, lacking};
 use super::required;
 use super::shader_input::{Shader, ShaderInput};
 use super::unknown::{self, Unresolved};
-use super::version;
+use super::{upgrade, version};
 use shaderlint_diagnostic::{
     Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
 };
@@ -213,7 +213,8 @@ fn run_rules(
     if open.is_torn || is_example || completeness == Completeness::Excerpt {
         return (SkippedRules::Everywhere, 0);
     }
-    let mut found = Vec::new();
+    let upgraded = upgrade::report(part, checked, &options.settings);
+    let mut found: Vec<Diagnostic> = upgraded.into_iter().collect();
     let program = &checked.program;
     let errors = checked.diagnostics.iter().chain(&open.unknown);
     // Desktop GLSL has initialisers that are not constant.

@@ -137,7 +137,9 @@ fn try_check(
     diagnostics.extend(all.found.unresolved.report());
     partner::check(
         &input,
-        partner.as_ref(),
+        partner
+            .as_ref()
+            .map(|p| (p, partner::linked_by(name, context))),
         &options.settings,
         &mut diagnostics,
     );

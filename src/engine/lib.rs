@@ -39,6 +39,7 @@ mod shader;
 mod shader_input;
 mod typo;
 mod unknown;
+mod upgrade;
 mod verify;
 mod version;
 

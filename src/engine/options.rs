@@ -4,6 +4,7 @@ use super::file_cache::FileCache;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
+use shaderlint_syntax::Version;
 use shaderlint_text::kind::Claim;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -104,6 +105,28 @@ pub enum DialectChoice {
     Webgl2,
     /// WebGL1 shaders in GLSL ES 1.00.
     Webgl1,
+}
+
+/// The version that shaders are converted to.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
+pub enum TargetVersion {
+    /// GLSL ES 3.00.
+    #[cfg_attr(feature = "cli", serde(rename = "300 es"))]
+    Es300,
+    /// Shaders are not converted.
+    #[cfg_attr(feature = "cli", serde(rename = "any"))]
+    Any,
+}
+
+impl TargetVersion {
+    /// The version, if there is one.
+    pub fn version(self) -> Option<Version> {
+        match self {
+            TargetVersion::Es300 => Some(Version::Es300),
+            TargetVersion::Any => None,
+        }
+    }
 }
 
 /// Declarations that are added to a shader.

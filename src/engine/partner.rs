@@ -6,6 +6,7 @@ use super::input::SplitInput;
 use super::reading::{PresumedCompleteness, Reading};
 use super::shader::shader_part;
 use super::shader_input::ShaderInput;
+use super::upgrade;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
 use shaderlint_lint::Settings;
 use shaderlint_rules::rule;
@@ -39,7 +40,9 @@ const WORDS: [(&str, &str); 8] = [
 /// The name and text of the file with the other stage.
 fn find(name: &str, context: CheckContext) -> Option<(String, Arc<str>)> {
     let (other, stage) = counterpart(name)?;
-    if stage == Stage::Vertex && context.is_checked(&other) {
+    // The fragment shader's check links both, but both must be known to convert one.
+    let converts = context.options.settings.target_version().is_some();
+    if stage == Stage::Vertex && context.is_checked(&other) && !converts {
         return None;
     }
     let text = context.files.load(Path::new(&other)).ok()?;
@@ -77,6 +80,23 @@ fn counterpart(name: &str) -> Option<(String, Stage)> {
         }
     }
     None
+}
+
+/// Where the stages of a program are linked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum LinkedBy {
+    /// In the check of this file.
+    This,
+    /// In the check of the other file, in the same run.
+    Other,
+}
+
+/// Where a file is linked with its partner.
+pub(super) fn linked_by(name: &str, context: CheckContext) -> LinkedBy {
+    match counterpart(name) {
+        Some((other, Stage::Vertex)) if context.is_checked(&other) => LinkedBy::Other,
+        _ => LinkedBy::This,
+    }
 }
 
 /// Reads the other stage of a shader file, if there is one.
@@ -119,14 +139,19 @@ fn may_be_linked(part: &ShaderInput) -> bool {
 /// Links the shaders of an input, each with its partner, and reports errors.
 pub(super) fn check(
     input: &SplitInput,
-    partner: Option<&ShaderInput>,
+    partner: Option<(&ShaderInput, LinkedBy)>,
     settings: &Settings,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    if let (Some(other), [own]) = (partner, input.parts.as_slice()) {
+    if let (Some((other, linked)), [own]) = (partner, input.parts.as_slice()) {
+        let is_linked = linked == LinkedBy::This;
         if !diagnostics.iter().any(keeps_from_linking) {
-            link_stages(&input.sources, own, other, |_, _| {}, diagnostics);
+            let mut found = Vec::new();
+            let more = |_: &Program, _: &Program| {};
+            link_stages(&input.sources, own, other, more, &mut found);
+            diagnostics.extend(found.into_iter().filter(|_| is_linked));
         }
+        keep_pair(&input.sources, own, other, settings, diagnostics);
         return;
     }
     let file = input.file.and_then(|id| input.sources.file(id));
@@ -172,6 +197,7 @@ pub(super) fn check(
             }
         };
         link_stages(&input.sources, vertex, fragment, more, diagnostics);
+        keep_pair(&input.sources, vertex, fragment, settings, diagnostics);
         let missing = missing.into_iter();
         diagnostics.extend(missing.filter_map(|m| report_lacking(m, file.base, settings)));
     }
@@ -244,6 +270,42 @@ fn link_stages(
             }
         }
     }
+}
+
+/// Keeps the stages of a program in one version.
+fn keep_pair(
+    sources: &Arc<Sources>,
+    one: &ShaderInput,
+    other: &ShaderInput,
+    settings: &Settings,
+    diagnostics: &mut [Diagnostic],
+) {
+    if settings.target_version().is_none() {
+        return;
+    }
+    let program = |part: &ShaderInput| {
+        if let Some(analysis) = &part.analysis {
+            return Some(analysis.program.clone());
+        }
+        let reading = part.reading()?;
+        let checked = analyze(&Unit {
+            sources,
+            files: &reading.files,
+            stage: reading.stage,
+            dialect: reading.dialect,
+            infer_channels: false,
+            completeness: Completeness::Complete,
+        });
+        Some(Arc::new(checked.program))
+    };
+    let (Some(one), Some(other)) = (program(one), program(other)) else {
+        return;
+    };
+    let pair = match one.stage {
+        Stage::Vertex => (&*one, &*other),
+        Stage::Fragment => (&*other, &*one),
+    };
+    upgrade::keep_pair(pair, settings, diagnostics);
 }
 
 fn is_error(d: &Diagnostic) -> bool {

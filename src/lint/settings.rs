@@ -5,6 +5,7 @@ use super::rule::{Group, Rule, RulePreset, rule_name};
 use super::sample::SampleLimit;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{ERRORS, Severity};
+use shaderlint_syntax::Version;
 
 /// The renderer that a shader is written for, which determines how much a pixel may cost.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -48,6 +49,8 @@ pub struct Settings {
     target: Renderer,
     /// How much of the shader is sampled.
     sample_run: SampleLimit,
+    /// The version that shaders are converted to.
+    target_version: Option<Version>,
 }
 
 /// A name that is not a rule or group.
@@ -83,6 +86,7 @@ impl Settings {
             chosen: None,
             target: Renderer::default(),
             sample_run: SampleLimit::default(),
+            target_version: None,
         };
         settings.set_preset(rules, RulePreset::Recommended);
         settings
@@ -136,6 +140,16 @@ impl Settings {
     /// How much of the shader is sampled.
     pub fn sample_limit(&self) -> SampleLimit {
         self.sample_run
+    }
+
+    /// Sets the version that shaders are converted to.
+    pub fn set_target_version(&mut self, version: Option<Version>) {
+        self.target_version = version;
+    }
+
+    /// The version that shaders are converted to.
+    pub fn target_version(&self) -> Option<Version> {
+        self.target_version
     }
 
     /// Adds the rules that `select` names, and removes those of `ignore`. The more specific word wins: a

@@ -6,11 +6,8 @@
 
 use super::dialect::PLACES;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
-use shaderlint_semantic::{EntryResult, Program};
-use shaderlint_syntax::TokenKind;
-use shaderlint_syntax::ast::{
-    DeclKind, Declarator, FunctionDecl, Item, Param, Qualifier, QualifierKind, TokenId,
-};
+use shaderlint_semantic::{EntryResult, Program, globals};
+use shaderlint_syntax::ast::{DeclKind, FunctionDecl, Item, Param, QualifierKind, TokenId};
 use shaderlint_text::{Edit, Role, Span};
 
 /// Attaches repairs to the errors of a pass.
@@ -163,95 +160,15 @@ fn direct(program: &Program, param: &Param, expected: &str) -> Option<Option<Edi
     })
 }
 
-/// Moves the non-constant initial values of global variables to the start of the entry function, in
-/// order of declaration.
+/// Moves the non-constant initial values of global variables to the start of the entry function.
 fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
     let main = entry(program)?;
-    let open = span_of(program, program.tree.stmt(main.body?).extent.first)?;
-    let mut edits = Vec::new();
-    let mut values = String::new();
-    for (qualifiers, declarator) in globals(program) {
-        let is_reported = |e: &Diagnostic| {
-            let init = declarator.init.map(|i| program.expr_span(i));
-            e.is(error::NOT_CONSTANT) && Some(e.span) == init
-        };
-        if !errors.iter().any(is_reported) {
-            continue;
-        }
-        let value = late_value(program, main, declarator)?;
-        let end = span_of(program, declarator.extent.last)?.end;
-        edits.push(Edit::delete(Span::new(value.from, end)));
-        let constant = qualifiers.iter().find(|q| q.kind == QualifierKind::Const);
-        if let Some(q) = constant {
-            let word = span_of(program, q.extent.first)?;
-            let next = span_of(program, q.extent.first + 1)?;
-            let removed = Edit::delete(Span::new(word.start, next.start));
-            if !edits.contains(&removed) {
-                edits.push(removed);
-            }
-        }
-        values.push_str(&value.statement);
-    }
-    edits.push(Edit::insert(open.end, values));
+    let is_late = |init| {
+        let span = program.expr_span(init);
+        let mut errors = errors.iter();
+        errors.any(|e| e.is(error::NOT_CONSTANT) && e.span == span)
+    };
+    let edits = shaderlint_semantic::late_values(program, main, is_late)?;
     let title = "assign the non-constant values at the start of the entry function";
-    (edits.len() > 1).then(|| Fix::safe(title, edits))
-}
-
-/// The global variables of the user, with the qualifiers of their declarations.
-fn globals(program: &Program) -> impl Iterator<Item = (&[Qualifier], &Declarator)> {
-    let tree = &program.tree;
-    tree.items
-        .iter()
-        .filter_map(|item| match item {
-            Item::Decl(id) => tree.decl(*id),
-            Item::Function(_) => None,
-        })
-        .filter_map(|decl| match decl.kind {
-            DeclKind::Variables {
-                qualifiers,
-                declarators,
-                ..
-            } => Some((tree.qualifiers(qualifiers), tree.declarators(declarators))),
-            _ => None,
-        })
-        .flat_map(|(qualifiers, all)| all.iter().map(move |d| (qualifiers, d)))
-}
-
-struct LateValue {
-    /// Start of the part with the value: after the name and its array sizes.
-    from: u32,
-    statement: String,
-}
-
-/// Assigns the initial value of a variable later; `None` if a parameter of the entry function hides
-/// a name in it, or if the value determines an array size.
-fn late_value(program: &Program, main: &FunctionDecl, of: &Declarator) -> Option<LateValue> {
-    let tree = &program.tree;
-    // The value may come from macros, but not its first and last token.
-    span_of(program, of.extent.first).and(span_of(program, of.extent.last))?;
-    let sizes = tree.arrays(of.arrays);
-    if sizes.iter().any(|s| s.size.is_none()) {
-        return None;
-    }
-    let hides: Vec<u32> = tree
-        .params(main.params)
-        .iter()
-        .filter_map(|p| p.ident)
-        .map(|i| i.name.0)
-        .collect();
-    let tokens = &program.tokens.tokens;
-    let own = (of.extent.first..=of.extent.last).filter_map(|i| tokens.get(i as usize));
-    for token in own {
-        if token.kind == TokenKind::Identifier && hides.contains(&token.value) {
-            return None;
-        }
-    }
-    let last = sizes.last().map_or(of.ident.token, |s| s.extent.last);
-    let from = span_of(program, last)?.end;
-    let name = program.names.text(of.ident.name);
-    let value = program.expr_text(of.init?);
-    Some(LateValue {
-        from,
-        statement: format!("\n    {name} = {value};"),
-    })
+    (!edits.is_empty()).then(|| Fix::safe(title, edits))
 }

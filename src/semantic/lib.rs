@@ -18,6 +18,7 @@ mod explain;
 mod fold;
 mod host;
 mod infer_channels;
+mod late_values;
 pub mod link;
 pub mod lists;
 mod mentions;
@@ -35,6 +36,7 @@ mod types;
 mod typing;
 mod undefined;
 mod unit;
+mod upgrade;
 
 pub use analyze::{
     analyze, analyze_alone, analyze_chunk, analyze_fragment, analyze_within, confirm_unknown,
@@ -49,6 +51,7 @@ pub use dialect::{
     CHUNK_OUTPUT, Channels, Dialect, Guess, GuessedKind, Pass, chunk_declarations, guess, needs_300,
 };
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
+pub use late_values::{globals, late_values};
 pub use mentions::Mentions;
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
@@ -60,3 +63,4 @@ pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
 pub use unit::{Checked, Unit};
+pub use upgrade::{CORE_EXTENSIONS, ObstacleKind, Upgrade, UpgradeObstacle, upgrade};

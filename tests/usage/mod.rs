@@ -21,3 +21,4 @@ mod scratch;
 mod suppressions;
 mod testing;
 mod unknown;
+mod versions;

@@ -7,6 +7,7 @@ use shaderlint_format::StyleChoice;
 use shaderlint_lint::sample::SampleLimit;
 use shaderlint_lint::{Failing, Infos, OptionValue, Renderer, Rule, RulePreset, Settings};
 use shaderlint_rules::RULES;
+use shaderlint_syntax::Version;
 use std::path::{Path, PathBuf};
 
 /// Settings for all files, or for files that match patterns.
@@ -18,6 +19,8 @@ pub struct Layer {
     pub info: Option<bool>,
     /// Renderer that the shaders run on in production.
     pub target: Option<Renderer>,
+    /// Version that shaders are converted to; the inner `None` turns it off.
+    pub target_version: Option<Option<Version>>,
     /// Number of pixels to sample per shader.
     pub run_samples: Option<u32>,
     /// Dialect of the shaders.
@@ -59,6 +62,9 @@ impl Layer {
         }
         if let Some(target) = self.target {
             settings.set_target(RULES, target);
+        }
+        if let Some(version) = self.target_version {
+            settings.set_target_version(version);
         }
         if let Some(pixels) = self.run_samples {
             settings.set_sample_limit(SampleLimit::of(pixels));

@@ -3,7 +3,7 @@
 use super::mistake::Mistake;
 use super::rules::Rules;
 use super::word_or::WordOr;
-use crate::options::{Desktop, DialectChoice, HostNames, HostUniform};
+use crate::options::{Desktop, DialectChoice, HostNames, HostUniform, TargetVersion};
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -27,6 +27,9 @@ pub struct ConfigFile {
     pub info: Option<bool>,
     /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
+    /// Version of GLSL that shaders are converted to
+    #[serde(rename = "target-version")]
+    pub target_version: Option<TargetVersion>,
     /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
     pub run_samples: Option<u32>,
     /// Dialect of the shaders
@@ -64,6 +67,9 @@ pub struct Override {
     pub info: Option<bool>,
     /// Renderer that the shaders run on in production
     pub target: Option<Renderer>,
+    /// Version of GLSL that shaders are converted to
+    #[serde(rename = "target-version")]
+    pub target_version: Option<TargetVersion>,
     /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
     pub run_samples: Option<u32>,
     /// Dialect of the shaders

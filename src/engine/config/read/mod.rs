@@ -9,6 +9,7 @@ mod word_or;
 pub use schema::schema;
 
 use super::layer::{Config, Layer};
+use crate::options::TargetVersion;
 use file::{ConfigFile, HostEntry, Patterns};
 use mistake::Mistake;
 use shaderlint_text::LineIndex;
@@ -43,6 +44,7 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
             preset: own.preset,
             info: own.info,
             target: own.target,
+            target_version: own.target_version.map(TargetVersion::version),
             run_samples: own.run_samples,
             dialect: own.dialect,
             desktop: own.desktop,
@@ -59,6 +61,7 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
             preset: file.preset,
             info: file.info,
             target: file.target,
+            target_version: file.target_version.map(TargetVersion::version),
             run_samples: file.run_samples,
             dialect: file.dialect,
             desktop: file.desktop,
@@ -93,7 +96,7 @@ mod tests {
             "x = 1",
             1,
             1,
-            "unknown key `x`; expected one of `preset`, `info`, `target`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
+            "unknown key `x`; expected one of `preset`, `info`, `target`, `target-version`, `run_samples`, `dialect`, `desktop`, `host`, `format`, `rules`, \
              `include`, `include_roots`, `exclude`, `overrides`",
         );
         wrong(

@@ -1,0 +1,57 @@
+//! What keeps a shader from being converted.
+
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_text::Span;
+
+/// Extensions of WebGL1, and the features of WebGL2 that replace them.
+pub const CORE_EXTENSIONS: [(&str, &str); 4] = [
+    (
+        "GL_OES_standard_derivatives",
+        "`dFdx`, `dFdy` and `fwidth` are",
+    ),
+    (
+        "GL_EXT_shader_texture_lod",
+        "`textureLod` and `textureGrad` are",
+    ),
+    ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
+    ("GL_EXT_draw_buffers", "several `out` variables are"),
+];
+
+/// The extension of several outputs.
+pub(super) const DRAW_BUFFERS: &str = "GL_EXT_draw_buffers";
+
+/// Why a shader is not converted.
+#[derive(Clone, Debug)]
+pub struct UpgradeObstacle {
+    /// Where it is.
+    pub span: Span,
+    /// What it is.
+    pub kind: ObstacleKind,
+}
+
+/// What keeps a shader from being converted.
+#[derive(Clone, Debug)]
+pub enum ObstacleKind {
+    /// Part of the code is in another file.
+    Included,
+    /// The code depends on `__VERSION__`.
+    VersionTest,
+    /// The code depends on whether an extension is available.
+    ExtensionTest(String),
+    /// `gl_FragColor` is written to all draw buffers.
+    Broadcast,
+    /// An index of `gl_FragData` is unknown.
+    OutputIndex,
+    /// It is not known whether the built-in function or the one of the shader is called.
+    UnknownCall,
+    /// An initial value that is not constant cannot be moved to `main`.
+    InitialValue,
+    /// The converted shader has this error.
+    Error(Box<Diagnostic>),
+}
+
+impl UpgradeObstacle {
+    pub(super) fn at(span: Span, kind: ObstacleKind) -> UpgradeObstacle {
+        UpgradeObstacle { span, kind }
+    }
+}
