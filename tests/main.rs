@@ -5,6 +5,7 @@ mod corpus;
 mod differential;
 mod embed;
 mod formatting;
+mod gallery;
 mod hostile;
 mod media;
 mod naga;

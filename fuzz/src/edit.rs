@@ -132,7 +132,9 @@ fn is_free(name: &str) -> bool {
     let is_plain = versions
         .iter()
         .all(|v| classify(name, *v) == WordClass::Plain);
-    is_plain && !name.starts_with("gl_") && !name.contains("__")
+    // In excerpts, whose errors are not reported, a name may start with a digit.
+    let is_word = !name.starts_with(|c: char| c.is_ascii_digit());
+    is_plain && is_word && !name.starts_with("gl_") && !name.contains("__")
 }
 
 /// Renaming keeps the number of uses, and renaming back restores the text.

@@ -26,10 +26,15 @@ impl Stamp {
 
     /// Adds the current state of files that are not included yet.
     pub fn with(mut self, files: impl IntoIterator<Item = PathBuf>) -> Stamp {
-        for (path, seen) in Stamp::of(files).0 {
-            self.0.entry(path).or_insert(seen);
-        }
+        self.add(&Stamp::of(files));
         self
+    }
+
+    /// Adds the files that are not included yet.
+    pub fn add(&mut self, other: &Stamp) {
+        for (path, seen) in &other.0 {
+            self.0.entry(path.clone()).or_insert(*seen);
+        }
     }
 }
 

@@ -135,15 +135,16 @@ pub fn exports_in(text: &str) -> Vec<(String, String)> {
         Ok(one @ Value::Object(_)) => vec![one],
         _ => Vec::new(),
     };
-    let shaders = all
-        .into_iter()
-        .filter(|shader| unwrapped(shader).get("renderpass").is_some());
-    let named = shaders.map(|shader| {
+    let named = all.into_iter().filter(is_export).map(|shader| {
         let info = unwrapped(&shader).get("info");
         let name = info.and_then(|info| info.get("name")?.as_str());
         (name.unwrap_or_default().to_string(), shader.to_string())
     });
     named.collect()
+}
+
+fn is_export(shader: &Value) -> bool {
+    unwrapped(shader).get("renderpass").is_some()
 }
 
 /// A shader without the object around it that some downloads have.
@@ -154,10 +155,10 @@ fn unwrapped(json: &Value) -> &Value {
 /// The object that contains the passes.
 fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
     let shader = match json {
-        Value::Array(all) if all.iter().filter(|s| s.get("renderpass").is_some()).count() > 1 => {
+        Value::Array(all) if all.iter().filter(|shader| is_export(shader)).count() > 1 => {
             return Err(field(
                 "[1]",
-                "the file contains several shaders; `shaderport gallery` writes a page for each",
+                "the file contains several shaders; `shaderport FILE -o FOLDER` writes a page for each",
             ));
         }
         Value::Array(all) => all.first().unwrap_or(json),

@@ -25,7 +25,7 @@ pub struct PortArgs {
     /// Shader file, ShaderToy export (.json) or folder of passes; `-` reads standard input
     ///
     /// The files of a folder, or several files, are assigned to passes by name: image.glsl,
-    /// buffer_a.glsl, common.glsl, cubemap.glsl, sound.glsl.
+    /// buffer_a.glsl, common.glsl, cubemap.glsl, sound.glsl. Several exports are written as a gallery.
     #[arg(value_name = "INPUT")]
     pub(super) input: Vec<PathBuf>,
 

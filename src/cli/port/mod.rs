@@ -41,6 +41,9 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     if let Some(PortCommand::Gallery(args)) = &args.command {
         return gallery::run(args);
     }
+    if let Some(args) = gallery::gallery_of(args)? {
+        return gallery::run(&args);
+    }
     if args.watch || args.serve.is_some() {
         return watch::run(args);
     }

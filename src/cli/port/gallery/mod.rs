@@ -1,6 +1,9 @@
 //! `shaderport gallery`: a page of many shaders, and a page for each.
 
+mod batch;
 mod find;
+
+pub(super) use batch::gallery_of;
 
 use super::args::{GalleryArgs, PortArgs};
 use super::load::{LoadedProject, load};
@@ -56,8 +59,7 @@ pub(super) fn run(args: &GalleryArgs) -> Result<u8, String> {
     }
     loop {
         print_note("waiting for changes");
-        let before = made.stamp(args);
-        wait(before, || made.stamp(args));
+        wait(made.built(), || made.stamp(args));
         if let Err(message) = made.update(args, Overwrite::Allowed) {
             print_note(&message);
         }
@@ -100,7 +102,7 @@ impl MadeGallery {
             progress.drew(done);
             let known = before.remove(&source.name);
             let page = match known.filter(|page| page.is_fresh(source)) {
-                Some(page) => page,
+                Some(page) => page.seen_again(),
                 None => {
                     let built = BuiltPage::build(args, source);
                     files.extend(built.made.iter().flat_map(|made| made.files.clone()));
@@ -177,6 +179,16 @@ impl MadeGallery {
         code
     }
 
+    /// The state of all files when the pages were built from them, so that a change during the build
+    /// is noticed.
+    fn built(&self) -> Stamp {
+        let mut stamp = Stamp::default();
+        for page in self.pages.values() {
+            stamp.add(&page.stamp);
+        }
+        stamp
+    }
+
     /// The state of all files, including those that were added.
     fn stamp(&self, args: &GalleryArgs) -> Stamp {
         let found = sources(&args.input, &args.output).unwrap_or_default();
@@ -196,6 +208,12 @@ impl BuiltPage {
             stamp: stamp.with(read.iter().cloned()),
             read,
         }
+    }
+
+    /// The page as it is, of files that may have changed where other pages are made of them.
+    fn seen_again(mut self) -> BuiltPage {
+        self.stamp = Stamp::of(self.read.iter().cloned());
+        self
     }
 
     /// Whether the files are those that it was built from.
