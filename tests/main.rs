@@ -15,6 +15,7 @@ mod port;
 mod properties;
 mod recorded;
 mod renaming;
+mod repair;
 mod tidy;
 mod tracing;
 mod usage;

@@ -4,6 +4,7 @@
 //! Each is attached to the error that it fixes, so that the same engine applies these and the fixes
 //! of the errors themselves.
 
+use super::choice::choice;
 use super::dialect::PLACES;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
 use shaderlint_semantic::{EntryResult, Program, globals};
@@ -30,6 +31,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             },
             error::INVALID_QUALIFIER => initial(program, found.span),
             error::INVALID_LAYOUT => layout(program, found.span),
+            error::UNSUPPORTED_OPERATION => choice(program, found.span),
             error::MAINIMAGE_SIGNATURE => signature(program, found.span),
             error::NOT_CONSTANT if globals.is_none() => {
                 globals = late_values(program, errors);
@@ -164,7 +166,8 @@ fn direct(program: &Program, param: &Param, expected: &str) -> Option<Option<Edi
 fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
     let main = entry(program)?;
     let is_late = |init| {
-        let span = program.expr_span(init);
+        let extent = program.tree.expr(init).extent;
+        let span = program.tokens.place(&program.sources, extent.first, extent.last);
         let mut errors = errors.iter();
         errors.any(|e| e.is(error::NOT_CONSTANT) && e.span == span)
     };

@@ -189,30 +189,19 @@ impl ExplainContext<'_> {
     /// Converts an expression to another scalar type: a literal is rewritten, everything else
     /// wrapped.
     pub(crate) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
-        if let Some(token) = self.literal_token(id)
-            && let Some(text) = self.converted_literal(id, &token, to)
-        {
-            let is_own = token.is_direct()
-                || self
-                    .sources
-                    .text(token.span)
-                    .starts_with(|c: char| c.is_ascii_digit());
-            return is_own.then(|| {
-                Fix::safe(
-                    format!("use `{text}`"),
-                    vec![Edit::replace(token.span, text)],
-                )
-            });
-        }
         let extent = self.tree.expr(id).extent;
+        let span = self.exact_place(extent)?;
+        if let Some(fix) = self.convert_literal(id, span, to) {
+            return Some(fix);
+        }
         if !self.is_direct(extent) {
-            return None;
+            self.exact.borrow_mut().push(span);
         }
         let ty = self.ty(id);
         let name = self.name_of(ty.with_scalar(to));
-        let span = self.expr_span(id);
         let text = self.sources.text(span);
-        let has_parens = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
+        let is_paren = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
+        let has_parens = is_paren && self.is_direct(extent);
         let mut edits = vec![Edit::insert(
             span.start,
             if has_parens {
@@ -242,13 +231,34 @@ impl ExplainContext<'_> {
         })
     }
 
+    /// Converts an expression that is a literal, if it is written at `place`: a macro that is a literal may be
+    /// used with its own type elsewhere.
+    fn convert_literal(&self, id: ExprId, place: Span, to: Scalar) -> Option<Fix> {
+        let number = self.literal(id)?;
+        let token = self.token(number);
+        let span = match token.is_direct() {
+            true => token.span,
+            false => self.token_span(number),
+        };
+        let text = self.converted_literal(id, &token, to)?;
+        let is_written = self.sources.text(span).starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        if !place.contains(span) || !is_written {
+            return None;
+        }
+        if !token.is_direct() {
+            self.exact.borrow_mut().push(span);
+        }
+        let edit = Edit::replace(span, text.clone());
+        Some(Fix::safe(format!("use `{text}`"), vec![edit]))
+    }
+
     pub(super) fn converted_literal(
         &self,
         id: ExprId,
         token: &Token,
         to: Scalar,
     ) -> Option<String> {
-        let text = self.sources.text(token.span);
+        let text = self.sources.text(self.token_span(self.literal(id)?));
         let digits = text.trim_end_matches(['u', 'U']);
         match (token.kind, to) {
             // Octal and hexadecimal digits have another value as a float.

@@ -41,7 +41,7 @@ mod webgl1;
 
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
 use super::checker::*;
-use super::parsed::{Typed, is_decimal};
+use super::parsed::{Typed, is_decimal, own_name};
 use super::program::*;
 use super::scope::Binding;
 use super::types::*;

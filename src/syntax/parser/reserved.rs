@@ -7,7 +7,7 @@ use crate::names::{Name, Version, WordClass, classify};
 use crate::set::{self, TokenSet};
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
-use shaderlint_text::Edit;
+use shaderlint_text::{Edit, Span};
 
 /// Reserved words that name a type in other languages, with the GLSL equivalent.
 #[rustfmt::skip]
@@ -90,13 +90,34 @@ impl Parser<'_> {
     }
 
     fn report_keyword(&mut self, token: &Token) {
-        let word = self.text(token);
+        let word = self.text(token).to_string();
         let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
             format!("`{word}` is a keyword and cannot be used as a name"),
         );
-        self.report_at(d.help("use another name"), token);
+        // What older versions accept as a name is one in all of the text.
+        let is_newer = classify(&word, Version::Es100) == WordClass::Plain;
+        let d = match is_newer {
+            true => self.with_rename(d, token, &word),
+            false => d.help("use another name"),
+        };
+        self.report_at(d, token);
+    }
+
+    /// Adds a fix that renames a word used as a name.
+    fn with_rename(&self, d: Diagnostic, token: &Token, word: &str) -> Diagnostic {
+        let free = self.free_name(word);
+        match self.rename(token, word, &free) {
+            Some(edits) if !edits.is_empty() => {
+                let title = match edits.len() {
+                    1 => format!("rename it to `{free}`"),
+                    n => format!("rename all {n} uses to `{free}`"),
+                };
+                d.fix(Fix::safe(title, edits))
+            }
+            _ => d.help(format!("rename it, for example to `{free}`")),
+        }
     }
 
     /// Reports a reserved word used as a name, once for all its uses.
@@ -112,9 +133,7 @@ impl Parser<'_> {
             reserved_words,
             ..
         } = self.version.profile();
-        let free = self.free_name(word);
-        let edits = self.rename(name, &free);
-        let mut d = Diagnostic::error(
+        let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
             format!("`{word}` is a reserved word and cannot be used as a name"),
@@ -122,17 +141,7 @@ impl Parser<'_> {
         .note(format!(
             "{language} reserves it for future use ({reserved_words})"
         ));
-        d = match edits {
-            Some(edits) if !edits.is_empty() => {
-                let uses = edits.len();
-                let title = match uses {
-                    1 => format!("rename it to `{free}`"),
-                    n => format!("rename all {n} uses to `{free}`"),
-                };
-                d.fix(Fix::safe(title, edits))
-            }
-            _ => d.help(format!("rename it, for example to `{free}`")),
-        };
+        let d = self.with_rename(d, token, word);
         self.report_at(d, token);
     }
 
@@ -146,27 +155,22 @@ impl Parser<'_> {
         self.names.unused(&base)
     }
 
-    /// Edits that rename every use of a reserved word; `None` if a use is inside a macro, where the
-    /// word may mean something else in other calls.
-    fn rename(&self, name: Name, to: &str) -> Option<Vec<Edit>> {
+    /// Edits that rename every use of a word, also as a member and in macros; `None` if one is not spelled in
+    /// the user's text.
+    fn rename(&self, used: &Token, word: &str, to: &str) -> Option<Vec<Edit>> {
         let mut edits = Vec::new();
-        for (i, token) in self.tokens.iter().enumerate() {
-            if token.kind != TokenKind::Reserved || token.value != name.0 {
-                continue;
-            }
-            let is_member = i > 0
-                && self
-                    .tokens
-                    .get(i - 1)
-                    .is_some_and(|t| t.kind == TokenKind::Dot);
-            if is_member {
-                continue;
-            }
-            if !token.is_direct() && self.sources.text(token.span) != self.names.text(name) {
+        let tokens = self.tokens.iter();
+        for token in tokens.filter(|t| (t.kind, t.value) == (used.kind, used.value)) {
+            let span = match token.is_direct() {
+                true => token.span,
+                false => Span::new(token.spelled, token.spelled + word.len() as u32),
+            };
+            if !self.sources.is_user(span.start) || self.sources.text(span) != word {
                 return None;
             }
-            edits.push(Edit::replace(token.span, to));
+            edits.push(Edit::replace(span, to));
         }
+        edits.sort_by_key(|e| e.span);
         edits.dedup();
         Some(edits)
     }
@@ -235,7 +239,7 @@ impl Parser<'_> {
                 )),
                 Some(other) => d.fix(Fix::suggestion(
                     format!("use `{other}`"),
-                    self.rename(name, other).unwrap_or_default(),
+                    self.rename(&token, word, other).unwrap_or_default(),
                 )),
                 None => d,
             };
