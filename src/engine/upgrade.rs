@@ -115,9 +115,7 @@ pub(super) fn reason(kind: &ObstacleKind) -> UpgradeReason {
             return UpgradeReason {
                 label: "depends on an extension",
                 why: format!("it tests `{name}`"),
-                note: Some(
-                    "WebGL2 defines no macros of extensions that are part of GLSL ES 3.00",
-                ),
+                note: Some("WebGL2 defines no macros of extensions that are part of GLSL ES 3.00"),
             };
         }
         ObstacleKind::Broadcast => (

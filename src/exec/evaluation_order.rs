@@ -24,7 +24,8 @@ const HEAD: &str = "#version 300 es
 fn check(table: &str) {
     for line in table.lines().map(str::trim).filter(|l| !l.is_empty()) {
         let (statements, value) = line.split_once(" => ").unwrap();
-        let main = format!("void main() {{ int r = 0, i = 1, x = 1; {statements} color = vec4(r); }}");
+        let main =
+            format!("void main() {{ int r = 0, i = 1, x = 1; {statements} color = vec4(r); }}");
         let expected: f32 = value.parse().unwrap();
         let found = row(&format!("{HEAD}{main}"), 1)[0][0];
         assert_eq!(found, expected, "{statements}");

@@ -115,7 +115,9 @@ impl Choice<'_> {
         };
         let mut qualifiers = tree.qualifiers(qualifiers).iter();
         let is_const = qualifiers.any(|q| q.kind == QualifierKind::Const);
-        let init = declarator.init.filter(|init| tree.unparen(*init) == self.id)?;
+        let init = declarator
+            .init
+            .filter(|init| tree.unparen(*init) == self.id)?;
         let sizes = tree.arrays(declarator.arrays);
         let name = declarator.ident;
         let value = tree.expr(init).extent;

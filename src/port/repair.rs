@@ -167,7 +167,9 @@ fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
     let main = entry(program)?;
     let is_late = |init| {
         let extent = program.tree.expr(init).extent;
-        let span = program.tokens.place(&program.sources, extent.first, extent.last);
+        let span = program
+            .tokens
+            .place(&program.sources, extent.first, extent.last);
         let mut errors = errors.iter();
         errors.any(|e| e.is(error::NOT_CONSTANT) && e.span == span)
     };

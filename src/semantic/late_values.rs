@@ -81,7 +81,12 @@ fn is_redefined(program: &Program, code: Extent) -> bool {
     names.sort_unstable();
     names.dedup();
     let is_used = |name| names.binary_search(&name).is_ok();
-    let mut defined: Vec<_> = all.macros.iter().map(|m| m.name).filter(|n| is_used(*n)).collect();
+    let mut defined: Vec<_> = all
+        .macros
+        .iter()
+        .map(|m| m.name)
+        .filter(|n| is_used(*n))
+        .collect();
     let count = defined.len();
     defined.sort_unstable();
     defined.dedup();

@@ -76,7 +76,9 @@ impl<'a> ParsedView<'a> {
     pub fn exact_place(&self, extent: Extent) -> Option<Span> {
         match self.is_direct(extent) {
             true => Some(self.span(extent)),
-            false => self.tokens.exact_place(self.sources, extent.first, extent.last),
+            false => self
+                .tokens
+                .exact_place(self.sources, extent.first, extent.last),
         }
     }
 

@@ -241,7 +241,10 @@ impl ExplainContext<'_> {
             false => self.token_span(number),
         };
         let text = self.converted_literal(id, &token, to)?;
-        let is_written = self.sources.text(span).starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        let is_written = self
+            .sources
+            .text(span)
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.');
         if !place.contains(span) || !is_written {
             return None;
         }

@@ -184,7 +184,9 @@ impl<'a> ExplainContext<'a> {
     /// Whether a span is in the user's text and cuts no macro call in two.
     pub fn is_editable(&self, span: Span) -> bool {
         let exact = self.exact.borrow();
-        let is_exact = exact.iter().any(|e| e.start <= span.start && span.end <= e.end);
+        let is_exact = exact
+            .iter()
+            .any(|e| e.start <= span.start && span.end <= e.end);
         let tokens = &self.tokens.tokens;
         // Tokens are sorted by their position in the text that the user sees.
         let from = tokens.partition_point(|t| t.span.end <= span.start);

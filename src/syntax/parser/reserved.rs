@@ -49,6 +49,12 @@ const NAMES: &[(&str, &str)] = &[
     ("active", "isActive"), ("common", "commonValue"), ("partition", "part"), ("union", "unite"),
 ];
 
+/// Whether a keyword is no keyword in the oldest version, so that its shaders may use it as a name.
+fn is_newer(word: &str) -> bool {
+    let old = classify(word, Version::Es100);
+    matches!(old, WordClass::Plain | WordClass::Reserved)
+}
+
 impl Parser<'_> {
     /// Parses a name; reports a reserved word and accepts it as a name.
     pub(super) fn ident(&mut self, what: &str) -> Parsed<Ident> {
@@ -64,6 +70,7 @@ impl Parser<'_> {
                     .names
                     .get(self.text(&token))
                     .ok_or_else(|| self.unexpected(what))?;
+                self.reserved.push(name);
                 self.report_keyword(&token);
                 return Ok(Ident {
                     name,
@@ -96,13 +103,29 @@ impl Parser<'_> {
             token.span,
             format!("`{word}` is a keyword and cannot be used as a name"),
         );
-        // What older versions accept as a name is one in all of the text.
-        let is_newer = classify(&word, Version::Es100) == WordClass::Plain;
-        let d = match is_newer {
+        let d = match is_newer(&word) {
             true => self.with_rename(d, token, &word),
             false => d.help("use another name"),
         };
         self.report_at(d, token);
+    }
+
+    /// Whether a token is a qualifier that older versions lack. At the start of an expression, it is a name.
+    pub(super) fn is_qualifier_as_name(&self, token: &Token) -> bool {
+        let is_keyword =
+            token.kind != TokenKind::Type && set::STARTS_DECLARATION.contains(token.kind);
+        is_keyword && is_newer(self.text(token))
+    }
+
+    /// Parses such an expression.
+    pub(super) fn qualifier_as_name(&mut self) -> Parsed<ExprId> {
+        let token = self.next();
+        let name = Name(token.value);
+        if !self.reserved.contains(&name) {
+            self.reserved.push(name);
+            self.report_keyword(&token);
+        }
+        self.name_or_call()
     }
 
     /// Adds a fix that renames a word used as a name.
@@ -362,7 +385,11 @@ impl Parser<'_> {
                         || MODIFIERS.contains(&word)
                         || self.kind(1) == T::Identifier))
             }
-            kind => set::STARTS_DECLARATION.contains(kind),
+            kind => {
+                let is_used = kind != T::Layout && set::FOLLOWS_USE.contains(self.kind(1));
+                let is_name = is_used && self.is_qualifier_as_name(&self.next());
+                set::STARTS_DECLARATION.contains(kind) && !is_name
+            }
         }
     }
 

@@ -40,7 +40,9 @@ impl Tokens {
             all,
             first: all.first()?,
             last: all.last()?,
-            before: first.checked_sub(1).and_then(|i| self.tokens.get(i as usize)),
+            before: first
+                .checked_sub(1)
+                .and_then(|i| self.tokens.get(i as usize)),
             after: self.tokens.get(last as usize + 1),
         };
         if all.len() > MAX_TOKENS {
@@ -142,7 +144,10 @@ impl TokenRange<'_> {
             Piece(at) => Some(*at),
             Other => None,
         });
-        let ends = places.iter().filter(|(p, _)| *p != Other).map(|(_, end)| *end);
+        let ends = places
+            .iter()
+            .filter(|(p, _)| *p != Other)
+            .map(|(_, end)| *end);
         let first = match places.first()?.0 {
             Piece(at) => at,
             Other => starts.clone().next()?.checked_sub(1).filter(is_param)?,
@@ -164,7 +169,12 @@ impl TokenRange<'_> {
             (Other, Piece(after)) => after == last + 1,
             (Other, Other) => last + 1 == of.body.len(),
         };
-        let span = of.body.get(first)?.token.span.to(of.body.get(last)?.token.span);
+        let span = of
+            .body
+            .get(first)?
+            .token
+            .span
+            .to(of.body.get(last)?.token.span);
         (is_within && starts_there && ends_there).then_some(span)
     }
 }
