@@ -52,52 +52,78 @@ impl Choice<'_> {
         let (tokens, sources) = (&self.program.tokens, &self.program.sources);
         let span = self.program.span(extent);
         let exact = tokens.exact_place(sources, extent.first, extent.last)?;
-        (exact == span).then_some(span)
+        (exact.span == span).then_some(span)
     }
 
     fn expr_text(&self, id: ExprId) -> Option<&str> {
         self.text(self.program.tree.expr(id).extent)
     }
 
+    /// The outermost choice of which this one is a result.
+    fn whole(&self) -> ExprId {
+        let tree = &self.program.tree;
+        let mut whole = self.id;
+        // An expression is stored after its operands.
+        for (id, expr) in (0..).map(ExprId).zip(&tree.exprs) {
+            if let ExprKind::Ternary(_, yes, no) = expr.kind
+                && [yes, no].map(|e| tree.unparen(e)).contains(&whole)
+            {
+                whole = id;
+            }
+        }
+        whole
+    }
+
     /// `if` and `else` instead of the statement that uses nothing but the choice.
     fn as_statement(&self) -> Option<Fix> {
         let tree = &self.program.tree;
-        let extent = tree.expr(self.id).extent;
+        let whole = self.whole();
+        let extent = tree.expr(whole).extent;
         let mut all = (0..).map(StmtId).zip(&tree.stmts);
         let edits = all.find_map(|(id, stmt)| {
             if !stmt.extent.contains(extent) {
                 return None;
             }
-            let is_it = |e: ExprId| tree.unparen(e) == self.id;
+            let is_it = |e: ExprId| tree.unparen(e) == whole;
+            let replaced = |before: &str| {
+                let text = format!("{{ {} }}", self.branches(whole, before)?);
+                Some(vec![Edit::replace(self.span(stmt.extent)?, text)])
+            };
             match stmt.kind {
-                StmtKind::Return(Some(value)) if is_it(value) => {
-                    self.branches(stmt.extent, "return ")
-                }
-                StmtKind::Expr(e) if is_it(e) => self.branches(stmt.extent, ""),
+                StmtKind::Return(Some(value)) if is_it(value) => replaced("return "),
+                StmtKind::Expr(e) if is_it(e) => replaced(""),
                 StmtKind::Expr(e) => match tree.expr(tree.unparen(e)).kind {
                     ExprKind::Assign(None, left, right) if is_it(right) => {
-                        let target = format!("{} = ", self.expr_text(left)?);
-                        self.branches(stmt.extent, &target)
+                        replaced(&format!("{} = ", self.expr_text(left)?))
                     }
                     _ => None,
                 },
-                StmtKind::Decl(_) if tree.stmt_lists.contains(&id) => self.declared(stmt.kind),
+                StmtKind::Decl(_) if tree.stmt_lists.contains(&id) => {
+                    self.declared(stmt.kind, whole)
+                }
                 _ => None,
             }
         })?;
         Some(Fix::safe("use `if` and `else`", edits))
     }
 
-    /// Replaces a statement by one for each value.
-    fn branches(&self, statement: Extent, before: &str) -> Option<Vec<Edit>> {
-        let (yes, no) = (self.expr_text(self.yes)?, self.expr_text(self.no)?);
-        let condition = self.expr_text(self.condition)?;
-        let text = format!("{{ if ({condition}) {before}{yes}; else {before}{no}; }}");
-        Some(vec![Edit::replace(self.span(statement)?, text)])
+    /// A statement for each value of a choice, also of those in it.
+    fn branches(&self, id: ExprId, before: &str) -> Option<String> {
+        let tree = &self.program.tree;
+        let ExprKind::Ternary(condition, yes, no) = tree.expr(tree.unparen(id)).kind else {
+            return Some(format!("{before}{};", self.expr_text(id)?));
+        };
+        let condition = self.expr_text(condition)?;
+        let yes = match tree.expr(tree.unparen(yes)).kind {
+            ExprKind::Ternary(..) => format!("{{ {} }}", self.branches(yes, before)?),
+            _ => self.branches(yes, before)?,
+        };
+        let no = self.branches(no, before)?;
+        Some(format!("if ({condition}) {yes} else {no}"))
     }
 
     /// Assigns the value of a variable after its declaration.
-    fn declared(&self, statement: StmtKind) -> Option<Vec<Edit>> {
+    fn declared(&self, statement: StmtKind, whole: ExprId) -> Option<Vec<Edit>> {
         let (program, tree) = (self.program, &self.program.tree);
         let StmtKind::Decl(id) = statement else {
             return None;
@@ -117,7 +143,7 @@ impl Choice<'_> {
         let is_const = qualifiers.any(|q| q.kind == QualifierKind::Const);
         let init = declarator
             .init
-            .filter(|init| tree.unparen(*init) == self.id)?;
+            .filter(|init| tree.unparen(*init) == whole)?;
         let sizes = tree.arrays(declarator.arrays);
         let name = declarator.ident;
         let value = tree.expr(init).extent;
@@ -133,10 +159,10 @@ impl Choice<'_> {
             last,
         })?;
         let end = self.span(value)?.end;
-        let (yes, no) = (self.expr_text(self.yes)?, self.expr_text(self.no)?);
-        let condition = self.expr_text(self.condition)?;
         let name = program.names.text(name.name);
-        let text = format!("; if ({condition}) {name} = {yes}; else {name} = {no}");
+        let text = self.branches(whole, &format!("{name} = "))?;
+        // The last semicolon is that of the declaration.
+        let text = format!("; {}", text.strip_suffix(';')?);
         Some(vec![Edit::replace(Span::new(head.end, end), text)])
     }
 

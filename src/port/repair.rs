@@ -7,8 +7,10 @@
 use super::choice::choice;
 use super::dialect::PLACES;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
-use shaderlint_semantic::{EntryResult, Program, globals};
-use shaderlint_syntax::ast::{DeclKind, FunctionDecl, Item, Param, QualifierKind, TokenId};
+use shaderlint_semantic::{EntryResult, Program, Scalar, Type, globals};
+use shaderlint_syntax::ast::{
+    DeclKind, ExprId, ExprKind, FunctionDecl, Item, Param, QualifierKind, TokenId, TypeBase,
+};
 use shaderlint_text::{Edit, Role, Span};
 
 /// Attaches repairs to the errors of a pass.
@@ -23,6 +25,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             // The language objects to the name, so renaming is the only fix.
             error::BUILTIN_REDEFINITION => found.fix.clone().map(|fix| Fix {
                 applicability: Applicability::Safe,
+                edits: own_uses(program, fix.edits),
                 ..fix
             }),
             error::LEGACY_GLSL => match program.sources.text(found.span) {
@@ -43,6 +46,43 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             error.fix = Some(fix);
         }
     }
+}
+
+/// The edits of a name that are of the shader's own functions: desktop GLSL lets them overload built-in ones.
+fn own_uses(program: &Program, edits: Vec<Edit>) -> Vec<Edit> {
+    let tree = &program.tree;
+    // The checker rejects these functions, so that their types are taken from the text.
+    let types = |function: &FunctionDecl| {
+        let params = tree.params(function.params).iter();
+        let types = params.map(|param| match tree.ty(param.ty).base {
+            TypeBase::Word(word) => Type::of_word(word),
+            _ => Type::ERROR,
+        });
+        types.collect::<Vec<Type>>()
+    };
+    let takes = |params: &[Type], args: &[ExprId]| {
+        let fits = |(param, arg): (&Type, &ExprId)| {
+            let ty = program.expr(*arg).ty;
+            let is_whole = ty.scalar_kind() == Some(Scalar::Int);
+            let is_unknown = ty.is_error() || param.is_error();
+            *param == ty || is_unknown || is_whole && param.components() == ty.components()
+        };
+        params.len() == args.len() && params.iter().zip(args).all(fits)
+    };
+    let mut foreign = Vec::new();
+    for expr in &tree.exprs {
+        let ExprKind::Call(name, args) = expr.kind else {
+            continue;
+        };
+        let own = tree.functions.iter().filter(|f| f.ident.name == name);
+        let mut params = own.map(types);
+        let args = tree.args(args);
+        if !params.any(|params| takes(&params, args)) {
+            foreign.extend(program.token(expr.extent.first).map(|t| t.spelled));
+        }
+    }
+    let is_own = |edit: &Edit| !foreign.contains(&edit.span.start);
+    edits.into_iter().filter(is_own).collect()
 }
 
 /// The entry function of the user.

@@ -7,7 +7,7 @@ use super::program::{ExprInfo, Resolution, VariableId, struct_name};
 use super::types::{Struct, Type, type_name};
 use super::typing::Types;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version};
+use shaderlint_syntax::{ExactPlace, Feature, Name, Names, Token, TokenKind, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
 use std::ops::Deref;
 
@@ -73,9 +73,13 @@ impl<'a> ParsedView<'a> {
 
     /// The outermost span that supplies a node and nothing else, which may be a macro call, an argument of one,
     /// or a part of a macro's body.
-    pub fn exact_place(&self, extent: Extent) -> Option<Span> {
+    pub fn exact_place(&self, extent: Extent) -> Option<ExactPlace> {
         match self.is_direct(extent) {
-            true => Some(self.span(extent)),
+            true => Some(ExactPlace {
+                span: self.span(extent),
+                in_body: false,
+                has_params: false,
+            }),
             false => self
                 .tokens
                 .exact_place(self.sources, extent.first, extent.last),

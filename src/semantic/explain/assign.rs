@@ -190,7 +190,11 @@ impl ExplainContext<'_> {
     /// wrapped.
     pub(crate) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
         let extent = self.tree.expr(id).extent;
-        let span = self.exact_place(extent)?;
+        let place = self.exact_place(extent);
+        let place = place.filter(|place| !place.in_body || !self.is_dividable(id, *place));
+        let Some(span) = place.map(|place| place.span) else {
+            return self.convert_parts(id, to);
+        };
         if let Some(fix) = self.convert_literal(id, span, to) {
             return Some(fix);
         }
@@ -229,6 +233,34 @@ impl ExplainContext<'_> {
         } else {
             Fix::safe(title, edits)
         })
+    }
+
+    /// Whether the parts of an expression are better converted than its place in the body of a macro: in other
+    /// calls, it may be a vector.
+    fn is_dividable(&self, id: ExprId, place: ExactPlace) -> bool {
+        place.has_params || matches!(self.tree.expr(id).kind, ExprKind::Paren(_))
+    }
+
+    /// Converts the integers in an expression that macros supply, which gives the same value.
+    fn convert_parts(&self, id: ExprId, to: Scalar) -> Option<Fix> {
+        let parts = match self.tree.expr(id).kind {
+            _ if to != Scalar::Float => return None,
+            ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
+                return self.convert(inner, to);
+            }
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul, left, right) => {
+                [left, right]
+            }
+            ExprKind::Ternary(_, yes, no) => [yes, no],
+            _ => return None,
+        };
+        let [first, second] = parts.map(|part| self.convert(part, to));
+        let (mut fix, second) = (first?, second?);
+        fix.title = joined_title(&[fix.title, second.title]);
+        let is_new = |edit: &Edit| !fix.edits.contains(edit);
+        let more: Vec<Edit> = second.edits.into_iter().filter(is_new).collect();
+        fix.edits.extend(more);
+        Some(fix)
     }
 
     /// Converts an expression that is a literal, if it is written at `place`: a macro that is a literal may be

@@ -148,12 +148,25 @@ impl ExplainContext<'_> {
             return Some(Fix::safe(format!("use `{new}`"), vec![edit]));
         };
         let is_function = self.tree.functions.iter().any(|f| f.ident.name == name);
-        let is_call = |token: TokenId| self.token(token + 1).kind == TokenKind::LeftParen;
         let free = self.names.unused(&own_name(new));
-        let mut edits = self.rename_where(name, &free, |token| is_function || !is_call(token));
+        let is_meant = |token| is_function || !self.is_before_paren(token);
+        let mut edits = self.rename_where(name, &free, is_meant);
         edits.push(edit);
         let title = format!("use `{new}`, and rename the shader's own `{new}` to `{free}`");
         (edits.len() > 1).then(|| Fix::safe(title, edits))
+    }
+
+    /// Renames the variables that hide a function.
+    pub(super) fn rename_variable(&self, name: Name) -> Option<Fix> {
+        let free = self.names.unused(&own_name(self.text(name)));
+        let edits = self.rename_where(name, &free, |token| !self.is_before_paren(token));
+        let title = format!("rename the variable to `{free}`");
+        (!edits.is_empty()).then(|| Fix::safe(title, edits))
+    }
+
+    /// Whether a name is called, or declared as a function.
+    fn is_before_paren(&self, name: TokenId) -> bool {
+        self.token(name + 1).kind == TokenKind::LeftParen
     }
 
     /// Whether the shader declares a variable, a parameter or a function of this name.

@@ -192,10 +192,13 @@ impl FaultyShader<'_> {
         all
     }
 
-    /// The fixes of errors in directives.
+    /// The fixes of errors in directives, and those that edit macros.
     fn own_fixes(&self) -> Vec<RepairCandidate> {
         let in_directive = |d: &&Diagnostic| {
-            d.has(Facet::Directive) || calls::is_in_definition(self.program, d.span)
+            let mut edits = d.fix.iter().flat_map(|fix| &fix.edits);
+            d.has(Facet::Directive)
+                || calls::is_in_definition(self.program, d.span)
+                || edits.any(|e| calls::is_in_definition(self.program, e.span))
         };
         let found = self.errors.iter().filter(in_directive);
         let candidate = |d: &Diagnostic| {

@@ -11,6 +11,17 @@ const MAX_TOKENS: usize = 1_000;
 /// Longest chain of macro calls that is followed.
 const MAX_LEVELS: usize = 32;
 
+/// Source text that supplies some tokens and nothing else.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ExactPlace {
+    /// Where it is.
+    pub span: Span,
+    /// Whether it is in the body of a macro, so that a change affects all calls.
+    pub in_body: bool,
+    /// Whether it is in a body and has parameters, so that its type may differ between calls.
+    pub has_params: bool,
+}
+
 /// Some tokens and their neighbours.
 struct TokenRange<'t> {
     tokens: &'t Tokens,
@@ -33,7 +44,7 @@ enum BodyPlace {
 impl Tokens {
     /// The outermost source span that supplies the tokens from `first` to `last` and nothing else: in the
     /// text, in an argument of a macro call, or in the body of a macro.
-    pub fn exact_place(&self, sources: &Sources, first: u32, last: u32) -> Option<Span> {
+    pub fn exact_place(&self, sources: &Sources, first: u32, last: u32) -> Option<ExactPlace> {
         let all = self.tokens.get(first as usize..=last as usize)?;
         let range = TokenRange {
             tokens: self,
@@ -50,6 +61,11 @@ impl Tokens {
         }
         let in_text = range.in_text(|t| range.call(t));
         let in_text = in_text.or_else(|| range.in_text(|t| range.own_or_call(t)));
+        let in_text = in_text.map(|span| ExactPlace {
+            span,
+            in_body: false,
+            has_params: false,
+        });
         in_text.or_else(|| range.in_body(sources))
     }
 }
@@ -90,7 +106,7 @@ impl TokenRange<'_> {
     }
 
     /// Span in the body of the outermost macro of which some pieces supply exactly the range.
-    fn in_body(&self, sources: &Sources) -> Option<Span> {
+    fn in_body(&self, sources: &Sources) -> Option<ExactPlace> {
         let mut macros: Vec<(usize, u32)> = Vec::new();
         for token in self.all {
             let chain: Vec<u32> = self.expansions(token).map(|(at, _)| at).collect();
@@ -127,7 +143,7 @@ impl TokenRange<'_> {
     }
 
     /// Span of the pieces of a body that supply exactly the range.
-    fn pieces(&self, expansion: u32, of: &Macro) -> Option<Span> {
+    fn pieces(&self, expansion: u32, of: &Macro) -> Option<ExactPlace> {
         use BodyPlace::{Other, Piece};
         let place = |token: &Token| match self.place_in(token, expansion, of) {
             // The arguments of a call in the body belong to it.
@@ -154,7 +170,7 @@ impl TokenRange<'_> {
         };
         let last = match places.last()? {
             (Piece(_), end) => *end,
-            (Other, _) => Some(ends.clone().last()? + 1).filter(is_param)?,
+            (Other, _) => Some(ends.clone().next_back()? + 1).filter(is_param)?,
         };
         let is_within = starts.chain(ends).all(|at| (first..=last).contains(&at));
         let before = self.before.map_or((Other, 0), place);
@@ -169,13 +185,13 @@ impl TokenRange<'_> {
             (Other, Piece(after)) => after == last + 1,
             (Other, Other) => last + 1 == of.body.len(),
         };
-        let span = of
-            .body
-            .get(first)?
-            .token
-            .span
-            .to(of.body.get(last)?.token.span);
-        (is_within && starts_there && ends_there).then_some(span)
+        let used = of.body.get(first..=last)?;
+        let place = ExactPlace {
+            span: used.first()?.token.span.to(used.last()?.token.span),
+            in_body: true,
+            has_params: (first..=last).any(|at| is_param(&at)),
+        };
+        (is_within && starts_there && ends_there).then_some(place)
     }
 }
 
