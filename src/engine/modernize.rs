@@ -11,7 +11,7 @@ use shaderlint_text::{Edit, Role, Sources, Span, apply_edits};
 const MAX_QUOTED: usize = 60;
 
 /// A result of repairs, with its errors.
-struct Outcome {
+struct RepairOutcome {
     repairs: Repairs,
     errors: usize,
 }
@@ -29,7 +29,7 @@ pub fn modernize(
     let composed = old.resolve(path).ok()?;
     let (mut repairs, moves) = fixed(&mut old, &composed, path)?;
     let composed = old.resolve(path).ok()?;
-    let kept = Outcome {
+    let kept = RepairOutcome {
         errors: error_count(&composed),
         repairs: Repairs::default(),
     };
@@ -55,7 +55,7 @@ pub fn modernize(
     let modern = project.modernized(text).and_then(|mut modern| {
         let repairs = by_errors(&mut modern, path, text)?;
         let errors = errors_of(repairs.text()?)?;
-        Some(Outcome { repairs, errors })
+        Some(RepairOutcome { repairs, errors })
     });
     // Where both have errors, the newer text is the one that the page needs.
     if let Some(modern) = modern.filter(|modern| modern.errors <= kept.errors) {

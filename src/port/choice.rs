@@ -10,7 +10,7 @@ use shaderlint_syntax::ast::{
 use shaderlint_text::{Edit, Span};
 
 /// A `condition ? yes : no` whose parts are written in the user's text.
-struct Choice<'p> {
+struct TernaryChoice<'p> {
     program: &'p Program,
     id: ExprId,
     condition: ExprId,
@@ -32,7 +32,7 @@ pub(super) fn choice(program: &Program, at: Span) -> Option<Fix> {
     let ExprKind::Ternary(condition, yes, no) = kind else {
         return None;
     };
-    let found = Choice {
+    let found = TernaryChoice {
         program,
         id,
         condition,
@@ -42,7 +42,7 @@ pub(super) fn choice(program: &Program, at: Span) -> Option<Fix> {
     found.as_statement().or_else(|| found.as_call())
 }
 
-impl Choice<'_> {
+impl TernaryChoice<'_> {
     /// Text of code that the user wrote, in the text itself.
     fn text(&self, extent: Extent) -> Option<&str> {
         Some(self.program.sources.text(self.span(extent)?))

@@ -24,11 +24,11 @@ pub use parser::{
     Choice, Correction, Parse, ParseOptions, has_same_letters, keyword_near, parse, parse_corrected,
 };
 pub use preprocessor::{
-    DIRECTIVES, ExactPlace, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens,
-    macro_uses, preprocess,
+    DIRECTIVES, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses,
+    preprocess,
 };
 pub use reduce::{Reduced, reduce};
 pub use search::Search;
 pub use set::TokenSet;
-pub use token::{RawKind, RawToken, Token, TokenKind};
+pub use token::{ExactPlace, RawKind, RawToken, Token, TokenKind};
 pub use translation::Translated;

@@ -187,20 +187,33 @@ impl FaultyShader<'_> {
         all.extend(self.conditionals());
         all.extend(self.broken_calls());
         all.extend(self.definitions());
+        all.extend(self.macro_fixes());
         all.extend(self.text_repairs());
         all.retain(|c| c.edits.iter().all(|e| self.is_user(e.span)));
         all
     }
 
-    /// The fixes of errors in directives, and those that edit macros.
+    /// The fixes of errors in directives.
     fn own_fixes(&self) -> Vec<RepairCandidate> {
         let in_directive = |d: &&Diagnostic| {
-            let mut edits = d.fix.iter().flat_map(|fix| &fix.edits);
-            d.has(Facet::Directive)
-                || calls::is_in_definition(self.program, d.span)
-                || edits.any(|e| calls::is_in_definition(self.program, e.span))
+            d.has(Facet::Directive) || calls::is_in_definition(self.program, d.span)
         };
-        let found = self.errors.iter().filter(in_directive);
+        self.fixes_of(in_directive)
+    }
+
+    /// The fixes that edit macros.
+    fn macro_fixes(&self) -> Vec<RepairCandidate> {
+        let is_edited = |e: &Edit| calls::is_in_definition(self.program, e.span);
+        let edits_macro = |d: &&Diagnostic| {
+            let mut fix = d.fix.iter();
+            fix.any(|fix| fix.edits.iter().take(MAX_EDITS).any(is_edited))
+        };
+        self.fixes_of(edits_macro)
+    }
+
+    /// The fixes of some errors.
+    fn fixes_of(&self, is_meant: impl Fn(&&Diagnostic) -> bool) -> Vec<RepairCandidate> {
+        let found = self.errors.iter().filter(is_meant);
         let candidate = |d: &Diagnostic| {
             let fix = d.fix.as_ref()?;
             let of = d.macros.first().map(|m| m.definition);

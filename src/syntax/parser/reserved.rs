@@ -49,6 +49,9 @@ const NAMES: &[(&str, &str)] = &[
     ("active", "isActive"), ("common", "commonValue"), ("partition", "part"), ("union", "unite"),
 ];
 
+/// Most uses of a name that a fix renames.
+const MAX_RENAMED: usize = 1_000;
+
 /// Whether a keyword is no keyword in the oldest version, so that its shaders may use it as a name.
 fn is_newer(word: &str) -> bool {
     let old = classify(word, Version::Es100);
@@ -70,8 +73,7 @@ impl Parser<'_> {
                     .names
                     .get(self.text(&token))
                     .ok_or_else(|| self.unexpected(what))?;
-                self.reserved.push(name);
-                self.report_keyword(&token);
+                self.report_keyword(name, &token);
                 return Ok(Ident {
                     name,
                     token: self.advance(),
@@ -96,8 +98,15 @@ impl Parser<'_> {
             && set::FOLLOWS_NAME.contains(self.kind(1))
     }
 
-    fn report_keyword(&mut self, token: &Token) {
+    /// Reports a keyword used as a name; one that an older version lacks once for all its uses.
+    fn report_keyword(&mut self, name: Name, token: &Token) {
         let word = self.text(token).to_string();
+        if is_newer(&word) {
+            if self.reserved.contains(&name) {
+                return;
+            }
+            self.reserved.push(name);
+        }
         let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
@@ -121,10 +130,7 @@ impl Parser<'_> {
     pub(super) fn qualifier_as_name(&mut self) -> Parsed<ExprId> {
         let token = self.next();
         let name = Name(token.value);
-        if !self.reserved.contains(&name) {
-            self.reserved.push(name);
-            self.report_keyword(&token);
-        }
+        self.report_keyword(name, &token);
         self.name_or_call()
     }
 
@@ -132,7 +138,7 @@ impl Parser<'_> {
     fn with_rename(&self, d: Diagnostic, token: &Token, word: &str) -> Diagnostic {
         let free = self.free_name(word);
         match self.rename(token, word, &free) {
-            Some(edits) if !edits.is_empty() => {
+            Some(edits) if (1..=MAX_RENAMED).contains(&edits.len()) => {
                 let title = match edits.len() {
                     1 => format!("rename it to `{free}`"),
                     n => format!("rename all {n} uses to `{free}`"),

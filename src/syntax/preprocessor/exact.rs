@@ -3,24 +3,13 @@
 use super::macros::Macro;
 use super::place::is_of_body;
 use super::{Expansion, Tokens};
-use crate::token::{Token, TokenKind};
+use crate::token::{ExactPlace, Token, TokenKind};
 use shaderlint_text::{Role, Sources, Span};
 
 /// Longest token range that is examined.
 const MAX_TOKENS: usize = 1_000;
 /// Longest chain of macro calls that is followed.
 const MAX_LEVELS: usize = 32;
-
-/// Source text that supplies some tokens and nothing else.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct ExactPlace {
-    /// Where it is.
-    pub span: Span,
-    /// Whether it is in the body of a macro, so that a change affects all calls.
-    pub in_body: bool,
-    /// Whether it is in a body and has parameters, so that its type may differ between calls.
-    pub has_params: bool,
-}
 
 /// Some tokens and their neighbours.
 struct TokenRange<'t> {

@@ -17,7 +17,6 @@ mod place;
 mod version;
 
 pub use directive_repair::DIRECTIVES;
-pub use exact::ExactPlace;
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
 use super::language::Feature;
