@@ -104,10 +104,17 @@ impl MacroCalls {
 
 /// Whether a position is inside a macro definition.
 pub(super) fn is_in_definition(program: &Program, span: Span) -> bool {
-    program.tokens.macros.iter().any(|m| {
+    definition_at(program, span).is_some()
+}
+
+/// Name span of the macro in whose definition a position is.
+fn definition_at(program: &Program, span: Span) -> Option<Span> {
+    let mut all = program.tokens.macros.iter();
+    let found = all.find(|m| {
         let end = m.body.last().map_or(m.name_span.end, |p| p.token.span.end);
         !m.predefined && m.name_span.start <= span.start && span.start <= end
-    })
+    });
+    found.map(|m| m.name_span)
 }
 
 /// Merges errors at the same position of a macro body. If all calls of the macro fail, the error is
@@ -200,7 +207,8 @@ fn point(program: &Program, d: &mut Diagnostic, places: &[Span], used: usize) {
             l.message = "in the macro definition".to_string();
         }
         // An edit of the definition would change the other calls.
-        let is_foreign = |e: &Edit| is_in_definition(program, e.span);
+        let own = d.macros.first().map(|m| m.definition);
+        let is_foreign = |e: &Edit| own.is_some() && definition_at(program, e.span) == own;
         d.fix.take_if(|fix| fix.edits.iter().any(is_foreign));
         for &place in places.iter().skip(1).take(MAX_LABELS - 1) {
             d.labels.push(Label {

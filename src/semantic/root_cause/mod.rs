@@ -175,8 +175,13 @@ impl FaultyShader<'_> {
             return true;
         }
         let cause = candidate.of;
-        after.len() <= self.errors.len()
-            && new.all(|d| cause.is_none_or(|of| !self.calls.touches(self.program, of, d)))
+        // The rest of an expression in a macro is checked once its operands have a type.
+        let call = |d: &Diagnostic| d.macros.last().map(|outermost| outermost.call);
+        let fixed = call(&candidate.diagnostic);
+        let is_revealed = |d: &Diagnostic| fixed.is_some() && call(d) == fixed;
+        let is_other =
+            |d: &Diagnostic| cause.is_none_or(|of| !self.calls.touches(self.program, of, d));
+        after.len() <= self.errors.len() && new.all(|d| is_revealed(d) || is_other(d))
     }
 
     /// The repairs suggested by the lines near the errors, most likely first.
@@ -196,7 +201,9 @@ impl FaultyShader<'_> {
     /// The fixes of errors in directives.
     fn own_fixes(&self) -> Vec<RepairCandidate> {
         let in_directive = |d: &&Diagnostic| {
-            d.has(Facet::Directive) || calls::is_in_definition(self.program, d.span)
+            let is_number = d.is(error::INT_FLOAT_MIX);
+            let is_inside = || calls::is_in_definition(self.program, d.span);
+            d.has(Facet::Directive) || !is_number && is_inside()
         };
         self.fixes_of(in_directive)
     }
