@@ -16,6 +16,7 @@ mod port;
 mod properties;
 mod recorded;
 mod renaming;
+mod repair;
 mod tidy;
 mod tracing;
 mod usage;

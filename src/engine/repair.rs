@@ -1,7 +1,7 @@
 //! Repairs the errors of a project that have only one possible fix, in all passes.
 
-use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_lint::{Allow, Look, fix, without_images};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity};
+use shaderlint_lint::{Allow, Fixed, Look, fix, without_images};
 use shaderlint_port::{Composed, Project, add_repairs, compose};
 use shaderlint_text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub struct Repairs {
     pub done: Vec<Diagnostic>,
     /// The repaired texts, in the order of `before`.
     after: Vec<String>,
+    /// Why the text was left as it is, although something could be repaired.
+    pub left: Option<String>,
 }
 
 impl Repairs {
@@ -33,10 +35,29 @@ impl Repairs {
         let pairs = pairs.map(|(before, after)| (before, after.as_str()));
         pairs.filter(|(before, after)| *before.text != **after)
     }
+
+    /// The repaired text of a project of one text.
+    pub fn text(&self) -> Option<&str> {
+        self.after.first().map(String::as_str)
+    }
+
+    pub(super) fn set_text(&mut self, text: String) {
+        self.after = vec![text];
+    }
 }
 
-/// Repairs the passes of a project. `path` is the input file.
+/// Repairs the passes of a project. `path` is the input file. Nothing is repaired if that would leave more
+/// errors than there were.
 pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<Repairs> {
+    Some(fixed(project, composed, path)?.0)
+}
+
+/// Repairs a project. Also returns how offsets in the joined text moved.
+pub(super) fn fixed(
+    project: &mut Project,
+    composed: &Composed,
+    path: &str,
+) -> Option<(Repairs, Fixed)> {
     let files: Vec<&SourceFile> = users(composed).collect();
     let owners = owners(composed);
     let texts: Vec<&str> = files.iter().map(|f| &*f.text).collect();
@@ -54,35 +75,28 @@ pub fn repair(project: &mut Project, composed: &Composed, path: &str) -> Option<
             .before
             .add(path, part, Role::User, file.text.clone())?;
     }
+    if !fixed.applied.is_empty() {
+        let after = renewed(project, &owners, path, &fixed.text)?;
+        let (old, new) = (error_count(composed), error_count(&after));
+        if new > old {
+            repairs.left = Some(format!(
+                "not repaired: the result would have {new} errors instead of {old}"
+            ));
+            repairs.after = texts.into_iter().map(str::to_string).collect();
+            return Some((repairs, fixed));
+        }
+    }
     // The first text starts at address 0: offsets in the joined text are addresses.
-    repairs.done = fixed.applied.into_iter().map(as_note).collect();
+    repairs.done = fixed.applied.iter().cloned().map(as_note).collect();
     repairs.done.sort_by_key(|d| d.span);
     repairs.after = fixed.text.split(BETWEEN).map(str::to_string).collect();
     put(project, &owners, &fixed.text)?;
-    Some(repairs)
+    Some((repairs, fixed))
 }
 
-/// Repairs a WebGL1 shader to which `#version 300 es` was added; `text` is the original.
-pub fn repair_webgl1(draft: &mut Project, path: &str, text: &str) -> Option<Repairs> {
-    let composed = compose(draft, path)?;
-    let mut repairs = repair(draft, &composed, path)?;
-    let added = draft.passes.first()?.code.find('\n')? as u32 + 1;
-    repairs.before = Sources::new();
-    repairs.before.add(path, None, Role::User, text)?;
-    for done in &mut repairs.done {
-        let place = |address: u32| address.saturating_sub(added);
-        done.span = Span::new(place(done.span.start), place(done.span.end));
-    }
-    let version = Diagnostic::of(
-        error::LEGACY_GLSL,
-        Severity::Info,
-        Span::at(0),
-        "repaired: add `#version 300 es`",
-    );
-    repairs
-        .done
-        .insert(0, version.note("this is a WebGL1 shader"));
-    Some(repairs)
+/// The number of errors of all passes.
+pub(super) fn error_count(composed: &Composed) -> usize {
+    errors(composed).0.len()
 }
 
 /// The number of errors that a repair would fix.

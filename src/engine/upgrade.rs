@@ -97,47 +97,61 @@ fn takes_lines(program: &Program, at: Span) -> bool {
     !is_quoted || before.ends_with("\"\"\"") || before.ends_with("'''")
 }
 
-/// Says why a shader is not converted.
-fn explain(found: Diagnostic, obstacle: UpgradeObstacle) -> Diagnostic {
-    let mut note = None;
-    let (label, why) = match obstacle.kind {
-        ObstacleKind::Included => ("other file", "some code is in another file".to_string()),
-        ObstacleKind::VersionTest => (
-            "depends on the version",
-            "it tests `__VERSION__`".to_string(),
-        ),
+/// Why a shader is not converted, in words.
+pub(super) struct UpgradeReason {
+    /// Names the place.
+    label: &'static str,
+    /// Follows "because".
+    pub why: String,
+    note: Option<&'static str>,
+}
+
+/// Why a shader is not converted.
+pub(super) fn reason(kind: &ObstacleKind) -> UpgradeReason {
+    let (label, why, note) = match kind {
+        ObstacleKind::Included => ("other file", "some code is in another file", None),
+        ObstacleKind::VersionTest => ("depends on the version", "it tests `__VERSION__`", None),
         ObstacleKind::ExtensionTest(name) => {
-            note = Some(
-                "WebGL2 defines no macros of extensions that are part of GLSL ES 3.00".to_string(),
-            );
-            ("depends on an extension", format!("it tests `{name}`"))
+            return UpgradeReason {
+                label: "depends on an extension",
+                why: format!("it tests `{name}`"),
+                note: Some("WebGL2 defines no macros of extensions that are part of GLSL ES 3.00"),
+            };
         }
-        ObstacleKind::Broadcast => {
-            note =
-                Some("with `GL_EXT_draw_buffers`, it is written to all draw buffers".to_string());
-            (
-                "several outputs",
-                "`gl_FragColor` is several outputs".to_string(),
-            )
-        }
-        ObstacleKind::OutputIndex => ("index", "an index of `gl_FragData` is unknown".to_string()),
-        ObstacleKind::UnknownCall => {
-            note =
-                Some("the call may be of the built-in function or of the shader's own".to_string());
-            ("unknown overload", "a call cannot be resolved".to_string())
-        }
-        ObstacleKind::InitialValue => {
-            note = Some("the initial value cannot be moved to `main`".to_string());
-            (
-                "not constant",
-                "an initial value is not constant".to_string(),
-            )
-        }
+        ObstacleKind::Broadcast => (
+            "several outputs",
+            "`gl_FragColor` is several outputs",
+            Some("with `GL_EXT_draw_buffers`, it is written to all draw buffers"),
+        ),
+        ObstacleKind::OutputIndex => ("index", "an index of `gl_FragData` is unknown", None),
+        ObstacleKind::UnknownCall => (
+            "unknown overload",
+            "a call cannot be resolved",
+            Some("the call may be of the built-in function or of the shader's own"),
+        ),
+        ObstacleKind::InitialValue => (
+            "not constant",
+            "an initial value is not constant",
+            Some("the initial value cannot be moved to `main`"),
+        ),
         ObstacleKind::Error(error) => {
-            let why = format!("the result has an error ({})", error.message);
-            ("error in GLSL ES 3.00", why)
+            return UpgradeReason {
+                label: "error in GLSL ES 3.00",
+                why: format!("the result has an error ({})", error.message),
+                note: None,
+            };
         }
     };
+    UpgradeReason {
+        label,
+        why: why.to_string(),
+        note,
+    }
+}
+
+/// Says why a shader is not converted.
+fn explain(found: Diagnostic, obstacle: UpgradeObstacle) -> Diagnostic {
+    let UpgradeReason { label, why, note } = reason(&obstacle.kind);
     let found = refuse(found, &why);
     let found = match note {
         Some(note) => found.note(note),

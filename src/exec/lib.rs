@@ -9,6 +9,8 @@ mod bytecode;
 mod compile;
 mod draw;
 mod equal;
+#[cfg(test)]
+mod evaluation_order;
 mod gpu_profile;
 mod image;
 mod observations;

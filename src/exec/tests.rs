@@ -40,7 +40,7 @@ fn drawn(code: &str, size: [u32; 2]) -> Drawn {
 }
 
 /// The pixels of the first row, as floats.
-fn row(code: &str, width: u32) -> Vec<[f32; 4]> {
+pub(super) fn row(code: &str, width: u32) -> Vec<[f32; 4]> {
     let drawn = drawn(code, [width, 1]);
     let pixels = drawn.outputs.first().unwrap().iter();
     pixels.map(|p| p.map(f32::from_bits)).collect()

@@ -62,6 +62,7 @@ pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), Re
                 "`{text}` is declared by {host} and cannot be renamed"
             ))
         }
+        _ if !is_identifier(&text) => refused(format!("`{text}` is not a valid identifier")),
         _ if is_asked_for(document, program, name.symbol) => {
             refused(format!("the surrounding script refers to `{text}` by name"))
         }
@@ -119,10 +120,14 @@ pub fn rename(
     Ok(renaming)
 }
 
+/// Whether a text is one word.
+fn is_identifier(text: &str) -> bool {
+    matches!(&tokenize(text, 0)[..], [one] if one.kind == RawKind::Word)
+}
+
 /// Whether a word is a valid name.
 fn is_name(program: &Program, word: &str) -> Result<(), RenameRefusal> {
-    let is_word = matches!(&tokenize(word, 0)[..], [one] if one.kind == RawKind::Word);
-    if !is_word {
+    if !is_identifier(word) {
         return refused(format!("`{word}` is not a valid identifier"));
     }
     let is_taken = classify(word, program.version) != WordClass::Plain;

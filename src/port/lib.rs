@@ -7,6 +7,7 @@
 
 mod build;
 mod channel;
+mod choice;
 mod compose;
 mod control;
 mod credits;

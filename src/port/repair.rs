@@ -4,10 +4,13 @@
 //! Each is attached to the error that it fixes, so that the same engine applies these and the fixes
 //! of the errors themselves.
 
+use super::choice::choice;
 use super::dialect::PLACES;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
-use shaderlint_semantic::{EntryResult, Program, globals};
-use shaderlint_syntax::ast::{DeclKind, FunctionDecl, Item, Param, QualifierKind, TokenId};
+use shaderlint_semantic::{EntryResult, Program, Scalar, Type, globals};
+use shaderlint_syntax::ast::{
+    DeclKind, ExprId, ExprKind, FunctionDecl, Item, Param, QualifierKind, TokenId, TypeBase,
+};
 use shaderlint_text::{Edit, Role, Span};
 
 /// Attaches repairs to the errors of a pass.
@@ -22,6 +25,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             // The language objects to the name, so renaming is the only fix.
             error::BUILTIN_REDEFINITION => found.fix.clone().map(|fix| Fix {
                 applicability: Applicability::Safe,
+                edits: own_uses(program, fix.edits),
                 ..fix
             }),
             error::LEGACY_GLSL => match program.sources.text(found.span) {
@@ -30,6 +34,7 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             },
             error::INVALID_QUALIFIER => initial(program, found.span),
             error::INVALID_LAYOUT => layout(program, found.span),
+            error::UNSUPPORTED_OPERATION => choice(program, found.span),
             error::MAINIMAGE_SIGNATURE => signature(program, found.span),
             error::NOT_CONSTANT if globals.is_none() => {
                 globals = late_values(program, errors);
@@ -41,6 +46,43 @@ pub fn add_repairs(program: &Program, errors: &mut [Diagnostic]) {
             error.fix = Some(fix);
         }
     }
+}
+
+/// The edits of a name that are of the shader's own functions: desktop GLSL lets them overload built-in ones.
+fn own_uses(program: &Program, edits: Vec<Edit>) -> Vec<Edit> {
+    let tree = &program.tree;
+    // The checker rejects these functions, so that their types are taken from the text.
+    let types = |function: &FunctionDecl| {
+        let params = tree.params(function.params).iter();
+        let types = params.map(|param| match tree.ty(param.ty).base {
+            TypeBase::Word(word) => Type::of_word(word),
+            _ => Type::ERROR,
+        });
+        types.collect::<Vec<Type>>()
+    };
+    let takes = |params: &[Type], args: &[ExprId]| {
+        let fits = |(param, arg): (&Type, &ExprId)| {
+            let ty = program.expr(*arg).ty;
+            let is_whole = ty.scalar_kind() == Some(Scalar::Int);
+            let is_unknown = ty.is_error() || param.is_error();
+            *param == ty || is_unknown || is_whole && param.components() == ty.components()
+        };
+        params.len() == args.len() && params.iter().zip(args).all(fits)
+    };
+    let mut foreign = Vec::new();
+    for expr in &tree.exprs {
+        let ExprKind::Call(name, args) = expr.kind else {
+            continue;
+        };
+        let own = tree.functions.iter().filter(|f| f.ident.name == name);
+        let mut params = own.map(types);
+        let args = tree.args(args);
+        if !params.any(|params| takes(&params, args)) {
+            foreign.extend(program.token(expr.extent.first).map(|t| t.spelled));
+        }
+    }
+    let is_own = |edit: &Edit| !foreign.contains(&edit.span.start);
+    edits.into_iter().filter(is_own).collect()
 }
 
 /// The entry function of the user.
@@ -164,7 +206,10 @@ fn direct(program: &Program, param: &Param, expected: &str) -> Option<Option<Edi
 fn late_values(program: &Program, errors: &[Diagnostic]) -> Option<Fix> {
     let main = entry(program)?;
     let is_late = |init| {
-        let span = program.expr_span(init);
+        let extent = program.tree.expr(init).extent;
+        let span = program
+            .tokens
+            .place(&program.sources, extent.first, extent.last);
         let mut errors = errors.iter();
         errors.any(|e| e.is(error::NOT_CONSTANT) && e.span == span)
     };

@@ -4,7 +4,7 @@
 use super::program::Program;
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::{
-    DeclKind, Declarator, ExprId, FunctionDecl, Item, Qualifier, QualifierKind, TokenId,
+    DeclKind, Declarator, ExprId, Extent, FunctionDecl, Item, Qualifier, QualifierKind, TokenId,
 };
 use shaderlint_text::{Edit, Span};
 
@@ -28,7 +28,7 @@ pub fn late_values(
             continue;
         }
         let value = late_value(program, main, declarator)?;
-        let end = span_of(program, declarator.extent.last)?.end;
+        let end = program.span(declarator.extent).end;
         edits.push(Edit::delete(Span::new(value.from, end)));
         let constant = qualifiers.iter().find(|q| q.kind == QualifierKind::Const);
         if let Some(q) = constant {
@@ -67,6 +67,32 @@ pub fn globals(program: &Program) -> impl Iterator<Item = (&[Qualifier], &Declar
         .flat_map(|(qualifiers, all)| all.iter().map(move |d| (qualifiers, d)))
 }
 
+/// Whether code uses a macro that is defined more than once, so that it may mean something else in `main`.
+fn is_redefined(program: &Program, code: Extent) -> bool {
+    let all = &program.tokens;
+    let own = (code.first..=code.last).filter_map(|i| all.tokens.get(i as usize));
+    let mut names: Vec<_> = own
+        .flat_map(|token| {
+            let first = all.expansions.get(token.expansion as usize);
+            std::iter::successors(first, |e| all.expansions.get(e.parent as usize))
+        })
+        .filter_map(|e| Some(all.macros.get(e.definition.0 as usize)?.name))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    let is_used = |name| names.binary_search(&name).is_ok();
+    let mut defined: Vec<_> = all
+        .macros
+        .iter()
+        .map(|m| m.name)
+        .filter(|n| is_used(*n))
+        .collect();
+    let count = defined.len();
+    defined.sort_unstable();
+    defined.dedup();
+    defined.len() < count
+}
+
 struct LateValue {
     /// Start of the part with the value: after the name and its array sizes.
     from: u32,
@@ -77,8 +103,13 @@ struct LateValue {
 /// a name in it, or if the value determines an array size.
 fn late_value(program: &Program, main: &FunctionDecl, of: &Declarator) -> Option<LateValue> {
     let tree = &program.tree;
-    // The value may come from macros, but not its first and last token.
-    span_of(program, of.extent.first).and(span_of(program, of.extent.last))?;
+    // The value may come from macros, but not what surrounds it: they would supply only a part of it.
+    let init = program.tree.expr(of.init?).extent;
+    span_of(program, of.extent.first)?;
+    span_of(program, init.first.checked_sub(1)?).and(span_of(program, of.extent.last + 1))?;
+    if is_redefined(program, init) {
+        return None;
+    }
     let sizes = tree.arrays(of.arrays);
     if sizes.iter().any(|s| s.size.is_none()) {
         return None;

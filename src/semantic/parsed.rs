@@ -7,7 +7,7 @@ use super::program::{ExprInfo, Resolution, VariableId, struct_name};
 use super::types::{Struct, Type, type_name};
 use super::typing::Types;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Feature, Name, Names, Token, TokenKind, Tokens, Version};
+use shaderlint_syntax::{ExactPlace, Feature, Name, Names, Token, TokenKind, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
 use std::ops::Deref;
 
@@ -71,6 +71,21 @@ impl<'a> ParsedView<'a> {
         self.tokens.are_direct(extent.first, extent.last)
     }
 
+    /// The outermost span that supplies a node and nothing else, which may be a macro call, an argument of one,
+    /// or a part of a macro's body.
+    pub fn exact_place(&self, extent: Extent) -> Option<ExactPlace> {
+        match self.is_direct(extent) {
+            true => Some(ExactPlace {
+                span: self.span(extent),
+                in_body: false,
+                has_params: false,
+            }),
+            false => self
+                .tokens
+                .exact_place(self.sources, extent.first, extent.last),
+        }
+    }
+
     /// Whether a token is in a host's prelude.
     pub fn is_prelude(&self, token: TokenId) -> bool {
         let span = self.token_span(token);
@@ -87,6 +102,11 @@ impl<'a> ParsedView<'a> {
 
     /// The token of a number literal, looking through parentheses and signs.
     pub fn literal_token(&self, id: ExprId) -> Option<Token> {
+        self.literal(id).map(|token| self.token(token))
+    }
+
+    /// The same, by its number.
+    pub fn literal(&self, id: ExprId) -> Option<TokenId> {
         let mut at = id;
         loop {
             match self.tree.expr(at).kind {
@@ -94,7 +114,7 @@ impl<'a> ParsedView<'a> {
                     at = inner
                 }
                 ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) => {
-                    return Some(self.token(self.tree.expr(at).extent.first));
+                    return Some(self.tree.expr(at).extent.first);
                 }
                 _ => return None,
             }
@@ -180,4 +200,14 @@ pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
 pub(crate) fn is_decimal(digits: &str) -> bool {
     let is_octal = digits.len() > 1 && digits.starts_with('0');
     !digits.is_empty() && !is_octal && digits.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// `mySample` for `sample`: a name for what a shader declares where the language has `sample`.
+pub(crate) fn own_name(word: &str) -> String {
+    let mut chars = word.chars();
+    let first = chars.next().map(|c| c.to_ascii_uppercase());
+    first.into_iter().fold("my".to_string(), |mut name, c| {
+        name.push(c);
+        name
+    }) + chars.as_str()
 }

@@ -30,5 +30,5 @@ pub use preprocessor::{
 pub use reduce::{Reduced, reduce};
 pub use search::Search;
 pub use set::TokenSet;
-pub use token::{RawKind, RawToken, Token, TokenKind};
+pub use token::{ExactPlace, RawKind, RawToken, Token, TokenKind};
 pub use translation::Translated;

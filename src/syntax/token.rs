@@ -96,6 +96,17 @@ pub struct Token {
     pub expansion: u32,
 }
 
+/// Source text that supplies some tokens and nothing else.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ExactPlace {
+    /// Where it is.
+    pub span: Span,
+    /// Whether it is in the body of a macro, so that a change affects all calls.
+    pub in_body: bool,
+    /// Whether it is in a body and has parameters, so that its type may differ between calls.
+    pub has_params: bool,
+}
+
 // Size limits: a shader has one per word.
 const _: () = assert!(size_of::<Token>() <= 24);
 const _: () = assert!(size_of::<RawToken>() <= 12);

@@ -56,6 +56,9 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
             );
         }
     }
+    if let Some(why) = &repairs.left {
+        let _ = writeln!(io::stderr(), "note: {why}");
+    }
     let nothing = |code| MadeFiles {
         files: Vec::new(),
         read: Vec::new(),

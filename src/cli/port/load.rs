@@ -6,7 +6,7 @@ use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
 use super::siblings::{draft_with_siblings, folder_of};
 use crate::cli::config::{configured_host, host_of};
-use crate::engine::{Repairs, repair, repair_webgl1};
+use crate::engine::{Repairs, modernize, repair};
 use crate::host::{Preset, shadertoy};
 use crate::port::{
     ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts, add_stand_ins,
@@ -58,6 +58,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     let mut composed = project.resolve(&name).map_err(wrong)?;
     if (mode == Mode::Repair || project.host.is_some() && composed.has_errors())
         && repairs.is_empty()
+        && repairs.left.is_none()
         && let Some((fixed, renewed, repaired)) = apply_repairs(&project, &composed, &name, mode)?
     {
         given = Some(std::mem::replace(&mut composed, renewed));
@@ -119,7 +120,7 @@ fn apply_repairs(
     let mut fixed = project.clone();
     let repaired = repair(&mut fixed, composed, name);
     let repaired = repaired.ok_or(wrong(ShaderError::TooLarge))?;
-    if repaired.is_empty() {
+    if repaired.is_empty() && (repaired.left.is_none() || mode == Mode::AsItIs) {
         return Ok(None);
     }
     let renewed = fixed.resolve(name).map_err(wrong)?;
@@ -292,18 +293,17 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         })
     };
     let mut project = draft(&text)?;
-    let modern = project.modernized(&text);
-    let Some(mut modern) = modern.filter(|_| mode == Mode::Repair) else {
+    let is_old = project.modernized(&text).is_some();
+    if mode == Mode::AsItIs || !is_old {
         return Ok(Drafted {
             siblings,
             ..Drafted::of(project)
         });
-    };
-    let repairs = repair_webgl1(&mut modern, &name, &text)
+    }
+    let repairs = modernize(&project, &name, &text, |text| draft(text).ok())
         .ok_or_else(|| wrong("the shader is too large".to_string()))?;
     let given = project.resolve(&name).map_err(|e| wrong(e.to_string()))?;
-    let code = modern.passes.first().map_or("", |p| &*p.code);
-    let project = draft(code)?;
+    let project = draft(repairs.text().unwrap_or(&text))?;
     Ok(Drafted {
         project,
         repairs,

@@ -189,30 +189,23 @@ impl ExplainContext<'_> {
     /// Converts an expression to another scalar type: a literal is rewritten, everything else
     /// wrapped.
     pub(crate) fn convert(&self, id: ExprId, to: Scalar) -> Option<Fix> {
-        if let Some(token) = self.literal_token(id)
-            && let Some(text) = self.converted_literal(id, &token, to)
-        {
-            let is_own = token.is_direct()
-                || self
-                    .sources
-                    .text(token.span)
-                    .starts_with(|c: char| c.is_ascii_digit());
-            return is_own.then(|| {
-                Fix::safe(
-                    format!("use `{text}`"),
-                    vec![Edit::replace(token.span, text)],
-                )
-            });
-        }
         let extent = self.tree.expr(id).extent;
+        let place = self.exact_place(extent);
+        let place = place.filter(|place| !place.in_body || !self.is_dividable(id, *place));
+        let Some(span) = place.map(|place| place.span) else {
+            return self.convert_parts(id, to);
+        };
+        if let Some(fix) = self.convert_literal(id, span, to) {
+            return Some(fix);
+        }
         if !self.is_direct(extent) {
-            return None;
+            self.exact.borrow_mut().push(span);
         }
         let ty = self.ty(id);
         let name = self.name_of(ty.with_scalar(to));
-        let span = self.expr_span(id);
         let text = self.sources.text(span);
-        let has_parens = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
+        let is_paren = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
+        let has_parens = is_paren && self.is_direct(extent);
         let mut edits = vec![Edit::insert(
             span.start,
             if has_parens {
@@ -242,13 +235,65 @@ impl ExplainContext<'_> {
         })
     }
 
+    /// Whether the parts of an expression are better converted than its place in the body of a macro: in other
+    /// calls, it may be a vector.
+    fn is_dividable(&self, id: ExprId, place: ExactPlace) -> bool {
+        place.has_params || matches!(self.tree.expr(id).kind, ExprKind::Paren(_))
+    }
+
+    /// Converts the integers in an expression that macros supply, which gives the same value.
+    fn convert_parts(&self, id: ExprId, to: Scalar) -> Option<Fix> {
+        let parts = match self.tree.expr(id).kind {
+            _ if to != Scalar::Float => return None,
+            ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
+                return self.convert(inner, to);
+            }
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul, left, right) => {
+                [left, right]
+            }
+            ExprKind::Ternary(_, yes, no) => [yes, no],
+            _ => return None,
+        };
+        let [first, second] = parts.map(|part| self.convert(part, to));
+        let (mut fix, second) = (first?, second?);
+        fix.title = joined_title(&[fix.title, second.title]);
+        let is_new = |edit: &Edit| !fix.edits.contains(edit);
+        let more: Vec<Edit> = second.edits.into_iter().filter(is_new).collect();
+        fix.edits.extend(more);
+        Some(fix)
+    }
+
+    /// Converts an expression that is a literal, if it is written at `place`: a macro that is a literal may be
+    /// used with its own type elsewhere.
+    fn convert_literal(&self, id: ExprId, place: Span, to: Scalar) -> Option<Fix> {
+        let number = self.literal(id)?;
+        let token = self.token(number);
+        let span = match token.is_direct() {
+            true => token.span,
+            false => self.token_span(number),
+        };
+        let text = self.converted_literal(id, &token, to)?;
+        let is_written = self
+            .sources
+            .text(span)
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        if !place.contains(span) || !is_written {
+            return None;
+        }
+        if !token.is_direct() {
+            self.exact.borrow_mut().push(span);
+        }
+        let edit = Edit::replace(span, text.clone());
+        Some(Fix::safe(format!("use `{text}`"), vec![edit]))
+    }
+
     pub(super) fn converted_literal(
         &self,
         id: ExprId,
         token: &Token,
         to: Scalar,
     ) -> Option<String> {
-        let text = self.sources.text(token.span);
+        let text = self.sources.text(self.token_span(self.literal(id)?));
         let digits = text.trim_end_matches(['u', 'U']);
         match (token.kind, to) {
             // Octal and hexadecimal digits have another value as a float.

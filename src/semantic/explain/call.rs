@@ -79,9 +79,13 @@ impl ExplainContext<'_> {
         let d = self.with_declaration(d, declared, "declared here");
         match self.functions_named(name).next().is_some() || self.builtins.function(text).is_some()
         {
-            true => d
-                .note("the variable shadows the function of the same name")
-                .help("rename the variable"),
+            true => {
+                let d = d.note("the variable shadows the function of the same name");
+                match self.rename_variable(name) {
+                    Some(fix) => d.fix(fix),
+                    None => d.help("rename the variable"),
+                }
+            }
             false => {
                 let product = self.product_of_call(token, variable, args);
                 d.fix(product.or_else(|| self.index_of_call(token, variable, args)))

@@ -5,7 +5,7 @@ use crate::parsed::ParsedView;
 use crate::scope::{NameBindings, PastScopes};
 use shaderlint_syntax::macro_uses;
 use shaderlint_text::Role;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::ops::Deref;
 
 /// Most names, tokens and pairs of letters that are compared for suggestions, over all errors of a
@@ -28,6 +28,8 @@ pub(super) struct ExplainContext<'a> {
     pub expected: Option<Type>,
     /// Names and tokens that may still be searched for suggestions; starts at [`MAX_ADVICE`].
     advice: Cell<usize>,
+    /// Places in macro calls and macro bodies that supply exactly what a fix changes.
+    pub exact: RefCell<Vec<Span>>,
 }
 
 impl<'a> Deref for ExplainContext<'a> {
@@ -78,6 +80,7 @@ impl<'a> ExplainContext<'a> {
             root_expr: ExprId(0),
             expected: None,
             advice: Cell::new(MAX_ADVICE),
+            exact: RefCell::new(Vec::new()),
         }
     }
 
@@ -94,6 +97,7 @@ impl<'a> ExplainContext<'a> {
         self.current = moment.current;
         self.root_expr = moment.root_expr;
         self.expected = moment.expected;
+        self.exact.borrow_mut().clear();
         self.scopes.go_to(moment.scopes);
     }
 
@@ -179,6 +183,10 @@ impl<'a> ExplainContext<'a> {
 
     /// Whether a span is in the user's text and cuts no macro call in two.
     pub fn is_editable(&self, span: Span) -> bool {
+        let exact = self.exact.borrow();
+        let is_exact = exact
+            .iter()
+            .any(|e| e.start <= span.start && span.end <= e.end);
         let tokens = &self.tokens.tokens;
         // Tokens are sorted by their position in the text that the user sees.
         let from = tokens.partition_point(|t| t.span.end <= span.start);
@@ -187,7 +195,7 @@ impl<'a> ExplainContext<'a> {
             .iter()
             .take_while(|t| t.span.start < span.end)
             .all(|t| t.is_direct() || span.contains(t.span));
-        clean
+        (clean || is_exact)
             && self
                 .sources
                 .file_at(span.start)

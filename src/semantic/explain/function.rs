@@ -153,7 +153,7 @@ impl<'a> ExplainContext<'a> {
 
     fn builtin_name(&self, name: Name, at: Extent) -> Diagnostic {
         let text = self.text(name);
-        let to = self.free_function_name(text);
+        let to = self.names.unused(&own_name(text));
         let edits = self.rename_all(name, &to);
         let d = self
             .error(
@@ -166,12 +166,5 @@ impl<'a> ExplainContext<'a> {
             true => d.help(format!("rename it, for example to `{to}`")),
             false => d.fix(Fix::suggestion(format!("rename it to `{to}`"), edits)),
         }
-    }
-
-    fn free_function_name(&self, text: &str) -> String {
-        let mut chars = text.chars();
-        let first = chars.next().map(|c| c.to_ascii_uppercase()).unwrap_or('F');
-        let base = format!("my{first}{}", chars.as_str());
-        self.names.unused(&base)
     }
 }

@@ -41,7 +41,7 @@ mod webgl1;
 
 use super::builtins::{Builtins, MAX_PARAMS, Stage};
 use super::checker::*;
-use super::parsed::{Typed, is_decimal};
+use super::parsed::{Typed, is_decimal, own_name};
 use super::program::*;
 use super::scope::Binding;
 use super::types::*;
@@ -50,7 +50,7 @@ use arguments::joined_title;
 use context::ExplainContext;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Feature, Name, Token, TokenKind, Version};
+use shaderlint_syntax::{ExactPlace, Feature, Name, Token, TokenKind, Version};
 use shaderlint_text::{Edit, Span};
 
 /// Note on every mix of types.

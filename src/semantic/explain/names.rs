@@ -137,10 +137,46 @@ impl ExplainContext<'_> {
             format!("`{text}` was removed in GLSL ES 3.00"),
         )
         .note("in GLSL ES 3.00 the type of the sampler selects the lookup")
-        .fix(Fix::safe(
-            format!("use `{new}`"),
-            vec![Edit::replace(span, new)],
-        ))
+        .fix(self.use_instead(new, Edit::replace(span, new)))
+    }
+
+    /// Uses a built-in function of GLSL ES 3.00. What the shader calls so gets another name, because it hides
+    /// the function.
+    fn use_instead(&self, new: &str, edit: Edit) -> Option<Fix> {
+        let own = self.names.get(new).filter(|name| self.has_own(*name));
+        let Some(name) = own else {
+            return Some(Fix::safe(format!("use `{new}`"), vec![edit]));
+        };
+        let is_function = self.tree.functions.iter().any(|f| f.ident.name == name);
+        let free = self.names.unused(&own_name(new));
+        let is_meant = |token| is_function || !self.is_before_paren(token);
+        let mut edits = self.rename_where(name, &free, is_meant);
+        edits.push(edit);
+        let title = format!("use `{new}`, and rename the shader's own `{new}` to `{free}`");
+        (edits.len() > 1).then(|| Fix::safe(title, edits))
+    }
+
+    /// Renames the variables that hide a function.
+    pub(super) fn rename_variable(&self, name: Name) -> Option<Fix> {
+        let free = self.names.unused(&own_name(self.text(name)));
+        let edits = self.rename_where(name, &free, |token| !self.is_before_paren(token));
+        let title = format!("rename the variable to `{free}`");
+        (!edits.is_empty()).then(|| Fix::safe(title, edits))
+    }
+
+    /// Whether a name is called, or declared as a function.
+    fn is_before_paren(&self, name: TokenId) -> bool {
+        self.token(name + 1).kind == TokenKind::LeftParen
+    }
+
+    /// Whether the shader declares a variable, a parameter or a function of this name.
+    fn has_own(&self, name: Name) -> bool {
+        let tree = self.tree;
+        let variables = tree.declarator_lists.iter().map(|d| d.ident);
+        let params = tree.param_lists.iter().filter_map(|p| p.ident);
+        let functions = tree.functions.iter().map(|f| f.ident);
+        let mut all = variables.chain(params).chain(functions);
+        all.any(|ident| ident.name == name)
     }
 
     /// A function that is not declared.
@@ -317,15 +353,20 @@ impl ExplainContext<'_> {
     /// Edits that replace every use of a name with `to`, also in the macros that the text defines and calls;
     /// empty if one cannot be edited, such as a name that `##` makes.
     pub(crate) fn rename_all(&self, name: Name, to: &str) -> Vec<Edit> {
+        self.rename_where(name, to, |_| true)
+    }
+
+    /// The same for the uses that `is_meant` selects.
+    fn rename_where(&self, name: Name, to: &str, is_meant: impl Fn(TokenId) -> bool) -> Vec<Edit> {
         let mut edits = Vec::new();
         let mut after_dot = false;
         if !self.affords(self.tokens.tokens.len()) {
             return edits;
         }
-        for token in &self.tokens.tokens {
+        for (id, token) in (0..).zip(&self.tokens.tokens) {
             let is_use = token.kind == TokenKind::Identifier && token.value == name.0 && !after_dot;
             after_dot = token.kind == TokenKind::Dot;
-            if !is_use {
+            if !is_use || !is_meant(id) {
                 continue;
             }
             if token.is_direct() {

@@ -2,9 +2,9 @@
 
 use super::candidate::RepairCandidate;
 use crate::program::Program;
-use shaderlint_diagnostic::{Diagnostic, Label, error};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Label, error};
 use shaderlint_syntax::{MacroId, Token};
-use shaderlint_text::Span;
+use shaderlint_text::{Edit, Span};
 
 /// Maximum number of calls labelled in a finding.
 const MAX_LABELS: usize = 3;
@@ -104,10 +104,17 @@ impl MacroCalls {
 
 /// Whether a position is inside a macro definition.
 pub(super) fn is_in_definition(program: &Program, span: Span) -> bool {
-    program.tokens.macros.iter().any(|m| {
+    definition_at(program, span).is_some()
+}
+
+/// Name span of the macro in whose definition a position is.
+fn definition_at(program: &Program, span: Span) -> Option<Span> {
+    let mut all = program.tokens.macros.iter();
+    let found = all.find(|m| {
         let end = m.body.last().map_or(m.name_span.end, |p| p.token.span.end);
         !m.predefined && m.name_span.start <= span.start && span.start <= end
-    })
+    });
+    found.map(|m| m.name_span)
 }
 
 /// Merges errors at the same position of a macro body. If all calls of the macro fail, the error is
@@ -133,7 +140,12 @@ pub(crate) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnost
                 .is_some_and(|o| o.kind == d.kind && o.span == d.span)
         });
         match known {
-            Some((_, places)) => places.push(call),
+            Some((at, places)) => {
+                places.push(call);
+                if let Some(first) = out.get_mut(*at) {
+                    join_fixes(first, d.fix);
+                }
+            }
             None => {
                 heads.push((out.len(), vec![call]));
                 out.push(d);
@@ -145,9 +157,25 @@ pub(crate) fn gather(program: &Program, errors: Vec<Diagnostic>) -> Vec<Diagnost
         places.dedup();
         let Some(d) = out.get_mut(at) else { continue };
         let used = calls.count(program, d.macros.first().map_or(d.span, |m| m.definition));
-        point(d, &places, used);
+        point(program, d, &places, used);
     }
     out
+}
+
+/// Adds the fix of the same error in another call. Without it, the error has no fix.
+fn join_fixes(first: &mut Diagnostic, other: Option<Fix>) {
+    let Some(other) = other else {
+        first.fix = None;
+        return;
+    };
+    if let Some(fix) = &mut first.fix {
+        let is_new = |edit: &Edit| !fix.edits.contains(edit);
+        let more: Vec<Edit> = other.edits.into_iter().filter(is_new).collect();
+        fix.edits.extend(more);
+        if other.applicability == Applicability::Unsafe {
+            fix.applicability = Applicability::Unsafe;
+        }
+    }
 }
 
 impl MacroCalls {
@@ -162,7 +190,7 @@ impl MacroCalls {
 }
 
 /// Moves the error to the definition or to the calls; `used` is the total number of calls.
-fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
+fn point(program: &Program, d: &mut Diagnostic, places: &[Span], used: usize) {
     let Some(&first) = places.first() else { return };
     // Names that do not exist are reported once for all uses.
     let once = d.is(error::UNDECLARED_NAME) || d.is(error::LEGACY_GLSL);
@@ -178,7 +206,10 @@ fn point(d: &mut Diagnostic, places: &[Span], used: usize) {
         if let Some(l) = d.labels.first_mut().filter(|l| l.message.is_empty()) {
             l.message = "in the macro definition".to_string();
         }
-        d.fix = None;
+        // An edit of the definition would change the other calls.
+        let own = d.macros.first().map(|m| m.definition);
+        let is_foreign = |e: &Edit| own.is_some() && definition_at(program, e.span) == own;
+        d.fix.take_if(|fix| fix.edits.iter().any(is_foreign));
         for &place in places.iter().skip(1).take(MAX_LABELS - 1) {
             d.labels.push(Label {
                 span: place,

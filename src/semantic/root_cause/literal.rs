@@ -26,6 +26,9 @@ impl FaultyShader<'_> {
     /// Literals that every use of the macro needs to be of the other type.
     pub(super) fn literals(&self, d: &Definition, all: &mut Vec<RepairCandidate>) {
         let mut ints = Vec::new();
+        if divides_integers(d) {
+            return;
+        }
         for piece in d.of.body.iter().take(200) {
             let span = piece.token.span;
             let text = self.text(span);
@@ -134,6 +137,15 @@ impl FaultyShader<'_> {
             all.push(d.candidate(found, fix));
         }
     }
+}
+
+/// Whether a definition divides literals: as floats, they would have another quotient.
+fn divides_integers(d: &Definition) -> bool {
+    let mut three = d.of.body.windows(3);
+    three.any(|pieces| {
+        let kinds = pieces.iter().map(|piece| piece.token.kind);
+        kinds.eq([TokenKind::Int, TokenKind::Slash, TokenKind::Int])
+    })
 }
 
 /// The digits of a float literal with an integer value.

@@ -175,8 +175,13 @@ impl FaultyShader<'_> {
             return true;
         }
         let cause = candidate.of;
-        after.len() <= self.errors.len()
-            && new.all(|d| cause.is_none_or(|of| !self.calls.touches(self.program, of, d)))
+        // The rest of an expression in a macro is checked once its operands have a type.
+        let call = |d: &Diagnostic| d.macros.last().map(|outermost| outermost.call);
+        let fixed = call(&candidate.diagnostic);
+        let is_revealed = |d: &Diagnostic| fixed.is_some() && call(d) == fixed;
+        let is_other =
+            |d: &Diagnostic| cause.is_none_or(|of| !self.calls.touches(self.program, of, d));
+        after.len() <= self.errors.len() && new.all(|d| is_revealed(d) || is_other(d))
     }
 
     /// The repairs suggested by the lines near the errors, most likely first.
@@ -187,6 +192,7 @@ impl FaultyShader<'_> {
         all.extend(self.conditionals());
         all.extend(self.broken_calls());
         all.extend(self.definitions());
+        all.extend(self.macro_fixes());
         all.extend(self.text_repairs());
         all.retain(|c| c.edits.iter().all(|e| self.is_user(e.span)));
         all
@@ -195,9 +201,26 @@ impl FaultyShader<'_> {
     /// The fixes of errors in directives.
     fn own_fixes(&self) -> Vec<RepairCandidate> {
         let in_directive = |d: &&Diagnostic| {
-            d.has(Facet::Directive) || calls::is_in_definition(self.program, d.span)
+            let is_number = d.is(error::INT_FLOAT_MIX);
+            let is_inside = || calls::is_in_definition(self.program, d.span);
+            d.has(Facet::Directive) || !is_number && is_inside()
         };
-        let found = self.errors.iter().filter(in_directive);
+        self.fixes_of(in_directive)
+    }
+
+    /// The fixes that edit macros.
+    fn macro_fixes(&self) -> Vec<RepairCandidate> {
+        let is_edited = |e: &Edit| calls::is_in_definition(self.program, e.span);
+        let edits_macro = |d: &&Diagnostic| {
+            let mut fix = d.fix.iter();
+            fix.any(|fix| fix.edits.iter().take(MAX_EDITS).any(is_edited))
+        };
+        self.fixes_of(edits_macro)
+    }
+
+    /// The fixes of some errors.
+    fn fixes_of(&self, is_meant: impl Fn(&&Diagnostic) -> bool) -> Vec<RepairCandidate> {
+        let found = self.errors.iter().filter(is_meant);
         let candidate = |d: &Diagnostic| {
             let fix = d.fix.as_ref()?;
             let of = d.macros.first().map(|m| m.definition);

@@ -54,4 +54,9 @@ impl UpgradeObstacle {
     pub(super) fn at(span: Span, kind: ObstacleKind) -> UpgradeObstacle {
         UpgradeObstacle { span, kind }
     }
+
+    /// Code in another file.
+    pub fn included(span: Span) -> UpgradeObstacle {
+        UpgradeObstacle::at(span, ObstacleKind::Included)
+    }
 }

@@ -3,6 +3,7 @@
 use super::obstacle::{ObstacleKind, UpgradeObstacle};
 use super::scan::RawScan;
 use crate::builtins::{Builtins, LEGACY_FUNCTIONS, Stage};
+use crate::parsed::own_name;
 use crate::program::{Program, Resolution, Storage};
 use crate::types::Base;
 use shaderlint_syntax::ast::{ExprKind, Ident};
@@ -235,14 +236,4 @@ fn uses_of(
         .into_iter()
         .filter_map(|t| Some(program.token(t)?.spelled));
     Ok(places.collect())
-}
-
-/// `mySample` for `sample`.
-fn own_name(word: &str) -> String {
-    let mut chars = word.chars();
-    let first = chars.next().map(|c| c.to_ascii_uppercase());
-    first.into_iter().fold("my".to_string(), |mut name, c| {
-        name.push(c);
-        name
-    }) + chars.as_str()
 }

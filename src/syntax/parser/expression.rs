@@ -251,6 +251,7 @@ impl Parser<'_> {
             TokenKind::Identifier => return self.name_or_call(),
             TokenKind::Reserved => return self.reserved_primary(),
             TokenKind::Type => return self.constructor(),
+            _ if self.is_qualifier_as_name(&token) => return self.qualifier_as_name(),
             TokenKind::Int => ExprKind::Int(token.value as i32),
             TokenKind::Uint => ExprKind::Uint(token.value),
             TokenKind::Float => ExprKind::Float(f32::from_bits(token.value)),

@@ -7,7 +7,7 @@ use crate::names::{Name, Version, WordClass, classify};
 use crate::set::{self, TokenSet};
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
-use shaderlint_text::Edit;
+use shaderlint_text::{Edit, Span};
 
 /// Reserved words that name a type in other languages, with the GLSL equivalent.
 #[rustfmt::skip]
@@ -49,6 +49,15 @@ const NAMES: &[(&str, &str)] = &[
     ("active", "isActive"), ("common", "commonValue"), ("partition", "part"), ("union", "unite"),
 ];
 
+/// Most uses of a name that a fix renames.
+const MAX_RENAMED: usize = 1_000;
+
+/// Whether a keyword is no keyword in the oldest version, so that its shaders may use it as a name.
+fn is_newer(word: &str) -> bool {
+    let old = classify(word, Version::Es100);
+    matches!(old, WordClass::Plain | WordClass::Reserved)
+}
+
 impl Parser<'_> {
     /// Parses a name; reports a reserved word and accepts it as a name.
     pub(super) fn ident(&mut self, what: &str) -> Parsed<Ident> {
@@ -64,7 +73,7 @@ impl Parser<'_> {
                     .names
                     .get(self.text(&token))
                     .ok_or_else(|| self.unexpected(what))?;
-                self.report_keyword(&token);
+                self.report_keyword(name, &token);
                 return Ok(Ident {
                     name,
                     token: self.advance(),
@@ -89,14 +98,55 @@ impl Parser<'_> {
             && set::FOLLOWS_NAME.contains(self.kind(1))
     }
 
-    fn report_keyword(&mut self, token: &Token) {
-        let word = self.text(token);
+    /// Reports a keyword used as a name; one that an older version lacks once for all its uses.
+    fn report_keyword(&mut self, name: Name, token: &Token) {
+        let word = self.text(token).to_string();
+        if is_newer(&word) {
+            if self.reserved.contains(&name) {
+                return;
+            }
+            self.reserved.push(name);
+        }
         let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
             format!("`{word}` is a keyword and cannot be used as a name"),
         );
-        self.report_at(d.help("use another name"), token);
+        let d = match is_newer(&word) {
+            true => self.with_rename(d, token, &word),
+            false => d.help("use another name"),
+        };
+        self.report_at(d, token);
+    }
+
+    /// Whether a token is a qualifier that older versions lack. At the start of an expression, it is a name.
+    pub(super) fn is_qualifier_as_name(&self, token: &Token) -> bool {
+        let is_keyword =
+            token.kind != TokenKind::Type && set::STARTS_DECLARATION.contains(token.kind);
+        is_keyword && is_newer(self.text(token))
+    }
+
+    /// Parses such an expression.
+    pub(super) fn qualifier_as_name(&mut self) -> Parsed<ExprId> {
+        let token = self.next();
+        let name = Name(token.value);
+        self.report_keyword(name, &token);
+        self.name_or_call()
+    }
+
+    /// Adds a fix that renames a word used as a name.
+    fn with_rename(&self, d: Diagnostic, token: &Token, word: &str) -> Diagnostic {
+        let free = self.free_name(word);
+        match self.rename(token, word, &free) {
+            Some(edits) if (1..=MAX_RENAMED).contains(&edits.len()) => {
+                let title = match edits.len() {
+                    1 => format!("rename it to `{free}`"),
+                    n => format!("rename all {n} uses to `{free}`"),
+                };
+                d.fix(Fix::safe(title, edits))
+            }
+            _ => d.help(format!("rename it, for example to `{free}`")),
+        }
     }
 
     /// Reports a reserved word used as a name, once for all its uses.
@@ -112,9 +162,7 @@ impl Parser<'_> {
             reserved_words,
             ..
         } = self.version.profile();
-        let free = self.free_name(word);
-        let edits = self.rename(name, &free);
-        let mut d = Diagnostic::error(
+        let d = Diagnostic::error(
             error::RESERVED_WORD,
             token.span,
             format!("`{word}` is a reserved word and cannot be used as a name"),
@@ -122,17 +170,7 @@ impl Parser<'_> {
         .note(format!(
             "{language} reserves it for future use ({reserved_words})"
         ));
-        d = match edits {
-            Some(edits) if !edits.is_empty() => {
-                let uses = edits.len();
-                let title = match uses {
-                    1 => format!("rename it to `{free}`"),
-                    n => format!("rename all {n} uses to `{free}`"),
-                };
-                d.fix(Fix::safe(title, edits))
-            }
-            _ => d.help(format!("rename it, for example to `{free}`")),
-        };
+        let d = self.with_rename(d, token, word);
         self.report_at(d, token);
     }
 
@@ -146,27 +184,22 @@ impl Parser<'_> {
         self.names.unused(&base)
     }
 
-    /// Edits that rename every use of a reserved word; `None` if a use is inside a macro, where the
-    /// word may mean something else in other calls.
-    fn rename(&self, name: Name, to: &str) -> Option<Vec<Edit>> {
+    /// Edits that rename every use of a word, also as a member and in macros; `None` if one is not spelled in
+    /// the user's text.
+    fn rename(&self, used: &Token, word: &str, to: &str) -> Option<Vec<Edit>> {
         let mut edits = Vec::new();
-        for (i, token) in self.tokens.iter().enumerate() {
-            if token.kind != TokenKind::Reserved || token.value != name.0 {
-                continue;
-            }
-            let is_member = i > 0
-                && self
-                    .tokens
-                    .get(i - 1)
-                    .is_some_and(|t| t.kind == TokenKind::Dot);
-            if is_member {
-                continue;
-            }
-            if !token.is_direct() && self.sources.text(token.span) != self.names.text(name) {
+        let tokens = self.tokens.iter();
+        for token in tokens.filter(|t| (t.kind, t.value) == (used.kind, used.value)) {
+            let span = match token.is_direct() {
+                true => token.span,
+                false => Span::new(token.spelled, token.spelled + word.len() as u32),
+            };
+            if !self.sources.is_user(span.start) || self.sources.text(span) != word {
                 return None;
             }
-            edits.push(Edit::replace(token.span, to));
+            edits.push(Edit::replace(span, to));
         }
+        edits.sort_by_key(|e| e.span);
         edits.dedup();
         Some(edits)
     }
@@ -235,7 +268,7 @@ impl Parser<'_> {
                 )),
                 Some(other) => d.fix(Fix::suggestion(
                     format!("use `{other}`"),
-                    self.rename(name, other).unwrap_or_default(),
+                    self.rename(&token, word, other).unwrap_or_default(),
                 )),
                 None => d,
             };
@@ -358,7 +391,11 @@ impl Parser<'_> {
                         || MODIFIERS.contains(&word)
                         || self.kind(1) == T::Identifier))
             }
-            kind => set::STARTS_DECLARATION.contains(kind),
+            kind => {
+                let is_used = kind != T::Layout && set::FOLLOWS_USE.contains(self.kind(1));
+                let is_name = is_used && self.is_qualifier_as_name(&self.next());
+                set::STARTS_DECLARATION.contains(kind) && !is_name
+            }
         }
     }
 

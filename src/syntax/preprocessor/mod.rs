@@ -7,6 +7,7 @@
 mod condition;
 mod directive;
 mod directive_repair;
+mod exact;
 mod group;
 mod input;
 mod lines;

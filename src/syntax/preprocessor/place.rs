@@ -79,7 +79,7 @@ impl Tokens {
 }
 
 /// Whether a macro's body supplied the token, rather than an argument.
-fn is_of_body(token: &Token) -> bool {
+pub(super) fn is_of_body(token: &Token) -> bool {
     !token.is_direct() && token.span.start != token.spelled
 }
 
