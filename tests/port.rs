@@ -440,3 +440,65 @@ fn a_channel_is_named_by_its_sampler() {
         "{message}"
     );
 }
+
+#[test]
+fn shaders_of_other_engines_are_one_error_and_nothing_is_written() {
+    let folder = Folder::new();
+    let godot =
+        "// Waves\nshader_type canvas_item;\nvoid fragment() { COLOR = vec4(UV, 0.0, 1.0); }\n";
+    let hook = "//!HOOK LUMA\n//!BIND HOOKED\nvec4 hook() { return HOOKED_tex(HOOKED_pos); }\n";
+    folder.put("waves.glsl", godot);
+    folder.put("hook.glsl", hook);
+    folder.put("p/image.glsl", CODE);
+    folder.put("p/common.glsl", godot);
+    let expected = |place: &str, found: &str| {
+        format!("{place}: expected GLSL for ShaderToy, WebGL or another host, found {found}")
+    };
+    let found = "a Godot shader: `shader_type canvas_item`";
+    folder.fails("waves.glsl -o a.html", &expected("waves.glsl:2", found));
+    folder.fails(
+        "waves.glsl -t json --repair",
+        &expected("waves.glsl:2", found),
+    );
+    folder.fails("p -o p.html", &expected("p/common.glsl:2", found));
+    let found = "a user shader of mpv: `//!HOOK LUMA`";
+    folder.fails("hook.glsl -o a.html", &expected("hook.glsl:1", found));
+    assert!(!folder.path("a.html").exists() && !folder.path("p.html").exists());
+    // The user decides what a text is.
+    let (code, message) = folder.run("waves.glsl --host shadertoy -o a.html");
+    assert!(
+        code == Some(1) || message.contains("no entry point"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_named_file_that_is_not_checked_is_reported() {
+    let folder = Folder::new();
+    folder.put(
+        "waves.glsl",
+        "shader_type sky;\nvoid sky() { COLOR = vec3(0.0); }\n",
+    );
+    let lint = |args: &str| {
+        let mut command = Command::new(get_cargo_bin("shaderlint"));
+        command.current_dir(folder.path("")).args(args.split(' '));
+        let out = command.output().unwrap();
+        let text = String::from_utf8(out.stdout).unwrap() + &String::from_utf8(out.stderr).unwrap();
+        (out.status.code(), text)
+    };
+    for _ in 0..2 {
+        // A result in the cache says the same.
+        let (code, text) = lint("waves.glsl");
+        assert_eq!(code, Some(0));
+        assert!(
+            text.contains("waves.glsl: not checked: a Godot shader"),
+            "{text}"
+        );
+    }
+    let (_, text) = lint("--format json waves.glsl");
+    assert!(
+        text.contains(r#""read_as":"not checked: a Godot shader""#),
+        "{text}"
+    );
+    assert!(text.contains(r#""shaders":0"#), "{text}");
+}

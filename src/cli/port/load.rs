@@ -13,7 +13,7 @@ use crate::port::{
     unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
-use crate::text::kind::{Claim, FileKind, decide};
+use crate::text::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -264,6 +264,9 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     let name = shown(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");
+    if from.is_none() {
+        reject_other_languages(&name, &text)?;
+    }
     if text.trim_start().starts_with(['{', '[']) {
         return Ok(Drafted::of(export(&name, &text)?));
     }
@@ -312,6 +315,27 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     })
 }
 
+/// Rejects a shader in a language that shaderport does not read, at the code that shows it.
+fn reject_other_languages(name: &str, text: &str) -> Result<(), String> {
+    let FileKind::Foreign(language) = decide(name, text, Claim::None).kind else {
+        return Ok(());
+    };
+    if language == ShaderLanguage::Desktop {
+        return Ok(());
+    }
+    let sign = Evidence::of(text).first_sign(language).unwrap_or(0..0);
+    let before = text.get(..sign.start).unwrap_or("");
+    let line = before.matches('\n').count() + 1;
+    let found = match text.get(sign).unwrap_or("") {
+        "" => String::new(),
+        code => format!(": `{code}`"),
+    };
+    Err(format!(
+        "{name}:{line}: expected GLSL for ShaderToy, WebGL or another host, found {}{found}",
+        language.shader()
+    ))
+}
+
 /// Assigns several files and folders, and the files of `--pass`, to passes.
 fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
@@ -340,10 +364,12 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let parts = files
         .into_iter()
         .map(|(role, path)| {
+            let (file, text) = (shown(&path), read_text(&path)?);
+            reject_other_languages(&file, &text)?;
             Ok(PassFile {
                 role,
-                file: shown(&path),
-                code: read_text(&path)?.into(),
+                file,
+                code: text.into(),
             })
         })
         .collect::<Result<Vec<_>, String>>()?;
