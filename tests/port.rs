@@ -502,3 +502,43 @@ fn a_named_file_that_is_not_checked_is_reported() {
     );
     assert!(text.contains(r#""shaders":0"#), "{text}");
 }
+
+#[test]
+fn programs_of_a_screen_saver_are_passes() {
+    let folder = Folder::new();
+    let code = "void mainImage(out vec4 c, in vec2 p) { c = COMMON * texelFetch(iChannel0, ivec2(p), 0); }\n";
+    for name in ["s/sea-0.glsl", "s/sea-1.glsl", "s/sea-2.glsl"] {
+        folder.put(name, code);
+    }
+    folder.put("s/sea-c.glsl", "#define COMMON vec4(1.0)\n");
+    let note =
+        "note: read as XScreenSaver: `iChannel0` to `iChannel3` are the outputs of programs 0 to 3";
+    folder.works("s -t json -o folder.json", note);
+    folder.works(
+        "s/sea-1.glsl s/sea-0.glsl s/sea-c.glsl s/sea-2.glsl -t json -o files.json",
+        note,
+    );
+    for name in ["folder.json", "files.json"] {
+        let json: serde_json::Value =
+            serde_json::from_slice(&fs::read(folder.path(name)).unwrap()).unwrap();
+        let all = json.get("Shader").unwrap_or(&json)["renderpass"]
+            .as_array()
+            .unwrap()
+            .clone();
+        assert_eq!(all.len(), 4);
+        for pass in all.iter().filter(|p| p["type"] != "common") {
+            let input = &pass["inputs"][0];
+            assert_eq!(
+                (&input["channel"], &input["id"]),
+                (&0.into(), &"4dXGR8".into())
+            );
+            assert_eq!(input["sampler"]["filter"], "nearest");
+        }
+    }
+    folder.put("s/lake-0.glsl", code);
+    let (exit, message) = folder.run("s -t json");
+    assert!(
+        exit == Some(2) && message.contains("no pass found"),
+        "{message}"
+    );
+}

@@ -167,7 +167,10 @@ impl Project {
                 continue;
             };
             match unit.wrapper {
-                Wrapper::Player => pass.inputs = channels_used(program, unit.kind),
+                Wrapper::Player => {
+                    let used = channels_used(program, unit.kind);
+                    pass.inputs = used.into_iter().map(|i| given(&pass.inputs, i)).collect();
+                }
                 Wrapper::Own => {
                     let Some(host) = self.host.or_else(page) else {
                         continue;
@@ -277,6 +280,12 @@ fn channels_used(program: &Program, kind: Pass) -> Vec<Input> {
         channel_type(program, channel).map(|_| Input::empty(channel, kind))
     });
     used.collect()
+}
+
+/// The buffer that was connected to the channel of an input, or else the input.
+fn given(inputs: &[Input], input: Input) -> Input {
+    let is_given = |i: &&Input| i.channel == input.channel && i.kind == InputKind::Buffer;
+    inputs.iter().find(is_given).cloned().unwrap_or(input)
 }
 
 /// The type of a channel that the code reads.

@@ -25,6 +25,7 @@ const TOLD = {
   niri: 'read as niri',
   flutter: 'read as Flutter',
   veda: 'read as VEDA',
+  xscreensaver: 'read as XScreenSaver',
 };
 
 /** Converts a file; resolves to the page and the messages. */
@@ -83,12 +84,17 @@ async function controlsAreUniforms(context) {
   assert.equal(colors(await frame(page, 1)), 1);
 }
 
+/** Dialects whose folder is one project. */
+const PROJECTS = ['xscreensaver'];
+
 /** The converted files of a dialect; subfolders and vertex shaders of ISF belong to other files. */
 const filesOf = (dialect) =>
-  fs.readdirSync(path.join(FOLDER, dialect), { withFileTypes: true })
-    .filter((entry) => entry.isFile() && !entry.name.endsWith('.vs'))
-    .map((entry) => entry.name)
-    .sort();
+  PROJECTS.includes(dialect)
+    ? ['']
+    : fs.readdirSync(path.join(FOLDER, dialect), { withFileTypes: true })
+      .filter((entry) => entry.isFile() && !entry.name.endsWith('.vs'))
+      .map((entry) => entry.name)
+      .sort();
 
 const files = fs.readdirSync(FOLDER).sort().flatMap((dialect) => filesOf(dialect).map((file) => [dialect, file]));
 

@@ -10,7 +10,7 @@ use crate::engine::{Repairs, repair, repair_webgl1};
 use crate::host::{Preset, shadertoy};
 use crate::port::{
     ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts, add_stand_ins,
-    unknown_pass, unknown_source,
+    saver_roles, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
 use crate::text::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
@@ -339,6 +339,8 @@ fn reject_other_languages(name: &str, text: &str) -> Result<(), String> {
 /// Assigns several files and folders, and the files of `--pass`, to passes.
 fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
+    let saver = programs(paths).filter(|_| named.is_empty());
+    let is_saver = saver.is_some();
     for text in named {
         let (role, path) = text
             .split_once('=')
@@ -347,7 +349,8 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
             PassRole::of_name(role).ok_or_else(|| format!("--pass: {}", unknown_pass(role)))?;
         files.push((role, PathBuf::from(path)));
     }
-    for path in paths {
+    files.extend(saver.unwrap_or_default());
+    for path in paths.iter().filter(|_| !is_saver) {
         if path.is_dir() {
             files.extend(in_folder(path)?);
         } else {
@@ -382,7 +385,29 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
         }
         _ => String::new(),
     };
-    Project::from_parts(&title, parts).map_err(|e| e.to_string())
+    let mut project = Project::from_parts(&title, parts).map_err(|e| e.to_string())?;
+    if is_saver {
+        project.link_programs();
+    }
+    Ok(project)
+}
+
+/// The programs of a screen saver of XScreenSaver: the files themselves, or those of a folder.
+fn programs(paths: &[PathBuf]) -> Option<Vec<(PassRole, PathBuf)>> {
+    let mut files = match paths {
+        [folder] if folder.is_dir() => {
+            let entries = fs::read_dir(folder).ok()?;
+            let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
+            files
+                .filter(|path| is_shader(path) && !path.is_symlink())
+                .collect()
+        }
+        files => files.to_vec(),
+    };
+    files.sort();
+    let names: Vec<String> = files.iter().map(|path| stem(path)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    Some(saver_roles(&names)?.into_iter().zip(files).collect())
 }
 
 /// The passes in a folder. Symbolic links that leave the folder are rejected, since the user may
@@ -414,6 +439,10 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
     }
     found.sort();
     others.sort();
+    let programs = programs(&[folder.to_path_buf()]).filter(|_| found.is_empty());
+    if let Some(programs) = programs {
+        return Ok(programs);
+    }
     match (found.is_empty(), others.first()) {
         (false, _) => Ok(found),
         (true, other) => {
