@@ -2,6 +2,8 @@
 //! messages.
 #![cfg(unix)]
 
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -540,5 +542,59 @@ fn programs_of_a_screen_saver_are_passes() {
     assert!(
         exit == Some(2) && message.contains("no pass found"),
         "{message}"
+    );
+}
+
+/// Compresses XML as KodeLife does.
+fn compressed(xml: &str) -> Vec<u8> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
+    encoder.write_all(xml.as_bytes()).unwrap();
+    encoder.finish().unwrap()
+}
+
+#[test]
+fn projects_of_kodelife_are_decompressed_within_limits() {
+    let folder = Folder::new();
+    let code = "uniform float clock; void main() { gl_FragColor = vec4(clock); }";
+    let project = |api: &str, source: &str| {
+        format!(
+            "<klxml v='19' a='{api}'><document><params><param type='CLOCK'><variableName>clock</variableName>\
+             </param></params><passes><pass type='RENDER'><stages><stage type='FRAGMENT'><shader>\
+             <source profile='{source}'><![CDATA[{code}]]></source></shader></stage></stages></pass>\
+             <pass type='COMPUTE'><properties><label>Sort</label></properties></pass></passes></document></klxml>"
+        )
+    };
+    let read = "note: read as KodeLife (found `<klxml>`)\n";
+    let other = "note: pass `Sort` is not drawn: its type is `COMPUTE`";
+    folder.put("gl.klproj", compressed(&project("GL2", "GL2")));
+    folder.put("gl.xml", project("GL2", "GL2"));
+    folder.works("gl.klproj -o gl.html", &format!("{read}{other}"));
+    folder.works("gl.xml -o xml.html", &format!("{read}{other}"));
+    let page = fs::read_to_string(folder.path("gl.html")).unwrap();
+    assert!(page.contains("#define clock port_kl_CLOCK"));
+    folder.put("metal.klproj", compressed(&project("MTL", "GL2")));
+    let older = "note: pass `pass 0`: the project is for `MTL`; its source for `GL2` is used, which may be older\n";
+    folder.works("metal.klproj -o m.html", &format!("{read}{older}{other}"));
+    folder.put("none.klproj", compressed(&project("MTL", "MTL")));
+    let (exit, message) = folder.run("none.klproj -o n.html");
+    assert!(
+        exit == Some(2) && message.contains("no pass of type `image`"),
+        "{message}"
+    );
+
+    let whole = compressed(&project("GL2", "GL2"));
+    folder.put("cut.klproj", &whole[..whole.len() / 2]);
+    let (exit, message) = folder.run("cut.klproj -o c.html");
+    assert!(
+        exit == Some(2) && message.contains("the compressed project is damaged"),
+        "{message}"
+    );
+    folder.put(
+        "bomb.klproj",
+        compressed(&format!("<klxml>{}", " ".repeat(41 << 20))),
+    );
+    folder.fails(
+        "bomb.klproj -o b.html",
+        "bomb.klproj: the project is larger than 40 MB when decompressed",
     );
 }

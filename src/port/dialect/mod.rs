@@ -10,6 +10,8 @@ mod bookofshaders;
 mod clues;
 mod complete;
 mod isf;
+#[cfg(feature = "cli")]
+mod kodelife;
 mod kodi;
 mod niri;
 #[cfg(feature = "cli")]
@@ -201,6 +203,8 @@ fn sampled(uniform: &str, kind: InputKind, how: (&str, &str)) -> Input {
 static CODES: &[&HostCode] = &[
     &bookofshaders::CODE,
     &isf::CODE,
+    #[cfg(feature = "cli")]
+    &kodelife::CODE,
     &kodi::CODE,
     &niri::CODE,
     #[cfg(feature = "cli")]
