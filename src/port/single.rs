@@ -5,7 +5,7 @@ use super::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
 };
-use shaderlint_host::{Preset, page};
+use shaderlint_host::{Feed, Preset, page};
 use shaderlint_semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
@@ -220,7 +220,18 @@ impl Project {
             .collect::<Vec<_>>();
         let guessed = names(|b| &b.guessed);
         let zeros = names(|b| &b.zeros);
+        let all = self.passes.iter().flat_map(|p| &p.bound.uniforms);
+        let mut heard: Vec<&str> = all
+            .filter(|u| matches!(u.source, Feed::Volume | Feed::VolumeBytes | Feed::Spectrum))
+            .map(|u| u.name.as_str())
+            .collect();
+        heard.sort_unstable();
+        heard.dedup();
         for (names, what) in [
+            (
+                heard,
+                "loudness of sound that the page does not have, set by a made-up beat",
+            ),
             (set, "unknown uniforms, set by controls on the page"),
             (
                 guessed,
