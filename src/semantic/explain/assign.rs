@@ -204,13 +204,9 @@ impl ExplainContext<'_> {
                 )
             });
         }
-        let extent = self.tree.expr(id).extent;
-        if !self.is_direct(extent) {
-            return None;
-        }
+        let span = self.span_around_calls(self.tree.expr(id).extent)?;
         let ty = self.ty(id);
         let name = self.name_of(ty.with_scalar(to));
-        let span = self.expr_span(id);
         let text = self.sources.text(span);
         let has_parens = matches!(self.tree.expr(id).kind, ExprKind::Paren(_));
         let mut edits = vec![Edit::insert(

@@ -194,6 +194,22 @@ impl<'a> ExplainContext<'a> {
                 .is_some_and(|f| f.role == Role::User)
     }
 
+    /// The span of code in the user's text, if macro calls supplied none of it or only some of its
+    /// operands: the calls begin and end with it or inside.
+    pub fn span_around_calls(&self, extent: Extent) -> Option<Span> {
+        let (first, last) = (self.token(extent.first), self.token(extent.last));
+        if !first.is_direct() && !last.is_direct() && first.span == last.span {
+            return None;
+        }
+        let is_of = |inside: &Token, outside: Option<TokenId>| {
+            let outside = outside.map(|id| self.token(id));
+            !inside.is_direct() && outside.is_some_and(|t| !t.is_direct() && t.span == inside.span)
+        };
+        let cuts =
+            is_of(&first, extent.first.checked_sub(1)) || is_of(&last, Some(extent.last + 1));
+        (!cuts).then(|| first.span.to(last.span))
+    }
+
     /// Labels the declaration of a name in the user's text; notes one of the host or of GLSL.
     pub fn with_declaration(
         &self,
