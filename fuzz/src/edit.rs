@@ -132,7 +132,9 @@ fn is_free(name: &str) -> bool {
     let is_plain = versions
         .iter()
         .all(|v| classify(name, *v) == WordClass::Plain);
-    is_plain && !name.starts_with("gl_") && !name.contains("__")
+    // In an incomplete excerpt a name may start with the digits before it.
+    let is_word = !name.starts_with(|c: char| c.is_ascii_digit());
+    is_word && is_plain && !name.starts_with("gl_") && !name.contains("__")
 }
 
 /// Renaming keeps the number of uses, and renaming back restores the text.

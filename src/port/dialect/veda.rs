@@ -78,40 +78,11 @@ fn plan(clues: &Clues) -> Plan {
         [] => vec![&usual],
         _ => passes,
     };
-    let mut inputs = imported(&settings);
-    inputs.extend(passes.iter().filter_map(|pass| {
-        let name = target(pass)?;
-        Some(read_buffer(name, name))
-    }));
-    for (name, signal) in [
-        ("spectrum", SignalForm::Spectrum),
-        ("samples", SignalForm::Wave),
-    ] {
-        let input = sampled(name, InputKind::Music, ("linear", "clamp"));
-        inputs.push(Input { signal, ..input });
-    }
-    inputs.push(sampled("key", InputKind::Keyboard, ("nearest", "clamp")));
     let mut plan = Plan {
         notes: ignored(&settings),
         ..Plan::default()
     };
-    let is_known = |name: &str| inputs.iter().any(|i| i.uniform.as_deref() == Some(name));
-    let devices = clues.uniforms.iter().filter(|u| u.ty == "sampler2D");
-    let devices = devices.map(|u| u.name.as_str());
-    let devices: Vec<&str> = devices
-        .filter(|name| DEVICES.contains(name) || name.starts_with("osc_"))
-        .filter(|name| !is_known(name))
-        .collect();
-    if !devices.is_empty() {
-        let names = devices.join("`, `");
-        plan.notes.push(format!(
-            "devices that the page does not read, set to zero: `{names}`"
-        ));
-    }
-    inputs.extend(devices.into_iter().map(|name| Input {
-        urls: vec![BLACK.to_string()],
-        ..sampled(name, InputKind::Texture, ("nearest", "clamp"))
-    }));
+    let inputs = inputs(clues, &settings, &passes, &mut plan.notes);
     for (index, pass) in passes.iter().enumerate() {
         let is_last = index + 1 == passes.len();
         let name = target(pass);
@@ -146,6 +117,46 @@ fn plan(clues: &Clues) -> Plan {
         }
     }
     plan
+}
+
+/// What the samplers read: images, buffers, sound, the keyboard, and devices without values.
+fn inputs(
+    clues: &Clues,
+    settings: &Map<String, Value>,
+    passes: &[&Map<String, Value>],
+    notes: &mut Vec<String>,
+) -> Vec<Input> {
+    let mut inputs = imported(settings);
+    inputs.extend(passes.iter().filter_map(|pass| {
+        let name = target(pass)?;
+        Some(read_buffer(name, name))
+    }));
+    for (name, signal) in [
+        ("spectrum", SignalForm::Spectrum),
+        ("samples", SignalForm::Wave),
+    ] {
+        let input = sampled(name, InputKind::Music, ("linear", "clamp"));
+        inputs.push(Input { signal, ..input });
+    }
+    inputs.push(sampled("key", InputKind::Keyboard, ("nearest", "clamp")));
+    let is_known = |name: &str| inputs.iter().any(|i| i.uniform.as_deref() == Some(name));
+    let devices = clues.uniforms.iter().filter(|u| u.ty == "sampler2D");
+    let devices = devices.map(|u| u.name.as_str());
+    let devices: Vec<&str> = devices
+        .filter(|name| DEVICES.contains(name) || name.starts_with("osc_"))
+        .filter(|name| !is_known(name))
+        .collect();
+    if !devices.is_empty() {
+        let names = devices.join("`, `");
+        notes.push(format!(
+            "devices that the page does not read, set to zero: `{names}`"
+        ));
+    }
+    inputs.extend(devices.into_iter().map(|name| Input {
+        urls: vec![BLACK.to_string()],
+        ..sampled(name, InputKind::Texture, ("nearest", "clamp"))
+    }));
+    inputs
 }
 
 /// Notes about settings that the page does not apply.
