@@ -410,7 +410,8 @@ fn pages_of_hosts() {
         uniform sampler2D uNoise; // = file, mipmap, repeat\n#ifdef SHADER_DECLARES\n\
         varying vec2 vPlace; // = port_place, own\n#endif\n```\n\n\
         The header has a title, a description and facts: `base` (the host that it extends), `version` (`any`, `own`, `desktop`, \
-        `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), `entry`, `include`, `hole`, `package`, \
+        `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), \
+        `uniforms` (`all`: a shader that declares other uniforms is for another host; `some`), `entry`, `include`, `hole`, `package`, \
         `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`.\n\n\
         A comment `// =` after a declaration states the value that the host sets, so that the shader can be run. Options \
         follow after commas: `or TYPE` lists more types, `numbered` accepts any number in the name, and `usual` or `own` \

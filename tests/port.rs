@@ -2,6 +2,8 @@
 //! messages.
 #![cfg(unix)]
 
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -438,5 +440,161 @@ fn a_channel_is_named_by_its_sampler() {
     assert!(
         message.contains("unknown sampler `photo`; the shader has `u_photo`"),
         "{message}"
+    );
+}
+
+#[test]
+fn shaders_of_other_engines_are_one_error_and_nothing_is_written() {
+    let folder = Folder::new();
+    let godot =
+        "// Waves\nshader_type canvas_item;\nvoid fragment() { COLOR = vec4(UV, 0.0, 1.0); }\n";
+    let hook = "//!HOOK LUMA\n//!BIND HOOKED\nvec4 hook() { return HOOKED_tex(HOOKED_pos); }\n";
+    folder.put("waves.glsl", godot);
+    folder.put("hook.glsl", hook);
+    folder.put("p/image.glsl", CODE);
+    folder.put("p/common.glsl", godot);
+    let expected = |place: &str, found: &str| {
+        format!("{place}: expected GLSL for ShaderToy, WebGL or another host, found {found}")
+    };
+    let found = "a Godot shader: `shader_type canvas_item`";
+    folder.fails("waves.glsl -o a.html", &expected("waves.glsl:2", found));
+    folder.fails(
+        "waves.glsl -t json --repair",
+        &expected("waves.glsl:2", found),
+    );
+    folder.fails("p -o p.html", &expected("p/common.glsl:2", found));
+    let found = "a user shader of mpv: `//!HOOK LUMA`";
+    folder.fails("hook.glsl -o a.html", &expected("hook.glsl:1", found));
+    assert!(!folder.path("a.html").exists() && !folder.path("p.html").exists());
+    // The user decides what a text is.
+    let (code, message) = folder.run("waves.glsl --host shadertoy -o a.html");
+    assert!(
+        code == Some(1) || message.contains("no entry point"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_named_file_that_is_not_checked_is_reported() {
+    let folder = Folder::new();
+    folder.put(
+        "waves.glsl",
+        "shader_type sky;\nvoid sky() { COLOR = vec3(0.0); }\n",
+    );
+    let lint = |args: &str| {
+        let mut command = Command::new(get_cargo_bin("shaderlint"));
+        command.current_dir(folder.path("")).args(args.split(' '));
+        let out = command.output().unwrap();
+        let text = String::from_utf8(out.stdout).unwrap() + &String::from_utf8(out.stderr).unwrap();
+        (out.status.code(), text)
+    };
+    for _ in 0..2 {
+        // A result in the cache says the same.
+        let (code, text) = lint("waves.glsl");
+        assert_eq!(code, Some(0));
+        assert!(
+            text.contains("waves.glsl: not checked: a Godot shader"),
+            "{text}"
+        );
+    }
+    let (_, text) = lint("--format json waves.glsl");
+    assert!(
+        text.contains(r#""read_as":"not checked: a Godot shader""#),
+        "{text}"
+    );
+    assert!(text.contains(r#""shaders":0"#), "{text}");
+}
+
+#[test]
+fn programs_of_a_screen_saver_are_passes() {
+    let folder = Folder::new();
+    let code = "void mainImage(out vec4 c, in vec2 p) { c = COMMON * texelFetch(iChannel0, ivec2(p), 0); }\n";
+    for name in ["s/sea-0.glsl", "s/sea-1.glsl", "s/sea-2.glsl"] {
+        folder.put(name, code);
+    }
+    folder.put("s/sea-c.glsl", "#define COMMON vec4(1.0)\n");
+    let note =
+        "note: read as XScreenSaver: `iChannel0` to `iChannel3` are the outputs of programs 0 to 3";
+    folder.works("s -t json -o folder.json", note);
+    folder.works(
+        "s/sea-1.glsl s/sea-0.glsl s/sea-c.glsl s/sea-2.glsl -t json -o files.json",
+        note,
+    );
+    for name in ["folder.json", "files.json"] {
+        let json: serde_json::Value =
+            serde_json::from_slice(&fs::read(folder.path(name)).unwrap()).unwrap();
+        let all = json.get("Shader").unwrap_or(&json)["renderpass"]
+            .as_array()
+            .unwrap()
+            .clone();
+        assert_eq!(all.len(), 4);
+        for pass in all.iter().filter(|p| p["type"] != "common") {
+            let input = &pass["inputs"][0];
+            assert_eq!(
+                (&input["channel"], &input["id"]),
+                (&0.into(), &"4dXGR8".into())
+            );
+            assert_eq!(input["sampler"]["filter"], "nearest");
+        }
+    }
+    folder.put("s/lake-0.glsl", code);
+    let (exit, message) = folder.run("s -t json");
+    assert!(
+        exit == Some(2) && message.contains("no pass found"),
+        "{message}"
+    );
+}
+
+/// Compresses XML as KodeLife does.
+fn compressed(xml: &str) -> Vec<u8> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
+    encoder.write_all(xml.as_bytes()).unwrap();
+    encoder.finish().unwrap()
+}
+
+#[test]
+fn projects_of_kodelife_are_decompressed_within_limits() {
+    let folder = Folder::new();
+    let code = "uniform float clock; void main() { gl_FragColor = vec4(clock); }";
+    let project = |api: &str, source: &str| {
+        format!(
+            "<klxml v='19' a='{api}'><document><params><param type='CLOCK'><variableName>clock</variableName>\
+             </param></params><passes><pass type='RENDER'><stages><stage type='FRAGMENT'><shader>\
+             <source profile='{source}'><![CDATA[{code}]]></source></shader></stage></stages></pass>\
+             <pass type='COMPUTE'><properties><label>Sort</label></properties></pass></passes></document></klxml>"
+        )
+    };
+    let read = "note: read as KodeLife (found `<klxml>`)\n";
+    let other = "note: pass `Sort` is not drawn: its type is `COMPUTE`";
+    folder.put("gl.klproj", compressed(&project("GL2", "GL2")));
+    folder.put("gl.xml", project("GL2", "GL2"));
+    folder.works("gl.klproj -o gl.html", &format!("{read}{other}"));
+    folder.works("gl.xml -o xml.html", &format!("{read}{other}"));
+    let page = fs::read_to_string(folder.path("gl.html")).unwrap();
+    assert!(page.contains("#define clock port_kl_CLOCK"));
+    folder.put("metal.klproj", compressed(&project("MTL", "GL2")));
+    let older = "note: pass `pass 0`: the project is for `MTL`; its source for `GL2` is used, which may be older\n";
+    folder.works("metal.klproj -o m.html", &format!("{read}{older}{other}"));
+    folder.put("none.klproj", compressed(&project("MTL", "MTL")));
+    let (exit, message) = folder.run("none.klproj -o n.html");
+    assert!(
+        exit == Some(2) && message.contains("no pass of type `image`"),
+        "{message}"
+    );
+
+    let whole = compressed(&project("GL2", "GL2"));
+    folder.put("cut.klproj", &whole[..whole.len() / 2]);
+    let (exit, message) = folder.run("cut.klproj -o c.html");
+    assert!(
+        exit == Some(2) && message.contains("the compressed project is damaged"),
+        "{message}"
+    );
+    folder.put(
+        "bomb.klproj",
+        compressed(&format!("<klxml>{}", " ".repeat(41 << 20))),
+    );
+    folder.fails(
+        "bomb.klproj -o b.html",
+        "bomb.klproj: the project is larger than 40 MB when decompressed",
     );
 }

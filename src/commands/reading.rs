@@ -25,7 +25,10 @@ pub enum Recognition {
 /// How one file was interpreted.
 pub fn reading(name: &str, report: &Report, options: &Options, recognition: Recognition) -> ReadAs {
     let shaders = match report.shaders.as_slice() {
-        [] => "no shader".to_string(),
+        [] => match report.language {
+            Some(language) => format!("not checked: {}", language.shader()),
+            None => "no shader".to_string(),
+        },
         all => {
             let text = all.iter().map(|s| describe(s, report));
             let mut lines: Vec<(String, usize)> = Vec::new();

@@ -37,6 +37,8 @@ pub struct Report {
     pub counted_infos: usize,
     /// Why the file was not checked.
     pub unread: Option<Unread>,
+    /// The language of a shader that was not checked because WebGL does not support it.
+    pub language: Option<ShaderLanguage>,
     /// The analyses of the shaders, if [`analyze`](super::analyze) was called.
     pub analyses: Vec<Analysis>,
     /// The embedded shaders of a page, script or document.
@@ -123,6 +125,10 @@ fn try_check(
         });
     }
     let kind = decision.kind;
+    let language = match kind {
+        FileKind::Foreign(language) => Some(language),
+        _ => None,
+    };
     let mut input = read(name, text, context, decision)?;
     let partner = partner::load(&mut input, name, context);
     let may_link = partner.is_some() || input.embedded.len() > 1;
@@ -166,6 +172,7 @@ fn try_check(
         export: input.export,
         checked_spans: all.checked_spans,
         unread: None,
+        language: language.filter(|_| input.parts.is_empty()),
         analyses: match context.keep {
             Keep::Programs => input.parts.into_iter().filter_map(|p| p.analysis).collect(),
             Keep::Findings => Vec::new(),
@@ -174,15 +181,21 @@ fn try_check(
     if options.desktop == Desktop::Port && kind == FileKind::Foreign(ShaderLanguage::Desktop) {
         ask_first(&mut diagnostics);
     }
-    if !report.embedded.is_empty() {
-        for diagnostic in &mut diagnostics {
-            if diagnostic.fix.is_some() && !report.can_apply(diagnostic) {
-                embedded::note_fix(diagnostic);
-            }
-        }
-    }
+    note_fixes(&report, &mut diagnostics);
     report.diagnostics = diagnostics;
     Ok(report)
+}
+
+/// Notes which fixes of embedded shaders cannot be written.
+fn note_fixes(report: &Report, diagnostics: &mut [Diagnostic]) {
+    if report.embedded.is_empty() {
+        return;
+    }
+    for diagnostic in diagnostics {
+        if diagnostic.fix.is_some() && !report.can_apply(diagnostic) {
+            embedded::note_fix(diagnostic);
+        }
+    }
 }
 
 /// Drops the infos that are only counted, and counts them.

@@ -96,6 +96,9 @@ pub struct Preset {
     pub required: Option<RequiredVersion>,
     /// Whether it declares no other names, so that an unknown name is an error.
     pub is_complete: bool,
+    /// Whether it sets no other uniforms, so that a shader that declares others is not for it unless
+    /// it uses a name that only this host has.
+    pub sets_all: bool,
     /// JavaScript names that receive shaders to which the host adds nothing else, so that an
     /// unknown name in these is an error.
     pub complete: Vec<String>,
@@ -590,7 +593,7 @@ pub fn declared_in(line: &str) -> Option<&str> {
 }
 
 /// The keys of a header.
-const KEYS: [&str; 24] = [
+const KEYS: [&str; 25] = [
     "alias",
     "reads",
     "base",
@@ -606,6 +609,7 @@ const KEYS: [&str; 24] = [
     "version",
     "requires",
     "names",
+    "uniforms",
     "renames",
     "takes",
     "complete",
@@ -675,13 +679,8 @@ impl Preset {
             "ending" => self.extensions.extend(words()),
             "renames" => self.renames = yes_or_no(value)?,
             "composes" => self.composes = yes_or_no(value)?,
-            "names" => {
-                self.is_complete = match value {
-                    "all" => true,
-                    "some" => false,
-                    _ => return Err(format!("expected `all` or `some`, found `{value}`")),
-                }
-            }
+            "names" => self.is_complete = all_or_some(value)?,
+            "uniforms" => self.sets_all = all_or_some(value)?,
             _ => {
                 return Err(format!(
                     "unknown key `{key}`; expected one of {}",
@@ -690,6 +689,14 @@ impl Preset {
             }
         }
         Ok(())
+    }
+}
+
+fn all_or_some(value: &str) -> Result<bool, String> {
+    match value {
+        "all" => Ok(true),
+        "some" => Ok(false),
+        _ => Err(format!("expected `all` or `some`, found `{value}`")),
     }
 }
 

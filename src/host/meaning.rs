@@ -62,6 +62,7 @@ feeds! {
     Button "button" "whether the mouse button is down",
     Spectrum "spectrum" "levels of low, middle and high frequencies",
     Volume "volume" "loudness of the sound",
+    VolumeBytes "volume-bytes" "loudness of the sound, from 0 to 255",
     HistorySize "history-size" "width and height of the texture with the most recent spectra",
     Camera "camera" "position of a camera that faces the image: (0, 0, 1)",
     Identity "identity" "identity matrix",

@@ -58,7 +58,7 @@ pub use json::json;
 pub use media::{Generator, StandIn, add_stand_ins, is_gray};
 pub use order::{BadExtension, Destination, MainChoice, Order, Target};
 pub use output::{Build, BuildError, File, Remark};
-pub use parts::{PartsError, PassFile, PassRole, unknown_pass};
+pub use parts::{PartsError, PassFile, PassRole, saver_roles, unknown_pass};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,
 };

@@ -1,6 +1,6 @@
 //! Projects with one file per pass, identified by file name.
 
-use super::{Info, OutputId, Project, ProjectPass, ShaderError};
+use super::{Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, ShaderError};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
@@ -100,6 +100,36 @@ impl PassRole {
         PassRole::Sound,
         PassRole::Common,
     ];
+}
+
+/// The roles of the programs of a screen saver of XScreenSaver, by file name without extension:
+/// `NAME-0` to `NAME-4`, of which the last draws the image, and `NAME-c` for common code. `None` if
+/// the names have another form, or if only one of them is a program.
+pub fn saver_roles(names: &[&str]) -> Option<Vec<PassRole>> {
+    let split = |name: &&str| {
+        let (saver, part) = name.rsplit_once('-')?;
+        let number = match part {
+            "c" => None,
+            "0" | "1" | "2" | "3" | "4" => Some(part.parse::<u8>().ok()?),
+            _ => return None,
+        };
+        Some((saver.to_string(), number))
+    };
+    let all: Vec<(String, Option<u8>)> = names.iter().map(split).collect::<Option<_>>()?;
+    let saver = all.first().map(|(saver, _)| saver)?;
+    let mut numbers: Vec<u8> = all.iter().filter_map(|(_, number)| *number).collect();
+    numbers.sort_unstable();
+    let last = *numbers.last()?;
+    let is_complete = (0..=last).eq(numbers.iter().copied());
+    if !is_complete || names.len() < 2 || all.iter().any(|(own, _)| own != saver) {
+        return None;
+    }
+    let role = |number: Option<u8>| match number {
+        None => PassRole::Common,
+        Some(number) if number == last => PassRole::Image,
+        Some(number) => PassRole::Buffer(number),
+    };
+    Some(all.iter().map(|(_, number)| role(*number)).collect())
 }
 
 /// The error for an unknown pass name.
@@ -211,9 +241,65 @@ impl Project {
     }
 }
 
+impl Project {
+    /// Connects the programs of a screen saver of XScreenSaver: channel N of each is the output of
+    /// program N, without filtering.
+    pub fn link_programs(&mut self) {
+        let outputs = self.passes.iter().filter_map(|p| p.output.clone());
+        let outputs: Vec<_> = outputs
+            .filter_map(|output| Some((output.number()?, output)))
+            .collect();
+        for pass in self.passes.iter_mut().filter(|p| p.kind != Pass::Common) {
+            pass.inputs = outputs
+                .iter()
+                .map(|(number, output)| Input {
+                    id: output.0.clone(),
+                    sampler: SamplerSettings {
+                        filter: "nearest".to_string(),
+                        wrap: "clamp".to_string(),
+                        ..SamplerSettings::usual(InputKind::Buffer)
+                    },
+                    ..Input::empty(*number as u8, InputKind::Buffer)
+                })
+                .collect();
+        }
+        let note =
+            "read as XScreenSaver: `iChannel0` to `iChannel3` are the outputs of programs 0 to 3";
+        self.notes.push(note.to_string());
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn programs_of_screen_savers_are_numbered() {
+        let roles = |names: &[&str]| {
+            let roles = saver_roles(names)?;
+            Some(roles.into_iter().map(PassRole::name).collect::<Vec<_>>())
+        };
+        let three = ["sea-0", "sea-1", "sea-2", "sea-c"];
+        let expected = ["buffer_a", "buffer_b", "image", "common"];
+        assert_eq!(roles(&three), Some(expected.to_vec()));
+        assert_eq!(
+            roles(&["sea3-1", "sea3-0"]),
+            Some(vec!["image", "buffer_a"])
+        );
+        assert_eq!(roles(&["sea-0", "sea-c"]), Some(vec!["image", "common"]));
+        for other in [
+            &["sea-0"][..],
+            &["sea-c"],
+            &["sea-0", "sea-2"],
+            &["sea-0", "lake-1"],
+            &["sea-0", "sea-1", "sea-1"],
+            &["sea-0", "sea-5"],
+            &["sea-0", "sea-d"],
+            &["sea0", "sea1"],
+        ] {
+            assert_eq!(roles(other), None, "{other:?}");
+        }
+    }
 
     #[track_caller]
     fn check(name: &str, expected: Option<&str>) {

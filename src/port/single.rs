@@ -5,7 +5,7 @@ use super::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
 };
-use shaderlint_host::{Preset, page};
+use shaderlint_host::{Feed, Preset, page};
 use shaderlint_semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
@@ -167,7 +167,10 @@ impl Project {
                 continue;
             };
             match unit.wrapper {
-                Wrapper::Player => pass.inputs = channels_used(program, unit.kind),
+                Wrapper::Player => {
+                    let used = channels_used(program, unit.kind);
+                    pass.inputs = used.into_iter().map(|i| given(&pass.inputs, i)).collect();
+                }
                 Wrapper::Own => {
                     let Some(host) = self.host.or_else(page) else {
                         continue;
@@ -217,7 +220,18 @@ impl Project {
             .collect::<Vec<_>>();
         let guessed = names(|b| &b.guessed);
         let zeros = names(|b| &b.zeros);
+        let all = self.passes.iter().flat_map(|p| &p.bound.uniforms);
+        let mut heard: Vec<&str> = all
+            .filter(|u| matches!(u.source, Feed::Volume | Feed::VolumeBytes | Feed::Spectrum))
+            .map(|u| u.name.as_str())
+            .collect();
+        heard.sort_unstable();
+        heard.dedup();
         for (names, what) in [
+            (
+                heard,
+                "loudness of sound that the page does not have, set by a made-up beat",
+            ),
             (set, "unknown uniforms, set by controls on the page"),
             (
                 guessed,
@@ -277,6 +291,12 @@ fn channels_used(program: &Program, kind: Pass) -> Vec<Input> {
         channel_type(program, channel).map(|_| Input::empty(channel, kind))
     });
     used.collect()
+}
+
+/// The buffer that was connected to the channel of an input, or else the input.
+fn given(inputs: &[Input], input: Input) -> Input {
+    let is_given = |i: &&Input| i.channel == input.channel && i.kind == InputKind::Buffer;
+    inputs.iter().find(is_given).cloned().unwrap_or(input)
 }
 
 /// The type of a channel that the code reads.

@@ -6,6 +6,8 @@ import { colors, folder, frame, open, shaderport, top } from './browser.js';
 import { pagesCompile } from './compiled.js';
 
 const FOLDER = path.join(top, 'tests/fixtures/dialects');
+/** Folders that are one project, by dialect, relative to that folder. */
+const PROJECTS = { xscreensaver: '../projects/xscreensaver' };
 
 /** The note that names each recognised dialect; absent if the text alone does not identify it. */
 const TOLD = {
@@ -25,6 +27,7 @@ const TOLD = {
   niri: 'read as niri',
   flutter: 'read as Flutter',
   veda: 'read as VEDA',
+  xscreensaver: 'read as XScreenSaver',
 };
 
 /** Converts a file; resolves to the page and the messages. */
@@ -38,7 +41,7 @@ async function convert(file, name, ...args) {
 /** Converts a shader of a dialect, which must be recognised; resolves to the page's address. */
 async function portFile(dialect, file) {
   const from = dialect === 'kodi' ? ['--host', 'kodi'] : [];
-  const { address, said } = await convert(path.join(FOLDER, dialect, file), `${dialect}-${file}`, ...from);
+  const { address, said } = await convert(path.join(FOLDER, PROJECTS[dialect] ? '' : dialect, file), `${dialect}-${path.basename(file)}`, ...from);
   // What looks like GLSL Sandbox in one mode of twigl is read as GLSL Sandbox, which is equivalent.
   const told = dialect === 'twigl' && file === 'classic.glsl' ? TOLD['glsl-sandbox'] : TOLD[dialect];
   assert.ok(said.includes(told ?? ''), said);
@@ -85,12 +88,14 @@ async function controlsAreUniforms(context) {
 
 /** The converted files of a dialect; subfolders and vertex shaders of ISF belong to other files. */
 const filesOf = (dialect) =>
-  fs.readdirSync(path.join(FOLDER, dialect), { withFileTypes: true })
-    .filter((entry) => entry.isFile() && !entry.name.endsWith('.vs'))
-    .map((entry) => entry.name)
-    .sort();
+  PROJECTS[dialect]
+    ? [PROJECTS[dialect]]
+    : fs.readdirSync(path.join(FOLDER, dialect), { withFileTypes: true })
+      .filter((entry) => entry.isFile() && !entry.name.endsWith('.vs'))
+      .map((entry) => entry.name)
+      .sort();
 
-const files = fs.readdirSync(FOLDER).sort().flatMap((dialect) => filesOf(dialect).map((file) => [dialect, file]));
+const files = [...fs.readdirSync(FOLDER), ...Object.keys(PROJECTS)].sort().flatMap((dialect) => filesOf(dialect).map((file) => [dialect, file]));
 
 /** The first shader of each dialect is always drawn. */
 const isFirst = (dialect, file) => filesOf(dialect)[0] === file;
@@ -98,7 +103,7 @@ const isFirst = (dialect, file) => filesOf(dialect)[0] === file;
 export const dialectTests = [
   { name: 'dialects: every shader compiles', run: allCompile },
   ...files.map(([dialect, file]) => ({
-    name: `dialect-${dialect}-${file}`,
+    name: `dialect-${dialect}-${path.basename(file)}`,
     only: isFirst(dialect, file) ? undefined : 'a sweep; compilation is always tested',
     run: (context) => drawn(context, dialect, file),
   })),

@@ -20,7 +20,10 @@ fn fixtures() -> Vec<(String, PathBuf)> {
         let host = folder.file_name().unwrap().to_str().unwrap().to_string();
         for file in fs::read_dir(folder).unwrap() {
             let path = file.unwrap().path();
-            let is_shader = path.extension().is_some_and(|e| e != "vs" && e != "sprj");
+            let others = ["vs", "sprj", "klproj"];
+            let is_shader = path
+                .extension()
+                .is_some_and(|e| others.iter().all(|o| e != *o));
             if path.is_file() && is_shader {
                 all.push((host.clone(), path));
             }

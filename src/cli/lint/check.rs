@@ -193,6 +193,17 @@ impl FindingPrinter<'_> {
         if self.talk == Talk::Verbose {
             self.print_message(&verbose::read(input, &checked.report, self.configs))?;
         }
+        if let Some(language) = checked.report.language
+            && checked.report.counted_infos > 0
+            && input.is_explicit
+            && self.talk == Talk::Normal
+        {
+            self.print_message(&format!(
+                "{}: not checked: {}",
+                input.name,
+                language.shader()
+            ))?;
+        }
         self.proofs(&input.name, &fixed.proofs)?;
         if let Some(applied) = fixed.applied {
             self.applied(input, applied)?;

@@ -144,7 +144,8 @@ fn known(
     })
 }
 
-/// Keeps a result for later runs, unless it depends on the whole repository.
+/// Keeps a result for later runs, unless it depends on the whole repository, or there is nothing to
+/// keep because the text was not checked.
 fn keep(
     (cache, key): (&FindingCache, Key),
     checked: &CheckedInput,
@@ -154,6 +155,9 @@ fn keep(
     let Some(asked) = recorder.asked() else {
         return;
     };
+    if checked.text.report.language.is_some() {
+        return;
+    }
     let depends_on = asked.into_iter().map(|question| {
         let digest = cache.answers.digest(&question, options);
         (question, digest)

@@ -10,10 +10,10 @@ use crate::engine::{Repairs, modernize, repair};
 use crate::host::{Preset, shadertoy};
 use crate::port::{
     ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts, add_stand_ins,
-    unknown_pass, unknown_source,
+    saver_roles, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
-use crate::text::kind::{Claim, FileKind, decide};
+use crate::text::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -265,10 +265,13 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     let name = shown(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");
+    if from.is_none() {
+        reject_other_languages(&name, &text)?;
+    }
     if text.trim_start().starts_with(['{', '[']) {
         return Ok(Drafted::of(export(&name, &text)?));
     }
-    if text.trim_start().starts_with('<') && !text.contains("<pipeline") {
+    if text.trim_start().starts_with('<') && !PROJECTS.iter().any(|tag| text.contains(tag)) {
         return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
     if let FileKind::Holds(language) = decide(&name, &text, Claim::None).kind {
@@ -312,9 +315,35 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     })
 }
 
+/// The elements of projects in XML: SHADERed and KodeLife.
+const PROJECTS: [&str; 2] = ["<pipeline", "<klxml"];
+
+/// Rejects a shader in a language that shaderport does not read, at the code that shows it.
+fn reject_other_languages(name: &str, text: &str) -> Result<(), String> {
+    let FileKind::Foreign(language) = decide(name, text, Claim::None).kind else {
+        return Ok(());
+    };
+    if language == ShaderLanguage::Desktop {
+        return Ok(());
+    }
+    let sign = Evidence::of(text).first_sign(language).unwrap_or(0..0);
+    let before = text.get(..sign.start).unwrap_or("");
+    let line = before.matches('\n').count() + 1;
+    let found = match text.get(sign).unwrap_or("") {
+        "" => String::new(),
+        code => format!(": `{code}`"),
+    };
+    Err(format!(
+        "{name}:{line}: expected GLSL for ShaderToy, WebGL or another host, found {}{found}",
+        language.shader()
+    ))
+}
+
 /// Assigns several files and folders, and the files of `--pass`, to passes.
 fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
+    let saver = programs(paths).filter(|_| named.is_empty());
+    let is_saver = saver.is_some();
     for text in named {
         let (role, path) = text
             .split_once('=')
@@ -323,7 +352,8 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
             PassRole::of_name(role).ok_or_else(|| format!("--pass: {}", unknown_pass(role)))?;
         files.push((role, PathBuf::from(path)));
     }
-    for path in paths {
+    files.extend(saver.unwrap_or_default());
+    for path in paths.iter().filter(|_| !is_saver) {
         if path.is_dir() {
             files.extend(in_folder(path)?);
         } else {
@@ -340,10 +370,12 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let parts = files
         .into_iter()
         .map(|(role, path)| {
+            let (file, text) = (shown(&path), read_text(&path)?);
+            reject_other_languages(&file, &text)?;
             Ok(PassFile {
                 role,
-                file: shown(&path),
-                code: read_text(&path)?.into(),
+                file,
+                code: text.into(),
             })
         })
         .collect::<Result<Vec<_>, String>>()?;
@@ -356,7 +388,29 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
         }
         _ => String::new(),
     };
-    Project::from_parts(&title, parts).map_err(|e| e.to_string())
+    let mut project = Project::from_parts(&title, parts).map_err(|e| e.to_string())?;
+    if is_saver {
+        project.link_programs();
+    }
+    Ok(project)
+}
+
+/// The programs of a screen saver of XScreenSaver: the files themselves, or those of a folder.
+fn programs(paths: &[PathBuf]) -> Option<Vec<(PassRole, PathBuf)>> {
+    let mut files = match paths {
+        [folder] if folder.is_dir() => {
+            let entries = fs::read_dir(folder).ok()?;
+            let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
+            files
+                .filter(|path| is_shader(path) && !path.is_symlink())
+                .collect()
+        }
+        files => files.to_vec(),
+    };
+    files.sort();
+    let names: Vec<String> = files.iter().map(|path| stem(path)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    Some(saver_roles(&names)?.into_iter().zip(files).collect())
 }
 
 /// The passes in a folder. Symbolic links that leave the folder are rejected, since the user may
@@ -388,6 +442,10 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
     }
     found.sort();
     others.sort();
+    let programs = programs(&[folder.to_path_buf()]).filter(|_| found.is_empty());
+    if let Some(programs) = programs {
+        return Ok(programs);
+    }
     match (found.is_empty(), others.first()) {
         (false, _) => Ok(found),
         (true, other) => {

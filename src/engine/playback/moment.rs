@@ -137,6 +137,11 @@ impl Moment {
             Feed::Button => vec![down],
             Feed::Spectrum => made_up_spectrum(self.time).to_vec(),
             Feed::Volume => made_up_spectrum(self.time).into_iter().take(1).collect(),
+            Feed::VolumeBytes => made_up_spectrum(self.time)
+                .into_iter()
+                .take(1)
+                .map(|level| 255.0 * level)
+                .collect(),
             Feed::HistorySize => vec![SIGNAL_WIDTH, HISTORY_ROWS],
             Feed::Camera => vec![0.0, 0.0, 1.0],
             Feed::Width => vec![w],

@@ -111,6 +111,7 @@ fn is_certain(feed: Feed) -> bool {
         | Feed::TextureSize
         | Feed::Spectrum
         | Feed::Volume
+        | Feed::VolumeBytes
         | Feed::HistorySize
         | Feed::Camera
         | Feed::Identity

@@ -15,6 +15,7 @@
 // takes: late-version
 // requires: 300 es, Hyprland 0.50
 // names: some
+// uniforms: all
 // entry: main
 #ifdef SHADER_DECLARES
 uniform sampler2D tex; // = screen, top-first, usual

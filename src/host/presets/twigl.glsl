@@ -8,6 +8,9 @@
 // first is shown; `b0` and `b1` are the targets of the previous frame. Frames are counted from 1;
 // the mouse starts in the corner.
 //
+// `s`, and `sound` in `classic`, is the loudness of the sound shader that twigl plays beside the
+// image: 0 without one. `shaderport` has no sound shader and sets it by a made-up beat.
+//
 // source: src/fragmen.js of doxas/twigl
 // version: any
 // names: some

@@ -61,27 +61,66 @@ pub(super) fn head(text: &str) -> Option<&str> {
     inside.starts_with('{').then_some(inside)
 }
 
-/// Parses a header. Trailing commas and line breaks in strings are accepted.
+/// Parses a header. Trailing commas, comments, names without quotes and line breaks in strings are
+/// accepted, as in JSON5.
 pub(super) fn object(head: &str) -> Result<Map<String, Value>, String> {
     let strict = serde_json::from_str(head);
     let read = strict.or_else(|error| serde_json::from_str(&relaxed(head)).map_err(|_| error));
     read.map_err(|e| format!("cannot parse the JSON header: {e}"))
 }
 
-/// Removes trailing commas, and replaces control characters in strings by spaces.
+/// Removes comments and trailing commas, quotes names, and replaces control characters in strings by
+/// spaces.
 fn relaxed(text: &str) -> String {
+    let text = without_comments(text);
     let mut out = String::with_capacity(text.len());
     let mut in_string = false;
     let mut is_escaped = false;
+    let mut in_name = false;
     for (at, c) in text.char_indices() {
-        let rest = text.get(at + c.len_utf8()..).unwrap_or("").trim_start();
+        let rest = text.get(at + c.len_utf8()..).unwrap_or("");
+        let next = rest.trim_start();
+        let is_word = c.is_ascii_alphanumeric() || matches!(c, '_' | '$');
+        if !in_string && in_name && !is_word {
+            out.push('"');
+            in_name = false;
+        }
+        let end = rest.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+        let starts_word = out.trim_end().ends_with(['{', ',']) && !c.is_ascii_digit();
+        if !in_string && !in_name && is_word && starts_word && end.trim_start().starts_with(':') {
+            out.push('"');
+            in_name = true;
+        }
         match c {
-            ',' if !in_string && rest.starts_with([']', '}']) => continue,
+            ',' if !in_string && next.starts_with([']', '}']) => continue,
             c if in_string && c.is_control() => out.push(' '),
             c => out.push(c),
         }
         in_string ^= c == '"' && !is_escaped;
         is_escaped = in_string && c == '\\' && !is_escaped;
+    }
+    out
+}
+
+/// Replaces line comments outside of strings by nothing.
+fn without_comments(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let mut in_string = false;
+        let mut is_escaped = false;
+        let end = line.char_indices().find(|(at, c)| {
+            let is_comment = !in_string && line.get(*at..).is_some_and(|l| l.starts_with("//"));
+            in_string ^= *c == '"' && !is_escaped;
+            is_escaped = in_string && *c == '\\' && !is_escaped;
+            is_comment
+        });
+        match end {
+            Some((at, _)) => {
+                out.push_str(line.get(..at).unwrap_or(""));
+                out.push('\n');
+            }
+            None => out.push_str(line),
+        }
     }
     out
 }
@@ -104,6 +143,33 @@ struct Head {
 struct IsfTarget {
     name: Option<String>,
     draw: PassDraw,
+}
+
+/// The size of the target of a pass, from the values of `WIDTH` and `HEIGHT`; `None` for the size of
+/// the output.
+pub(super) fn target_size(
+    [width, height]: [Option<&Value>; 2],
+    notes: &mut Vec<String>,
+) -> Option<[SizeTerm; 2]> {
+    let sizes = [(width, "$WIDTH"), (height, "$HEIGHT")].map(|(value, usual)| {
+        let text = match value {
+            Some(Value::String(text)) => text.clone(),
+            Some(Value::Number(number)) => number.to_string(),
+            _ => usual.to_string(),
+        };
+        let usual = SizeTerm::Name(usual.to_string());
+        match SizeTerm::read(&text) {
+            Ok(term) => (term == usual, term),
+            Err(rest) => {
+                notes.push(format!(
+                    "cannot parse the pass size `{text}` at `{rest}`; using the size of the output"
+                ));
+                (true, usual)
+            }
+        }
+    });
+    let is_usual = sizes.iter().all(|(is_usual, _)| *is_usual);
+    (!is_usual).then(|| sizes.map(|(_, term)| term))
 }
 
 /// The function that only vertex shaders call.
@@ -333,33 +399,8 @@ impl Head {
             pass.get(key)
                 .or_else(|| other.and_then(|(_, o)| o.get(key)))
         };
-        let mut sizes = [("WIDTH", "$WIDTH"), ("HEIGHT", "$HEIGHT")].map(|(key, usual)| {
-            let text = match get(key) {
-                Some(Value::String(text)) => text.clone(),
-                Some(Value::Number(number)) => number.to_string(),
-                _ => usual.to_string(),
-            };
-            let read = SizeTerm::read(&text);
-            let term = read.unwrap_or_else(|rest| {
-                self.notes.push(format!(
-                    "cannot parse the pass size `{text}` at `{rest}`; using the size of the output"
-                ));
-                SizeTerm::Name(usual.to_string())
-            });
-            (term, usual)
-        });
-        let is_usual = sizes
-            .iter()
-            .all(|(term, usual)| *term == SizeTerm::Name(usual.to_string()));
-        let size = (name.is_some() && !is_usual).then(|| {
-            let mut take = |i: usize| {
-                let slot = sizes.get_mut(i).map(|(term, _)| term);
-                slot.map_or(SizeTerm::Number(1.0), |term| {
-                    std::mem::replace(term, SizeTerm::Number(1.0))
-                })
-            };
-            [take(0), take(1)]
-        });
+        let size =
+            target_size(["WIDTH", "HEIGHT"].map(get), &mut self.notes).filter(|_| name.is_some());
         self.passes.push(IsfTarget {
             draw: PassDraw {
                 size,
@@ -524,6 +565,19 @@ pub(super) fn is_identifier(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn headers_may_be_json5() {
+        let read = |text: &str| Value::Object(object(text).unwrap()).to_string();
+        let expected = r#"{"a":[{"b_1":"x // y"},{}],"c":2}"#;
+        for text in [
+            r#"{"a": [{"b_1": "x // y"}, {}], "c": 2}"#,
+            "{\n  a: [ // a comment, with \"quotes\"\n    { b_1: \"x // y\", },\n    {},\n  ],\n  \"c\": 2, // 3\n}",
+        ] {
+            assert_eq!(read(text), expected, "{text}");
+        }
+        assert!(object("{a b: 1}").is_err() && object("{\"a\": b}").is_err());
+    }
     use crate::Project;
     use crate::dialect::recognise;
     use shaderlint_semantic::Pass;

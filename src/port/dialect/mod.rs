@@ -10,6 +10,8 @@ mod bookofshaders;
 mod clues;
 mod complete;
 mod isf;
+#[cfg(feature = "cli")]
+mod kodelife;
 mod kodi;
 mod niri;
 #[cfg(feature = "cli")]
@@ -201,6 +203,8 @@ fn sampled(uniform: &str, kind: InputKind, how: (&str, &str)) -> Input {
 static CODES: &[&HostCode] = &[
     &bookofshaders::CODE,
     &isf::CODE,
+    #[cfg(feature = "cli")]
+    &kodelife::CODE,
     &kodi::CODE,
     &niri::CODE,
     #[cfg(feature = "cli")]
@@ -505,6 +509,10 @@ fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
         let name = shows(&row.name, &|ty| row.ty == ty);
         found.extend(name.map(|n| Sign::new(format!("`{n}`"), row.weight)));
     }
+    let is_set = |u: &Interfacing| host.sets(&u.name, &u.ty);
+    if host.sets_all && !clues.uniforms.iter().all(is_set) {
+        found.retain(|sign| sign.weight >= OWN);
+    }
     found.dedup();
     found.sort_by_key(|s| std::cmp::Reverse(s.weight));
     found
@@ -591,6 +599,41 @@ mod tests {
         );
         check("o=vec4(FC.xy/r,sin(t),1);", "twigl");
         check("void main(){o=vec4(gl_FragCoord.xy/r,sin(t),1);}", "twigl");
+    }
+
+    #[test]
+    fn other_uniforms_than_those_of_a_host_speak_against_it() {
+        let screen = |uniforms: &str| {
+            format!(
+                "precision mediump float;\nvarying vec2 v_texcoord;\nuniform sampler2D tex;\n{uniforms}\n\
+                 void main() {{ gl_FragColor = texture2D(tex, v_texcoord); }}"
+            )
+        };
+        check(&screen(""), "hyprland");
+        check(&screen("uniform float time;"), "hyprland");
+        // wlroots and Weston, GStreamer.
+        check(&screen("uniform float alpha;"), "webgl");
+        check(&screen("uniform float time; uniform float width;"), "webgl");
+        check(
+            &screen("uniform float alpha; uniform float pointer_size;"),
+            "hyprland",
+        );
+    }
+
+    #[test]
+    fn modes_of_twigl_are_distinguished_from_glsl_sandbox() {
+        let classic = |uniforms: &str, color: &str| {
+            format!(
+                "precision highp float;\nuniform vec2 resolution;\nuniform vec2 mouse;\nuniform float time;\n\
+                 {uniforms}\nvoid main() {{ {color} = vec4(mouse, time, resolution.x); }}"
+            )
+        };
+        check(&classic("", "gl_FragColor"), "glsl-sandbox");
+        check(&classic("uniform float sound;", "gl_FragColor"), "twigl");
+        check(&classic("out vec4 outColor;", "outColor"), "twigl");
+        let targets = "uniform sampler2D backbuffer0;\nlayout(location = 0) out vec4 a;\n\
+                       layout(location = 1) out vec4 b;";
+        check(&classic(targets, "a"), "twigl");
     }
 
     #[test]

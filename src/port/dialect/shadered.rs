@@ -86,11 +86,14 @@ fn finish(plan: &mut Plan) {
     plan.draws = floats.collect();
 }
 
-fn child<'d>(node: Node<'d, 'd>, name: &str) -> Option<Node<'d, 'd>> {
+pub(super) fn child<'d>(node: Node<'d, 'd>, name: &str) -> Option<Node<'d, 'd>> {
     node.children().find(|n| n.has_tag_name(name))
 }
 
-fn children<'d>(node: Node<'d, 'd>, name: &'static str) -> impl Iterator<Item = Node<'d, 'd>> {
+pub(super) fn children<'d>(
+    node: Node<'d, 'd>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'d, 'd>> {
     node.children().filter(move |n| n.has_tag_name(name))
 }
 
@@ -289,7 +292,7 @@ impl<'d> ShaderedReader<'_, '_, 'd> {
 }
 
 /// A candidate with macros before it, but after its `#version`.
-fn after(completion: Completion, macros: &str) -> Completion {
+pub(super) fn after(completion: Completion, macros: &str) -> Completion {
     if macros.is_empty() {
         return completion;
     }

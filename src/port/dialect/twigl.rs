@@ -4,7 +4,7 @@
 //! and parameters of the website.
 
 use super::complete::{Completion, completions_of, defaults};
-use super::{Clues, HostCode, Plan, Sign};
+use super::{Clues, HostCode, Plan, Sign, VersionAsked};
 use shaderlint_host::{OWN, preset};
 use shaderlint_syntax::Version;
 
@@ -37,11 +37,29 @@ fn signs(clues: &Clues) -> Vec<Sign> {
     if clues.is_free("FC") && is_drawn {
         found.push(Sign::new("`FC`", OWN));
     }
+    found.extend(classic_signs(clues));
     let has_resolution = clues.is_free("r") && free.len() > 1;
     if has_resolution && is_drawn && !clues.guess.is_shadertoy() {
         found.push(Sign::new("`r` undeclared", OWN));
     }
     found
+}
+
+/// What distinguishes `classic` from GLSL Sandbox, which has the same names: the loudness of a sound
+/// shader, several targets, and GLSL ES 3.00 without `#version`.
+fn classic_signs(clues: &Clues) -> Option<Sign> {
+    let has = |name: &str, ty: &str| clues.has_uniform(name, &[ty]);
+    if !has("resolution", "vec2") || !has("time", "float") {
+        return None;
+    }
+    let is_new = clues.asked == VersionAsked::Nothing && clues.declares_output();
+    let what = match () {
+        () if has("sound", "float") => "`sound`",
+        () if has("backbuffer0", "sampler2D") || has("backbuffer1", "sampler2D") => "`backbuffer0`",
+        () if is_new && has("mouse", "vec2") => "an output without `#version`",
+        () => return None,
+    };
+    Some(Sign::new(what, 8 * OWN))
 }
 
 fn plan(clues: &Clues) -> Plan {

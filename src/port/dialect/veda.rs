@@ -3,7 +3,7 @@
 //! The preset describes the format. Vertex shaders and models of passes are not drawn.
 
 use super::complete::{changed, changes, completions_of, defaults, modern};
-use super::isf::{head, is_identifier, object};
+use super::isf::{head, is_identifier, object, target_size};
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
 use crate::{Input, InputKind, PassDraw, SignalForm};
 use serde_json::{Map, Value};
@@ -19,6 +19,11 @@ pub(super) static CODE: HostCode = HostCode {
     signs,
     plan: Some(plan),
 };
+
+/// Samplers of devices.
+const DEVICES: [&str; 3] = ["midi", "note", "gamepad"];
+/// An image with one black pixel.
+const BLACK: &str = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mNgAAAAAgAB5Sfe/AAAAABJRU5ErkJggg==";
 
 /// Header keys of ISF that VEDA does not have.
 const OTHERS: [&str; 2] = ["INPUTS", "ISFVSN"];
@@ -73,19 +78,11 @@ fn plan(clues: &Clues) -> Plan {
         [] => vec![&usual],
         _ => passes,
     };
-    let mut inputs = imported(&settings);
-    inputs.extend(passes.iter().filter_map(|pass| {
-        let name = target(pass)?;
-        Some(read_buffer(name, name))
-    }));
-    for (name, signal) in [
-        ("spectrum", SignalForm::Spectrum),
-        ("samples", SignalForm::Wave),
-    ] {
-        let input = sampled(name, InputKind::Music, ("linear", "clamp"));
-        inputs.push(Input { signal, ..input });
-    }
-    let mut plan = Plan::default();
+    let mut plan = Plan {
+        notes: ignored(&settings),
+        ..Plan::default()
+    };
+    let inputs = inputs(clues, &settings, &passes, &mut plan.notes);
     for (index, pass) in passes.iter().enumerate() {
         let is_last = index + 1 == passes.len();
         let name = target(pass);
@@ -101,6 +98,11 @@ fn plan(clues: &Clues) -> Plan {
         planned.inputs.clone_from(&inputs);
         plan.passes.push(planned);
         plan.draws.push(PassDraw {
+            size: target_size(
+                ["WIDTH", "HEIGHT"].map(|key| pass.get(key)),
+                &mut plan.notes,
+            )
+            .filter(|_| name.is_some()),
             is_float: pass.get("FLOAT").is_some_and(|v| *v == Value::Bool(true)),
             ..PassDraw::default()
         });
@@ -115,6 +117,62 @@ fn plan(clues: &Clues) -> Plan {
         }
     }
     plan
+}
+
+/// What the samplers read: images, buffers, sound, the keyboard, and devices without values.
+fn inputs(
+    clues: &Clues,
+    settings: &Map<String, Value>,
+    passes: &[&Map<String, Value>],
+    notes: &mut Vec<String>,
+) -> Vec<Input> {
+    let mut inputs = imported(settings);
+    inputs.extend(passes.iter().filter_map(|pass| {
+        let name = target(pass)?;
+        Some(read_buffer(name, name))
+    }));
+    for (name, signal) in [
+        ("spectrum", SignalForm::Spectrum),
+        ("samples", SignalForm::Wave),
+    ] {
+        let input = sampled(name, InputKind::Music, ("linear", "clamp"));
+        inputs.push(Input { signal, ..input });
+    }
+    inputs.push(sampled("key", InputKind::Keyboard, ("nearest", "clamp")));
+    let is_known = |name: &str| inputs.iter().any(|i| i.uniform.as_deref() == Some(name));
+    let devices = clues.uniforms.iter().filter(|u| u.ty == "sampler2D");
+    let devices = devices.map(|u| u.name.as_str());
+    let devices: Vec<&str> = devices
+        .filter(|name| DEVICES.contains(name) || name.starts_with("osc_"))
+        .filter(|name| !is_known(name))
+        .collect();
+    if !devices.is_empty() {
+        let names = devices.join("`, `");
+        notes.push(format!(
+            "devices that the page does not read, set to zero: `{names}`"
+        ));
+    }
+    inputs.extend(devices.into_iter().map(|name| Input {
+        urls: vec![BLACK.to_string()],
+        ..sampled(name, InputKind::Texture, ("nearest", "clamp"))
+    }));
+    inputs
+}
+
+/// Notes about settings that the page does not apply.
+fn ignored(settings: &Map<String, Value>) -> Vec<String> {
+    let number = |key: &str| settings.get(key).and_then(Value::as_f64);
+    let mut notes = Vec::new();
+    if let Some(ratio) = number("pixelRatio").filter(|ratio| *ratio > 1.0) {
+        let scale = (1000.0 / ratio).round() / 1000.0;
+        notes.push(format!(
+            "`pixelRatio` is not applied; `#scale={scale}` in the address of the page draws as coarsely"
+        ));
+    }
+    if number("frameskip").is_some_and(|skip| skip > 1.0) {
+        notes.push("`frameskip` is not applied: the page draws all frames".to_string());
+    }
+    notes
 }
 
 /// The name of the buffer that a pass draws into.

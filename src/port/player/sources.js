@@ -34,6 +34,7 @@ const SOURCES = {
   button: ({ pointer: p }) => [p?.isDown ? 1 : 0],
   spectrum: (f) => madeUpSpectrum(f.time),
   volume: (f) => [madeUpSpectrum(f.time)[0]],
+  volumeBytes: (f) => [255 * madeUpSpectrum(f.time)[0]],
   historySize: () => [SIGNAL_WIDTH, HISTORY_ROWS],
   camera: () => [0, 0, 1],
   width: (_, w) => [w],

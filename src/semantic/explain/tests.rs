@@ -190,6 +190,16 @@ fn fixes_of_whole_shaders() {
     const VERSION: &str = "#version 300 es\nprecision highp float;\n";
     let table = [
         (
+            "#define G(x) uvec4(x)\nout vec4 a;\nvoid main() { a = vec4(G(3).r / 2.0); }",
+            Some(
+                "#define G(x) uvec4(x)\nout vec4 a;\nvoid main() { a = vec4(float(G(3).r) / 2.0); }",
+            ),
+        ),
+        (
+            "#define G 1u + uvec4(3)\nout vec4 a;\nvoid main() { a = G.r / vec4(2); }",
+            None,
+        ),
+        (
             "out vec4 a[2];\nvoid main() { gl_FragData[1] = vec4(1); a[0] = vec4(1); }",
             Some("out vec4 a[2];\nvoid main() { a[1] = vec4(1); a[0] = vec4(1); }"),
         ),

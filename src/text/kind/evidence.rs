@@ -161,6 +161,8 @@ pub struct Evidence<'a> {
     entities: usize,
     /// Whether a type precedes a word, or a line is a GLSL directive.
     has_types: bool,
+    /// Whether it defines a name that only TouchDesigner has.
+    defines_names: bool,
 }
 
 impl<'a> Evidence<'a> {
@@ -183,6 +185,7 @@ impl<'a> Evidence<'a> {
             tags: 0,
             entities: 0,
             has_types: false,
+            defines_names: false,
         };
         let signs = Signs::get();
         // Start of the current sequence of words.
@@ -219,6 +222,7 @@ impl<'a> Evidence<'a> {
                     && is_type(token.text);
         }
         evidence.check_row(all, row..all.len());
+        evidence.note_hook();
         evidence
     }
 
@@ -253,13 +257,13 @@ impl<'a> Evidence<'a> {
             let fits = sign.row.split(' ').all(|part| {
                 let token = all.get(end);
                 end += 1;
-                token.is_some_and(|t| match part {
-                    "_" => t.kind == ScanKind::Word,
-                    "\"" => t.kind == ScanKind::Quoted,
-                    part => t.text == part,
-                })
+                token.is_some_and(|t| is_part(t, part))
             });
             if fits {
+                let before = at.checked_sub(1).and_then(|i| all.get(i));
+                self.defines_names |= sign.is_enough
+                    && sign.language == ShaderLanguage::TouchDesigner
+                    && before.is_some_and(|t| t.text == "define" || is_type(t.text));
                 let last = all.get(end - 1).unwrap_or(token);
                 self.seen.push(SeenSign {
                     number: sign.number,
@@ -270,6 +274,23 @@ impl<'a> Evidence<'a> {
                 });
             }
         }
+    }
+
+    /// Records the line that hooks a user shader of mpv, which is a comment to other programs.
+    fn note_hook(&mut self) {
+        /// No number of a sequence.
+        const LINE: usize = usize::MAX;
+        let Some(line) = hook_line(self.text) else {
+            return;
+        };
+        let sign = SeenSign {
+            number: LINE,
+            language: ShaderLanguage::Mpv,
+            is_enough: true,
+            start: line.start,
+            end: line.end,
+        };
+        self.seen.insert(0, sign);
     }
 
     fn count(&self, language: ShaderLanguage) -> usize {
@@ -289,28 +310,60 @@ impl<'a> Evidence<'a> {
 
     /// The shading language other than GLSL ES that the text is clearly written in.
     pub fn foreign(&self) -> Option<ShaderLanguage> {
-        if let Some(version) = self.version {
-            return version.is_desktop().then_some(ShaderLanguage::Desktop);
+        use ShaderLanguage as L;
+        if self.version.is_some_and(|v| !v.is_desktop()) {
+            return None;
         }
-        let complete = [
-            ShaderLanguage::ShaderLab,
-            ShaderLanguage::Godot,
-            ShaderLanguage::Sksl,
+        // Some of them require a `#version` of desktop GLSL.
+        let engines = [
+            L::Godot,
+            L::RetroArch,
+            L::Mpv,
+            L::TouchDesigner,
+            L::Obs,
+            L::ReShade,
         ];
+        if let Some(engine) = engines.into_iter().find(|t| self.is_of_engine(*t)) {
+            return Some(engine);
+        }
+        if self.version.is_some() {
+            return Some(L::Desktop);
+        }
+        let complete = [L::ShaderLab, L::Sksl];
         if let Some(language) = complete.into_iter().find(|t| self.has_enough(*t, 3)) {
             return Some(language);
         }
-        if self.has_enough(ShaderLanguage::Desktop, 3) && self.count(ShaderLanguage::Web) == 0 {
-            return Some(ShaderLanguage::Desktop);
+        if self.has_enough(L::Desktop, 3) && self.count(L::Web) == 0 {
+            return Some(L::Desktop);
         }
-        let others = [
-            ShaderLanguage::Hlsl,
-            ShaderLanguage::Wgsl,
-            ShaderLanguage::Metal,
-        ];
+        let others = [L::Hlsl, L::Wgsl, L::Metal];
         let best = others.into_iter().filter(|t| self.has_enough(*t, 3));
-        let best = best.max_by_key(|t| self.count(*t))?;
-        (!self.speaks_glsl() && self.count(ShaderLanguage::Desktop) == 0).then_some(best)
+        let best = best.max_by_key(|t| (self.has_certain(*t), self.count(*t)))?;
+        let is_alone = !self.speaks_glsl() && self.count(L::Desktop) == 0;
+        (is_alone || self.outweighs_glsl(best)).then_some(best)
+    }
+
+    /// Whether it clearly is for an engine.
+    fn is_of_engine(&self, engine: ShaderLanguage) -> bool {
+        let is_certain = self.has_certain(engine);
+        match engine {
+            // A text that defines these names does not need TouchDesigner.
+            ShaderLanguage::TouchDesigner => is_certain && !self.defines_names,
+            ShaderLanguage::RetroArch => self.has_enough(engine, 3),
+            _ => is_certain || self.has_enough(engine, 3) && !has_main(self.text),
+        }
+    }
+
+    /// Whether code that no GLSL has outweighs GLSL, as where macros name the types of GLSL.
+    fn outweighs_glsl(&self, language: ShaderLanguage) -> bool {
+        let glsl = self.count(ShaderLanguage::Glsl) + self.count(ShaderLanguage::Web);
+        self.has_certain(language) && self.count(language) > glsl
+    }
+
+    /// Whether there is a sequence that is sufficient evidence of a language.
+    fn has_certain(&self, language: ShaderLanguage) -> bool {
+        let mut of = self.seen.iter().filter(|s| s.language == language);
+        of.any(|s| s.is_enough)
     }
 
     /// The other language that the text is clearly written in.
@@ -368,10 +421,12 @@ impl<'a> Evidence<'a> {
         self.version.is_some() || self.speaks_glsl() || self.has_types
     }
 
-    /// The range of the first typical code of a language.
+    /// The range of the first code that is sufficient evidence of a language, or else of its first
+    /// typical code.
     pub fn first_sign(&self, language: ShaderLanguage) -> Option<std::ops::Range<usize>> {
-        let of = self.seen.iter().filter(|s| s.language == language);
-        of.map(|s| s.start..s.end).next()
+        let of = || self.seen.iter().filter(|s| s.language == language);
+        let first = of().find(|s| s.is_enough).or_else(|| of().next());
+        first.map(|s| s.start..s.end)
     }
 
     /// The first typical code of a language, as written.
@@ -386,6 +441,45 @@ impl<'a> Evidence<'a> {
         }
         texts
     }
+}
+
+/// Whether a token is a part of a sequence.
+fn is_part(token: &ScanToken, part: &str) -> bool {
+    match part {
+        "_" => token.kind == ScanKind::Word,
+        "\"" => token.kind == ScanKind::Quoted,
+        part => match part.strip_suffix('*').filter(|start| !start.is_empty()) {
+            Some(start) => token.text.starts_with(start),
+            None => token.text == part,
+        },
+    }
+}
+
+/// The line that hooks a user shader of mpv. Such a text has further lines for mpv, and a function
+/// `hook`.
+fn hook_line(text: &str) -> Option<std::ops::Range<usize>> {
+    if !text.contains("//!HOOK ") {
+        return None;
+    }
+    let all = first_tokens(text, usize::MAX);
+    let mut heads = all.windows(4).map(|w| w.iter().map(|t| t.text));
+    if !heads.any(|head| head.eq(["hook", "(", ")", "{"])) {
+        return None;
+    }
+    let mut start = 0;
+    let mut hook = None;
+    let mut others = 0;
+    for line in text.split_inclusive('\n') {
+        let at = start;
+        start += line.len();
+        let line = line.trim_end();
+        match line.strip_prefix("//!").and_then(|l| l.split_once(' ')) {
+            Some(("HOOK", _)) if hook.is_none() => hook = Some(at..at + line.len()),
+            Some((word, _)) if word.bytes().all(|b| b.is_ascii_uppercase()) => others += 1,
+            _ => {}
+        }
+    }
+    hook.filter(|_| others > 0)
 }
 
 /// Whether a closing tag or an escaped angle bracket starts here.

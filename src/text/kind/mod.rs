@@ -115,7 +115,7 @@ fn extension_of(name: &str) -> Extension {
         }
         "metal" => Extension::Foreign(ShaderLanguage::Metal),
         "wgsl" => Extension::Foreign(ShaderLanguage::Wgsl),
-        "gdshader" => Extension::Foreign(ShaderLanguage::Godot),
+        "gdshader" | "gdshaderinc" => Extension::Foreign(ShaderLanguage::Godot),
         other => others(other).map_or(Extension::Unknown, Extension::Other),
     }
 }
@@ -469,6 +469,128 @@ mod tests {
             "#version 301 es\n",
             "shader: the extension indicates GLSL",
         );
+    }
+
+    /// Shaders of engines: the language, its sign, and a text.
+    const ENGINES: &[(ShaderLanguage, &str, &str)] = &[
+        (
+            ShaderLanguage::Godot,
+            "shader_type spatial",
+            "// Water\nshader_type spatial;\nvarying vec3 at;\nvoid fragment() { ALBEDO = at; }\n",
+        ),
+        (
+            ShaderLanguage::Godot,
+            "uniform float depth : hint_range",
+            "uniform float depth : hint_range(0, 1) = 0.5;\nvec3 shade(vec2 p) { return vec3(p, depth); }\n",
+        ),
+        (
+            ShaderLanguage::Godot,
+            "void fragment(",
+            "void fragment() {\n\tvec4 c = texture(TEXTURE, UV);\n\tCOLOR = c;\n}\n",
+        ),
+        (
+            ShaderLanguage::ReShade,
+            "uniform float Amount < ui_type =",
+            "uniform float Amount < ui_type = \"slider\"; ui_min = 0.0; > = 0.5;\n\
+             sampler2D Back { Texture = Color; };\nvoid mainImage(out float4 c, in float2 p) {}\n",
+        ),
+        (
+            ShaderLanguage::ReShade,
+            "technique Tint {",
+            "technique Tint { pass { VertexShader = FullScreen; PixelShader = PS_Tint; } }\n",
+        ),
+        (
+            ShaderLanguage::RetroArch,
+            "#pragma parameter GLOW \"Glow\" 0",
+            "#version 450\n#pragma parameter GLOW \"Glow\" 0.5 0.0 1.0 0.05\n\
+             layout(push_constant) uniform Push { float GLOW; } p;\n#pragma stage vertex\nvoid main() {}\n",
+        ),
+        (
+            ShaderLanguage::RetroArch,
+            "uniform Push",
+            "#version 450\nlayout(push_constant) uniform Push { vec4 SourceSize; } p;\n\
+             #pragma stage vertex\nvoid main() {}\n#pragma stage fragment\nvoid main() {}\n",
+        ),
+        (
+            ShaderLanguage::Obs,
+            "uniform float4x4 ViewProj",
+            "uniform float4x4 ViewProj;\nuniform texture2d image;\n\
+             float4 shade(VertData v) : TARGET { return image.Sample(s, v.uv); }\n",
+        ),
+        (
+            ShaderLanguage::Obs,
+            "VertData v_in) : TARGET",
+            "float4 mainImage(VertData v_in) : TARGET { return float4(v_in.uv, 0, 1); }\n",
+        ),
+        (
+            ShaderLanguage::Mpv,
+            "//!HOOK LUMA",
+            "//!DESC Sharpen\n//!HOOK LUMA\n//!BIND HOOKED\n\
+             vec4 hook() { return HOOKED_tex(HOOKED_pos) * vec4(1.1); }\n",
+        ),
+        (
+            ShaderLanguage::TouchDesigner,
+            "sTD2DInputs[",
+            "uniform float gain;\nout vec4 color;\nvoid main() {\n    vec4 c = texture(sTD2DInputs[0], vUV.st);\n    \
+             color = TDOutputSwizzle(c * gain);\n}\n",
+        ),
+        (
+            ShaderLanguage::Hlsl,
+            ": SV_Position",
+            "#define vec3 float3\nsampler2D map;\n\
+             float4 PS(float4 at : SV_Position, float2 uv : TEXCOORD0) : SV_Target { return tex2D(map, uv); }\n",
+        ),
+        (
+            ShaderLanguage::Metal,
+            "[[stage_in]]",
+            "#define vec2 float2\nfragment float4 shade(Varying in [[stage_in]]) { return float4(in.uv, 0, 1); }\n",
+        ),
+        (
+            ShaderLanguage::Wgsl,
+            "@location(",
+            "@fragment fn main(@location(0) uv: vec2f) -> @location(0) vec4f { return vec4(uv, 0, 1); }\n",
+        ),
+    ];
+
+    #[test]
+    fn shaders_of_engines_are_known() {
+        for (language, sign, text) in ENGINES {
+            let decision = decide("a.glsl", text, Claim::None);
+            assert_eq!(decision.kind, FileKind::Foreign(*language), "{text}");
+            let range = Evidence::of(text).first_sign(*language).unwrap();
+            assert_eq!(&text[range], *sign, "{text}");
+        }
+    }
+
+    #[test]
+    fn comments_and_strings_about_engines_are_no_evidence() {
+        for (_, _, text) in ENGINES {
+            let comment: String = text.lines().map(|l| format!("// {l}\n")).collect();
+            let block = format!("/*\n{}*/\n", text.replace("/*", "").replace("*/", ""));
+            let quoted = format!("#pragma note {:?}\n", text.replace('"', "'"));
+            for about in [comment, block, quoted] {
+                let text = format!("{about}{GLSL}");
+                let decision = decide("a.glsl", &text, Claim::None);
+                assert_eq!(decision.kind, FileKind::Shader, "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn names_of_engines_that_a_text_defines_are_its_own() {
+        for own in [
+            "#define TDOutputSwizzle(c) (c)\nvec4 f(vec4 c) { return TDOutputSwizzle(c); }",
+            "vec4 TDOutputSwizzle(vec4 c) { return c; }",
+            "uniform sampler2D sTD2DInputs[2];",
+            "float COLOR = 1.0; vec3 ALBEDO = vec3(1);",
+            "//!HOOK LUMA\nfloat hook(float x) { return x; }",
+            "uniform vec4 SourceSize; uniform int FrameCount;",
+            "struct pass { float a; };",
+        ] {
+            let text = format!("{own}\n{GLSL}");
+            let decision = decide("a.glsl", &text, Claim::None);
+            assert_eq!(decision.kind, FileKind::Shader, "{text}");
+        }
     }
 
     #[test]

@@ -23,6 +23,16 @@ pub enum ShaderLanguage {
     ShaderLab,
     /// Godot's shading language.
     Godot,
+    /// ReShade FX, a relative of HLSL.
+    ReShade,
+    /// RetroArch's shaders, which contain both stages.
+    RetroArch,
+    /// Effects of OBS, relatives of HLSL.
+    Obs,
+    /// User shaders of mpv and libplacebo, which hook into the steps of a video's rendering.
+    Mpv,
+    /// The GLSL of TouchDesigner, which has inputs and functions of its own.
+    TouchDesigner,
     /// C, C++ and similar languages.
     C,
     /// Rust.
@@ -45,6 +55,27 @@ pub enum ShaderLanguage {
     Prose,
 }
 
+impl ShaderLanguage {
+    /// A text in this language, with an article.
+    pub const fn shader(self) -> &'static str {
+        match self {
+            ShaderLanguage::Desktop => "a shader for OpenGL or Vulkan",
+            ShaderLanguage::Hlsl => "an HLSL shader",
+            ShaderLanguage::Metal => "a Metal shader",
+            ShaderLanguage::Wgsl => "a WGSL shader",
+            ShaderLanguage::Sksl => "an SkSL shader",
+            ShaderLanguage::ShaderLab => "a Unity shader",
+            ShaderLanguage::Godot => "a Godot shader",
+            ShaderLanguage::ReShade => "a ReShade effect",
+            ShaderLanguage::RetroArch => "a RetroArch shader",
+            ShaderLanguage::Obs => "an OBS effect",
+            ShaderLanguage::Mpv => "a user shader of mpv",
+            ShaderLanguage::TouchDesigner => "a TouchDesigner shader",
+            _ => "not a shader for WebGL",
+        }
+    }
+}
+
 impl fmt::Display for ShaderLanguage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -57,6 +88,11 @@ impl fmt::Display for ShaderLanguage {
             ShaderLanguage::Wgsl => "WGSL",
             ShaderLanguage::ShaderLab => "Unity's ShaderLab",
             ShaderLanguage::Godot => "Godot's shading language",
+            ShaderLanguage::ReShade => "ReShade FX",
+            ShaderLanguage::RetroArch => "RetroArch's shader format",
+            ShaderLanguage::Obs => "effects of OBS",
+            ShaderLanguage::Mpv => "user shaders of mpv",
+            ShaderLanguage::TouchDesigner => "TouchDesigner's GLSL",
             ShaderLanguage::C => "C or a similar language",
             ShaderLanguage::Rust => "Rust",
             ShaderLanguage::FSharp => "F#",
