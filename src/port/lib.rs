@@ -34,9 +34,11 @@ mod same;
 mod script;
 mod signature;
 mod single;
+mod sliders;
 mod supply;
 #[cfg(feature = "naga")]
 mod translated;
+mod tuned;
 
 pub use build::{build, still_file};
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
@@ -66,6 +68,8 @@ pub use rewrite::{NotSafe, rewrite};
 pub use script::{ScriptModule, module, react, three};
 pub use signature::{VolumeHead, kind_of_bytes, kind_of_name, why_not};
 pub use single::ShaderError;
+pub use sliders::SliderChoice;
 pub use supply::{Missing, missing};
 #[cfg(feature = "naga")]
 pub use translated::{CompleteShader, CompleteShaders, complete_shaders, translate_shaders};
+pub use tuned::slider_notes;

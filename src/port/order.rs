@@ -95,6 +95,11 @@ impl Target {
         }
     }
 
+    /// Whether the output has sliders for values in the code.
+    pub fn has_sliders(self) -> bool {
+        matches!(self, Target::Html | Target::Module | Target::React)
+    }
+
     /// Whether the output consists of shaders only, without their inputs.
     pub fn is_shaders(self) -> bool {
         !matches!(

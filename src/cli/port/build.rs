@@ -12,7 +12,7 @@ use crate::cli::output::diff;
 use crate::cli::run::Progress;
 use crate::engine::{Original, Repairs, Verified, repairable, verify};
 use crate::exec::Equality;
-use crate::port::{Composed, File, Poster, Project, Target, build, missing};
+use crate::port::{Composed, File, Poster, Project, Target, build, missing, slider_notes};
 use crate::report::{Format, Reporter};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -84,7 +84,12 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
     }
     if !target.is_shaders() {
         let missing = missing(&project).into_iter().map(|what| what.to_string());
-        for note in notes.into_iter().chain(missing) {
+        let sliders = match target.has_sliders() {
+            true => slider_notes(&composed),
+            false => &[],
+        };
+        let notes = notes.into_iter().chain(missing);
+        for note in notes.chain(sliders.iter().cloned()) {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
