@@ -39,6 +39,8 @@ mod supply;
 #[cfg(feature = "naga")]
 mod translated;
 mod tuned;
+#[cfg(feature = "naga")]
+mod webgpu;
 
 pub use build::{build, still_file};
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
@@ -73,3 +75,5 @@ pub use supply::{Missing, missing};
 #[cfg(feature = "naga")]
 pub use translated::{CompleteShader, CompleteShaders, complete_shaders, translate_shaders};
 pub use tuned::slider_notes;
+#[cfg(feature = "naga")]
+pub use webgpu::channels_to_set;

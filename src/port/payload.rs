@@ -58,7 +58,7 @@ pub(super) struct PassData<'a> {
 #[derive(Serialize)]
 pub(super) struct OwnData<'a> {
     vertex: &'a str,
-    uniforms: &'a [UniformData],
+    pub(super) uniforms: &'a [UniformData],
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) size: Option<&'a [SizeTerm; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -130,12 +130,11 @@ fn error_with(
     }
     let changed = composed.with_texts(&texts)?;
     let is_affected = |unit: &&PassUnit| texts.iter().any(|(id, _)| unit.files.contains(id));
-    let error = changed.units.iter().filter(is_affected).find_map(|unit| {
+    changed.units.iter().filter(is_affected).find_map(|unit| {
         let mut all = changed.analysis(unit).diagnostics.iter();
         let error = all.find(|d| d.severity == Severity::Error)?;
         Some(error.message.clone())
-    });
-    error
+    })
 }
 
 /// A value as literals, as the player writes it.
@@ -227,7 +226,7 @@ mod tests {
         let found = sliders(&composed);
         let shown = found.list.iter().map(|s| {
             let text = &composed.sources.file(s.file).unwrap().text;
-            let (kind, text) = (s.kind, &text[s.start..s.end]);
+            let (kind, text) = (s.kind, text.get(s.start..s.end).unwrap());
             format!("{} {kind:?} {text} {:?} {:?}", s.name, s.min, s.max)
         });
         let notes = found.notes.iter().cloned();

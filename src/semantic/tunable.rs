@@ -259,7 +259,7 @@ fn is_mathematical(value: f64) -> bool {
     const GOLDEN: f64 = 1.618_033_988_749_895;
     let near = |known: f64| (value.abs() - known).abs() < 5e-5 * known;
     let factors = [1.0, 2.0, 0.5, 0.25, 4.0, 1.0 / 3.0, 1.0 / 180.0];
-    let turns = factors.iter().flat_map(|f| [f * PI, 1.0 / (f * PI)]);
+    let multiples = factors.iter().flat_map(|f| [f * PI, 1.0 / (f * PI)]);
     let others = [
         E,
         LN_2,
@@ -269,7 +269,7 @@ fn is_mathematical(value: f64) -> bool {
         GOLDEN,
         GOLDEN - 1.0,
     ];
-    turns.chain(others).any(near)
+    multiples.chain(others).any(near)
 }
 
 /// Whether a name is that of a colour.

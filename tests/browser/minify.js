@@ -9,7 +9,7 @@ const from = path.join(import.meta.dirname, '../../src/port/player');
 const to = path.join(from, 'min');
 
 /** Types only, or modules that users read. */
-const KEPT = ['types.js', 'materials.js', 'three.js', 'react.js'];
+const KEPT = ['types.js', 'materials.js', 'three.js', 'react.js', 'webgpu.js'];
 
 /** Names that the converter writes. */
 const RESERVED = ['PROJECT', 'mount', 'openPage', 'startFrame', 'receiveProject', 'followChanges'];
