@@ -17,17 +17,20 @@ pub static RULE: Rule = Rule {
 fn check(cx: &mut Context) {
     let program = cx.program;
     for found in tunables(program) {
-        let (value, min, max) = (found.value, found.min, found.max);
-        if (min..=max).contains(&value) {
+        let Some(range) = found.range else { continue };
+        let ends = found.min.iter().zip(&found.max);
+        let mut outside = found.value.iter().zip(ends);
+        let outside = outside.find(|(value, (min, max))| !(**min..=**max).contains(*value));
+        let Some((value, (min, max))) = outside else {
             continue;
-        }
+        };
         let side = if value < min { "below" } else { "above" };
         let text = program.sources.text(found.value_span);
         cx.report_span(
             found.value_span,
             format!("`{text}` is {side} the range given in its comment"),
         )
-        .label(found.range, "documented range")
+        .label(range, "documented range")
         .help(format!(
             "use a value from {min} to {max}, or update the comment"
         ));

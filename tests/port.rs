@@ -598,3 +598,20 @@ fn projects_of_kodelife_are_decompressed_within_limits() {
         "bomb.klproj: the project is larger than 40 MB when decompressed",
     );
 }
+
+/// Ranges that cannot become sliders are reported, and so are proposals; neither for plain shaders.
+#[test]
+fn sliders_are_listed() {
+    let folder = Folder::new();
+    let code = "const int N = 2; // (0~4)\nconst float HALF = float(N) * 0.5; // (0~1)\n\
+        const float GAIN = 0.5;\nfloat a[N];\n\
+        void mainImage(out vec4 c, in vec2 p) { a[0] = HALF; c = vec4(a[0] * GAIN); }\n";
+    folder.put("s.glsl", code);
+    let refused = "note: no slider for `HALF`: its value is not a literal\n\
+        note: no slider for `N`: with 0 the shader does not compile: array size cannot be 0";
+    folder.works("s.glsl -o s.html", refused);
+    let proposed = format!("note: proposed sliders: `GAIN` (0~1)\n{refused}");
+    folder.works("s.glsl --sliders auto -o auto.js", &proposed);
+    folder.works("s.glsl --sliders none -o none.html", "");
+    folder.works("s.glsl --sliders auto -o s.frag", "");
+}

@@ -291,7 +291,7 @@ fn read_back(target: Target, files: &[File], count: usize) -> Result<Vec<String>
             Ok(held.passes.iter().map(|pass| held.joined(pass)).collect())
         }
         #[cfg(feature = "naga")]
-        Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
+        Target::ThreeWebgpu | Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
             Err("output in this language cannot be verified".to_string())
         }
     }

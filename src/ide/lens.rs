@@ -4,6 +4,7 @@ use super::document::Document;
 use super::hover::operations;
 use super::run::RunObservations;
 use shaderlint_diagnostic::count;
+use shaderlint_semantic::Scalar;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::Span;
 
@@ -71,22 +72,26 @@ pub fn lenses(document: &Document, seen: &[Option<RunObservations>]) -> Vec<Lens
             });
         }
         for tunable in tunables(program) {
+            let (&[now], &[min], &[max]) = (&*tunable.value, &*tunable.min, &*tunable.max) else {
+                continue;
+            };
+            if tunable.scalar == Scalar::Bool {
+                continue;
+            }
             let name = document.report.in_input(tunable.name);
             let value = document.report.in_input(tunable.value_span);
             if let (Some(span), Some(value_span)) = (name, value) {
                 found.push(Lens {
                     span,
                     title: format!(
-                        "Change {}: {} … {}",
+                        "Change {}: {min} … {max}",
                         program.sources.text(tunable.name),
-                        tunable.min,
-                        tunable.max
                     ),
                     command: LensCommand::Tune {
                         value_span,
-                        value: tunable.value,
-                        min: tunable.min,
-                        max: tunable.max,
+                        value: now,
+                        min,
+                        max,
                     },
                 });
             }

@@ -4,7 +4,11 @@ use super::embed::still_name;
 use super::order::{Destination, MainChoice, Order, Target};
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
+use super::script::three_webgpu;
+#[cfg(feature = "naga")]
 use super::translated::translated;
+#[cfg(feature = "naga")]
+use super::webgpu::{NoWebGpu, webgpu_passes};
 use super::{
     Composed, PlayerPage, Poster, Project, ScriptModule, Still, embed, glsl, html, json, module,
     react, rewrite, three,
@@ -30,6 +34,8 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
             true => Err(BuildError::Cubemap),
             false => Ok(Build::of(typed(output, three(project, composed)))),
         },
+        #[cfg(feature = "naga")]
+        Target::ThreeWebgpu => for_webgpu(project, composed, output),
         Target::React => {
             let stem = output.file_stem();
             let stem = stem.map_or("shader".into(), |s| s.to_string_lossy());
@@ -44,6 +50,20 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
         Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
             translated(order, project, composed)
         }
+    }
+}
+
+/// The module for WebGPURenderer; passes that cannot be translated become remarks.
+#[cfg(feature = "naga")]
+fn for_webgpu(project: &Project, composed: &Composed, output: &Path) -> Result<Build, BuildError> {
+    match webgpu_passes(project, composed) {
+        Ok(passes) => Ok(Build::of(typed(output, three_webgpu(project, &passes)))),
+        Err(NoWebGpu::Unsupported(reason)) => Err(BuildError::NoWebGpu(reason)),
+        Err(NoWebGpu::Errors) => Ok(Build::default()),
+        Err(NoWebGpu::Refused(pass, reason)) => Ok(Build {
+            files: Vec::new(),
+            remarks: vec![Remark::refused(pass, &reason)],
+        }),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Composes each pass as the player compiles it: header, Common passes in order, its own code.
 
+use super::sliders::{SliderChoice, Sliders};
 use super::{Project, ProjectPass, Wrapper};
 use shaderlint_semantic::{Channels, Checked, Completeness, Dialect, Pass, Stage, Unit, analyze};
 use shaderlint_text::{FileId, Role, Sources};
@@ -33,6 +34,10 @@ pub struct Composed {
     owners: Vec<Option<usize>>,
     /// By pass of the project: everything that determines the compiled text.
     keys: Vec<UnitKey>,
+    /// Which values have sliders.
+    pub(super) choice: SliderChoice,
+    /// The sliders, computed on first use.
+    pub(super) sliders: OnceLock<Sliders>,
 }
 
 /// Everything that determines the compiled text of a pass: its channels, its code, and the text
@@ -74,6 +79,36 @@ impl Composed {
     pub fn is_of(&self, project: &Project) -> bool {
         let keys = project.passes.iter().map(UnitKey::of);
         self.keys.iter().eq(keys.collect::<Vec<_>>().iter())
+    }
+
+    /// Chooses which values have sliders.
+    pub fn choose_sliders(&mut self, choice: SliderChoice) {
+        self.choice = choice;
+        self.sliders = OnceLock::new();
+    }
+
+    /// The same passes with another text in one or several files. Returns `None` if the texts are
+    /// too large to be addressed.
+    pub(super) fn with_texts(&self, texts: &[(FileId, String)]) -> Option<Composed> {
+        let mut sources = Sources::new();
+        for (id, file) in (0..).map(FileId).zip(self.sources.files()) {
+            let changed = texts.iter().find(|(changed, _)| *changed == id);
+            let text = changed.map_or(file.text.clone(), |(_, text)| text.as_str().into());
+            sources.add(&file.path, file.part.clone(), file.role, text)?;
+        }
+        let units = self.units.iter().map(|unit| PassUnit {
+            files: unit.files.clone(),
+            checked: OnceLock::new(),
+            ..*unit
+        });
+        Some(Composed {
+            sources: Arc::new(sources),
+            units: units.collect(),
+            owners: self.owners.clone(),
+            keys: Vec::new(),
+            choice: self.choice,
+            sliders: OnceLock::new(),
+        })
     }
 
     /// Index of the pass that a text is the code of.
@@ -127,6 +162,8 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
         units,
         owners,
         keys: project.passes.iter().map(UnitKey::of).collect(),
+        choice: SliderChoice::Marked,
+        sliders: OnceLock::new(),
     })
 }
 

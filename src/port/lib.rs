@@ -35,9 +35,13 @@ mod same;
 mod script;
 mod signature;
 mod single;
+mod sliders;
 mod supply;
 #[cfg(feature = "naga")]
 mod translated;
+mod tuned;
+#[cfg(feature = "naga")]
+mod webgpu;
 
 pub use build::{build, still_file};
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
@@ -67,6 +71,10 @@ pub use rewrite::{NotSafe, rewrite};
 pub use script::{ScriptModule, module, react, three};
 pub use signature::{VolumeHead, kind_of_bytes, kind_of_name, why_not};
 pub use single::ShaderError;
+pub use sliders::SliderChoice;
 pub use supply::{Missing, missing};
 #[cfg(feature = "naga")]
 pub use translated::{CompleteShader, CompleteShaders, complete_shaders, translate_shaders};
+pub use tuned::slider_notes;
+#[cfg(feature = "naga")]
+pub use webgpu::channels_to_set;

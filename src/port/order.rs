@@ -18,6 +18,9 @@ pub enum Target {
     Module,
     /// Module for three.js: a RawShaderMaterial and its update function
     Three,
+    /// Module for three.js' WebGPURenderer: a MeshBasicNodeMaterial in WGSL and its update function
+    #[cfg(feature = "naga")]
+    ThreeWebgpu,
     /// React component, and the module that it imports
     React,
     /// ShaderToy export of the project
@@ -71,6 +74,8 @@ impl Target {
             Target::Html => "html",
             Target::Json => "json",
             Target::Module | Target::Three | Target::React => "js",
+            #[cfg(feature = "naga")]
+            Target::ThreeWebgpu => "js",
             Target::Glsl => "frag",
             #[cfg(feature = "naga")]
             Target::Wgsl => "wgsl",
@@ -95,8 +100,17 @@ impl Target {
         }
     }
 
+    /// Whether the output has sliders for values in the code.
+    pub fn has_sliders(self) -> bool {
+        matches!(self, Target::Html | Target::Module | Target::React)
+    }
+
     /// Whether the output consists of shaders only, without their inputs.
     pub fn is_shaders(self) -> bool {
+        #[cfg(feature = "naga")]
+        if self == Target::ThreeWebgpu {
+            return false;
+        }
         !matches!(
             self,
             Target::Html | Target::Module | Target::Three | Target::React | Target::Json

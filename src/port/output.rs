@@ -41,6 +41,9 @@ impl Build {
 pub enum BuildError {
     /// The project has a cube map pass, which modules for three.js do not support.
     Cubemap,
+    /// The module for WebGPURenderer does not support something of the project.
+    #[cfg(feature = "naga")]
+    NoWebGpu(String),
     /// Several passes, with these names, cannot be written to one file.
     NeedsFolder(Vec<String>),
 }
@@ -51,6 +54,8 @@ impl fmt::Display for BuildError {
             BuildError::Cubemap => f.write_str(
                 "three.js modules do not support cube map passes; use `--target module` instead",
             ),
+            #[cfg(feature = "naga")]
+            BuildError::NoWebGpu(reason) => f.write_str(reason),
             BuildError::NeedsFolder(names) => write!(
                 f,
                 "the project has {} passes ({}); use `-o FILE.html` for a page, or `-o FOLDER` for \

@@ -2,15 +2,15 @@
 
 use super::findings::{FindingData, findings};
 use super::media::is_gray;
+use super::sliders::Slider;
+use super::tuned::sliders;
 use super::{
-    Composed, Generator, Input, InputKind, OutputId, PassUnit, Project, ProjectPass, SizeTerm,
+    Composed, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
     UniformControl, UniformData, VERTEX, Wrapper, credits,
 };
-use rustc_hash::FxHashSet;
 use serde::Serialize;
-use shaderlint_semantic::tunable::{Tunable, may_hold_tunables, tunables};
 use shaderlint_semantic::{Pass, Sampler, Stage};
-use shaderlint_text::{FileId, Role, SourceFile, Sources};
+use shaderlint_text::{FileId, Role, SourceFile};
 
 #[derive(Serialize)]
 struct Payload<'a> {
@@ -22,7 +22,7 @@ struct Payload<'a> {
     vertex: &'static str,
     files: Vec<PayloadText<'a>>,
     passes: Vec<PassData<'a>>,
-    tunables: Vec<TunableData>,
+    tunables: Vec<Slider>,
     controls: &'a [UniformControl],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     media: Vec<MediaData>,
@@ -58,7 +58,7 @@ pub(super) struct PassData<'a> {
 #[derive(Serialize)]
 pub(super) struct OwnData<'a> {
     vertex: &'a str,
-    uniforms: &'a [UniformData],
+    pub(super) uniforms: &'a [UniformData],
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) size: Option<&'a [SizeTerm; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -104,19 +104,6 @@ struct StandInData {
     size: [u32; 3],
 }
 
-#[derive(Serialize)]
-struct TunableData {
-    name: String,
-    label: String,
-    value: f64,
-    min: f64,
-    max: f64,
-    integer: bool,
-    file: usize,
-    start: usize,
-    end: usize,
-}
-
 /// The project in the form that the player reads.
 pub(super) fn payload(project: &Project, composed: &Composed) -> String {
     let sources = &composed.sources;
@@ -132,7 +119,7 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
             .map(|(i, f)| text(project, composed.owner(FileId(i)), f))
             .collect(),
         passes: passes(project, composed),
-        tunables: all_tunables(composed),
+        tunables: named_sliders(project, composed),
         controls: &project.controls,
         media: media(project),
         findings: findings(composed),
@@ -275,76 +262,23 @@ fn input_data<'a>(input: &'a Input, buffer: Option<usize>, draws_cube: bool) -> 
     }
 }
 
-/// Whether a pass has tunable numbers.
-pub(super) fn has_tunables(composed: &Composed) -> bool {
-    composed
-        .units
-        .iter()
-        .any(|unit| !tunables_of(composed, unit).is_empty())
-}
-
-/// The tunable numbers of a pass.
-fn tunables_of(composed: &Composed, unit: &PassUnit) -> Vec<Tunable> {
-    let mut files = unit.files.iter().filter_map(|f| composed.sources.file(*f));
-    match files.any(|f| may_hold_tunables(&f.text)) {
-        true => tunables(&composed.analysis(unit).program),
-        false => Vec::new(),
-    }
-}
-
-/// The tunable numbers of all passes, without duplicates, with offsets in UTF-16 units.
-fn all_tunables(composed: &Composed) -> Vec<TunableData> {
-    let mut found: Vec<TunableData> = Vec::new();
-    let mut known: FxHashSet<u32> = FxHashSet::default();
-    for unit in &composed.units {
-        let mut units = Units::default();
-        for tunable in tunables_of(composed, unit) {
-            if known.insert(tunable.value_span.start) {
-                found.extend(tunable_data(&composed.sources, &tunable, &mut units));
-            }
+/// The sliders. A name with different values in several passes gets a slider for each, with the
+/// name of the pass.
+fn named_sliders(project: &Project, composed: &Composed) -> Vec<Slider> {
+    let mut named: Vec<Slider> = Vec::new();
+    for slider in &sliders(composed).list {
+        let is_other = |other: &Slider| {
+            let (a, b) = (other, slider);
+            a.name == b.name
+                && (a.kind, &a.value, &a.min, &a.max) != (b.kind, &b.value, &b.min, &b.max)
+        };
+        let mut slider = slider.clone();
+        if named.iter().any(is_other) {
+            let owner = composed.owner(slider.file);
+            let pass = owner.and_then(|i| Some(project.passes.get(i)?.title(i)));
+            slider.name = format!("{} ({})", slider.name, pass.unwrap_or_default());
         }
+        named.push(slider);
     }
-    found
-}
-
-/// Converts byte offsets to UTF-16 offsets, incrementally for increasing offsets.
-#[derive(Default)]
-struct Units {
-    file: Option<FileId>,
-    bytes: usize,
-    units: usize,
-}
-
-impl Units {
-    fn before(&mut self, file: FileId, text: &str, offset: usize) -> Option<usize> {
-        if self.file != Some(file) || offset < self.bytes {
-            *self = Units {
-                file: Some(file),
-                ..Units::default()
-            };
-        }
-        let between = text.get(self.bytes..offset)?;
-        self.units += between.chars().map(char::len_utf16).sum::<usize>();
-        self.bytes = offset;
-        Some(self.units)
-    }
-}
-
-fn tunable_data(sources: &Sources, tunable: &Tunable, units: &mut Units) -> Option<TunableData> {
-    let span = tunable.value_span;
-    let file = sources.file_id_at(span.start)?;
-    let text = sources.file(file)?;
-    let mut before = |address: u32| units.before(file, &text.text, (address - text.base) as usize);
-    let written = sources.text(span);
-    Some(TunableData {
-        name: sources.text(tunable.name).to_string(),
-        label: tunable.label.clone(),
-        value: tunable.value,
-        min: tunable.min,
-        max: tunable.max,
-        integer: !written.contains(['.', 'e', 'E']),
-        file: file.0 as usize,
-        start: before(span.start)?,
-        end: before(span.end)?,
-    })
+    named
 }

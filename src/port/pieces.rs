@@ -2,7 +2,7 @@
 //!
 //! `node tests/browser/minify.js` makes them from `player/*.js` and `player/page/*`.
 
-use super::payload::has_tunables;
+use super::tuned::sliders;
 use super::{Composed, InputKind, OutputId, Project, Wrapper};
 use shaderlint_semantic::{Pass, Stage};
 use shaderlint_text::Role;
@@ -100,7 +100,7 @@ impl PlayerParts {
         if own.any(|f| f.text.contains("iChannel")) && is_read_empty(project) {
             needs.add(&[PlayerPart::Images]);
         }
-        if has_tunables(composed) {
+        if !sliders(composed).list.is_empty() {
             needs.add(&[PlayerPart::Tunables, PlayerPart::Controls]);
         }
         if !project.controls.is_empty() {

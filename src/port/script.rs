@@ -2,6 +2,8 @@
 
 use super::payload::payload;
 use super::pieces::PlayerParts;
+#[cfg(feature = "naga")]
+use super::webgpu::WebGpuPass;
 use super::{Composed, ControlKind, Project, UniformControl, credits};
 
 /// What the module for three.js shares with the player: values of uniforms, sizes and sound.
@@ -16,6 +18,8 @@ const SHARED: [&str; 4] = [
 pub(super) const MOUNT: &str = include_str!("player/min/mount.js");
 const MATERIALS: &str = include_str!("player/materials.js");
 const THREE: &str = include_str!("player/three.js");
+#[cfg(feature = "naga")]
+const WEBGPU: &str = include_str!("player/webgpu.js");
 const REACT: &str = include_str!("player/react.js");
 const MOUNT_TYPES: &str = include_str!("player/mount.d.ts");
 const THREE_TYPES: &str = include_str!("player/three.d.ts");
@@ -57,6 +61,40 @@ pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
         code,
         types: with_uniforms(THREE_TYPES, project, three_type),
     }
+}
+
+/// A module for three.js' WebGPURenderer, which exports a `MeshBasicNodeMaterial` and its update
+/// function.
+#[cfg(feature = "naga")]
+pub(super) fn three_webgpu(project: &Project, passes: &[WebGpuPass]) -> ScriptModule {
+    // Serialisation fails only for maps with keys that are not strings, and for failing writers.
+    let data = escape(&serde_json::to_string(passes).unwrap_or_default());
+    let controls = escape(&serde_json::to_string(&project.controls).unwrap_or_default());
+    let code = format!(
+        "{}const PASSES = {data};\n\nconst CONTROLS = {controls};\n\n{}{WEBGPU}",
+        comment(project),
+        SHARED.concat(),
+    );
+    let types = THREE_TYPES
+        .replace("WebGLRenderer", "WebGPURenderer")
+        .replace("RawShaderMaterial", "MeshBasicNodeMaterial")
+        .replace("IUniform, ", "")
+        .replace("'three'", "'three/webgpu'");
+    ScriptModule {
+        code,
+        types: with_uniforms(&types, project, webgpu_type),
+    }
+}
+
+/// The TypeScript type of a uniform in a module for WebGPURenderer.
+#[cfg(feature = "naga")]
+fn webgpu_type(control: &UniformControl) -> String {
+    let of_three = three_type(control);
+    let inner = of_three
+        .trim_start_matches("IUniform<")
+        .trim_end_matches('>');
+    // WGSL has no uniforms of type `bool`.
+    format!("{{ value: {} }}", inner.replace("boolean", "number"))
 }
 
 /// A React component that imports [`module`] under this name.

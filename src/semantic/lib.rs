@@ -32,6 +32,7 @@ pub mod snippet;
 mod structure;
 mod target;
 pub mod tunable;
+mod tunable_mark;
 mod types;
 mod typing;
 mod undefined;

@@ -19,9 +19,10 @@ import { pageTests } from './page.js';
 import { pixelTests } from './pixels.js';
 import { rewriteTests } from './rewritten.js';
 import { serveTests } from './serve.js';
+import { threeWebgpuTests } from './three_webgpu.js';
 import { unitTests } from './units.js';
 import { verdictTests } from './verdicts.js';
-import { webgpuTests } from './webgpu.js';
+import { hasWgsl, webgpuTests } from './webgpu.js';
 
 const { values: options, positionals: words } = parseArgs({
   allowPositionals: true,
@@ -51,6 +52,7 @@ const tests = [
   ...verdictTests(seed),
   ...mediaTests,
   ...(await webgpuTests()),
+  ...((await hasWgsl()) ? threeWebgpuTests : []),
   ...(await corpusTests()),
   ...rewriteTests(),
   ...moduleTests,

@@ -9,7 +9,7 @@ const from = path.join(import.meta.dirname, '../../src/port/player');
 const to = path.join(from, 'min');
 
 /** Types only, or modules that users read. */
-const KEPT = ['types.js', 'materials.js', 'three.js', 'react.js'];
+const KEPT = ['types.js', 'materials.js', 'three.js', 'react.js', 'webgpu.js'];
 
 /** Names that the converter writes. */
 const RESERVED = ['PROJECT', 'mount', 'openPage', 'startFrame', 'receiveProject', 'followChanges'];
@@ -18,8 +18,16 @@ const RESERVED = ['PROJECT', 'mount', 'openPage', 'startFrame', 'receiveProject'
 const nameCache = { vars: { props: {} } };
 const options = () => ({ compress: { passes: 3 }, mangle: { toplevel: true, reserved: RESERVED }, nameCache, ecma: 2022 });
 
+/** A function that two scripts define would silently replace the first one. */
+function refuseTwins(scripts) {
+  const all = scripts.flatMap((name) => [...read(name).matchAll(/^(?:export )?(?:async )?function\*? (\w+)/gm)].map((found) => found[1]));
+  const twins = all.filter((name, i) => all.indexOf(name) !== i);
+  if (twins.length > 0) throw new Error(`several scripts define ${twins.join(', ')}`);
+}
+
 /** Gives each name of the shared scope its short name. */
 async function nameAll(scripts) {
+  refuseTwins(scripts);
   const text = scripts.map((name) => read(name).replace(/^export default .*$/m, '').replace(/^export /m, ''));
   await minify(text.join('\n'), options());
 }

@@ -8,12 +8,15 @@ import { bytesOf, colors, differences, folder, listen, put, shaderport, top } fr
 import { CASES } from './cases.js';
 import { reference } from './reference.js';
 
-const HOST = 'http://page.test/';
+/** WebGPU requires a secure context. */
+const HOST = 'http://page.localhost/';
 const packages = path.join(top, 'tests/browser/node_modules');
 
 /** The files for bare imports; React's own files are CommonJS and need a wrapper. */
 const IMPORTS = {
   three: '/packages/three/build/three.module.js',
+  'three/webgpu': '/packages/three/build/three.webgpu.js',
+  'three/tsl': '/packages/three/build/three.tsl.js',
   react: '/react.js',
   'react-dom/client': '/react-dom.js',
 };
@@ -47,7 +50,7 @@ export const { ${names.join(', ')} } = all;
 }
 
 /** A page that can import the files in the folder of the tests. */
-async function host(context, body) {
+export async function host(context, body) {
   const page = await context.newPage();
   const complaints = listen(page);
   // Routes are answered outside the test.

@@ -30,17 +30,22 @@ function logs() {
   assert.deepEqual(mapErrors('the link failed', files, 'Image'), [{ pass: 'Image', line: 0, text: 'the link failed' }]);
 }
 
-/** A project with one text that contains one tunable number. */
-function tuned(text, number) {
-  const start = text.indexOf(number);
-  const tunable = { name: 'N', label: '', value: Number(number), min: 0, max: 8, integer: !number.includes('.'), file: 0, start, end: start + number.length };
+/** A project with one text that contains one tunable value. */
+function tuned(text, literals, scalar, value) {
+  const start = text.indexOf(literals);
+  const ends = { min: value.map(() => 0), max: value.map(() => 8) };
+  const tunable = { name: 'N', label: '', kind: '', scalar, value, ...ends, file: 0, start, end: start + literals.length };
   return { files: [{ name: '', text, hidden: false }], tunables: [tunable] };
 }
 
 function tunables() {
   const { changeText, setNumber } = load(['parts.js', 'tunable.js', 'programs.js'], ['changeText', 'setNumber']);
-  const found = (project) => project.tunables.map((t) => [project.files[0].text.slice(t.start, t.end), t.value]);
-  const text = 'a = 1.5; b';
+  const found = (project) => project.tunables.map((t) => [project.files[0].text.slice(t.start, t.end), ...t.value]);
+  const moved = (text, literals, scalar, value, after) => {
+    const project = tuned(text, literals, scalar, value);
+    changeText(project, 0, after);
+    return found(project);
+  };
   for (const [after, expected] of [
     ['x a = 1.5; b', [['1.5', 1.5]]],
     ['a = 1.5; bcd', [['1.5', 1.5]]],
@@ -50,18 +55,30 @@ function tunables() {
     ['a = x; b', []],
     ['', []],
   ]) {
-    const project = tuned(text, '1.5');
-    changeText(project, 0, after);
-    assert.deepEqual(found(project), expected, after);
+    assert.deepEqual(moved('a = 1.5; b', '1.5', 'float', [1.5], after), expected, after);
   }
-  const project = tuned(text, '1.5');
+  for (const [after, expected] of [
+    ['vec3(1., 2.5, 3.)', [['1., 2.5, 3.', 1, 2.5, 3]]],
+    ['vec3(-1., 2., 3.)', [['-1., 2., 3.', -1, 2, 3]]],
+    ['vec3(1., 3.)', []],
+    ['vec3(4.)', [['4.', 4, 4, 4]]],
+    ['x vec3(1., 2., 3.)', [['1., 2., 3.', 1, 2, 3]]],
+  ]) {
+    assert.deepEqual(moved('vec3(1., 2., 3.)', '1., 2., 3.', 'float', [1, 2, 3], after), expected, after);
+  }
+  assert.deepEqual(moved('b = true;', 'true', 'bool', [1], 'b = false;'), [['false', 0]]);
+  const set = (text, literals, scalar, value, written) => {
+    const project = tuned(text, literals, scalar, value);
+    setNumber(project, project.tunables[0], written);
+    return project.files[0].text;
+  };
   for (const [value, written] of [[1e9, '8.0'], [-1, '0.0'], [2.25, '2.25'], [1.5, '1.5']]) {
-    setNumber(project, project.tunables[0], value);
-    assert.equal(project.files[0].text, `a = ${written}; b`);
+    assert.equal(set('a = 1.5; b', '1.5', 'float', [1.5], [value]), `a = ${written}; b`);
   }
-  const whole = tuned('N 4 x', '4');
-  setNumber(whole, whole.tunables[0], 6.6);
-  assert.equal(whole.files[0].text, 'N 7 x');
+  assert.equal(set('N 4 x', '4', 'int', [4], [6.6]), 'N 7 x');
+  assert.equal(set('N = 4u;', '4u', 'uint', [4], [5]), 'N = 5u;');
+  assert.equal(set('N = true;', 'true', 'bool', [1], [0]), 'N = false;');
+  assert.equal(set('vec3(.5)', '.5', 'float', [0.5, 0.5, 0.5], [1, 0.25, 0]), 'vec3(1.0, 0.25, 0.0)');
 }
 
 function clock() {

@@ -7,7 +7,7 @@ import { exportsOf, lightExports, read, sweptExports, templates } from './corpus
 import { beside } from './webgpu_host.js';
 
 /** The converter, built with the target languages of naga. */
-const CONVERTER = process.env.SHADERPORT_WGSL || program('shaderport');
+export const CONVERTER = process.env.SHADERPORT_WGSL || program('shaderport');
 
 const SIZE = { width: 64, height: 36 };
 /** The compared frame; earlier frames are drawn, too. */
@@ -79,7 +79,7 @@ async function exported(context, file, name) {
 }
 
 /** Whether the program was built with the target languages of naga. */
-async function hasWgsl() {
+export async function hasWgsl() {
   try {
     const probe = put('probe.glsl', 'void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n');
     return (await run(CONVERTER, probe, '-o', path.join(folder(), 'probe.wgsl'), '--force')).code === 0;

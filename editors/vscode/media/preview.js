@@ -65,9 +65,14 @@ async function loaded(frame) {
     frame.contentWindow.addEventListener('keydown', passOn);
 }
 
-/** Stores the numbers in the code. */
+/** A tunable value as the code has it. */
+function written(project, { file, start, end }) {
+    return project.files[file].text.slice(start, end);
+}
+
+/** Stores the values in the code. */
 function remember(frame, player) {
-    frame.numbers = new Map(player.project.tunables.map(({ name, value }) => [name, value]));
+    frame.numbers = new Map(player.project.tunables.map((tunable) => [tunable.name, written(player.project, tunable)]));
     frame.controls = new Map([...player.controls].map(([name, value]) => [name, JSON.stringify(value)]));
 }
 
@@ -75,10 +80,11 @@ function remember(frame, player) {
 function carry(from, to) {
     const [old, face] = [faceOf(from), faceOf(to)];
     const { clock, isPlaying, mouse, project } = old.player;
-    for (const { name, value } of project.tunables) {
+    for (const tunable of project.tunables) {
+        const { name, value } = tunable;
         const came = from.numbers.get(name);
-        // A number that changed in the code takes precedence.
-        if (value !== came && to.numbers.get(name) === came) face.player.setTunable(name, value);
+        // A value that changed in the code takes precedence.
+        if (written(project, tunable) !== came && to.numbers.get(name) === came) face.player.setTunable(name, value);
     }
     for (const [name, value] of old.player.controls) {
         const isSet = JSON.stringify(value) !== from.controls.get(name);
@@ -104,16 +110,17 @@ function forget(frame) {
     frame?.remove();
 }
 
-/** The numbers that differ from those in the code. */
+/** The values that differ from those in the code, as texts. */
 function setNumbers() {
-    const tunables = faceOf(shown)?.player.project.tunables ?? [];
-    return tunables.filter(({ name, value }) => value !== shown.numbers.get(name));
+    const project = faceOf(shown)?.player.project;
+    const texts = project?.tunables.map((tunable) => ({ name: tunable.name, text: written(project, tunable) })) ?? [];
+    return texts.filter(({ name, text }) => text !== shown.numbers.get(name));
 }
 
 function offerNumbers() {
     const numbers = setNumbers();
     offer.hidden = numbers.length === 0;
-    const words = numbers.map(({ name, value }) => `${name} ${Number(value.toPrecision(4))}`);
+    const words = numbers.map(({ name, text }) => `${name} ${text}`);
     offer.querySelector('span').textContent = words.join(', ');
 }
 
@@ -133,8 +140,7 @@ function tellTime() {
 }
 
 offer.querySelector('button').addEventListener('click', () => {
-    const numbers = setNumbers().map(({ name, value, integer }) => ({ name, value, integer }));
-    vscode.postMessage({ type: 'write', numbers });
+    vscode.postMessage({ type: 'write', numbers: setNumbers() });
 });
 window.addEventListener('message', ({ data }) => {
     if (data.type === 'page') load(data.html);

@@ -2,7 +2,6 @@
 // and transfers the state of the player from one page to the next.
 import * as vscode from 'vscode';
 import { ErrorCodes, type LanguageClient, RequestType, ResponseError } from 'vscode-languageclient/node';
-import { text } from './tune';
 
 const VIEW = 'shaderlint.preview';
 /** The delay between the last change and the request for a new page, in milliseconds. */
@@ -14,7 +13,7 @@ const PAGE = new RequestType<{ textDocument: { uri: string } }, { html: string }
 type Told =
     | { type: 'ready' }
     | { type: 'time'; time: number }
-    | { type: 'write'; numbers: { name: string; value: number; integer: boolean }[] };
+    | { type: 'write'; numbers: { name: string; text: string }[] };
 
 /** All previews, one for each document. */
 export class Previews implements vscode.Disposable, vscode.WebviewPanelSerializer {
@@ -161,23 +160,26 @@ function reason(error: unknown): string {
     return error instanceof Error ? error.message : String(error);
 }
 
-/** Writes numbers that were set in the page into their `#define`s. */
-async function write(uri: vscode.Uri, numbers: { name: string; value: number; integer: boolean }[]): Promise<void> {
+const LITERAL = '(?:true|false|[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?[uU]?)';
+const LITERALS = `${LITERAL}(?:[ \\t]*,[ \\t]*${LITERAL})*`;
+
+/** Writes values that were set in the page into their `#define`s and constants. */
+async function write(uri: vscode.Uri, numbers: { name: string; text: string }[]): Promise<void> {
     const document = await vscode.workspace.openTextDocument(uri);
     const code = document.getText();
     const edit = new vscode.WorkspaceEdit();
-    for (const { name, value, integer } of numbers) {
+    for (const { name, text } of numbers) {
         // The shader may come from a stranger.
-        if (!/^[A-Za-z_]\w*$/.test(name) || !Number.isFinite(value)) continue;
-        const head = `^([ \\t]*#[ \\t]*define[ \\t]+${name}[ \\t]+)`;
-        const found = new RegExp(`${head}([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)`, 'm').exec(code);
+        if (!/^[A-Za-z_]\w*$/.test(name) || !new RegExp(`^${LITERALS}$`).test(text)) continue;
+        const head = `(?:#[ \\t]*define[ \\t]+${name}[ \\t]+|(?:.*[ \\t])?const[ \\t][^;/]*\\b${name}[ \\t]*=[ \\t]*)`;
+        const found = new RegExp(`^([ \\t]*${head}(?:[iu]?vec[234][ \\t]*)?\\(?[ \\t]*)(${LITERALS})`, 'm').exec(code);
         if (!found) {
-            void vscode.window.showWarningMessage(`This file has no \`#define ${name}\` with a number.`);
+            void vscode.window.showWarningMessage(`This file has no \`${name}\` with a number.`);
             continue;
         }
         const start = found.index + (found[1] ?? '').length;
         const end = start + (found[2] ?? '').length;
-        edit.replace(uri, new vscode.Range(document.positionAt(start), document.positionAt(end)), text(value, integer));
+        edit.replace(uri, new vscode.Range(document.positionAt(start), document.positionAt(end)), text);
     }
     await vscode.workspace.applyEdit(edit);
 }

@@ -4,7 +4,7 @@ use super::read;
 use crate::cli::output::Overwrite;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
-use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, Target};
+use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, SliderChoice, Target};
 use clap::{Args, Parser, Subcommand};
 use std::path::{Path, PathBuf};
 
@@ -74,6 +74,9 @@ pub struct PortArgs {
     /// How plain shaders get a `main` function
     #[arg(long, value_enum, default_value_t, value_name = "HOW", help_heading = OUTPUT)]
     pub(super) main: MainChoice,
+    /// Values in the code that get sliders in pages and modules
+    #[arg(long, value_enum, default_value_t, value_name = "WHICH", help_heading = OUTPUT)]
+    pub(super) sliders: SliderChoice,
     /// Overwrite existing files
     #[arg(long, help_heading = OUTPUT)]
     pub(super) force: bool,

@@ -12,7 +12,9 @@ use crate::cli::output::diff;
 use crate::cli::run::Progress;
 use crate::engine::{Original, Repairs, Verified, repairable, verify};
 use crate::exec::Equality;
-use crate::port::{Composed, File, Poster, Project, Target, build, missing};
+#[cfg(feature = "naga")]
+use crate::port::channels_to_set;
+use crate::port::{Composed, File, Poster, Project, Target, build, missing, slider_notes};
 use crate::report::{Format, Reporter};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -86,8 +88,13 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
         return Ok(nothing(FINDINGS));
     }
     if !target.is_shaders() {
-        let missing = missing(&project).into_iter().map(|what| what.to_string());
-        for note in notes.into_iter().chain(missing) {
+        let missing = channel_notes(&project, target).into_iter();
+        let sliders = match target.has_sliders() {
+            true => slider_notes(&composed),
+            false => &[],
+        };
+        let notes = notes.into_iter().chain(missing);
+        for note in notes.chain(sliders.iter().cloned()) {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
@@ -103,6 +110,17 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
         read,
         code,
     })
+}
+
+/// Notes about channels without their content.
+fn channel_notes(project: &Project, target: Target) -> Vec<String> {
+    #[cfg(feature = "naga")]
+    if target == Target::ThreeWebgpu {
+        return channels_to_set(project).into_iter().collect();
+    }
+    let _ = target;
+    let all = missing(project).into_iter();
+    all.map(|what| what.to_string()).collect()
 }
 
 pub(super) fn print(text: &[u8]) -> Result<(), String> {

@@ -97,7 +97,8 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         read.extend(siblings.keys().map(|asked| folder_of(path).join(asked)));
     }
     read.extend(carried.paths().cloned());
-    let composed = project.renew(composed, &name).map_err(wrong)?;
+    let mut composed = project.renew(composed, &name).map_err(wrong)?;
+    composed.choose_sliders(args.sliders);
     Ok(LoadedProject {
         project,
         composed,

@@ -5,7 +5,7 @@ use super::with_usual;
 use crate::{ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl};
 use serde::Serialize;
 use shaderlint_host::{Feed, FeedRow, Preset, TextureFeed, TextureRow, is_named};
-use shaderlint_semantic::tunable::range_after;
+use shaderlint_semantic::tunable::{is_color, range_after};
 use shaderlint_semantic::{
     Program, Sampler, Scalar, Stage, Storage, Value, Variable, VariableId, channel,
 };
@@ -307,14 +307,6 @@ fn number(value: &Value) -> f64 {
         Value::Uint(n) => f64::from(n),
         Value::Float(n) => f64::from(n),
     }
-}
-
-/// Whether a name suggests a colour.
-fn is_color(name: &str) -> bool {
-    let name = name.to_ascii_lowercase();
-    ["color", "colour", "tint", "rgb"]
-        .iter()
-        .any(|w| name.contains(w))
 }
 
 #[cfg(test)]

@@ -475,8 +475,10 @@ fn middle(control: &UniformControl) -> Vec<f64> {
 
 /// The values of a menu with their labels.
 fn choices(input: &Map<String, Value>) -> Vec<ControlChoice> {
-    let values = input.get("VALUES").map(numbers).unwrap_or_default();
     let labels = input.get("LABELS").and_then(Value::as_array);
+    let count = labels.map_or(0, |labels| labels.len() as u32);
+    let values = input.get("VALUES").map(numbers);
+    let values = values.unwrap_or_else(|| (0..count).map(f64::from).collect());
     let label = |i: usize, value: f64| match labels.and_then(|l| l.get(i)) {
         Some(Value::String(text)) => text.clone(),
         Some(other) => other.to_string(),

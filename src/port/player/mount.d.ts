@@ -69,10 +69,10 @@ export interface Mounted {
   setKey(code: number, down: boolean): void;
   setSound(on: boolean): void;
   /**
-   * Sets a tunable number, within the limits of its author, and recompiles. Rejects with a RangeError for
-   * an unknown name, with a TypeError if the value is not a number.
+   * Sets a number, switch, vector or colour in the code that its author made tunable, within its limits, and
+   * recompiles. Rejects with a RangeError for an unknown name, with a TypeError for a value that is not a number.
    */
-  setTunable(name: string, value: number): Promise<void>;
+  setTunable(name: string, value: number | boolean | number[]): Promise<void>;
   /** The uniforms that you can set. A new value applies to the next frame, without recompiling. */
   readonly uniforms: Uniforms;
   /** Labels, widgets and ranges of these uniforms. */

@@ -53,7 +53,7 @@ export function mount(canvas, options = {}) {
     setKey: (code, down) => player.setKey(code, down),
     /** @param {boolean} on */
     setSound: (on) => player.setSound(on),
-    /** @param {string} name @param {number} value */
+    /** @param {string} name @param {number | boolean | number[]} value */
     setTunable: (name, value) => player.setTunable(name, value),
     uniforms: uniformsOf(player),
     get controls() {

@@ -8,7 +8,7 @@
  *   setOwnUniforms?: typeof setOwnUniforms, setOwnSizes?: typeof setOwnSizes, ownSize?: typeof ownSize,
  *   numberVertices?: typeof numberVertices, drawVertices?: typeof drawVertices,
  *   plainTexture?: typeof plainTexture, samplerTarget?: typeof targetOf,
- *   setNumber?: typeof setNumber, moveNumbers?: typeof moveNumbers,
+ *   setTunables?: typeof setTunables, moveNumbers?: typeof moveNumbers,
  * }}
  */
 const parts = {};

@@ -359,14 +359,11 @@ class Player {
   }
 
   /**
-   * Sets a tunable number, within the limits of its author, and recompiles.
-   * @param {string} name @param {number} value
+   * Sets a tunable value, within the limits of its author, and recompiles.
+   * @param {string} name @param {number | boolean | (number | boolean)[]} value
    */
   async setTunable(name, value) {
-    const all = this.project.tunables.filter((t) => t.name === name);
-    if (all.length === 0) throw new RangeError(`unknown tunable: ${name}`);
-    if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`${name} must be a number`);
-    for (const tunable of all) parts.setNumber?.(this.project, tunable, value);
+    if (!parts.setTunables?.(this.project, name, value)) throw new RangeError(`unknown tunable: ${name}`);
     await this.compile();
     this.poke();
   }

@@ -71,7 +71,8 @@
  * A uniform set by the user.
  * @typedef {object} ControlData
  * @property {string} name of the uniform
- * @property {string} label
+ * @property {string} label shown as its name
+ * @property {string} [about] a description
  * @property {string} kind float, int, bool, color, point, vector, choice or event
  * @property {number[]} value one number per component
  * @property {number[]} [min]
@@ -80,16 +81,17 @@
  */
 
 /**
- * A number in the code that its author made tunable.
+ * A value in the code that its author made tunable.
  * @typedef {object} TunableData
  * @property {string} name
  * @property {string} label
- * @property {number} value
- * @property {number} min
- * @property {number} max
- * @property {boolean} integer
+ * @property {string} kind float, int, bool, vector or color
+ * @property {string} scalar the type of its literals: float, int, uint or bool
+ * @property {number[]} value one number per component
+ * @property {number[]} min
+ * @property {number[]} max
  * @property {number} file index of the text
- * @property {number} start offset of the number in it
+ * @property {number} start offset of the first literal in it
  * @property {number} end
  */
 

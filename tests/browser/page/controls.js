@@ -34,6 +34,75 @@ async function sliders(context) {
   assert.deepEqual(complaints, []);
 }
 
+const CONSTANTS = `const float SPEED = 0.25; // (0~1)
+const int N = 2; // (1~4)
+const int TWICE = 2 * N;
+const vec3 SKY = vec3(.2, .4, .6); // Sky (color)
+const vec2 SHIFT = vec2(0); //! slider[(-1,-1), (0,0), (1,1)]
+const bool ON = true;
+#define GAIN 1.0 // in {0.0, 2.0}
+`;
+
+/** Constants have sliders; what is computed from them follows, and the page draws the same until one is moved. */
+async function constants(context) {
+  const image = `void mainImage(out vec4 O, vec2 U) {
+    float all[TWICE];
+    for (int i = 0; i < TWICE; i++) all[i] = float(i) * SPEED;
+    O = vec4(GAIN * SKY + SHIFT.xyx + vec3(ON ? 0.0 : 0.4), 1.0) + all[TWICE - 1] * 0.1 + iTime * 0.0;
+  }`;
+  const shader = { renderpass: [['common', CONSTANTS], ['image', image]].map(([type, code]) => ({ type, code, inputs: [], outputs: [] })) };
+  const hash = '#size=8x8&t=0.3&paused';
+  const plain = await show(context, 'plain-constants', shader, hash, '--sliders', 'none');
+  assert.equal(await plain.page.evaluate(() => globalThis.shaderport.player.project.tunables.length), 0);
+  const before = await pixels(plain.page);
+  const { page, complaints } = await show(context, 'constants', shader, hash);
+  assert.deepEqual(await pixels(page), before);
+  await openTab(page, 'Controls');
+  assert.deepEqual(await page.$$eval('#sliders input:not([type=number])', (all) => all.map((i) => `${i.name} ${i.type}`)), [
+    'GAIN range', 'SPEED range', 'N range', 'SKY color', 'SHIFT.x range', 'SHIFT.y range', 'ON checkbox',
+  ]);
+  const drawn = (sky, add) => [...sky.map((c) => Math.min(Math.round(255 * (c + add)), 255)), 255];
+  const shows = (expected) => page.waitForFunction((wanted) => {
+    const { gl } = globalThis.shaderport.player;
+    const bytes = new Uint8Array(4);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return wanted.every((v, i) => Math.abs(v - bytes[i]) <= 1);
+  }, expected);
+  await shows(drawn([0.2, 0.4, 0.6], 0.075));
+  await page.fill('input[name=N]', '4');
+  await shows(drawn([0.2, 0.4, 0.6], 0.175));
+  await page.fill('input[name=SKY]', '#0080ff');
+  await page.fill('input[name="SHIFT.y"]', '0.25');
+  await shows(drawn([0, 0.752, 1], 0.175));
+  await page.uncheck('input[name=ON]');
+  await shows([147, 255, 255, 255]);
+  await page.waitForFunction(() => ['u.N=4', 'u.SKY=0,0.502,1', 'u.SHIFT=0,0.25', 'u.ON=0'].every((w) => location.hash.includes(w)));
+  await page.click('#sliders > button:text-is("Reset all")');
+  await becomes(page, before);
+  assert.deepEqual(complaints, []);
+}
+
+/** Labels of ISF are the names of its controls; the uniforms keep theirs. */
+async function labels(context) {
+  const code = `/*{ "ISFVSN": "2", "INPUTS": [
+    { "NAME": "amount", "LABEL": "Strength", "TYPE": "float", "DEFAULT": 0.5 },
+    { "NAME": "mode", "LABEL": "Mode of it", "TYPE": "long", "LABELS": [ "Soft", "Hard" ], "VALUES": [ 2, 5 ], "DEFAULT": 5 },
+    { "NAME": "plain", "TYPE": "bool" }
+  ] }*/
+  void main() { gl_FragColor = vec4(amount, float(mode) / 5.0, plain ? 1.0 : 0.0, 1.0); }`;
+  const { page, complaints } = await show(context, 'labels', code, '#size=8x8&paused&u.amount=0.25');
+  await openTab(page, 'Controls');
+  assert.deepEqual(await page.$$eval('#sliders .head > :first-child', (all) => all.map((n) => [n.textContent, n.title])), [
+    ['Strength', 'amount'], ['Mode of it', 'mode'], ['plain', 'plain'],
+  ]);
+  assert.equal(await page.inputValue('input[name=amount]'), '0.25');
+  assert.equal(await page.getAttribute('input[name=amount]', 'aria-label'), 'Strength');
+  assert.deepEqual(await page.$$eval('select[name=mode] option', (all) => all.map((o) => [o.textContent, o.value])), [['Soft', '2'], ['Hard', '5']]);
+  await page.selectOption('select[name=mode]', '2');
+  await page.waitForFunction(() => location.hash.includes('u.mode=2'));
+  assert.deepEqual(complaints, []);
+}
+
 async function restored(context) {
   const { page, complaints } = await show(context, 'restored', MOVING, '#size=64x36&t=1e308&paused&u.SPEED=3&u.STRIPES=1000&u.NONE=1');
   await page.waitForFunction(() => /SPEED 3\.0[\s\S]*STRIPES 9 /.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
@@ -159,6 +228,8 @@ async function heavy(context) {
 
 export const controlTests = [
   { name: 'page: sliders from tunable numbers', run: sliders, context: desk },
+  { name: 'page: sliders for constants', run: constants, context: desk },
+  { name: 'page: labels of ISF', run: labels, context: desk },
   { name: 'page: options in the address', run: restored, context: desk },
   { name: 'page: copying the link, the shader and the module', run: copied, context: desk },
   { name: 'page: the scale stays in the address', run: scale, context: desk },

@@ -7,6 +7,11 @@ function shortNumber(value) {
   return String(Number(value.toPrecision(4)));
 }
 
+/** The name that the user sees. @param {ControlData} data */
+function shownName(data) {
+  return data.label || data.name;
+}
+
 /** A slider and a number box for one component. @param {ControlData} data @param {number} lane @param {(value: number) => void} write */
 function lane(data, lane, write) {
   const isWhole = data.kind === 'int';
@@ -15,13 +20,14 @@ function lane(data, lane, write) {
   slider.type = 'range';
   box.type = 'number';
   const [least, most] = [data.min?.[lane] ?? 0, data.max?.[lane] ?? 1];
-  const name = data.value.length > 1 ? `${data.name}.${'xyzw'[lane]}` : data.name;
+  const component = data.value.length > 1 ? `.${'xyzw'[lane]}` : '';
+  const label = shownName(data) + component;
   for (const input of [slider, box]) {
     input.min = String(least);
     input.max = String(most);
-    input.setAttribute('aria-label', input === box ? `${name}, number` : name);
+    input.setAttribute('aria-label', input === box ? `${label}, number` : label);
   }
-  slider.name = name;
+  slider.name = data.name + component;
   slider.step = isWhole ? '1' : 'any';
   box.step = isWhole ? '1' : shortNumber((most - least) / 100);
   slider.addEventListener('input', () => write(Number(shortNumber(Number(slider.value)))));
@@ -55,7 +61,7 @@ function switchFace(data, write) {
   box.type = 'checkbox';
   box.name = data.name;
   box.id = `u.${data.name}`;
-  box.setAttribute('aria-label', data.name);
+  box.setAttribute('aria-label', shownName(data));
   box.addEventListener('change', () => write([box.checked ? 1 : 0]));
   return {
     nodes: [box],
@@ -70,12 +76,12 @@ function colorFace(data, write, read) {
   const picker = document.createElement('input');
   picker.type = 'color';
   picker.name = data.name;
-  picker.setAttribute('aria-label', data.name);
+  picker.setAttribute('aria-label', shownName(data));
   picker.addEventListener('input', () => {
     const color = [1, 3, 5].map((at) => Number((parseInt(picker.value.slice(at, at + 2), 16) / 255).toFixed(4)));
     write([...color, ...read().slice(3)]);
   });
-  const alpha = data.value.length > 3 ? lane({ ...data, name: `${data.name}, opacity`, value: [data.value[3]], min: [0], max: [1] }, 0, (v) => write([...read().slice(0, 3), v])) : null;
+  const alpha = data.value.length > 3 ? lane({ ...data, name: `${data.name}, opacity`, label: `${shownName(data)}, opacity`, value: [data.value[3]], min: [0], max: [1] }, 0, (v) => write([...read().slice(0, 3), v])) : null;
   const node = make('div', '', 'lane');
   node.append(picker, ...(alpha ? [alpha.slider, alpha.box] : []));
   return {
@@ -124,7 +130,7 @@ function pointFace(data, write, read) {
 function choiceFace(data, write) {
   const select = document.createElement('select');
   select.name = data.name;
-  select.setAttribute('aria-label', data.name);
+  select.setAttribute('aria-label', shownName(data));
   for (const { label, value } of data.choices ?? []) select.add(new Option(label, String(value)));
   select.addEventListener('change', () => write([Number(select.value)]));
   return {
@@ -140,7 +146,7 @@ function eventFace(data, write) {
   const button = makeButton('Trigger', () => {
     write([1]);
     requestAnimationFrame(() => requestAnimationFrame(() => write([0])));
-  }, data.name);
+  }, shownName(data));
   return { nodes: [button], show: () => {} };
 }
 
@@ -160,7 +166,7 @@ function controlRow(control) {
   };
   const read = () => control.read() ?? data.value;
   const face = (FACES[data.kind] ?? sliderFace)(data, write, read);
-  const reset = makeButton('↺', () => write([...data.value]), `Reset ${data.name}`);
+  const reset = makeButton('↺', () => write([...data.value]), `Reset ${shownName(data)}`);
   reset.className = 'undo';
   const show = () => {
     const value = control.read();
@@ -171,11 +177,12 @@ function controlRow(control) {
   };
   const head = make('div', '', 'head');
   const isShort = ['bool', 'choice', 'event'].includes(data.kind);
-  const name = make(data.kind === 'bool' ? 'label' : 'b', data.name);
+  const name = make(data.kind === 'bool' ? 'label' : 'b', shownName(data));
+  name.title = data.name;
   if (data.kind === 'bool') name.setAttribute('for', face.nodes[0].id);
   head.append(name, reset, ...(isShort ? face.nodes : []));
   row.append(head, ...(isShort ? [] : face.nodes));
-  if (data.label && data.label.toLowerCase() !== data.name.toLowerCase()) row.append(make('small', data.label));
+  if (data.about && data.about.toLowerCase() !== data.name.toLowerCase()) row.append(make('small', data.about));
   show();
   return { row, show };
 }

@@ -8,11 +8,11 @@
  * @property {(value: number[]) => void} write
  */
 
-/** A tunable number as a control. @param {TunableData} tunable @returns {ControlData} */
+/** A tunable value as a control. Its label is a description. @param {TunableData} tunable @returns {ControlData} */
 function controlOfTunable(tunable) {
+  const { name, label, kind, value } = tunable;
   const [min, max] = limits(tunable);
-  const kind = !tunable.integer ? 'float' : min === 0 && max === 1 ? 'bool' : 'int';
-  return { name: tunable.name, label: tunable.label, kind, value: [tunable.value], min: [min], max: [max] };
+  return { name, label: name, about: label, kind, value, min, max };
 }
 
 /** @param {Player} player @returns {Control[]} */
@@ -23,12 +23,9 @@ function allControls(player) {
   const tunable = (name) => player.project.tunables.find((t) => t.name === name);
   const tuned = names.map((name) => ({
     data: controlOfTunable(/** @type {TunableData} */ (tunable(name))),
-    read: () => {
-      const found = tunable(name);
-      return found ? [found.value] : null;
-    },
+    read: () => tunable(name)?.value ?? null,
     /** @param {number[]} value */
-    write: (value) => void player.setTunable(name, value[0]),
+    write: (value) => void player.setTunable(name, value),
   }));
   const set = (project.controls ?? []).map((control) => ({
     data: structuredClone(control),
