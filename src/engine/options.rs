@@ -108,17 +108,18 @@ pub enum DialectChoice {
 }
 
 /// The version that shaders are converted to.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-#[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
+#[cfg(feature = "cli")]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Deserialize, schemars::JsonSchema)]
 pub enum TargetVersion {
     /// GLSL ES 3.00.
-    #[cfg_attr(feature = "cli", serde(rename = "300 es"))]
+    #[serde(rename = "300 es")]
     Es300,
     /// Shaders are not converted.
-    #[cfg_attr(feature = "cli", serde(rename = "any"))]
+    #[serde(rename = "any")]
     Any,
 }
 
+#[cfg(feature = "cli")]
 impl TargetVersion {
     /// The version, if there is one.
     pub fn version(self) -> Option<Version> {

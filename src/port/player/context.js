@@ -37,6 +37,8 @@ class ContextHolder {
     this.isGivenBack = false;
     /** Whether images are kept in case the browser takes the context away. */
     this.isAtRisk = false;
+    /** Address of the image that a canvas without a frame shows instead. */
+    this.poster = '';
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.#showStill();
@@ -110,10 +112,11 @@ class ContextHolder {
   /** The browser shows a symbol in a canvas without its context; it is moved out of sight. */
   #showStill() {
     const { style } = this.canvas;
-    if (this.#style || !this.#still) return;
+    if (this.#style) return;
     this.#style = { background: style.background, objectPosition: style.objectPosition, objectFit: style.objectFit };
-    const image = this.#still.toDataURL('image/webp', 0.9);
-    Object.assign(style, { background: `url(${image}) center / 100% 100% no-repeat`, objectPosition: '-99999px 0', objectFit: 'none' });
+    const image = this.#still?.toDataURL('image/webp', 0.9) ?? this.poster;
+    if (image) style.background = `url("${image}") center / 100% 100% no-repeat`;
+    Object.assign(style, { objectPosition: '-99999px 0', objectFit: 'none' });
   }
 
   /** A canvas that stays in its document keeps the context for the next player. */

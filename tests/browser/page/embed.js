@@ -232,6 +232,31 @@ async function forty(context) {
   assert.deepEqual(complaints, []);
 }
 
+/** A context that is lost before there is a frame leaves the still image, and then comes back. */
+async function lostEarly(context) {
+  await context.addInitScript(() => {
+    const { getContext } = HTMLCanvasElement.prototype;
+    let isFirst = true;
+    HTMLCanvasElement.prototype.getContext = function lose(...args) {
+      const gl = getContext.apply(this, args);
+      if (isFirst && args[0] === 'webgl2') {
+        isFirst = false;
+        globalThis.extension = gl.getExtension('WEBGL_lose_context');
+        globalThis.extension.loseContext();
+      }
+      return gl;
+    };
+  });
+  const address = await port(put('early.glsl', MOVING), 'early', '--embed');
+  const { page } = await open(context, address);
+  await page.waitForFunction(() => document.querySelector('#canvas').style.objectFit === 'none');
+  const shown = await page.$eval('#canvas', (canvas) => [canvas.style.background.startsWith('url("data:image'), canvas.style.objectPosition]);
+  assert.deepEqual(shown, [true, '-99999px 0px']);
+  await page.evaluate(() => globalThis.extension.restoreContext());
+  await plays(page);
+  await page.waitForFunction(() => document.querySelector('#canvas').style.objectFit === '');
+}
+
 /** The share of pixels of a screenshot that are black. */
 function darkShare(page, png) {
   return page.evaluate(async (text) => {
@@ -264,6 +289,7 @@ export const embedTests = [
   { name: 'embed: without a still image', run: plain },
   { name: 'embed: plays while it is seen', run: seen, context: desk },
   { name: 'embed: a simulation keeps its state', run: simulation },
+  { name: 'embed: a context lost before a frame', run: lostEarly, context: desk },
   { name: 'embed: forty in one page', run: forty, context: { viewport: { width: 1000, height: 600 } } },
   { name: 'embed: script and style as files', run: split },
   { name: 'gallery: on a desk', run: cards, context: { ...desk, colorScheme: 'light' } },

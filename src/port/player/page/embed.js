@@ -30,6 +30,7 @@ function openFrame(isAsked) {
   showPlainErrors(player);
   fitFrame(player);
   attach(player);
+  player.context.poster = document.querySelector('img')?.src ?? '';
   const ready = player.ready.then(() => {
     button.disabled = false;
     pageParts.takeValues?.(player);
