@@ -4,6 +4,7 @@ use super::file_cache::FileCache;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
+#[cfg(feature = "cli")]
 use shaderlint_syntax::Version;
 use shaderlint_text::kind::Claim;
 use std::collections::BTreeSet;
