@@ -4,6 +4,7 @@
 
 mod angles;
 mod calls;
+mod columns;
 mod definite_assignment;
 mod effects;
 mod gradients;
@@ -24,6 +25,7 @@ mod writes;
 
 pub use angles::{AngleUse, angle_uses, period};
 pub use calls::{CallSite, Calls};
+pub use columns::{ColumnReads, column_reads};
 pub use definite_assignment::{
     AssignmentFindings, DefiniteAssignment, PartMask, UnassignedVariable,
 };

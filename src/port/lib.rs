@@ -20,6 +20,7 @@ mod gallery;
 mod glsl;
 mod html;
 mod json;
+mod keys;
 mod media;
 #[cfg(feature = "naga")]
 pub mod naga;

@@ -1,6 +1,7 @@
 //! The project as JSON for the player.
 
 use super::findings::{FindingData, findings};
+use super::keys::key_names;
 use super::media::is_gray;
 use super::sliders::Slider;
 use super::tuned::sliders;
@@ -28,6 +29,8 @@ struct Payload<'a> {
     media: Vec<MediaData>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     findings: Vec<FindingData>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    keys: Vec<String>,
 }
 
 /// A generator of stand-ins.
@@ -123,6 +126,7 @@ pub(super) fn payload(project: &Project, composed: &Composed) -> String {
         controls: &project.controls,
         media: media(project),
         findings: findings(composed),
+        keys: key_names(project, composed),
     };
     // Serialisation fails only for maps with keys that are not strings, and for failing writers.
     serde_json::to_string(&payload).unwrap_or_default()

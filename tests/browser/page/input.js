@@ -80,6 +80,7 @@ async function shortcuts(context) {
 async function keysOfTheShader(context) {
   const code = 'void mainImage(out vec4 O, vec2 U) { O = vec4(texelFetch(iChannel0, ivec2(32, 0), 0).x); }';
   const { page } = await show(context, 'own_keys', code, '#size=32x18&paused', '--channel', '0=keyboard');
+  assert.match(await page.textContent('#notices'), /use space/);
   await page.focus('canvas');
   await page.keyboard.down(' ');
   assert.equal((await pixels(page))[0], 255, 'the key goes to the shader');
