@@ -17,6 +17,7 @@ import { mediaTests } from './media.js';
 import { moduleTests } from './modules.js';
 import { pageTests } from './page.js';
 import { pixelTests } from './pixels.js';
+import { remountTests } from './remounted.js';
 import { rewriteTests } from './rewritten.js';
 import { serveTests } from './serve.js';
 import { threeWebgpuTests } from './three_webgpu.js';
@@ -56,6 +57,7 @@ const tests = [
   ...(await corpusTests()),
   ...rewriteTests(),
   ...moduleTests,
+  ...remountTests,
   ...serveTests,
   ...pageTests,
   ...dialectTests,
