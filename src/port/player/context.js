@@ -18,6 +18,11 @@ class ContextHolder {
   /** The last image. @type {HTMLCanvasElement | null} */
   #still = null;
   #stillTime = -Infinity;
+  /** Whether the context shows a frame. */
+  #hasFrame = false;
+  /** Whether the context is being given back: until then it cannot be asked for again. */
+  #isLeaving = false;
+  #firstFrame = () => {};
   /** The style of the canvas while it shows the last image. @type {{background: string, objectPosition: string, objectFit: string} | null} */
   #style = null;
 
@@ -35,16 +40,26 @@ class ContextHolder {
     this.gl = null;
     /** Whether the context was given back on purpose. */
     this.isGivenBack = false;
+    /** Whether the browser took the context away, to give it to others. */
+    this.isEvicted = false;
     /** Whether images are kept in case the browser takes the context away. */
     this.isAtRisk = false;
     /** Address of the image that a canvas without a frame shows instead. */
     this.poster = '';
+    /** Settles when the first frame is drawn. @type {Promise<void>} */
+    this.drawn = new Promise((resolve) => {
+      this.#firstFrame = resolve;
+    });
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
+      this.isEvicted = this.isAtRisk && !this.#isLeaving;
+      this.#isLeaving = false;
       this.#showStill();
       this.told.lost();
+      // It can be restored after this event.
+      if (!this.isGivenBack) setTimeout(() => this.#askBack());
     }, { signal });
-    canvas.addEventListener('webglcontextrestored', () => this.#open(), { signal });
+    canvas.addEventListener('webglcontextrestored', () => this.#restored(), { signal });
   }
 
   get isLost() {
@@ -54,6 +69,7 @@ class ContextHolder {
   /** Opens the context, or asks for it again. Throws an Error if there is none. */
   open() {
     this.isGivenBack = false;
+    this.isEvicted = false;
     const { canvas, hasVertices } = this;
     owners.set(canvas, this);
     this.gl ??= canvas.getContext('webgl2', {
@@ -66,33 +82,49 @@ class ContextHolder {
     });
     if (!this.gl) throw new Error(NO_WEBGL2);
     if (!this.gl.isContextLost()) return this.#open();
-    givenBack.get(canvas)?.restoreContext();
-    givenBack.delete(canvas);
+    if (!this.#isLeaving) this.#askBack();
     return undefined;
+  }
+
+  #askBack() {
+    if (!this.isLost) return;
+    givenBack.get(this.canvas)?.restoreContext();
+    givenBack.delete(this.canvas);
+  }
+
+  #restored() {
+    if (!this.isGivenBack) return this.#open();
+    this.#extension = this.gl?.getExtension('WEBGL_lose_context') ?? null;
+    return this.#lose();
   }
 
   #open() {
     if (!this.gl) return;
     this.#extension = this.gl.getExtension('WEBGL_lose_context');
+    this.#hasFrame = false;
     this.told.opened(this.gl);
   }
 
-  /** Gives the context back. */
+  /** Gives the context back, also one that the browser took away and would restore. */
   giveBack() {
-    if (!this.#extension || this.isLost || this.isGivenBack) return;
+    if (this.isGivenBack) return;
     this.isGivenBack = true;
-    this.#keepStill();
+    if (!this.#extension || this.isLost) return;
+    if (this.#hasFrame) this.#keepStill();
     this.#lose();
   }
 
   #lose() {
     if (!this.#extension || this.isLost) return;
     givenBack.set(this.canvas, this.#extension);
+    this.#isLeaving = true;
     this.#extension.loseContext();
   }
 
   /** To be called when a frame is drawn. */
   drew() {
+    this.#hasFrame = true;
+    this.#firstFrame();
     if (this.#style) {
       Object.assign(this.canvas.style, this.#style);
       this.#style = null;

@@ -70,9 +70,7 @@ class Player {
 
   /** Gives the context back, as browsers have few. The canvas shows its last image until `open`. */
   rest() {
-    const { renderer } = this;
-    if (!renderer) return;
-    this.#saved = renderer.save();
+    if (this.renderer) this.#saved = this.renderer.save();
     this.context.giveBack();
   }
 

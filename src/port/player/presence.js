@@ -2,11 +2,15 @@
 // a page know each other, and tell those in other frames of the same page what they take and leave.
 
 /** Contexts that all players hold together at most: browsers keep 16, and some are on their way. */
-const MAX_CONTEXTS = 12;
+const MAX_CONTEXTS = 10;
 /** How many others take a context after a player that is not seen before it leaves its own. */
 const MAX_UNSEEN = 4;
-/** Milliseconds in which others may leave before a context is opened. */
+/** Milliseconds in which others may answer and leave before a context is opened. */
 const COURTESY = 60;
+/** How many times as long it waits for others that have to leave and are busy. */
+const PATIENCE = 60;
+/** How many times as long the first one waits until all frames have answered; those without a player never do. */
+const GREETING = 10;
 
 /**
  * The place of a player among all that hold contexts.
@@ -19,11 +23,12 @@ const COURTESY = 60;
  */
 
 /**
- * What the players of this page know: the holders of contexts in the order in which they took them.
- * @typedef {{seats: Set<Seat>, holders: Set<string>}} Hall
+ * What the players of this page know: the holders of contexts in the order in which they took them, those of them
+ * that are not seen, and the frames that they have heard.
+ * @typedef {{seats: Set<Seat>, holders: Set<string>, hidden: Set<string>, frames: Set<MessageEventSource | null>, isKnown: boolean}} Hall
  */
 
-/** @typedef {'take' | 'leave' | 'hide'} SeatNews */
+/** @typedef {'take' | 'hold' | 'leave' | 'hide' | 'here'} SeatNews */
 
 /** The hall of this page, which all modules in it share. @returns {Hall} */
 function hallOfPage() {
@@ -32,11 +37,14 @@ function hallOfPage() {
   const known = page[key];
   if (known) return known;
   /** @type {Hall} */
-  const hall = { seats: new Set(), holders: new Set() };
+  const hall = { seats: new Set(), holders: new Set(), hidden: new Set(), frames: new Set(), isKnown: false };
   page[key] = hall;
   window.addEventListener('message', ({ data, source }) => {
     const [news, id] = data?.shaderport ?? [];
-    if (source !== window && typeof id === 'string') hear(hall, news, id);
+    if (source === window || typeof id !== 'string') return;
+    hall.frames.add(source);
+    if (news === 'take') introduce(hall, /** @type {Window} */ (source));
+    hear(hall, news, id);
   });
   return hall;
 }
@@ -51,16 +59,29 @@ function say(hall, news, id) {
   }
 }
 
+/** Tells a frame, which may be new, who holds a context here. @param {Hall} hall @param {Window} frame */
+function introduce({ seats }, frame) {
+  for (const { isHeld, isSeen, id } of seats) {
+    frame.postMessage({ shaderport: [isHeld ? 'hold' : 'here', id] }, '*');
+    if (isHeld && !isSeen) frame.postMessage({ shaderport: ['hide', id] }, '*');
+  }
+}
+
 /** @param {Hall} hall @param {SeatNews} news @param {string} id */
 function hear(hall, news, id) {
-  const { seats, holders } = hall;
-  if (news !== 'hide') holders.delete(id);
+  const { seats, holders, hidden } = hall;
+  if (news === 'hide' && holders.has(id)) hidden.add(id);
+  else hidden.delete(id);
+  if (news === 'take' || news === 'leave') holders.delete(id);
   if (news === 'take') holders.add(id);
+  // Those that were there before come before those that are known.
+  if (news === 'hold' && !holders.has(id)) hall.holders = new Set([id, ...holders]);
   for (const seat of seats) if (mustLeave(hall, seat)) leave(hall, seat);
-  if (news === 'take') return;
+  if (news !== 'leave' && news !== 'hide') return;
   for (const seat of seats) {
     // At different times, so that not all of them take the same place.
-    if (seat.isSeen && !seat.isHeld) setTimeout(() => seat.isSeen && (news === 'hide' || holders.size < MAX_CONTEXTS) && take(hall, seat), 300 * Math.random());
+    const isFree = () => seat.isSeen && hall.holders.size - hidden.size < MAX_CONTEXTS;
+    if (seat.isSeen && !seat.isHeld) setTimeout(() => isFree() && take(hall, seat), 300 * Math.random());
   }
 }
 
@@ -76,7 +97,26 @@ function take(hall, seat) {
   if (seat.isHeld || !hall.seats.has(seat)) return;
   seat.isHeld = true;
   say(hall, 'take', seat.id);
-  setTimeout(() => seat.isHeld && seat.open(), window.parent === window ? 0 : COURTESY);
+  if (window.parent === window) setTimeout(() => seat.isHeld && seat.open());
+  else setTimeout(() => openInTurn(hall, seat, PATIENCE), COURTESY);
+}
+
+/** Opens a context when others have left enough of them. @param {Hall} hall @param {Seat} seat @param {number} patience */
+function openInTurn(hall, seat, patience) {
+  if (!seat.isHeld) return;
+  const isFull = hall.holders.size > MAX_CONTEXTS;
+  const greets = !hall.isKnown && hall.frames.size < window.parent.length - 1 && patience > PATIENCE - GREETING;
+  if (greets || (isFull && patience > 0)) {
+    setTimeout(() => openInTurn(hall, seat, patience - 1), COURTESY);
+    return;
+  }
+  hall.isKnown = true;
+  // Those that do not answer are gone.
+  if (isFull) {
+    hall.holders = new Set([...hall.seats].filter((s) => s.isHeld).map((s) => s.id));
+    hall.hidden.clear();
+  }
+  seat.open();
 }
 
 /** @param {Hall} hall @param {Seat} seat */
@@ -104,13 +144,17 @@ function playWhenSeen(player, signal) {
     rest: () => player.rest(),
   };
   hall.seats.add(seat);
+  player.listeners.push(() => {
+    if (player.context.isEvicted) leave(hall, seat);
+  });
   player.context.isAtRisk = window.parent !== window;
   player.isSeen = false;
   const observer = new IntersectionObserver((entries) => {
     seat.isSeen = !canvas.isConnected || entries[entries.length - 1].isIntersecting;
     player.setSeen(seat.isSeen);
-    if (seat.isSeen) take(hall, seat);
-    else say(hall, 'hide', seat.id);
+    if (!seat.isSeen) say(hall, 'hide', seat.id);
+    else if (seat.isHeld) say(hall, 'hold', seat.id);
+    else take(hall, seat);
   });
   observer.observe(canvas);
   canvas.addEventListener('pointerdown', () => take(hall, seat), { signal });

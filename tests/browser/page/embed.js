@@ -215,14 +215,15 @@ async function simulation(context) {
 async function forty(context) {
   const addresses = await Promise.all(Array.from({ length: 40 }, (_, i) =>
     port(put(`many${i}.glsl`, MOVING.replace('0.2', `0.5 + 0.01 * ${i}.0`)), `many${i}`, '--embed')));
-  const all = addresses.map((address) => `<iframe src="${address}" style="width: 320px; height: 180px; border: 0"></iframe>`).join('\n');
+  const all = addresses.map((address) => `<iframe src="${address}" loading="lazy" style="width: 240px; height: 135px; border: 0"></iframe>`).join('\n');
   const { page, complaints } = await open(context, pathToFileURL(put('forty.html', `<!doctype html><title>x</title><body style="margin: 0; background: #fff">${all}`)).href);
   const count = async () => {
-    const open = await Promise.all(page.frames().slice(1).map((f) => f.evaluate(() => globalThis.shaderport.player.renderer !== null)));
+    const open = await Promise.all(page.frames().slice(1).map((f) => f.evaluate(() => Boolean(globalThis.shaderport?.player.renderer))));
     return open.filter(Boolean).length;
   };
   const height = await page.evaluate(() => document.documentElement.scrollHeight);
-  for (let top = 0; top < height; top += 300) {
+  const down = Array.from({ length: Math.ceil(height / 300) }, (_, i) => 300 * i);
+  for (const top of [...down, ...down.toReversed()]) {
     await page.evaluate((y) => scrollTo(0, y), top);
     await page.waitForTimeout(400);
     assert.ok(await count() <= 16);

@@ -31,6 +31,7 @@ function openFrame(isAsked) {
   fitFrame(player);
   attach(player);
   player.context.poster = document.querySelector('img')?.src ?? '';
+  const removePoster = () => player.context.drawn.then(() => requestAnimationFrame(() => document.querySelector('#poster')?.remove()));
   const ready = player.ready.then(() => {
     button.disabled = false;
     pageParts.takeValues?.(player);
@@ -39,14 +40,14 @@ function openFrame(isAsked) {
     if (!isAsked && !player.isPlaying) return;
     button.hidden = true;
     if (isAsked) player.play();
-    requestAnimationFrame(() => document.querySelector('#poster')?.remove());
+    void removePoster();
   });
   player.ready.catch((error) => {
     button.hidden = true;
     showFailure(error);
   });
   player.listeners.push(() => {
-    if (player.isPlaying && player.renderer) document.querySelector('#poster')?.remove();
+    if (player.isPlaying) void removePoster();
   });
   playWhenSeen(player);
   Object.assign(window, { shaderport: publicFace(player, ready) });
