@@ -486,6 +486,48 @@ fn user_names_do_not_flip_rows() {
     assert!(mine.contains("= uniforms.iResolution.y;"), "{mine}");
 }
 
+/// The steps after a branch that returns are in its other side if they take derivatives: compilers that
+/// join both sides would give the pixels that returned other values.
+#[test]
+fn derivatives_after_a_return_are_in_the_other_side() {
+    let of = |rest: &str| {
+        wgsl(&format!(
+            "float f(vec2 p) {{ if (p.x > 1.0) {{ p.x -= 0.4; return 0.0; }} {rest} }}\n\
+             void mainImage(out vec4 c, in vec2 p) {{ c = vec4(f(p)); }}"
+        ))
+    };
+    let is_divided = |text: &str| {
+        let body = text.split_once("fn f(").unwrap().1;
+        let branch = body.split_once("return 0f;").unwrap().1;
+        branch
+            .trim_start()
+            .trim_start_matches('}')
+            .trim_start()
+            .starts_with("else")
+    };
+    for (rest, expected) in [
+        ("return dFdx(p.x);", true),
+        ("vec4 t = texture(iChannel0, p); return t.x;", true),
+        (
+            "for (int i = 0; i < 3; i++) p.y += dFdy(p.x); return p.y;",
+            true,
+        ),
+        ("return textureLod(iChannel0, p, 0.0).x;", false),
+        ("return length(p);", false),
+    ] {
+        let text = of(rest);
+        assert_eq!(is_divided(&text), expected, "{rest}\n{text}");
+    }
+    // Derivatives in called functions count; HLSL, MSL and SPIR-V keep the order of the shader.
+    let code = "float g(vec2 p) { return fwidth(p.x); }\n\
+                float f(vec2 p) { if (p.x > 1.0) { p.x -= 0.4; return 0.0; } return g(p); }\n\
+                void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p)); }";
+    assert!(is_divided(&wgsl(code)), "{}", wgsl(code));
+    let hlsl = written(code, TargetLanguage::Hlsl).unwrap();
+    let hlsl = String::from_utf8(hlsl).unwrap();
+    assert!(!hlsl.contains("else"), "{hlsl}");
+}
+
 #[test]
 fn out_parameters_start_at_zero() {
     let of = |body: &str| {
