@@ -486,6 +486,45 @@ fn user_names_do_not_flip_rows() {
     assert!(mine.contains("= uniforms.iResolution.y;"), "{mine}");
 }
 
+/// Where compilers of WGSL choose another rounding than WebGL, the operations are written out.
+#[test]
+fn operations_have_the_rounding_of_webgl() {
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    mat2 m = mat2(p, p.yx) / p.x;\n    \
+                c = smoothstep(vec4(p, p), vec4(1.0), c) + smoothstep(0.0, 1.0, m[0].x) + \
+                smoothstep(0.2, 1.0, p.xyxy);\n}";
+    let text = wgsl(code);
+    assert_eq!(text.matches("fn smoothstep").count(), 2, "{text}");
+    assert!(text.contains(" * (3f - (2f * t"), "{text}");
+    assert!(!text.contains("smoothstep("), "{text}");
+    assert!(text.contains("(1f / "), "{text}");
+    let hlsl = String::from_utf8(written(code, TargetLanguage::Hlsl).unwrap()).unwrap();
+    assert!(hlsl.contains("smoothstep("), "{hlsl}");
+}
+
+/// A variable that is an operand is read after a call beside it, a value computed from it before, in all
+/// languages as in the browser.
+#[test]
+fn operands_are_evaluated_in_the_order_of_the_browser() {
+    let code = "int g = 1;\nint f() { g = 7; return 2; }\nint both(int x, int y) { return x * 10 + y; }\n\
+                void mainImage(out vec4 c, in vec2 p) {\n    \
+                c.x = float(-g + f());\n    c.y = float(g + f());\n    c.z = float(both(g * 2, f()));\n    \
+                c.w = float(both(f(), g));\n}";
+    for language in [
+        TargetLanguage::Wgsl,
+        TargetLanguage::Hlsl,
+        TargetLanguage::Msl,
+    ] {
+        let text = String::from_utf8(written(code, language).unwrap()).unwrap();
+        let body = text.split_once("mainImage(").unwrap().1;
+        let steps = body.lines().filter_map(|line| match line {
+            _ if line.trim_end().ends_with("= g;") => Some('g'),
+            _ if line.contains("= f(") => Some('f'),
+            _ => None,
+        });
+        assert_eq!(steps.collect::<String>(), "gffggffg", "{text}");
+    }
+}
+
 /// The steps after a branch that returns are in its other side if they take derivatives: compilers that
 /// join both sides would give the pixels that returned other values.
 #[test]

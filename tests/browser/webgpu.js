@@ -180,6 +180,26 @@ void mainImage(out vec4 c, in vec2 q) {
   assert.ok(shown > 100, `${shown} colours are visible`);
 }
 
+/** Built-in functions that WebGPU's compiler would compute with another rounding; colours are the last bits. */
+async function rounding(context) {
+  const file = put('gpu_rounding.glsl', `vec3 bits(float x) {
+  uint b = floatBitsToUint(x);
+  return vec3(b & 7u, (b >> 3) & 7u, (b >> 6) & 7u) / 7.0;
+}
+float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43.5453); }
+void mainImage(out vec4 c, in vec2 p) {
+  float x = random(p), y = random(p.yx), z = random(p + 0.5);
+  mat3 m = mat3(x, y, 1, z, x + 1.0, y, 0, z, x);
+  vec4 v = smoothstep(vec4(z), vec4(-x), vec4(y, x, 0.1, 0.2));
+  float[6] all = float[6](smoothstep(x, x + 0.7, y), smoothstep(x, -1.0, y), v.y, (m / z)[1].y, inverse(mat2(m))[0].x, inverse(m)[1].y);
+  c = vec4(bits(all[int(p.x) % 6]), 1);
+}
+`);
+  const { count, shown } = await compare(context, file, 'gpu_rounding', '--first-row', 'bottom');
+  assert.equal(count, 0);
+  assert.ok(shown > 100, `${shown} colours are visible`);
+}
+
 /** The tests, if the program can write WGSL. */
 export async function webgpuTests() {
   if (!(await hasWgsl())) {
@@ -196,6 +216,7 @@ export async function webgpuTests() {
   tests.push({ name: 'webgpu: passes that read each other', run: passes });
   tests.push({ name: 'webgpu: order of evaluation', run: order });
   tests.push({ name: 'webgpu: derivatives after a return', run: returns });
+  tests.push({ name: 'webgpu: rounding of built-in functions', run: rounding });
   const light = await lightExports();
   const swept = sweptExports(exportsOf().filter(isFlat));
   for (const file of new Set([...light, ...swept])) {

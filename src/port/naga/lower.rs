@@ -53,6 +53,8 @@ pub(super) struct NagaLowerer<'p> {
     pub(super) deriving: FxHashSet<FunctionRef>,
     /// `inverse` functions by matrix size.
     pub(super) inverses: FxHashMap<u8, Handle<::naga::Function>>,
+    /// `smoothstep` functions by type.
+    pub(super) smoothsteps: FxHashMap<Type, Handle<::naga::Function>>,
     /// Functions that read a texel, by sampler type.
     pub(super) fetches: FxHashMap<Sampler, Handle<::naga::Function>>,
     pub(super) uniforms: Uniforms,
@@ -95,6 +97,7 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
         functions: FxHashMap::default(),
         deriving: FxHashSet::default(),
         inverses: FxHashMap::default(),
+        smoothsteps: FxHashMap::default(),
         fetches: FxHashMap::default(),
         uniforms: Uniforms::default(),
         interface: HostInterface {
