@@ -486,6 +486,87 @@ fn user_names_do_not_flip_rows() {
     assert!(mine.contains("= uniforms.iResolution.y;"), "{mine}");
 }
 
+/// Where compilers of WGSL choose another rounding than WebGL, the operations are written out.
+#[test]
+fn operations_have_the_rounding_of_webgl() {
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    mat2 m = mat2(p, p.yx) / p.x;\n    \
+                c = smoothstep(vec4(p, p), vec4(1.0), c) + smoothstep(0.0, 1.0, m[0].x) + \
+                smoothstep(0.2, 1.0, p.xyxy);\n}";
+    let text = wgsl(code);
+    assert_eq!(text.matches("fn smoothstep").count(), 2, "{text}");
+    assert!(text.contains(" * (3f - (2f * t"), "{text}");
+    assert!(!text.contains("smoothstep("), "{text}");
+    assert!(text.contains("(1f / "), "{text}");
+    let hlsl = String::from_utf8(written(code, TargetLanguage::Hlsl).unwrap()).unwrap();
+    assert!(hlsl.contains("smoothstep("), "{hlsl}");
+}
+
+/// A variable that is an operand is read after a call beside it, a value computed from it before, in all
+/// languages as in the browser.
+#[test]
+fn operands_are_evaluated_in_the_order_of_the_browser() {
+    let code = "int g = 1;\nint f() { g = 7; return 2; }\nint both(int x, int y) { return x * 10 + y; }\n\
+                void mainImage(out vec4 c, in vec2 p) {\n    \
+                c.x = float(-g + f());\n    c.y = float(g + f());\n    c.z = float(both(g * 2, f()));\n    \
+                c.w = float(both(f(), g));\n}";
+    for language in [
+        TargetLanguage::Wgsl,
+        TargetLanguage::Hlsl,
+        TargetLanguage::Msl,
+    ] {
+        let text = String::from_utf8(written(code, language).unwrap()).unwrap();
+        let body = text.split_once("mainImage(").unwrap().1;
+        let steps = body.lines().filter_map(|line| match line {
+            _ if line.trim_end().ends_with("= g;") => Some('g'),
+            _ if line.contains("= f(") => Some('f'),
+            _ => None,
+        });
+        assert_eq!(steps.collect::<String>(), "gffggffg", "{text}");
+    }
+}
+
+/// The steps after a branch that returns are in its other side if they take derivatives: compilers that
+/// join both sides would give the pixels that returned other values.
+#[test]
+fn derivatives_after_a_return_are_in_the_other_side() {
+    let of = |rest: &str| {
+        wgsl(&format!(
+            "float f(vec2 p) {{ if (p.x > 1.0) {{ p.x -= 0.4; return 0.0; }} {rest} }}\n\
+             void mainImage(out vec4 c, in vec2 p) {{ c = vec4(f(p)); }}"
+        ))
+    };
+    let is_divided = |text: &str| {
+        let body = text.split_once("fn f(").unwrap().1;
+        let branch = body.split_once("return 0f;").unwrap().1;
+        branch
+            .trim_start()
+            .trim_start_matches('}')
+            .trim_start()
+            .starts_with("else")
+    };
+    for (rest, expected) in [
+        ("return dFdx(p.x);", true),
+        ("vec4 t = texture(iChannel0, p); return t.x;", true),
+        (
+            "for (int i = 0; i < 3; i++) p.y += dFdy(p.x); return p.y;",
+            true,
+        ),
+        ("return textureLod(iChannel0, p, 0.0).x;", false),
+        ("return length(p);", false),
+    ] {
+        let text = of(rest);
+        assert_eq!(is_divided(&text), expected, "{rest}\n{text}");
+    }
+    // Derivatives in called functions count; HLSL, MSL and SPIR-V keep the order of the shader.
+    let code = "float g(vec2 p) { return fwidth(p.x); }\n\
+                float f(vec2 p) { if (p.x > 1.0) { p.x -= 0.4; return 0.0; } return g(p); }\n\
+                void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p)); }";
+    assert!(is_divided(&wgsl(code)), "{}", wgsl(code));
+    let hlsl = written(code, TargetLanguage::Hlsl).unwrap();
+    let hlsl = String::from_utf8(hlsl).unwrap();
+    assert!(!hlsl.contains("else"), "{hlsl}");
+}
+
 #[test]
 fn out_parameters_start_at_zero() {
     let of = |body: &str| {

@@ -185,6 +185,95 @@ fn choices_of_structs_and_arrays_become_branches() {
     );
 }
 
+/// A choice in the body of a macro becomes a call there, with a function for each type of its uses.
+#[test]
+fn choices_in_macros_become_calls() {
+    check(
+        "macro.frag",
+        "#version 330\nuniform float t;\nout vec4 c;\nstruct S { float d; vec3 col; };\n\
+         struct M { float d; int id; };\n#define PICK(a, b) ((a).d < (b).d ? (a) : (b))\n\
+         #define MIN(a, b) ((a) < (b) ? (a) : (b))\n#define OR(x, a, b) x ? a : b\n\
+         #define FIRST t > 1 ? s : e\n#define NEST(a, b, e) PICK(PICK(a, b), e)\n\
+         M ground(float x) { M m = M(x, 1), n = M(2 * x, 2); return PICK(m, n); }\n\
+         S map(vec3 p) {\n    S s = S(length(p), vec3(1)), e = S(p.y, vec3(0));\n    S u = NEST(s, e, s);\n    \
+         float r[2] = float[2](1, 2), q[2] = float[2](3, 4);\n    float w[2] = OR(p.x > 1, r, q);\n    \
+         u.d += w[0] + (p.y > 2 ? r : q)[1] + ground(t).d;\n    return PICK(u, s);\n}\n\
+         void main() {\n    S s = map(vec3(gl_FragCoord.xy, 1)), e = S(2.0, vec3(0.5)), u = FIRST;\n    \
+         float x = PICK(s, e).d + MIN(s.d, t) + OR(t > 1, 2, t);\n    c = vec4(s.col, x + u.d);\n}\n",
+        &[
+            "#define PICK(a, b) (choose((a).d < (b).d, (a), (b)))",
+            "#define OR(x, a, b) choose2(x, a, b)",
+            "#define FIRST choose(t > 1.0, s, e)",
+            "M choose(bool condition, M yes, M no)",
+            "S choose(bool condition, S yes, S no)",
+            "float[2] choose(bool condition, float[2] yes, float[2] no)",
+            "float choose2(bool condition, float yes, float no)",
+            "(choose(p.y > 2.0, r, q))[1]",
+        ],
+    );
+    // A function that computes both values would run `f` each time.
+    let folder = Folder::new();
+    folder.put(
+        "calls.frag",
+        "#version 330\nuniform float t;\nout vec4 c;\nstruct S { float d; };\n\
+         #define OR(x, a, b) x ? a : b\nS f(inout float x) { x += 1.0; return S(x); }\n\
+         void main() { float x = t; S s = S(t); x += (OR(t > 1.0, f(x), s)).d; c = vec4(x); }\n",
+    );
+    assert_eq!(folder.run("calls.frag --repair -o out.frag").0, Some(1));
+}
+
+/// Where a function has overloads for integers and floats, desktop GLSL converts the integers.
+#[test]
+fn integers_among_floats_are_converted_in_all_functions() {
+    check(
+        "overloads.frag",
+        "#version 330\nuniform float x;\nuniform int i;\nuniform uint u;\nuniform vec2 p;\nuniform ivec2 q;\n\
+         out vec4 c;\n#define PI acos(-1)\n#define LOW(v) max(v, 0.5)\nfloat own(float a) { return a; }\n\
+         float own(vec2 a) { return a.x; }\nvoid main() {\n    \
+         c.x = min(x, i) + max(i, 1.5) + clamp(i, 0, x) + clamp(0, i, 0.5) + PI / 4;\n    \
+         c.yz = min(p, q) + max(p, i) + vec2(lessThan(p, q)) + min(q, x);\n    \
+         c.w = LOW(i) + LOW(x) + float(max(u, 1)) + own(i) + own(q) + mix(0, 1, x) + min(u, x);\n}\n",
+        &[
+            "min(x, float(i)) + max(float(i), 1.5) + clamp(float(i), 0.0, x) + clamp(0.0, float(i), 0.5) + PI / 4.0",
+            "min(p, vec2(q)) + max(p, float(i)) + vec2(lessThan(p, vec2(q))) + min(vec2(q), x)",
+            "LOW(float(i)) + LOW(x) + float(max(u, 1u)) + own(float(i)) + own(vec2(q)) + mix(0.0, 1.0, x)",
+        ],
+    );
+}
+
+/// `--channel` finds a sampler that was renamed by its old name and by its new one.
+#[test]
+fn renamed_samplers_are_found_by_both_names() {
+    let folder = Folder::new();
+    let png = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/browser/page.png");
+    fs::copy(png, folder.path("photo.png")).unwrap();
+    let old = "precision mediump float;\nuniform sampler2D texture;\nvarying vec2 uv;\n\
+               void main() { gl_FragColor = texture2D(texture, uv); }\n";
+    let broken = "uniform sampler2D texture, sample;\nuniform vec2 resolution;\nuniform float time;\n\
+                  void main() {\n    vec2 uv = gl_FragCoord.xy / resolution;\n    \
+                  gl_FragColor = texture2D(texture, uv) + texture2D(sample, uv) * 2;\n}\n";
+    let desktop = "#version 330\nuniform sampler2D sample;\nout vec4 c;\n\
+                   void main() { c = texture(sample, gl_FragCoord.xy); }\n";
+    for (name, code, sampler, new) in [
+        ("old.frag", old, "texture", "myTexture"),
+        ("broken.frag", broken, "texture", "myTexture"),
+        ("broken.frag", broken, "sample", "sampleColor"),
+        ("desktop.frag", desktop, "sample", "sampleColor"),
+    ] {
+        folder.put(name, code);
+        for sampler in [sampler, new] {
+            let channel = format!("--channel {sampler}=photo.png");
+            let command = format!("{name} --repair {channel} -o out.html --force");
+            let (exit, message) = folder.run(&command);
+            assert_eq!(exit, Some(0), "{name} {sampler}: {message}");
+            assert!(message.contains("embedded photo.png"), "{message}");
+        }
+        let command = format!("{name} --repair --channel other=photo.png -o out.html --force");
+        let (exit, message) = folder.run(&command);
+        assert!(exit != Some(0) && message.contains(new), "{message}");
+    }
+}
+
 fn shaders_in(folder: &Path, found: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap()

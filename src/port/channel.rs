@@ -240,6 +240,16 @@ impl Project {
         }
     }
 
+    /// The samplers with another name in `after`, the same project with other texts, and these names.
+    pub fn renamed_samplers(&self, after: &Project) -> Vec<(String, String)> {
+        let passes = self.passes.iter().zip(&after.passes);
+        let passes = passes.filter(|(old, new)| old.inputs.len() == new.inputs.len());
+        let inputs = passes.flat_map(|(old, new)| old.inputs.iter().zip(&new.inputs));
+        let names =
+            inputs.filter_map(|(old, new)| Some((old.uniform.clone()?, new.uniform.clone()?)));
+        names.filter(|(old, new)| old != new).collect()
+    }
+
     /// The kind of input for an order, and the id of the pass that it refers to.
     fn source_kind(
         &self,

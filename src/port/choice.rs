@@ -2,14 +2,14 @@
 //! it becomes `if` and `else`, or a call of a function with them.
 
 use shaderlint_diagnostic::Fix;
-use shaderlint_semantic::{Program, Resolution};
+use shaderlint_semantic::{Program, Resolution, Type};
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::{
     DeclKind, ExprId, ExprKind, Extent, Item, QualifierKind, StmtId, StmtKind,
 };
 use shaderlint_text::{Edit, Span};
 
-/// A `condition ? yes : no` whose parts are written in the user's text.
+/// A `condition ? yes : no`.
 struct TernaryChoice<'p> {
     program: &'p Program,
     id: ExprId,
@@ -20,27 +20,37 @@ struct TernaryChoice<'p> {
 
 /// Replaces the choice at a span.
 pub(super) fn choice(program: &Program, at: Span) -> Option<Fix> {
-    let mut all = (0..).map(ExprId).zip(&program.tree.exprs);
-    let (id, kind) = all.find_map(|(id, expr)| {
-        let ExprKind::Ternary(..) = expr.kind else {
-            return None;
-        };
-        let Extent { first, last } = expr.extent;
-        let is_it = program.tokens.place(&program.sources, first, last) == at;
-        is_it.then_some((id, expr.kind))
+    let found = choices(program).find(|choice| {
+        let Extent { first, last } = program.tree.expr(choice.id).extent;
+        choice.is_refused() && program.tokens.place(&program.sources, first, last) == at
     })?;
-    let ExprKind::Ternary(condition, yes, no) = kind else {
-        return None;
-    };
-    let found = TernaryChoice {
-        program,
-        id,
-        condition,
-        yes,
-        no,
-    };
     found.as_statement().or_else(|| found.as_call())
 }
+
+/// The choices of a program.
+fn choices(program: &Program) -> impl Iterator<Item = TernaryChoice<'_>> {
+    let all = (0..).map(ExprId).zip(&program.tree.exprs);
+    all.filter_map(move |(id, expr)| match expr.kind {
+        ExprKind::Ternary(condition, yes, no) => Some(TernaryChoice {
+            program,
+            id,
+            condition,
+            yes,
+            no,
+        }),
+        _ => None,
+    })
+}
+
+/// Whether two choices have text in common.
+fn overlap(left: &[Span; 3], right: &[Span; 3]) -> bool {
+    let whole = |parts: &[Span; 3]| parts[0].to(parts[2]);
+    let (left, right) = (whole(left), whole(right));
+    left.start <= right.end && right.start <= left.end
+}
+
+/// Most bytes of white space around the `?` and `:` of a choice.
+const MAX_GAP: u32 = 1_000;
 
 impl TernaryChoice<'_> {
     /// Text of code that the user wrote, in the text itself.
@@ -166,39 +176,131 @@ impl TernaryChoice<'_> {
         Some(vec![Edit::replace(Span::new(head.end, end), text)])
     }
 
-    /// A call of a new function instead of the choice, if it does not matter that both values are computed.
+    /// Calls of new functions instead of this choice and all others that cannot become statements, if it
+    /// does not matter that both values are computed. In the body of a macro this changes all calls, whose
+    /// types may differ.
     fn as_call(&self) -> Option<Fix> {
-        let (program, tree) = (self.program, &self.program.tree);
-        let ty = program.expr(self.yes).ty;
-        if ty.is_error() || self.acts(self.yes) || self.acts(self.no) {
+        let program = self.program;
+        let mut places: Vec<[Span; 3]> = Vec::new();
+        for choice in choices(program).filter(|c| c.is_refused() && c.as_statement().is_none()) {
+            if let Some(parts) = choice.parts()
+                && !places.iter().any(|other| overlap(&parts, other))
+                && choices(program).all(|c| c.parts() != Some(parts) || c.is_free())
+            {
+                places.push(parts);
+            }
+        }
+        let own = self.parts()?;
+        if !places.contains(&own) {
             return None;
         }
-        let extent = |id: ExprId| tree.expr(id).extent;
-        let [condition, yes, no] = [self.condition, self.yes, self.no].map(extent);
-        let between = |left: Extent, right: Extent| {
-            let (left, right) = (self.span(left)?, self.span(right)?);
-            (left.end <= right.start).then(|| Edit::replace(Span::new(left.end, right.start), ", "))
-        };
-        let item = tree.items.iter().find_map(|item| {
-            let extent = match item {
-                Item::Function(id) => tree.function(*id)?.extent,
-                Item::Decl(id) => tree.decl(*id)?.extent,
-            };
-            extent.contains(tree.expr(self.id).extent).then_some(extent)
-        })?;
-        let whole = self.span(extent(self.id))?;
-        let (name, ty) = (program.names.unused("choose"), program.type_name(ty));
-        let function = format!(
-            "{ty} {name}(bool condition, {ty} yes, {ty} no) {{\n    if (condition) return yes;\n    return no;\n}}\n"
-        );
-        let edits = vec![
-            Edit::insert(self.span(item)?.start, function),
-            Edit::insert(whole.start, format!("{name}(")),
-            between(condition, yes)?,
-            between(yes, no)?,
-            Edit::insert(whole.end, ")"),
-        ];
+        let name = program.names.unused("choose");
+        let mut edits: Vec<Edit> = Vec::new();
+        let mut made: Vec<Type> = Vec::new();
+        for choice in choices(program) {
+            let ty = choice.ty();
+            let is_called = choice.parts().is_some_and(|parts| places.contains(&parts));
+            if is_called && !ty.is_error() && !made.contains(&ty) {
+                made.push(ty);
+                let ty = program.type_name(ty);
+                let function = format!(
+                    "{ty} {name}(bool condition, {ty} yes, {ty} no) {{\n    if (condition) return yes;\n    return no;\n}}\n"
+                );
+                let place = Span::at(choice.item()?);
+                match edits.iter_mut().find(|edit| edit.span == place) {
+                    Some(edit) => edit.text.push_str(&function),
+                    None => edits.push(Edit::replace(place, function)),
+                }
+            }
+        }
+        for [condition, yes, no] in places {
+            edits.extend([
+                Edit::insert(condition.start, format!("{name}(")),
+                Edit::replace(Span::new(condition.end, yes.start), ", "),
+                Edit::replace(Span::new(yes.end, no.start), ", "),
+                Edit::insert(no.end, ")"),
+            ]);
+        }
         Some(Fix::safe(format!("add `{name}`, and call it"), edits))
+    }
+
+    /// The type of its values; an error if both are refused choices.
+    fn ty(&self) -> Type {
+        let [yes, no] = [self.yes, self.no].map(|value| self.program.expr(value).ty);
+        if yes.is_error() { no } else { yes }
+    }
+
+    /// Whether WebGL2 refuses it.
+    fn is_refused(&self) -> bool {
+        let ty = self.ty();
+        !ty.is_scalar() && !ty.is_vector() && !ty.is_matrix()
+    }
+
+    /// Whether a function can compute it. If both values have different types, that is repaired first.
+    fn is_free(&self) -> bool {
+        let [yes, no] = [self.yes, self.no].map(|value| self.program.expr(value).ty);
+        let is_typed = yes == no || yes.is_error() || no.is_error();
+        is_typed && !yes.is_void() && !self.acts(self.yes) && !self.acts(self.no)
+    }
+
+    /// The condition and both values in the text, or in the body of a macro.
+    fn parts(&self) -> Option<[Span; 3]> {
+        let (program, sources) = (self.program, &self.program.sources);
+        let tree = &program.tree;
+        let place = |id: ExprId| {
+            let Extent { first, last } = tree.expr(id).extent;
+            Some(program.tokens.exact_place(sources, first, last)?.span)
+        };
+        // Parts of different macros have other text between them.
+        let is_between = |left: Span, right: Span, mark: &str| {
+            let is_ordered = left.end <= right.start && right.start - left.end < MAX_GAP;
+            is_ordered && sources.text(Span::new(left.end, right.start)).trim() == mark
+        };
+        let parts = [self.condition, self.yes, self.no].map(place);
+        if let [Some(condition), Some(yes), Some(no)] = parts
+            && is_between(condition, yes, "?")
+            && is_between(yes, no, ":")
+        {
+            return Some([condition, yes, no]);
+        }
+        // A part that is an argument is written in the call, and its parameter in the body.
+        let mark = |value: ExprId| {
+            let before = tree.expr(value).extent.first.checked_sub(1)?;
+            Some(program.token(before)?.spelled)
+        };
+        let (question, colon) = (mark(self.yes)?, mark(self.no)?);
+        let holds = |span: &Span| span.start < question && question < colon && colon < span.end;
+        let bodies = program.tokens.macros.iter().filter(|m| !m.predefined);
+        let mut bodies = bodies.filter_map(|m| {
+            let (first, last) = (m.body.first()?, m.body.last()?);
+            Some(first.token.span.to(last.token.span))
+        });
+        let whole = Some(place(self.id)?).filter(holds);
+        // The macro may consist of the choice alone.
+        let whole = whole.or_else(|| bodies.find(holds))?;
+        let trimmed = |start: u32, end: u32| {
+            let text = sources.text(Span::new(start, end));
+            let blank = (text.len() - text.trim_start().len()) as u32;
+            Span::new(start + blank, start + blank + text.trim().len() as u32)
+        };
+        Some([
+            trimmed(whole.start, question),
+            trimmed(question + 1, colon),
+            trimmed(colon + 1, whole.end),
+        ])
+    }
+
+    /// The start of the function or declaration that it is in.
+    fn item(&self) -> Option<u32> {
+        let tree = &self.program.tree;
+        let extents = tree.items.iter().filter_map(|item| match item {
+            Item::Function(id) => Some(tree.function(*id)?.extent),
+            Item::Decl(id) => Some(tree.decl(*id)?.extent),
+        });
+        let own = tree.expr(self.id).extent;
+        let mut items = extents.filter(|extent| extent.contains(own));
+        let token = self.program.token(items.next()?.first)?;
+        token.is_direct().then_some(token.span.start)
     }
 
     /// Whether an expression may write something, or costs more than the choice.

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import { bytesOf, colors, folder, open, port, program, put, run, shaderport } from './browser.js';
+import { bytesOf, colors, folder, open, port, program, put, run, shaderport, top } from './browser.js';
 import { exportsOf, lightExports, read, sweptExports, templates } from './corpus.js';
 import { beside } from './webgpu_host.js';
 
@@ -32,7 +32,7 @@ function hasEnded() {
   return gl.isContextLost();
 }
 
-/** Draws a shader or project in both ways; resolves to the number of pixels that differ. */
+/** Draws a shader or project in both ways; resolves to the number of pixels that differ, and the bytes drawn by WebGPU. */
 async function compare(context, file, name, ...args) {
   const out = path.join(folder(), `${name}.wgsl.d`);
   fs.mkdirSync(out, { recursive: true });
@@ -51,7 +51,7 @@ async function compare(context, file, name, ...args) {
   assert.equal(drawn.error, undefined);
   const [ours, theirs] = [drawn.ours, drawn.theirs].map(bytesOf);
   const shown = colors(theirs);
-  return { count: unequal(ours, theirs), total: SIZE.width * SIZE.height, shown };
+  return { count: unequal(ours, theirs), total: SIZE.width * SIZE.height, shown, ours };
 }
 
 const equal = { asked: 0, differing: [], tooMuch: [] };
@@ -132,6 +132,74 @@ async function passes(context) {
   }
 }
 
+/** The cases of the executor's tests of the order of evaluation: statements that set `r`, and its value. */
+function orderCases() {
+  const text = fs.readFileSync(path.join(top, 'src/exec/evaluation_order.rs'), 'utf8');
+  const head = /const HEAD: &str = "#version 300 es\n.*\n([^"]*)\\n";/.exec(text)[1];
+  const cases = [...text.matchAll(/^ *"?([^"\n]+) => (\d+)(?:",)?$/gm)];
+  return { head, cases: cases.map(([, statements, value]) => ({ statements, value: Number(value) })) };
+}
+
+/** Each case in its own pixel, with the global variables as at the start. */
+async function order(context) {
+  const { head, cases } = orderCases();
+  const start = 'g = 1; log = 0; a = int[4](0, 0, 0, 0); v = ivec4(0); s = S(0, ivec2(0), int[3](0, 0, 0));';
+  const functions = cases.map(({ statements }, i) => `int case${i}() { int r = 0, i = 1, x = 1; ${start} ${statements} return r; }`);
+  const calls = cases.map((_, i) => `case ${i}: r = case${i}(); break;`);
+  const main = `void mainImage(out vec4 c, in vec2 p) {
+  int r = 0;
+  switch (int(p.x) + ${SIZE.width} * int(p.y)) {
+    ${calls.join('\n    ')}
+  }
+  c = vec4(r & 255, r >> 8, 0, 255) / 255.0;
+}`;
+  const file = put('gpu_order.glsl', [head, ...functions, main, ''].join('\n'));
+  const { count, ours } = await compare(context, file, 'gpu_order');
+  assert.equal(count, 0);
+  assert.ok(cases.length > 70, `${cases.length} cases`);
+  cases.forEach(({ statements, value }, i) => assert.equal(ours[4 * i] + 256 * ours[4 * i + 1], value, statements));
+}
+
+/** A function that some pixels leave before derivatives are taken: these use the values of all pixels. */
+async function returns(context) {
+  const file = put('gpu_returns.glsl', `float f(inout vec2 p) {
+  if (p.x < 0.0 || p.x > 1.0) { p.x -= 0.41; return 0.0; }
+  vec2 d = dFdx(p);
+  p.x -= 0.41;
+  return 0.5 * length(d) + fwidth(p.y);
+}
+void mainImage(out vec4 c, in vec2 q) {
+  vec2 p = q / 15.0;
+  float sum = 0.0;
+  for (int i = 0; i < 9; i++) sum += f(p);
+  c = vec4(sum, p * 0.1 + 0.5, 1);
+}
+`);
+  const { count, shown } = await compare(context, file, 'gpu_returns', '--first-row', 'bottom');
+  assert.equal(count, 0);
+  assert.ok(shown > 100, `${shown} colours are visible`);
+}
+
+/** Built-in functions that WebGPU's compiler would compute with another rounding; colours are the last bits. */
+async function rounding(context) {
+  const file = put('gpu_rounding.glsl', `vec3 bits(float x) {
+  uint b = floatBitsToUint(x);
+  return vec3(b & 7u, (b >> 3) & 7u, (b >> 6) & 7u) / 7.0;
+}
+float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43.5453); }
+void mainImage(out vec4 c, in vec2 p) {
+  float x = random(p), y = random(p.yx), z = random(p + 0.5);
+  mat3 m = mat3(x, y, 1, z, x + 1.0, y, 0, z, x);
+  vec4 v = smoothstep(vec4(z), vec4(-x), vec4(y, x, 0.1, 0.2));
+  float[6] all = float[6](smoothstep(x, x + 0.7, y), smoothstep(x, -1.0, y), v.y, (m / z)[1].y, inverse(mat2(m))[0].x, inverse(m)[1].y);
+  c = vec4(bits(all[int(p.x) % 6]), 1);
+}
+`);
+  const { count, shown } = await compare(context, file, 'gpu_rounding', '--first-row', 'bottom');
+  assert.equal(count, 0);
+  assert.ok(shown > 100, `${shown} colours are visible`);
+}
+
 /** The tests, if the program can write WGSL. */
 export async function webgpuTests() {
   if (!(await hasWgsl())) {
@@ -146,6 +214,9 @@ export async function webgpuTests() {
     },
   }));
   tests.push({ name: 'webgpu: passes that read each other', run: passes });
+  tests.push({ name: 'webgpu: order of evaluation', run: order });
+  tests.push({ name: 'webgpu: derivatives after a return', run: returns });
+  tests.push({ name: 'webgpu: rounding of built-in functions', run: rounding });
   const light = await lightExports();
   const swept = sweptExports(exportsOf().filter(isFlat));
   for (const file of new Set([...light, ...swept])) {

@@ -267,7 +267,8 @@ export async function beside({ passes, last }) {
     const buffer = buffers.get(told.pass.name);
     const encoder = device.createCommandEncoder();
     const drawing = encoder.beginRenderPass({
-      colorAttachments: [{ view: buffer.write.createView({ mipLevelCount: 1 }), loadOp: 'clear', storeOp: 'store' }],
+      // Discarded pixels keep their colour, as in ShaderToy.
+      colorAttachments: [{ view: buffer.write.createView({ mipLevelCount: 1 }), loadOp: 'load', storeOp: 'store' }],
     });
     drawing.setPipeline(pipeline);
     drawing.setBindGroup(0, device.createBindGroup({ layout, entries }));

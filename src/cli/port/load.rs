@@ -9,8 +9,8 @@ use crate::cli::config::{configured_host, host_of};
 use crate::engine::{Repairs, modernize, repair};
 use crate::host::{Preset, shadertoy};
 use crate::port::{
-    ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts, add_stand_ins,
-    saver_roles, unknown_pass, unknown_source,
+    ChannelName, ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts,
+    add_stand_ins, saver_roles, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
 use crate::text::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
@@ -32,7 +32,7 @@ pub(super) struct LoadedProject {
 
 /// Loads the project that the arguments describe.
 pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
-    let orders = args.orders()?;
+    let mut orders = args.orders()?;
     let mode = if args.repair || args.diff {
         Mode::Repair
     } else {
@@ -42,6 +42,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         mut project,
         mut repairs,
         mut given,
+        mut renamed,
         siblings,
     } = match &args.input[..] {
         [] if args.pass.is_empty() => {
@@ -62,6 +63,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         && let Some((fixed, renewed, repaired)) = apply_repairs(&project, &composed, &name, mode)?
     {
         given = Some(std::mem::replace(&mut composed, renewed));
+        renamed = project.renamed_samplers(&fixed);
         (project, repairs) = (fixed, repaired);
     }
     if project
@@ -80,6 +82,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     {
         carried.find(&mut project, folder_of(path))?;
     }
+    follow_repairs(&mut orders, &renamed);
     put(&mut project, &orders, &mut carried)?;
     let mut notes = carried.notes();
     if args.strict_player {
@@ -180,6 +183,17 @@ pub(in crate::cli) fn put_channels(
     Ok((read, carried.remarks().to_vec()))
 }
 
+/// Samplers that repairs renamed are found by their old names, too.
+fn follow_repairs(orders: &mut [GivenOrder], renamed: &[(String, String)]) {
+    for GivenOrder { order, .. } in orders {
+        if let ChannelName::Sampler(name) = &mut order.channel
+            && let Some((_, new)) = renamed.iter().find(|(old, _)| old == name)
+        {
+            name.clone_from(new);
+        }
+    }
+}
+
 fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> Result<(), String> {
     for GivenOrder { by, order } in orders {
         let wrong = |e| format!("{by}: {e}");
@@ -241,6 +255,8 @@ struct Drafted {
     repairs: Repairs,
     /// The composed passes before these repairs.
     given: Option<Composed>,
+    /// The samplers that these repairs renamed, with the new names.
+    renamed: Vec<(String, String)>,
     /// The companion files that it was loaded from.
     siblings: SiblingTexts,
 }
@@ -252,6 +268,7 @@ impl Drafted {
             project,
             repairs: Repairs::default(),
             given: None,
+            renamed: Vec::new(),
             siblings: SiblingTexts::new(),
         }
     }
@@ -307,9 +324,11 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     let repairs = modernize(&project, &name, &text, |text| draft(text).ok())
         .ok_or_else(|| wrong("the shader is too large".to_string()))?;
     let given = project.resolve(&name).map_err(|e| wrong(e.to_string()))?;
-    let project = draft(repairs.text().unwrap_or(&text))?;
+    let mut repaired = draft(repairs.text().unwrap_or(&text))?;
+    repaired.resolve(&name).map_err(|e| wrong(e.to_string()))?;
     Ok(Drafted {
-        project,
+        renamed: project.renamed_samplers(&repaired),
+        project: repaired,
         repairs,
         given: Some(given),
         siblings,

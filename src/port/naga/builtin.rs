@@ -1,11 +1,11 @@
 //! Built-in functions.
 
 use super::body::Body;
-use super::target::{FirstRow, Res, Value};
+use super::target::{FirstRow, Res, TargetLanguage, Value};
 use super::types::Sink;
 use ::naga::{
-    BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Literal,
-    MathFunction as F, RelationalFunction, ScalarKind, UnaryOperator,
+    BinaryOperator as Op, DerivativeAxis, DerivativeControl, Expression, Handle, Literal,
+    MathFunction as F, RelationalFunction, ScalarKind, Statement, UnaryOperator,
 };
 use shaderlint_ir::OpId;
 use shaderlint_ir::expand::{self, Arithmetic, Operator};
@@ -62,6 +62,10 @@ impl Body<'_, '_> {
                 Ok(self.add(Expression::Unary { op, expr }))
             }
             (Lowering::Modulo, &[x, y]) => Ok(self.modulo(x, y)),
+            (Lowering::SmoothStep, &[low, high, x]) => match self.lowerer.language {
+                TargetLanguage::Wgsl => self.smoothstep([low, high, x], wide.unwrap_or(first)),
+                _ => Ok(self.math(F::SmoothStep, &values)),
+            },
             (Lowering::Fraction, &[x]) => {
                 let integral = self.math(F::Trunc, &[x]);
                 Ok(self.op(Op::Subtract, x, integral))
@@ -112,6 +116,22 @@ impl Body<'_, '_> {
         self.op(Op::Subtract, x, integral)
     }
 
+    /// `smoothstep` as a generated function: WebGPU's compiler multiplies in another order than WebGL's.
+    fn smoothstep(&mut self, values: [Value; 3], ty: Type) -> Res<Value> {
+        let function = match self.lowerer.smoothsteps.get(&ty) {
+            Some(found) => *found,
+            None => {
+                let made = smoothstep(self, ty)?;
+                self.lowerer.smoothsteps.insert(ty, made);
+                made
+            }
+        };
+        match self.call(function, values.to_vec(), ty) {
+            Some(value) => Ok(value),
+            None => self.without_counterpart(BuiltinId::Smoothstep),
+        }
+    }
+
     /// `isnan` and `isinf` by bits: WGSL has neither, and other compilers assume that they are
     /// never true. `op` compares the bits with those of infinity.
     fn unusual(&mut self, op: Op, x: Value, ty: Type) -> Value {
@@ -143,6 +163,34 @@ impl Body<'_, '_> {
             _ => Ok(value),
         }
     }
+}
+
+/// Generates the function `smoothstep` of a type.
+fn smoothstep(body: &mut Body, ty: Type) -> Res<Handle<::naga::Function>> {
+    let inner = body.lowerer.ty(ty)?;
+    let name = format!("smoothstep{}", ty.components());
+    let mut made = Body::new(body.lowerer, &name);
+    made.function.result = Some(::naga::FunctionResult {
+        ty: inner,
+        binding: None,
+    });
+    let [low, high, x] = ["low", "high", "x"].map(|name| made.argument(name, inner));
+    let [zero, one, two, three] = [0.0, 1.0, 2.0, 3.0].map(|value| {
+        let value = made.float(value);
+        made.splat(value, ty)
+    });
+    let distance = made.op(Op::Subtract, x, low);
+    let width = made.op(Op::Subtract, high, low);
+    let share = made.op(Op::Divide, distance, width);
+    let t = made.math(F::Clamp, &[share, zero, one]);
+    made.name(t, "t");
+    let square = made.op(Op::Multiply, t, t);
+    let double = made.op(Op::Multiply, two, t);
+    let rest = made.op(Op::Subtract, three, double);
+    let value = made.op(Op::Multiply, square, rest);
+    made.push(Statement::Return { value: Some(value) });
+    let function = made.finish();
+    body.lowerer.define(function)
 }
 
 impl Arithmetic for Body<'_, '_> {
@@ -210,6 +258,8 @@ enum Lowering {
     ArcTangent,
     /// To the expansion of `mod`.
     Modulo,
+    /// To the same function, or to a generated one.
+    SmoothStep,
     /// To the fractional part; for `modf`, whose integer part is a separate operation.
     Fraction,
     /// To a selection or an interpolation, depending on the type of the last argument.
@@ -240,7 +290,7 @@ fn lowering(function: BuiltinId) -> Lowering {
         B::Round | B::RoundEven => Math(F::Round), B::Ceil => Math(F::Ceil),
         B::Fract => Math(F::Fract), B::Min => Math(F::Min), B::Max => Math(F::Max),
         B::Clamp => Math(F::Clamp), B::Step => Math(F::Step),
-        B::Smoothstep => Math(F::SmoothStep), B::PackSnorm2x16 => Math(F::Pack2x16snorm),
+        B::Smoothstep => SmoothStep, B::PackSnorm2x16 => Math(F::Pack2x16snorm),
         B::UnpackSnorm2x16 => Math(F::Unpack2x16snorm),
         B::PackUnorm2x16 => Math(F::Pack2x16unorm),
         B::UnpackUnorm2x16 => Math(F::Unpack2x16unorm), B::PackHalf2x16 => Math(F::Pack2x16float),

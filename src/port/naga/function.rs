@@ -64,6 +64,9 @@ impl<'p> NagaLowerer<'p> {
                 binding: None,
             }),
         };
+        if self.takes_derivatives(function.ops) {
+            self.deriving.insert(id);
+        }
         let mut body = Body::new(self, program.names.text(declared.name));
         body.function.result = result;
         for parameter in form.parameters(function) {
@@ -76,6 +79,17 @@ impl<'p> NagaLowerer<'p> {
         let handle = self.define(function)?;
         self.functions.insert(id, handle);
         Ok(())
+    }
+}
+
+impl NagaLowerer<'_> {
+    /// Whether some operations take derivatives, also in functions that they call.
+    pub(super) fn takes_derivatives(&self, ops: ir::Run) -> bool {
+        ops.ops().any(|op| match self.form.op(op).kind {
+            OpKind::Builtin(function, _) => function.kind().takes_derivatives(),
+            OpKind::Call(callee, _) => self.deriving.contains(&callee),
+            _ => false,
+        })
     }
 }
 

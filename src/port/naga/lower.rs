@@ -10,7 +10,7 @@ use super::types::Sink;
 use super::{global::Global, uniform::Uniforms};
 use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{self as ir, Layout, OpId, OpKind};
 use shaderlint_semantic::link::{Block, Interface};
 use shaderlint_semantic::{
@@ -49,8 +49,12 @@ pub(super) struct NagaLowerer<'p> {
     /// Built-in variables, such as `gl_FragCoord`.
     pub(super) specials: FxHashMap<&'static str, Special>,
     pub(super) functions: FxHashMap<FunctionRef, Handle<::naga::Function>>,
+    /// Functions that take derivatives, also in functions that they call.
+    pub(super) deriving: FxHashSet<FunctionRef>,
     /// `inverse` functions by matrix size.
     pub(super) inverses: FxHashMap<u8, Handle<::naga::Function>>,
+    /// `smoothstep` functions by type.
+    pub(super) smoothsteps: FxHashMap<Type, Handle<::naga::Function>>,
     /// Functions that read a texel, by sampler type.
     pub(super) fetches: FxHashMap<Sampler, Handle<::naga::Function>>,
     pub(super) uniforms: Uniforms,
@@ -91,7 +95,9 @@ pub fn lower(program: &Program, options: LowerOptions) -> Result<Lowered, Refuse
         globals: FxHashMap::default(),
         specials: FxHashMap::default(),
         functions: FxHashMap::default(),
+        deriving: FxHashSet::default(),
         inverses: FxHashMap::default(),
+        smoothsteps: FxHashMap::default(),
         fetches: FxHashMap::default(),
         uniforms: Uniforms::default(),
         interface: HostInterface {

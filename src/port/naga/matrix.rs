@@ -14,10 +14,22 @@ impl Body<'_, '_> {
             (Op::Multiply, _, Some(number)) => (left, number),
             (Op::Multiply, Some(number), None) => (number, right),
             (Op::Add | Op::Subtract, None, None) => (left, right),
+            (Op::Divide, None, Some(number)) => {
+                // As the browser divides, with its rounding.
+                let (matrix, number) = (self.value(left)?, self.value(number)?);
+                return Ok(self.over(matrix, number));
+            }
             _ => return self.by_columns(op, left, right),
         };
         let (l, r) = (self.value(l)?, self.value(r)?);
         Ok(self.op(op, l, r))
+    }
+
+    /// A matrix multiplied by the reciprocal of a number.
+    fn over(&mut self, matrix: Value, number: Value) -> Value {
+        let one = self.float(1.0);
+        let reciprocal = self.op(Op::Divide, one, number);
+        self.op(Op::Multiply, matrix, reciprocal)
     }
 
     /// An arithmetic operator on two matrices, column by column.
@@ -69,7 +81,7 @@ impl Body<'_, '_> {
         }
     }
 
-    /// The cofactors divided by the determinant.
+    /// The cofactors over the determinant.
     fn cofactors(&mut self, matrix: Value, size: u8, ty: Type) -> Res<Value> {
         let size = size as usize;
         let mut cells = Vec::new();
@@ -84,11 +96,10 @@ impl Body<'_, '_> {
         let mut done = Vec::new();
         for column in cofactors.chunks(size) {
             let column_ty = Type::vector(Scalar::Float, size as u8);
-            let column = self.compose(column_ty, column.to_vec())?;
-            let by = self.splat(determinant, column_ty);
-            done.push(self.op(Op::Divide, column, by));
+            done.push(self.compose(column_ty, column.to_vec())?);
         }
-        self.compose(ty, done)
+        let adjugate = self.compose(ty, done)?;
+        Ok(self.over(adjugate, determinant))
     }
 }
 

@@ -1,11 +1,11 @@
 //! Lowers regions: sequences, branches and loops.
 
 use super::body::Body;
-use super::target::{Res, Value};
+use super::target::{Res, TargetLanguage, Value};
 use super::types::Sink;
 use ::naga::{Block, Expression, Statement, SwitchCase, SwitchValue, UnaryOperator};
 use shaderlint_ir::{
-    Case, CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Switch, Visit,
+    Case, CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Step, Switch, Visit,
 };
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::StmtId;
@@ -20,13 +20,7 @@ impl<'p> Visit<'p> for Body<'_, 'p> {
     /// Lowers the steps of a region up to the first that ends it.
     fn region(&mut self, region: Region) -> Res<()> {
         self.depth += 1;
-        for step in self.lowerer.form.steps(region) {
-            self.check_limits()?;
-            self.step(step)?;
-            if self.is_terminated() {
-                break;
-            }
-        }
+        self.steps(self.lowerer.form.steps(region))?;
         self.depth -= 1;
         Ok(())
     }
@@ -140,7 +134,82 @@ impl<'p> Visit<'p> for Body<'_, 'p> {
     }
 }
 
-impl Body<'_, '_> {
+impl<'p> Body<'_, 'p> {
+    fn steps(&mut self, steps: &'p [Step]) -> Res<()> {
+        for (at, step) in steps.iter().enumerate() {
+            self.check_limits()?;
+            let rest = steps.get(at + 1..).unwrap_or(&[]);
+            if let Step::If {
+                condition,
+                then,
+                otherwise,
+                ..
+            } = *step
+                && let Some(returning) = self.divides(rest, [then, otherwise])
+            {
+                return self.divided(condition, [then, otherwise], returning, rest);
+            }
+            self.step(step)?;
+            if self.is_terminated() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// The side of a branch that returns, if the steps after the branch belong to the other side.
+    ///
+    /// WebGPU's compiler for Vulkan makes a function return at its end only: the steps after the
+    /// branch run under a condition, with variables that have the values of both sides. If they take
+    /// derivatives, the pixels that returned would contribute values that the returning side
+    /// assigned. In WebGL these assignments have no effect.
+    fn divides(&self, rest: &[Step], sides: [Region; 2]) -> Option<usize> {
+        /// Nesting up to which this is done; WGSL has a limit of 127.
+        const MAX_NESTING: u32 = 40;
+        let form = self.lowerer.form;
+        let is_wgsl = self.lowerer.language == TargetLanguage::Wgsl;
+        if rest.is_empty() || !is_wgsl || self.depth > MAX_NESTING {
+            return None;
+        }
+        let returning = sides.iter().position(|side| returns(form, *side))?;
+        let mut runs = form.steps_in(rest).filter_map(|step| match step {
+            Step::Run(run) => Some(*run),
+            _ => None,
+        });
+        let takes = runs.any(|run| self.lowerer.takes_derivatives(run));
+        takes.then_some(returning)
+    }
+
+    /// Lowers a branch of which one side returns, with the steps after it in the other side.
+    fn divided(
+        &mut self,
+        condition: OpId,
+        sides: [Region; 2],
+        returning: usize,
+        rest: &'p [Step],
+    ) -> Res<()> {
+        let condition = self.value(condition)?;
+        let mut blocks = [Block::new(), Block::new()];
+        self.depth += 1;
+        for (i, (block, side)) in blocks.iter_mut().zip(sides).enumerate() {
+            *block = self.nested(|it| {
+                it.region(side)?;
+                if i == returning || it.is_terminated() {
+                    return Ok(());
+                }
+                it.steps(rest)
+            })?;
+        }
+        self.depth -= 1;
+        let [accept, reject] = blocks;
+        self.push(Statement::If {
+            condition,
+            accept,
+            reject,
+        });
+        Ok(())
+    }
+
     fn leave_unless(&mut self, condition: Value) -> Res<()> {
         let reject = self.nested(|it| {
             it.push(Statement::Break);
@@ -163,6 +232,17 @@ impl Body<'_, '_> {
             }
         }
         Ok(())
+    }
+}
+
+/// Whether a region always ends by returning.
+fn returns(form: &Module, region: Region) -> bool {
+    match form.steps(region).last() {
+        Some(Step::Return(..)) => true,
+        Some(Step::If {
+            then, otherwise, ..
+        }) => returns(form, *then) && returns(form, *otherwise),
+        _ => false,
     }
 }
 

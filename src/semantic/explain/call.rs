@@ -244,14 +244,16 @@ impl ExplainContext<'_> {
         candidates: &[&OverloadCandidate],
         all: &[OverloadCandidate],
     ) -> Diagnostic {
-        let cost = |c: &OverloadCandidate| -> u32 {
-            c.params
-                .iter()
-                .zip(args)
+        // Candidates that desktop GLSL would choose by its implicit conversions come first.
+        let cost = |c: &OverloadCandidate| -> (bool, u32) {
+            let pairs = || c.params.iter().zip(args);
+            let is_implicit = pairs().all(|(&p, &a)| converts(p, self.ty(a)));
+            let sum = pairs()
                 .map(|(&p, &a)| distance(p, self.ty(a), self.literal_token(a).is_some()))
-                .sum()
+                .sum();
+            (!is_implicit, sum)
         };
-        let mut ranked: Vec<(u32, &OverloadCandidate)> =
+        let mut ranked: Vec<((bool, u32), &OverloadCandidate)> =
             candidates.iter().map(|c| (cost(c), *c)).collect();
         let size = |c: &OverloadCandidate| c.params.iter().map(|p| p.components()).sum::<u32>();
         ranked.sort_by_key(|(cost, c)| (*cost, std::cmp::Reverse(size(c))));
@@ -421,6 +423,15 @@ impl ExplainContext<'_> {
         let edit = Edit::insert(self.token_span(token).end, " * ");
         Some(Fix::suggestion("add `*` to multiply", vec![edit]))
     }
+}
+
+/// Whether desktop GLSL converts one type to another implicitly: integers to floats and to `uint`.
+fn converts(expected: Type, found: Type) -> bool {
+    let is_wider = match (expected.scalar_kind(), found.scalar_kind()) {
+        (Some(Scalar::Float), Some(Scalar::Int | Scalar::Uint)) => true,
+        (expected, found) => (expected, found) == (Some(Scalar::Uint), Some(Scalar::Int)),
+    };
+    expected == found || is_wider && is_mix(expected, found)
 }
 
 /// Whether two types differ only in `int`, `uint` and `float`.

@@ -175,13 +175,25 @@ impl FaultyShader<'_> {
             return true;
         }
         let cause = candidate.of;
-        // The rest of an expression in a macro is checked once its operands have a type.
         let call = |d: &Diagnostic| d.macros.last().map(|outermost| outermost.call);
-        let fixed = call(&candidate.diagnostic);
-        let is_revealed = |d: &Diagnostic| fixed.is_some() && call(d) == fixed;
+        let is_revealed = |d: &Diagnostic| {
+            call(&candidate.diagnostic)
+                .is_some_and(|fixed| call(d) == Some(fixed) || self.is_unchecked(fixed, d.span))
+        };
         let is_other =
             |d: &Diagnostic| cause.is_none_or(|of| !self.calls.touches(self.program, of, d));
         after.len() <= self.errors.len() && new.all(|d| is_revealed(d) || is_other(d))
+    }
+
+    /// Whether code is in an expression without a type that a macro call is in: the rest of an expression is
+    /// checked once its operands have a type.
+    fn is_unchecked(&self, call: Span, code: Span) -> bool {
+        let exprs = self.program.tree.exprs.iter().zip(&self.program.exprs);
+        let mut untyped = exprs.filter(|(_, info)| info.ty.is_error());
+        untyped.any(|(expr, _)| {
+            let span = self.program.span(expr.extent);
+            span.contains(call) && span.contains(code)
+        })
     }
 
     /// The repairs suggested by the lines near the errors, most likely first.
