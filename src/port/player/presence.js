@@ -16,6 +16,7 @@ const GREETING = 10;
  * The place of a player among all that hold contexts.
  * @typedef {object} Seat
  * @property {string} id
+ * @property {number} since when it took its context, on the clock of all frames
  * @property {boolean} isSeen
  * @property {boolean} isHeld
  * @property {() => void} open
@@ -23,9 +24,9 @@ const GREETING = 10;
  */
 
 /**
- * What the players of this page know: the holders of contexts in the order in which they took them, those of them
+ * What the players of this page know: the holders of contexts with the time at which they took them, those of them
  * that are not seen, and the frames that they have heard.
- * @typedef {{seats: Set<Seat>, holders: Set<string>, hidden: Set<string>, frames: Set<MessageEventSource | null>, isKnown: boolean}} Hall
+ * @typedef {{seats: Set<Seat>, holders: Map<string, number>, hidden: Set<string>, frames: Set<MessageEventSource | null>, isKnown: boolean}} Hall
  */
 
 /** @typedef {'take' | 'hold' | 'leave' | 'hide' | 'here'} SeatNews */
@@ -37,45 +38,43 @@ function hallOfPage() {
   const known = page[key];
   if (known) return known;
   /** @type {Hall} */
-  const hall = { seats: new Set(), holders: new Set(), hidden: new Set(), frames: new Set(), isKnown: false };
+  const hall = { seats: new Set(), holders: new Map(), hidden: new Set(), frames: new Set(), isKnown: false };
   page[key] = hall;
   window.addEventListener('message', ({ data, source }) => {
-    const [news, id] = data?.shaderport ?? [];
+    const [news, id, since] = data?.shaderport ?? [];
     if (source === window || typeof id !== 'string') return;
     hall.frames.add(source);
     if (news === 'take') introduce(hall, /** @type {Window} */ (source));
-    hear(hall, news, id);
+    hear(hall, news, { id, since: Number(since) || 0 });
   });
   return hall;
 }
 
-/** Tells the players of this page, and those in other frames of the page around it. @param {Hall} hall @param {SeatNews} news @param {string} id */
-function say(hall, news, id) {
-  hear(hall, news, id);
+/** Tells the players of this page, and those in other frames of the page around it. @param {Hall} hall @param {SeatNews} news @param {Seat} seat */
+function say(hall, news, seat) {
+  hear(hall, news, seat);
   const { parent } = window;
   if (parent === window) return;
   for (let i = 0; i < parent.length; i++) {
-    if (parent[i] !== window) parent[i].postMessage({ shaderport: [news, id] }, '*');
+    if (parent[i] !== window) parent[i].postMessage({ shaderport: [news, seat.id, seat.since] }, '*');
   }
 }
 
 /** Tells a frame, which may be new, who holds a context here. @param {Hall} hall @param {Window} frame */
 function introduce({ seats }, frame) {
-  for (const { isHeld, isSeen, id } of seats) {
-    frame.postMessage({ shaderport: [isHeld ? 'hold' : 'here', id] }, '*');
+  for (const { isHeld, isSeen, id, since } of seats) {
+    frame.postMessage({ shaderport: [isHeld ? 'hold' : 'here', id, since] }, '*');
     if (isHeld && !isSeen) frame.postMessage({ shaderport: ['hide', id] }, '*');
   }
 }
 
-/** @param {Hall} hall @param {SeatNews} news @param {string} id */
-function hear(hall, news, id) {
+/** @param {Hall} hall @param {SeatNews} news @param {{id: string, since: number}} seat */
+function hear(hall, news, { id, since }) {
   const { seats, holders, hidden } = hall;
   if (news === 'hide' && holders.has(id)) hidden.add(id);
   else hidden.delete(id);
-  if (news === 'take' || news === 'leave') holders.delete(id);
-  if (news === 'take') holders.add(id);
-  // Those that were there before come before those that are known.
-  if (news === 'hold' && !holders.has(id)) hall.holders = new Set([id, ...holders]);
+  if (news === 'leave') holders.delete(id);
+  if (news === 'take' || news === 'hold') holders.set(id, since);
   for (const seat of seats) if (mustLeave(hall, seat)) leave(hall, seat);
   if (news !== 'leave' && news !== 'hide') return;
   for (const seat of seats) {
@@ -88,7 +87,8 @@ function hear(hall, news, id) {
 /** Whether too many took a context after this one. @param {Hall} hall @param {Seat} seat */
 function mustLeave({ holders }, seat) {
   if (!seat.isHeld) return false;
-  const newer = holders.size - 1 - [...holders].indexOf(seat.id);
+  // All frames must find the same order, however late the news are.
+  const newer = [...holders].filter(([id, since]) => since > seat.since || (since === seat.since && id > seat.id)).length;
   return newer >= (seat.isSeen ? MAX_CONTEXTS : MAX_UNSEEN) || (!seat.isSeen && holders.size > MAX_CONTEXTS);
 }
 
@@ -96,7 +96,8 @@ function mustLeave({ holders }, seat) {
 function take(hall, seat) {
   if (seat.isHeld || !hall.seats.has(seat)) return;
   seat.isHeld = true;
-  say(hall, 'take', seat.id);
+  seat.since = performance.timeOrigin + performance.now();
+  say(hall, 'take', seat);
   if (window.parent === window) setTimeout(() => seat.isHeld && seat.open());
   else setTimeout(() => openInTurn(hall, seat, PATIENCE), COURTESY);
 }
@@ -113,7 +114,7 @@ function openInTurn(hall, seat, patience) {
   hall.isKnown = true;
   // Those that do not answer are gone.
   if (isFull) {
-    hall.holders = new Set([...hall.seats].filter((s) => s.isHeld).map((s) => s.id));
+    hall.holders = new Map([...hall.seats].filter((s) => s.isHeld).map((s) => [s.id, s.since]));
     hall.hidden.clear();
   }
   seat.open();
@@ -124,7 +125,7 @@ function leave(hall, seat) {
   if (!seat.isHeld) return;
   seat.isHeld = false;
   seat.rest();
-  say(hall, 'leave', seat.id);
+  say(hall, 'leave', seat);
 }
 
 /**
@@ -138,6 +139,7 @@ function playWhenSeen(player, signal) {
   /** @type {Seat} */
   const seat = {
     id: `${Math.random()}`,
+    since: 0,
     isSeen: false,
     isHeld: false,
     open: () => void player.open(),
@@ -152,8 +154,8 @@ function playWhenSeen(player, signal) {
   const observer = new IntersectionObserver((entries) => {
     seat.isSeen = !canvas.isConnected || entries[entries.length - 1].isIntersecting;
     player.setSeen(seat.isSeen);
-    if (!seat.isSeen) say(hall, 'hide', seat.id);
-    else if (seat.isHeld) say(hall, 'hold', seat.id);
+    if (!seat.isSeen) say(hall, 'hide', seat);
+    else if (seat.isHeld) say(hall, 'hold', seat);
     else take(hall, seat);
   });
   observer.observe(canvas);
@@ -162,7 +164,7 @@ function playWhenSeen(player, signal) {
     observer.disconnect();
     hall.seats.delete(seat);
     seat.isHeld = false;
-    say(hall, 'leave', seat.id);
+    say(hall, 'leave', seat);
   };
   signal?.addEventListener('abort', end);
   window.addEventListener('pagehide', (event) => event.persisted || end(), { signal });
