@@ -1,10 +1,12 @@
 //! Reads host files: the facts in the header, and the declarations.
 
+use super::limit::Limit;
 use super::meaning::{OWN, USUAL};
 use super::near::none_of;
 use super::preset::{
     GivenFacts, HeadError, HostVersion, Preset, RequiredVersion, TextSign, declared_in,
 };
+use super::template::Template;
 
 /// Finds a known host by its name.
 type Known = fn(&str) -> Result<&'static Preset, String>;
@@ -20,6 +22,7 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
     let mut comment = String::new();
     // Whether the current line is in the `SHADER_DECLARES` section.
     let mut is_theirs = false;
+    let mut template: Option<String> = None;
     for (line, number) in text.split_inclusive('\n').zip(1..) {
         let wrong = |message| HeadError {
             line: number,
@@ -28,6 +31,11 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
         is_head &= line.starts_with("//") && !line.starts_with("///");
         if !is_head {
             let word = line.trim();
+            if template.is_some() || word == SHADER_TEMPLATE {
+                preset.prelude.push('\n');
+                template = preset.read_template(template.take(), line).map_err(wrong)?;
+                continue;
+            }
             if let Some(more) = word.strip_prefix("///") {
                 comment = format!("{comment} {}", more.trim());
                 preset.prelude.push('\n');
@@ -88,8 +96,11 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
 /// Starts the section of names that the shaders declare.
 const SHADER_DECLARES: &str = "#ifdef SHADER_DECLARES";
 
+/// Starts the template.
+const SHADER_TEMPLATE: &str = "#ifdef SHADER_TEMPLATE";
+
 /// The keys of a header.
-const KEYS: [&str; 25] = [
+const KEYS: [&str; 28] = [
     "alias",
     "reads",
     "base",
@@ -115,6 +126,9 @@ const KEYS: [&str; 25] = [
     "directive",
     "defines",
     "ending",
+    "refuses",
+    "setters",
+    "programs",
 ];
 
 /// Whether a word before a colon may be meant as a key.
@@ -123,6 +137,22 @@ fn is_key(word: &str) -> bool {
 }
 
 impl Preset {
+    /// Adds a line to those of the template; the last one completes it.
+    fn read_template(
+        &mut self,
+        lines: Option<String>,
+        line: &str,
+    ) -> Result<Option<String>, String> {
+        match lines {
+            None => Ok(Some(String::new())),
+            Some(lines) if line.trim() == "#endif" => {
+                self.template = Some(Template::of(&lines)?);
+                Ok(None)
+            }
+            Some(lines) => Ok(Some(lines + line)),
+        }
+    }
+
     fn set(&mut self, key: &str, value: &str, known: Known) -> Result<(), String> {
         let words = || value.split_whitespace().map(str::to_string);
         match key {
@@ -175,6 +205,17 @@ impl Preset {
             "ending" => self.extensions.extend(words()),
             "renames" => self.renames = yes_or_no(value)?,
             "composes" => self.composes = yes_or_no(value)?,
+            "setters" => self.setters = value.to_string(),
+            "programs" => {
+                self.programs = value
+                    .parse()
+                    .map_err(|_| format!("expected a number, found `{value}`"))?;
+            }
+            "refuses" => {
+                for word in words() {
+                    self.limits.push(Limit::named(&word)?);
+                }
+            }
             "names" => self.is_complete = all_or_some(value)?,
             "uniforms" => self.sets_all = all_or_some(value)?,
             _ => {

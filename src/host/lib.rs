@@ -7,14 +7,19 @@
 //! `FRAGMENT_SHADER` defined. A comment `// = time` after a declaration states the value that the
 //! host sets ([`Meanings`]), comments `/// ...` before it are shown by editors. Names that the
 //! shaders declare themselves are between `#ifdef SHADER_DECLARES` and `#endif`, which are not put
-//! before any shader.
+//! before any shader. Between `#ifdef SHADER_TEMPLATE` and `#endif` is what surrounds the code of a
+//! shader that is written for the host ([`Template`]).
 
+mod derived;
 mod head;
+mod limit;
 mod list;
 mod meaning;
 mod near;
 mod preset;
+mod template;
 
+pub use limit::Limit;
 pub use meaning::{
     COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,
     is_one_name,
@@ -22,6 +27,7 @@ pub use meaning::{
 pub use preset::{
     HeadError, HostVersion, Preset, RequiredVersion, TextSign, declared_in, matches_any,
 };
+pub use template::Template;
 
 use list::FILES;
 use std::sync::{Mutex, OnceLock, PoisonError};

@@ -1,6 +1,8 @@
 //! What is known about a host, and its documentation page.
 
+use super::limit::Limit;
 use super::meaning::{FeedRow, Meanings, is_named};
+use super::template::Template;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -107,6 +109,16 @@ pub struct Preset {
     pub defined: Vec<String>,
     /// The functions that it calls.
     pub entries: Vec<String>,
+    /// What it does not accept although WebGL2 does.
+    pub limits: Vec<Limit>,
+    /// The language of the application that sets the uniforms of a shader by their position, whatever
+    /// their names are.
+    pub setters: String,
+    /// The number of programs that it runs, each of which reads the outputs of the others from the
+    /// channels with their numbers; 0 if it runs a single shader.
+    pub programs: usize,
+    /// How shaders are written for it.
+    pub template: Option<Template>,
     /// Further evidence for this host in a shader.
     pub signs: Vec<TextSign>,
     /// Documentation of its names, from comments `/// The seconds since the start.`
@@ -185,6 +197,13 @@ impl Preset {
         }
         if !self.includes.is_empty() {
             facts.push(("Include syntax", format!("`{}`", self.includes)));
+        }
+        if !self.limits.is_empty() {
+            let limits: Vec<&str> = self.limits.iter().map(|l| l.description()).collect();
+            facts.push(("Does not accept", limits.join("; ")));
+        }
+        if self.template.is_some() {
+            facts.push(("Written by", format!("`shaderport --target {}`", self.name)));
         }
         if !self.source.is_empty() {
             facts.push(("Source", self.source.clone()));

@@ -141,6 +141,17 @@ impl Remark {
         }
     }
 
+    /// A host lacks something that a pass uses.
+    pub(super) fn missing(pass: String, span: Span, message: String) -> Remark {
+        Remark {
+            pass,
+            severity: Severity::Error,
+            message,
+            span,
+            rule: "not-portable",
+        }
+    }
+
     /// A pass cannot be translated to the target language.
     #[cfg(feature = "naga")]
     pub(super) fn refused(pass: String, reason: &Refused) -> Remark {

@@ -5,7 +5,8 @@ use crate::cli::output::Overwrite;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
 use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, SliderChoice, Target};
-use clap::{Args, Parser, Subcommand};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 
 /// Ports ShaderToy shaders to WebGL2.
@@ -69,7 +70,7 @@ pub struct PortArgs {
     #[arg(short, long, value_name = "PATH", help_heading = OUTPUT)]
     pub(super) output: Option<PathBuf>,
     /// Output format; default: chosen by the extension of the output
-    #[arg(short, long, value_enum, value_name = "TARGET", help_heading = OUTPUT)]
+    #[arg(short, long, value_parser = targets(), value_name = "TARGET", help_heading = OUTPUT)]
     pub(super) target: Option<Target>,
     /// How plain shaders get a `main` function
     #[arg(long, value_enum, default_value_t, value_name = "HOW", help_heading = OUTPUT)]
@@ -199,6 +200,21 @@ Exit codes:
   0  No errors
   1  The shader has errors, or --verify did not confirm the output
   2  Wrong usage, or a file cannot be read or written";
+
+/// Reads a target: an output format, or a host that shaders are written for.
+fn targets() -> impl TypedValueParser<Value = Target> {
+    let formats = Target::value_variants().iter();
+    let formats = formats.filter_map(|target| target.to_possible_value());
+    let hosts = Target::hosts()
+        .map(|host| PossibleValue::new(host.name).help(format!("Shader for {}", host.read_as())));
+    PossibleValuesParser::new(formats.chain(hosts)).map(|name| {
+        let host = || Target::hosts().find(|host| host.name == name);
+        let format = Target::from_str(&name, false).ok();
+        format
+            .or_else(|| host().map(Target::Host))
+            .unwrap_or(Target::Glsl)
+    })
+}
 
 impl PortArgs {
     /// The build order that these arguments describe.

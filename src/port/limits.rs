@@ -1,0 +1,109 @@
+//! What a shader uses that its host does not accept.
+
+use shaderlint_host::{Limit, Preset};
+use shaderlint_semantic::{Program, Resolution, Scalar, Storage, Variable};
+use shaderlint_syntax::ast::{DeclKind, ExprId, ExprKind};
+use shaderlint_text::Span;
+
+/// A use of something that a host does not accept.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct BeyondLimit {
+    /// Where it is used.
+    pub span: Span,
+    /// What it is, as the title of a finding.
+    pub message: String,
+}
+
+/// Everything in the user's code that a host does not accept, in the order of the code.
+pub fn limits(program: &Program, host: &Preset) -> Vec<BeyondLimit> {
+    let mut found = Vec::new();
+    if host.limits.is_empty() {
+        return found;
+    }
+    let has = |limit| host.limits.contains(&limit);
+    for variable in &program.variables {
+        let span = program
+            .declared_at(variable)
+            .filter(|s| program.is_user(*s));
+        let refused = span.and_then(|span| Some((span, refused(program, variable, &has)?)));
+        if let Some((span, message)) = refused {
+            found.push(BeyondLimit { span, message });
+        }
+    }
+    if has(Limit::Blocks) {
+        found.extend(blocks(program));
+    }
+    if has(Limit::Lookups) {
+        found.extend(lookups(program));
+    }
+    found.sort_by_key(|beyond| beyond.span.start);
+    found.dedup();
+    found
+}
+
+/// Why a variable is not accepted.
+fn refused(program: &Program, variable: &Variable, has: &impl Fn(Limit) -> bool) -> Option<String> {
+    let name = program.names.text(variable.name);
+    let ty = program.type_name(variable.ty);
+    let kind = variable.ty.element().scalar_kind();
+    let is_uniform = variable.storage == Storage::Uniform;
+    let sampler = variable.ty.element().as_sampler();
+    if sampler.is_some_and(|s| s.name() != "sampler2D") && has(Limit::Samplers) {
+        return Some(format!("`{name}` is a `{ty}`, not a `sampler2D`"));
+    }
+    if variable.storage == Storage::Input && has(Limit::Varyings) {
+        return Some(format!("`{name}` is a varying"));
+    }
+    if kind == Some(Scalar::Uint) && has(Limit::Unsigned) {
+        return Some(format!("`{name}` is of the unsigned type `{ty}`"));
+    }
+    let is_number = kind.is_some_and(|k| k != Scalar::Float);
+    if is_uniform && is_number && has(Limit::Numbers) {
+        return Some(format!("uniform `{name}` is a `{ty}`, not of floats"));
+    }
+    None
+}
+
+/// The uniform blocks.
+fn blocks(program: &Program) -> Vec<BeyondLimit> {
+    let decls = program.tree.decls.iter();
+    let blocks = decls.filter_map(|decl| {
+        let DeclKind::Block { members, .. } = decl.kind else {
+            return None;
+        };
+        let ident = program.tree.structure(members)?.name?;
+        let span = program.token(ident.token)?.span;
+        program.is_user(span).then(|| BeyondLimit {
+            span,
+            message: format!("`{}` is a uniform block", program.names.text(ident.name)),
+        })
+    });
+    blocks.collect()
+}
+
+/// The texture functions other than `texture` with two arguments.
+fn lookups(program: &Program) -> Vec<BeyondLimit> {
+    let mut found = Vec::new();
+    for (id, expr) in (0..).map(ExprId).zip(&program.tree.exprs) {
+        let ExprKind::Call(name, args) = expr.kind else {
+            continue;
+        };
+        let is_builtin = matches!(program.expr(id).resolution, Resolution::Builtin(_));
+        let args = program.tree.args(args);
+        let has_sampler = args
+            .first()
+            .is_some_and(|arg| program.ty(*arg).as_sampler().is_some());
+        let name = program.names.text(name);
+        let is_usual = matches!(name, "texture" | "texture2D") && args.len() == 2;
+        let span = program.token(expr.extent.first).map(|t| t.span);
+        let span = span.filter(|s| is_builtin && has_sampler && !is_usual && program.is_user(*s));
+        if let Some(span) = span {
+            let message = match name {
+                "texture" => "`texture` is called with more than two arguments".to_string(),
+                name => format!("`{name}` is called, not `texture`"),
+            };
+            found.push(BeyondLimit { span, message });
+        }
+    }
+    found
+}
