@@ -12,6 +12,8 @@ pub struct BeyondLimit {
     pub span: Span,
     /// What it is, as the title of a finding.
     pub message: String,
+    /// What the host does not accept.
+    pub limit: Limit,
 }
 
 /// Everything in the user's code that a host does not accept, in the order of the code.
@@ -25,9 +27,12 @@ pub fn limits(program: &Program, host: &Preset) -> Vec<BeyondLimit> {
         let span = program
             .declared_at(variable)
             .filter(|s| program.is_user(*s));
-        let refused = span.and_then(|span| Some((span, refused(program, variable, &has)?)));
-        if let Some((span, message)) = refused {
-            found.push(BeyondLimit { span, message });
+        if let Some((span, (limit, message))) = span.zip(refused(program, variable, &has)) {
+            found.push(BeyondLimit {
+                span,
+                message,
+                limit,
+            });
         }
     }
     if has(Limit::Blocks) {
@@ -42,24 +47,31 @@ pub fn limits(program: &Program, host: &Preset) -> Vec<BeyondLimit> {
 }
 
 /// Why a variable is not accepted.
-fn refused(program: &Program, variable: &Variable, has: &impl Fn(Limit) -> bool) -> Option<String> {
+fn refused(
+    program: &Program,
+    variable: &Variable,
+    has: &impl Fn(Limit) -> bool,
+) -> Option<(Limit, String)> {
     let name = program.names.text(variable.name);
     let ty = program.type_name(variable.ty);
     let kind = variable.ty.element().scalar_kind();
     let is_uniform = variable.storage == Storage::Uniform;
     let sampler = variable.ty.element().as_sampler();
     if sampler.is_some_and(|s| s.name() != "sampler2D") && has(Limit::Samplers) {
-        return Some(format!("`{name}` is a `{ty}`, not a `sampler2D`"));
+        return Some((Limit::Samplers, format!("`{name}` is of type `{ty}`")));
     }
     if variable.storage == Storage::Input && has(Limit::Varyings) {
-        return Some(format!("`{name}` is a varying"));
+        return Some((Limit::Varyings, format!("`{name}` is a varying")));
     }
     if kind == Some(Scalar::Uint) && has(Limit::Unsigned) {
-        return Some(format!("`{name}` is of the unsigned type `{ty}`"));
+        return Some((Limit::Unsigned, format!("`{name}` is of type `{ty}`")));
     }
     let is_number = kind.is_some_and(|k| k != Scalar::Float);
     if is_uniform && is_number && has(Limit::Numbers) {
-        return Some(format!("uniform `{name}` is a `{ty}`, not of floats"));
+        return Some((
+            Limit::Numbers,
+            format!("uniform `{name}` is of type `{ty}`"),
+        ));
     }
     None
 }
@@ -76,6 +88,7 @@ fn blocks(program: &Program) -> Vec<BeyondLimit> {
         program.is_user(span).then(|| BeyondLimit {
             span,
             message: format!("`{}` is a uniform block", program.names.text(ident.name)),
+            limit: Limit::Blocks,
         })
     });
     blocks.collect()
@@ -99,10 +112,14 @@ fn lookups(program: &Program) -> Vec<BeyondLimit> {
         let span = span.filter(|s| is_builtin && has_sampler && !is_usual && program.is_user(*s));
         if let Some(span) = span {
             let message = match name {
-                "texture" => "`texture` is called with more than two arguments".to_string(),
-                name => format!("`{name}` is called, not `texture`"),
+                "texture" => "`texture` has more than two arguments".to_string(),
+                name => format!("`{name}` is called"),
             };
-            found.push(BeyondLimit { span, message });
+            found.push(BeyondLimit {
+                span,
+                message,
+                limit: Limit::Lookups,
+            });
         }
     }
     found

@@ -152,6 +152,14 @@ impl Remark {
         }
     }
 
+    /// A host draws a pass in a slightly different way.
+    pub(super) fn differs(pass: String, span: Span, message: String) -> Remark {
+        Remark {
+            severity: Severity::Warning,
+            ..Remark::missing(pass, span, message)
+        }
+    }
+
     /// A pass cannot be translated to the target language.
     #[cfg(feature = "naga")]
     pub(super) fn refused(pass: String, reason: &Refused) -> Remark {

@@ -17,8 +17,6 @@
 // composes: yes
 // refuses: samplers lookups varyings blocks unsigned numbers
 // setters: dart
-uniform vec2 flutter_Size; // = resolution
-vec2 FlutterFragCoord() { return vec2(gl_FragCoord.x, flutter_Size.y - gl_FragCoord.y); }
 #ifdef SHADER_DECLARES
 uniform vec2 uSize; // = resolution
 uniform vec2 u_size; // = resolution
@@ -34,7 +32,10 @@ uniform float uHeight; // = height
 uniform sampler2D uTexture; // = screen, top-first
 uniform sampler2D tInput; // = screen, top-first
 uniform sampler2D u_texture0; // = screen, top-first, numbered
+uniform sampler2D iChannel0; // = file, top-first, numbered
 #endif
+uniform vec2 flutter_Size; // = resolution
+vec2 FlutterFragCoord() { return vec2(gl_FragCoord.x, flutter_Size.y - gl_FragCoord.y); }
 #ifdef SHADER_TEMPLATE
 #version 460 core
 #include <flutter/runtime_effect.glsl>

@@ -17,10 +17,10 @@ pub use read_back::HostedShader;
 use super::limits::limits;
 use super::order::{Destination, Order};
 use super::output::{Build, BuildError, Remark, file};
-use super::{Composed, PassUnit, Project, ProjectPass, credits};
+use super::{Composed, Input, PassUnit, Project, ProjectPass, credits};
 use shaderlint_diagnostic::Severity;
-use shaderlint_host::{Preset, Template};
-use shaderlint_semantic::{Pass, Program};
+use shaderlint_host::{Preset, Template, is_named};
+use shaderlint_semantic::{Pass, Program, channel};
 use shaderlint_text::{FileId, Role, SourceFile, Span};
 use supplied::{Supplied, supplied};
 use text::{HostText, HostWriter};
@@ -45,42 +45,25 @@ pub(super) fn for_host(
     if host.programs > 0 {
         return programs::programs(order, project, composed, (host, template));
     }
-    let mut remarks = Vec::new();
-    let mut image = None;
-    for unit in &composed.units {
-        match unit.kind {
-            Pass::Image => image = Some(unit),
-            Pass::Common => {}
-            _ => remarks.push(no_pass(project, unit, host)),
-        }
-    }
+    let image = composed.units.iter().find(|unit| unit.kind == Pass::Image);
     let Some(unit) = image else {
-        return Ok(Build {
-            files: Vec::new(),
-            remarks,
-        });
+        return Ok(Build::default());
     };
-    let written = write(project, composed, unit, (host, template));
-    let text = match written {
-        Ok(text) if remarks.is_empty() => text,
-        Ok(_) => {
-            return Ok(Build {
-                files: Vec::new(),
-                remarks,
-            });
+    let mut remarks = left_out(project, composed, host);
+    let text = match write(project, composed, unit, (host, template)) {
+        Ok((text, found)) => {
+            remarks.extend(found);
+            text
         }
-        Err(more) => {
-            remarks.extend(more);
-            return Ok(Build {
-                files: Vec::new(),
-                remarks,
-            });
+        Err(found) => {
+            remarks.extend(found);
+            let files = Vec::new();
+            return Ok(Build { files, remarks });
         }
     };
-    let output = order.output.path();
     let output = match order.output {
         Destination::Folder(folder) => folder.join("image.glsl"),
-        _ => output.to_path_buf(),
+        other => other.path().to_path_buf(),
     };
     let mut files = vec![file(&output, text.text.as_str())];
     if host.setters == "dart" && order.output != Destination::Standard {
@@ -89,19 +72,54 @@ pub(super) fn for_host(
     Ok(Build { files, remarks })
 }
 
-/// A pass of a kind that the host does not have.
-fn no_pass(project: &Project, unit: &PassUnit, host: &Preset) -> Remark {
-    let title = project
-        .passes
-        .get(unit.pass)
-        .map_or(String::new(), |p| p.title(unit.pass));
-    let kind = match unit.kind {
-        Pass::Cubemap => "cube map",
-        Pass::Sound => "sound",
-        _ => "buffer",
+/// Warnings about what is heard and not drawn. Other passes that the host does not have are errors
+/// where the image reads them.
+fn left_out(project: &Project, composed: &Composed, host: &Preset) -> Vec<Remark> {
+    let sounds = composed.units.iter().filter(|u| u.kind == Pass::Sound);
+    let remarks = sounds.map(|unit| {
+        let pass = project.passes.get(unit.pass);
+        let title = pass.map_or(String::new(), |p| p.title(unit.pass));
+        let message = format!("left out: host `{}` has no sound", host.name);
+        Remark::differs(title, Span::default(), message)
+    });
+    remarks.collect()
+}
+
+/// Warnings about images that a host reads in another way.
+fn sampling(
+    pass: &ProjectPass,
+    title: &str,
+    inputs: &[(UsedInput, Supplied)],
+    host: &Preset,
+) -> Vec<Remark> {
+    let is_read = |input: &&Input| {
+        inputs.iter().any(|(used, _)| {
+            used.is_live
+                && used.value != UsedValue::Screen
+                && channel(&used.name) == Some(input.channel)
+        })
     };
-    let message = format!("host `{}` has no {kind} passes", host.name);
-    Remark::missing(title, Span::default(), message)
+    let rows = &host.meanings.textures;
+    let mut remarks = Vec::new();
+    for input in pass.inputs.iter().filter(is_read) {
+        let name = format!("iChannel{}", input.channel);
+        let Some(row) = rows.iter().find(|r| is_named(&r.name, &name)) else {
+            continue;
+        };
+        let mut differs = |what: &str| {
+            let message = format!("host `{}` {what} `{name}`", host.name);
+            remarks.push(Remark::differs(title.to_string(), Span::default(), message));
+        };
+        match (row.filter, input.sampler.filter.as_str()) {
+            ("nearest", "linear" | "mipmap") => differs("does not filter"),
+            (_, "mipmap") => differs("has no mipmaps for"),
+            _ => {}
+        }
+        if row.wrap == "clamp" && input.sampler.wrap != "clamp" {
+            differs("does not repeat");
+        }
+    }
+    remarks
 }
 
 /// The texts of the user in a pass.
@@ -113,13 +131,13 @@ fn user_files<'c>(composed: &'c Composed, unit: &PassUnit) -> Vec<(FileId, &'c S
     files.collect()
 }
 
-/// The shader of a pass, or what prevents it.
+/// The shader of a pass and warnings about it, or what prevents it.
 fn write(
     project: &Project,
     composed: &Composed,
     unit: &PassUnit,
     (host, template): (&'static Preset, &Template),
-) -> Result<HostText, Vec<Remark>> {
+) -> Result<(HostText, Vec<Remark>), Vec<Remark>> {
     let Some(pass) = project.passes.get(unit.pass) else {
         return Err(Vec::new());
     };
@@ -142,7 +160,7 @@ fn write(
         text.place(offset)
     });
     match found.is_empty() {
-        true => Ok(text),
+        true => Ok((text, sampling(pass, &title, &inputs, host))),
         false => Err(found),
     }
 }
@@ -175,7 +193,7 @@ fn supplied_inputs(
                     UsedValue::Screen | UsedValue::Image => "an image",
                     UsedValue::Other => "an input of another kind",
                 };
-                let message = format!("host `{}` has no `{}`: {what}", host.name, input.name);
+                let message = format!("host `{}` does not provide `{}`: {what}", host.name, input.name);
                 missing.push(Remark::missing(String::new(), input.span, message));
             }
         }

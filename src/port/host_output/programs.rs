@@ -1,7 +1,7 @@
 //! The programs of a host that runs several, which read the outputs of each other.
 
 use super::text::{HostText, HostWriter};
-use super::{no_pass, supplied_inputs, user_files};
+use super::{Supplied, UsedInput, left_out, sampling, supplied_inputs, user_files};
 use crate::order::{Destination, Order};
 use crate::output::{Build, BuildError, File, Remark, file};
 use crate::{Composed, OutputId, PassUnit, Project, ProjectPass, credits};
@@ -19,29 +19,26 @@ pub(super) fn programs(
     composed: &Composed,
     (host, template): (&'static Preset, &Template),
 ) -> Result<Build, BuildError> {
-    let mut remarks = Vec::new();
-    let mut units: Vec<&PassUnit> = Vec::new();
-    for unit in &composed.units {
-        match unit.kind {
-            Pass::Image | Pass::Buffer => units.push(unit),
-            Pass::Common => {}
-            _ => remarks.push(no_pass(project, unit, host)),
-        }
-    }
+    let is_drawn = |unit: &&PassUnit| matches!(unit.kind, Pass::Image | Pass::Buffer);
+    let mut units: Vec<&PassUnit> = composed.units.iter().filter(is_drawn).collect();
     // The image is drawn last, and buffers in the order of their letters.
     units.sort_by_key(|unit| number(project, unit));
     let outputs: Vec<Option<OutputId>> = units
         .iter()
         .map(|unit| project.passes.get(unit.pass)?.output.clone())
         .collect();
+    let mut remarks = left_out(project, composed, host);
     let mut texts = Vec::new();
     for (at, unit) in units.iter().enumerate() {
         match program(project, composed, unit, (at, &outputs), (host, template)) {
-            Ok(text) => texts.push(text),
+            Ok((text, found)) => {
+                texts.push(text);
+                remarks.extend(found);
+            }
             Err(found) => remarks.extend(found),
         }
     }
-    if !remarks.is_empty() {
+    if texts.len() < units.len() {
         let files = Vec::new();
         return Ok(Build { files, remarks });
     }
@@ -56,14 +53,14 @@ fn number(project: &Project, unit: &PassUnit) -> usize {
     output.and_then(OutputId::number).unwrap_or(usize::MAX)
 }
 
-/// A program, of which `at` is the number.
+/// A program, of which `at` is the number, and warnings about it.
 fn program(
     project: &Project,
     composed: &Composed,
     unit: &PassUnit,
     (at, outputs): (usize, &[Option<OutputId>]),
     (host, template): (&'static Preset, &Template),
-) -> Result<HostText, Vec<Remark>> {
+) -> Result<(HostText, Vec<Remark>), Vec<Remark>> {
     let Some(pass) = project.passes.get(unit.pass) else {
         return Err(Vec::new());
     };
@@ -71,12 +68,11 @@ fn program(
     let pass = numbered(pass, outputs);
     let inputs = supplied_inputs(program, &pass, host)?;
     let own = format!("iChannel{at}");
-    let is_own = |(_, supplied): &&(super::UsedInput, super::Supplied)| {
-        *supplied == super::Supplied::Sampler(own.clone())
-    };
+    let is_own =
+        |(_, supplied): &&(UsedInput, Supplied)| *supplied == Supplied::Sampler(own.clone());
     if let Some((input, _)) = inputs.iter().find(is_own) {
         let message = format!(
-            "host `{}` has no `{}`: a program cannot read what it drew itself",
+            "host `{}` does not provide `{}`: a program cannot read what it drew itself",
             host.name, input.name
         );
         return Err(vec![Remark::missing(String::new(), input.span, message)]);
@@ -84,7 +80,8 @@ fn program(
     let files = user_files(composed, unit);
     let mut writer = HostWriter::new(host, template, &files);
     writer.supply(&inputs);
-    Ok(writer.write(program, &credits::lines(project)))
+    let warnings = sampling(&pass, &pass.title(unit.pass), &inputs, host);
+    Ok((writer.write(program, &credits::lines(project)), warnings))
 }
 
 /// A pass whose inputs are the buffers with the numbers of the programs.

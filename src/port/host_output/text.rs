@@ -2,7 +2,7 @@
 
 use super::renamed::{NewNames, RenamedText, unused, words};
 use super::supplied::Supplied;
-use super::used::UsedInput;
+use super::used::{UsedInput, UsedValue};
 use shaderlint_host::{HostVersion, Preset, Template, declared_in};
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Program, Stage};
@@ -116,7 +116,7 @@ impl<'a> HostWriter<'a> {
         for (input, supplied) in inputs {
             if let Supplied::Uniform(ty) = supplied {
                 let about = match &input.value {
-                    super::used::UsedValue::Known(feed) => feed.description(),
+                    UsedValue::Known(feed) => feed.description(),
                     _ => "an image",
                 };
                 self.declare(&input.name, ty, about);
@@ -136,6 +136,7 @@ impl<'a> HostWriter<'a> {
         }
         let kept = |(input, supplied): &(UsedInput, Supplied)| match supplied {
             Supplied::Same => Some(input.name.clone()),
+            Supplied::Sampler(name) if *name == input.name => Some(name.clone()),
             Supplied::Uniform(ty) if *ty == input.ty => Some(input.name.clone()),
             _ => None,
         };
