@@ -5,8 +5,8 @@ use super::playback::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
 use serde::Deserialize;
 use shaderlint_exec::{
-    COMPARED_SIZE, CompileOptions, Draw, Equality, Image, ImageShape, OutputSlot, Sampling, Texels,
-    Texture, equality,
+    COMPARED_SIZE, CompileOptions, Draw, Equality, Filter, Image, ImageShape, OutputSlot, Sampling,
+    Texels, Texture, equality,
 };
 use shaderlint_host::Preset;
 use shaderlint_ir::lower;
@@ -205,7 +205,16 @@ fn equal_bound(
     if stage == Stage::Vertex && outputs(&before) != outputs(&after) {
         return Err("the varyings differ in name or order".to_string());
     }
-    let noise = Noise::new();
+    // Filtering rounds differently in an image that is turned around, and its height divides no
+    // place of a pixel, so that no place is between two texels.
+    let sampling = match [&before, &after].map(turned) {
+        [before, after] if before == after => Sampling::default(),
+        _ => Sampling {
+            filter: Filter::Nearest,
+            ..Sampling::default()
+        },
+    };
+    let noise = Noise::new(sampling);
     let draws = |number| [&before, &after].map(|scene| noise.draw(scene, number));
     let found = equality([&before.code, &after.code], fuel, &draws);
     let is_large = |output: &OutputSlot| output.lanes() < output.scalars();
@@ -215,6 +224,12 @@ fn equal_bound(
         }
         found => Ok(found),
     }
+}
+
+/// The number of images whose upper row comes first.
+fn turned(scene: &Scene) -> usize {
+    let inputs = scene.given.bound.inputs.iter();
+    inputs.filter(|input| !input.sampler.vflip).count()
 }
 
 /// The frame with a number.
@@ -239,10 +254,11 @@ struct Noise {
     volume: Option<Arc<Image>>,
     cube: Option<Arc<Image>>,
     layers: Option<Arc<Image>>,
+    sampling: Sampling,
 }
 
 impl Noise {
-    fn new() -> Noise {
+    fn new(sampling: Sampling) -> Noise {
         let of = |shape, size: [u32; 3], seed: &dyn Fn(u32) -> u32| {
             let count = size.iter().product::<u32>();
             let texels = (0..count).map(|n| hash(seed(n)).to_le_bytes()).collect();
@@ -251,10 +267,11 @@ impl Noise {
         };
         let image = |shape, size| of(shape, size, &|n| n);
         Noise {
-            flat: image(ImageShape::Flat, [64, 64, 1]),
-            flipped: of(ImageShape::Flat, [64, 64, 1], &|n| {
-                (63 - n / 64) * 64 + n % 64
+            flat: image(ImageShape::Flat, [64, 61, 1]),
+            flipped: of(ImageShape::Flat, [64, 61, 1], &|n| {
+                (60 - n / 64) * 64 + n % 64
             }),
+            sampling,
             volume: image(ImageShape::Volume, [16, 16, 16]),
             cube: image(ImageShape::Cube, [32, 32, 6]),
             layers: image(ImageShape::Layers, [16, 16, 4]),
@@ -296,7 +313,7 @@ impl Noise {
             if let Some(image) = image {
                 let texture = Texture {
                     image: Arc::clone(image),
-                    sampling: Sampling::default(),
+                    sampling: self.sampling,
                 };
                 draw.bind(&slot.name, texture);
             }

@@ -94,7 +94,7 @@ fn converted(expression: &str, from: &str, feed: Feed, to: &str) -> Option<Strin
     if from == to {
         return Some(expression.to_string());
     }
-    let ((kind, count), (wanted, needed)) = (shape(from)?, shape(to)?);
+    let ((scalar, count), (target, needed)) = (shape(from)?, shape(to)?);
     let is_name = expression
         .chars()
         .all(|c| c.is_ascii_alphanumeric() || c == '_');
@@ -104,7 +104,9 @@ fn converted(expression: &str, from: &str, feed: Feed, to: &str) -> Option<Strin
     };
     match needed {
         _ if needed == count => Some(format!("{to}({expression})")),
-        _ if needed < count && kind == wanted => Some(format!("{inner}.{}", "xyzw".get(..needed)?)),
+        _ if needed < count && scalar == target => {
+            Some(format!("{inner}.{}", "xyzw".get(..needed)?))
+        }
         _ if needed < count => Some(format!("{to}({inner}.{})", "xyzw".get(..needed)?)),
         3 if count == 2 && feed == Feed::Resolution => Some(format!("{to}({expression}, 1.0)")),
         _ => None,

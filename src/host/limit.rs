@@ -12,7 +12,7 @@ macro_rules! limits {
 
         impl Limit {
             /// All variants.
-            const ALL: &[Limit] = &[$(Limit::$variant),*];
+            pub const ALL: &[Limit] = &[$(Limit::$variant),*];
 
             /// The name in host files.
             pub fn name(self) -> &'static str {

@@ -39,7 +39,8 @@ pub fn limits(program: &Program, host: &Preset) -> Vec<BeyondLimit> {
         found.extend(blocks(program));
     }
     if has(Limit::Lookups) {
-        found.extend(lookups(program));
+        let is_usual = |name: &str, count| matches!(name, "texture" | "texture2D") && count == 2;
+        found.extend(lookups(program, is_usual));
     }
     found.sort_by_key(|beyond| beyond.span.start);
     found.dedup();
@@ -94,8 +95,11 @@ fn blocks(program: &Program) -> Vec<BeyondLimit> {
     blocks.collect()
 }
 
-/// The texture functions other than `texture` with two arguments.
-fn lookups(program: &Program) -> Vec<BeyondLimit> {
+/// The calls of texture functions that are not accepted with this number of arguments.
+pub(super) fn lookups(
+    program: &Program,
+    is_accepted: impl Fn(&str, usize) -> bool,
+) -> Vec<BeyondLimit> {
     let mut found = Vec::new();
     for (id, expr) in (0..).map(ExprId).zip(&program.tree.exprs) {
         let ExprKind::Call(name, args) = expr.kind else {
@@ -107,7 +111,7 @@ fn lookups(program: &Program) -> Vec<BeyondLimit> {
             .first()
             .is_some_and(|arg| program.ty(*arg).as_sampler().is_some());
         let name = program.names.text(name);
-        let is_usual = matches!(name, "texture" | "texture2D") && args.len() == 2;
+        let is_usual = is_accepted(name, args.len());
         let span = program.token(expr.extent.first).map(|t| t.span);
         let span = span.filter(|s| is_builtin && has_sampler && !is_usual && program.is_user(*s));
         if let Some(span) = span {

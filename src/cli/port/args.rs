@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// Ports ShaderToy shaders to WebGL2.
 ///
 /// Reads a shader file, a folder of passes or a ShaderToy export. Writes an HTML page, a JavaScript
-/// module or plain shaders.
+/// module, plain shaders or shaders for another host.
 #[derive(Parser, Default, Debug)]
 #[command(name = "shaderport", version, max_term_width = 100)]
 #[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
@@ -69,7 +69,8 @@ pub struct PortArgs {
     /// Output file, or folder for several shaders; default: the first file, on standard output
     #[arg(short, long, value_name = "PATH", help_heading = OUTPUT)]
     pub(super) output: Option<PathBuf>,
-    /// Output format; default: chosen by the extension of the output
+    /// Output format, or host that the shader is written for; default: chosen by the extension of the
+    /// output
     #[arg(short, long, value_parser = targets(), value_name = "TARGET", help_heading = OUTPUT)]
     pub(super) target: Option<Target>,
     /// How plain shaders get a `main` function

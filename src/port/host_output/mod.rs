@@ -5,6 +5,7 @@
 //! have is an error at its first use.
 
 mod dart;
+mod pass;
 mod programs;
 mod read_back;
 mod renamed;
@@ -14,17 +15,18 @@ mod used;
 
 pub use read_back::HostedShader;
 
-use super::limits::limits;
+use super::limits::{limits, lookups};
 use super::order::{Destination, Order};
 use super::output::{Build, BuildError, Remark, file};
-use super::{Composed, Input, PassUnit, Project, ProjectPass, credits};
+use super::{Composed, PassUnit, Project, credits};
+use pass::{left_out, sampling, supplied_inputs, user_files};
 use shaderlint_diagnostic::Severity;
-use shaderlint_host::{Preset, Template, is_named};
-use shaderlint_semantic::{Pass, Program, channel};
-use shaderlint_text::{FileId, Role, SourceFile, Span};
-use supplied::{Supplied, supplied};
+use shaderlint_host::{Preset, Template, TextureRow};
+use shaderlint_semantic::{Pass, Program};
+use shaderlint_text::{FileId, Span};
+use supplied::Supplied;
 use text::{HostText, HostWriter};
-use used::{UsedInput, UsedValue, used_inputs};
+use used::UsedInput;
 
 /// The files of a project for a host.
 ///
@@ -72,65 +74,6 @@ pub(super) fn for_host(
     Ok(Build { files, remarks })
 }
 
-/// Warnings about what is heard and not drawn. Other passes that the host does not have are errors
-/// where the image reads them.
-fn left_out(project: &Project, composed: &Composed, host: &Preset) -> Vec<Remark> {
-    let sounds = composed.units.iter().filter(|u| u.kind == Pass::Sound);
-    let remarks = sounds.map(|unit| {
-        let pass = project.passes.get(unit.pass);
-        let title = pass.map_or(String::new(), |p| p.title(unit.pass));
-        let message = format!("left out: host `{}` has no sound", host.name);
-        Remark::differs(title, Span::default(), message)
-    });
-    remarks.collect()
-}
-
-/// Warnings about images that a host reads in another way.
-fn sampling(
-    pass: &ProjectPass,
-    title: &str,
-    inputs: &[(UsedInput, Supplied)],
-    host: &Preset,
-) -> Vec<Remark> {
-    let is_read = |input: &&Input| {
-        inputs.iter().any(|(used, _)| {
-            used.is_live
-                && used.value != UsedValue::Screen
-                && channel(&used.name) == Some(input.channel)
-        })
-    };
-    let rows = &host.meanings.textures;
-    let mut remarks = Vec::new();
-    for input in pass.inputs.iter().filter(is_read) {
-        let name = format!("iChannel{}", input.channel);
-        let Some(row) = rows.iter().find(|r| is_named(&r.name, &name)) else {
-            continue;
-        };
-        let mut differs = |what: &str| {
-            let message = format!("host `{}` {what} `{name}`", host.name);
-            remarks.push(Remark::differs(title.to_string(), Span::default(), message));
-        };
-        match (row.filter, input.sampler.filter.as_str()) {
-            ("nearest", "linear" | "mipmap") => differs("does not filter"),
-            (_, "mipmap") => differs("has no mipmaps for"),
-            _ => {}
-        }
-        if row.wrap == "clamp" && input.sampler.wrap != "clamp" {
-            differs("does not repeat");
-        }
-    }
-    remarks
-}
-
-/// The texts of the user in a pass.
-fn user_files<'c>(composed: &'c Composed, unit: &PassUnit) -> Vec<(FileId, &'c SourceFile)> {
-    let files = unit.files.iter().filter_map(|id| {
-        let file = composed.sources.file(*id)?;
-        (file.role == Role::User).then_some((*id, file))
-    });
-    files.collect()
-}
-
 /// The shader of a pass and warnings about it, or what prevents it.
 fn write(
     project: &Project,
@@ -152,6 +95,10 @@ fn write(
         )]);
     }
     let inputs = supplied_inputs(program, pass, host)?;
+    let lookups = lookups_of_screen(program, &inputs, (host, template));
+    if !lookups.is_empty() {
+        return Err(lookups);
+    }
     let files = user_files(composed, unit);
     let mut writer = HostWriter::new(host, template, &files);
     writer.supply(&inputs);
@@ -175,33 +122,34 @@ fn defines_image(program: &Program) -> bool {
     })
 }
 
-/// The inputs of a pass with what supplies them; the ones that the host does not have as errors.
-fn supplied_inputs(
+/// The lookups for which a template has no counterpart that turns the image of the host upright.
+fn lookups_of_screen(
     program: &Program,
-    pass: &ProjectPass,
-    host: &Preset,
-) -> Result<Vec<(UsedInput, Supplied)>, Vec<Remark>> {
-    let mut missing = Vec::new();
-    let mut all = Vec::new();
-    for input in used_inputs(program, pass) {
-        match supplied(host, &input) {
-            Some(how) => all.push((input, how)),
-            None => {
-                let what = match &input.value {
-                    UsedValue::Known(feed) => feed.description(),
-                    UsedValue::Output(_) => "the output of a pass",
-                    UsedValue::Screen | UsedValue::Image => "an image",
-                    UsedValue::Other => "an input of another kind",
-                };
-                let message = format!("host `{}` does not provide `{}`: {what}", host.name, input.name);
-                missing.push(Remark::missing(String::new(), input.span, message));
-            }
-        }
+    inputs: &[(UsedInput, Supplied)],
+    (host, template): (&Preset, &Template),
+) -> Vec<Remark> {
+    let is_read = |row: &TextureRow| {
+        let mut all = inputs.iter();
+        all.any(|(_, supplied)| *supplied == Supplied::Sampler(row.name.clone()))
+    };
+    let mut rows = host.meanings.textures.iter();
+    if !rows.any(|row| row.top_first && is_read(row)) {
+        return Vec::new();
     }
-    match missing.is_empty() {
-        true => Ok(all),
-        false => Err(missing),
-    }
+    let replaced = renamed::words(&template.screen);
+    let is_replaced = |name: &str| replaced.iter().any(|(_, word)| *word == name);
+    let found = lookups(program, |name, _| {
+        name == "textureSize" || is_replaced(name)
+    });
+    let remarks = found.into_iter().map(|beyond| {
+        let message = not_accepted(host, &beyond.message);
+        Remark::missing(String::new(), beyond.span, message)
+    });
+    remarks.collect()
+}
+
+fn not_accepted(host: &Preset, what: &str) -> String {
+    format!("host `{}` does not accept this: {what}", host.name)
 }
 
 /// What the host does not accept in a shader. `place` finds the text of the user for an offset.
@@ -225,7 +173,7 @@ fn problems(
                 let start = composed.sources.file(file)?.base + offset as u32;
                 Some(Span::new(start, start + length))
             });
-        let message = format!("host `{}` does not accept this: {message}", host.name);
+        let message = not_accepted(host, message);
         Remark::missing(title.to_string(), own.unwrap_or_default(), message)
     };
     let errors = read.checked.diagnostics.iter();

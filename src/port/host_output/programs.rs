@@ -1,7 +1,9 @@
 //! The programs of a host that runs several, which read the outputs of each other.
 
+use super::pass::{left_out, sampling, supplied_inputs, user_files};
+use super::supplied::Supplied;
 use super::text::{HostText, HostWriter};
-use super::{Supplied, UsedInput, left_out, sampling, supplied_inputs, user_files};
+use super::used::UsedInput;
 use crate::order::{Destination, Order};
 use crate::output::{Build, BuildError, File, Remark, file};
 use crate::{Composed, OutputId, PassUnit, Project, ProjectPass, credits};
