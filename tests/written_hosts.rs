@@ -199,6 +199,42 @@ fn programs_of_a_screen_saver_are_written_and_read() {
     assert!(code == Some(1) && message.contains(lacks), "{message}");
 }
 
+/// Complete shaders of other hosts, with a `main` and uniforms of their own.
+#[test]
+fn shaders_of_other_hosts_are_written() {
+    let folder = Folder::new();
+    let old = "precision mediump float;\nuniform float time;\nuniform vec2 resolution;\n\
+        float tex(vec2 p) { return sin(p.x * 9.0 + time); }\nvoid main() {\n    \
+        vec2 uv = gl_FragCoord.xy / resolution;\n    \
+        gl_FragColor = vec4(uv, tex(uv), 1.0);\n}\n";
+    let new = "#version 300 es\nprecision highp float;\nuniform vec2 u_resolution;\n\
+        uniform float u_time;\nout vec4 color;\nvoid main() {\n    \
+        color = vec4(fract(gl_FragCoord.xy / u_resolution + u_time), 0.0, 1.0);\n}\n";
+    let both = "precision mediump float;\nuniform float time;\nuniform vec2 resolution;\n\
+        #define iTime time\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(p / resolution, iTime, 1.0); }\n\
+        void main() { mainImage(gl_FragColor, gl_FragCoord.xy); }\n";
+    folder.put("old.frag", old);
+    folder.put("new.frag", new);
+    folder.put("both.frag", both);
+    for name in ["ghostty", "hyprland", "flutter"] {
+        for shader in ["old", "new", "both"] {
+            let out = format!("{shader}-{name}.glsl");
+            let (code, message) = folder.run(&format!("{shader}.frag -t {name} --verify -o {out}"));
+            assert_eq!(code, Some(0), "{name}, {shader}: {message}");
+            assert!(message.contains("identical"), "{name}, {shader}: {message}");
+        }
+    }
+    folder.put(
+        "mouse.frag",
+        old.replace("+ time", "+ time * mouse.x")
+            .replace("uniform float", "uniform vec2 mouse;\nuniform float"),
+    );
+    let (code, message) = folder.run("mouse.frag -t ghostty -o mouse.glsl");
+    assert_eq!(code, Some(1));
+    let lacks = "host `ghostty` does not provide `mouse`";
+    assert!(message.contains(lacks), "{message}");
+}
+
 /// The template of each host alone is a shader of that host.
 #[test]
 fn templates_compile() {

@@ -12,8 +12,8 @@ use shaderlint_host::Preset;
 use shaderlint_ir::lower;
 use shaderlint_math::hash;
 use shaderlint_port::{
-    Bindings, Composed, File, HostedShader, OutputId, PassUnit, Project, Target, bindings, compose,
-    glsl,
+    Bindings, Composed, File, HostedShader, OutputId, PassUnit, Project, Target, Wrapper, bindings,
+    compose, glsl,
 };
 use shaderlint_semantic::{Checked, Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
@@ -161,7 +161,11 @@ fn compare_hosted(
         Some(composed.analysis(unit))
     });
     let before = in_buffer.unwrap_or(before);
-    let bound = bindings(&before.program, None);
+    let pass = project.passes.get(unit.pass);
+    let bound = match pass.filter(|pass| pass.wrapper == Wrapper::Own) {
+        Some(pass) => pass.bound.clone(),
+        None => bindings(&before.program, None),
+    };
     let after = (&after.checked.program, after.bound);
     equal_bound((&before.program, bound), after, &mut FUEL.clone())
 }

@@ -6,6 +6,7 @@
 
 mod dart;
 mod pass;
+mod plain;
 mod programs;
 mod read_back;
 mod renamed;
@@ -18,13 +19,14 @@ pub use read_back::HostedShader;
 use super::limits::{limits, lookups};
 use super::order::{Destination, Order};
 use super::output::{Build, BuildError, Remark, file};
-use super::{Composed, PassUnit, Project, credits};
-use pass::{left_out, sampling, supplied_inputs, user_files};
+use super::{Composed, PassUnit, Project, Wrapper, credits};
+use pass::{defines, left_out, sampling, supplied_inputs, user_files};
+use plain::PlainShader;
 use shaderlint_diagnostic::Severity;
 use shaderlint_host::{Preset, Template, TextureRow};
 use shaderlint_semantic::{Pass, Program};
 use shaderlint_text::{FileId, Span};
-use supplied::Supplied;
+use supplied::{Supplied, supplied};
 use text::{HostText, HostWriter};
 use used::UsedInput;
 
@@ -86,21 +88,30 @@ fn write(
     };
     let program = &composed.analysis(unit).program;
     let title = pass.title(unit.pass);
-    if !defines_image(program) {
-        let message = "only shaders with a `mainImage` can be written for hosts";
-        return Err(vec![Remark::missing(
-            title,
-            Span::default(),
-            message.to_string(),
-        )]);
+    let files = user_files(composed, unit);
+    let plain = match files.as_slice() {
+        [(_, file)] if unit.wrapper == Wrapper::Own && defines(program, "main") => {
+            PlainShader::of(program, pass, &file.text)
+        }
+        _ => None,
+    };
+    if plain.is_none() && !defines(program, "mainImage") {
+        let message = "only fragment shaders with `mainImage` or `main` and one output are written";
+        let message = message.to_string();
+        return Err(vec![Remark::missing(title, Span::default(), message)]);
     }
-    let inputs = supplied_inputs(program, pass, host)?;
+    let mut inputs = supplied_inputs(program, pass, host)?;
     let lookups = lookups_of_screen(program, &inputs, (host, template));
     if !lookups.is_empty() {
         return Err(lookups);
     }
-    let files = user_files(composed, unit);
     let mut writer = HostWriter::new(host, template, &files);
+    if let Some(shader) = &plain {
+        writer.convert(shader);
+        for input in &shader.inputs {
+            inputs.extend(supplied(host, input).map(|how| (input.clone(), how)));
+        }
+    }
     writer.supply(&inputs);
     let text = writer.write(program, &credits::lines(project));
     let found = problems(composed, &text.text, &title, host, |offset| {
@@ -110,16 +121,6 @@ fn write(
         true => Ok((text, sampling(pass, &title, &inputs, host))),
         false => Err(found),
     }
-}
-
-/// Whether the user's code defines `mainImage`.
-fn defines_image(program: &Program) -> bool {
-    let name = program.names.get("mainImage");
-    let mut all = program.tree.functions.iter();
-    all.any(|f| {
-        let is_own = program.is_user(program.span(f.header));
-        Some(f.ident.name) == name && f.body.is_some() && is_own
-    })
 }
 
 /// The lookups for which a template has no counterpart that turns the image of the host upright.

@@ -101,3 +101,13 @@ pub(super) fn supplied_inputs(
         false => Err(missing),
     }
 }
+
+/// Whether the user's code defines a function.
+pub(super) fn defines(program: &Program, name: &str) -> bool {
+    let name = program.names.get(name);
+    let mut all = program.tree.functions.iter();
+    all.any(|f| {
+        let is_own = program.is_user(program.span(f.header));
+        Some(f.ident.name) == name && f.body.is_some() && is_own
+    })
+}

@@ -1,6 +1,6 @@
 //! The programs of a host that runs several, which read the outputs of each other.
 
-use super::pass::{left_out, sampling, supplied_inputs, user_files};
+use super::pass::{defines, left_out, sampling, supplied_inputs, user_files};
 use super::supplied::Supplied;
 use super::text::{HostText, HostWriter};
 use super::used::UsedInput;
@@ -9,6 +9,7 @@ use crate::output::{Build, BuildError, File, Remark, file};
 use crate::{Composed, OutputId, PassUnit, Project, ProjectPass, credits};
 use shaderlint_host::{Preset, Template};
 use shaderlint_semantic::Pass;
+use shaderlint_text::Span;
 use std::path::{Path, PathBuf};
 
 /// The programs of a project, in the order in which they are drawn, and the common code.
@@ -67,6 +68,11 @@ fn program(
         return Err(Vec::new());
     };
     let program = &composed.analysis(unit).program;
+    if !defines(program, "mainImage") {
+        let message = format!("host `{}` runs only code with `mainImage`", host.name);
+        let title = pass.title(unit.pass);
+        return Err(vec![Remark::missing(title, Span::default(), message)]);
+    }
     let pass = numbered(pass, outputs);
     let inputs = supplied_inputs(program, &pass, host)?;
     let own = format!("iChannel{at}");

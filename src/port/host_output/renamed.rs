@@ -1,7 +1,9 @@
-//! The code of a user with other names for some identifiers, and the positions in it.
+//! The code of a user with other names for some identifiers and without some declarations, and the
+//! positions in it.
 
 use shaderlint_syntax::{Lexer, RawKind};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// New names of identifiers.
 pub(super) type NewNames = BTreeMap<String, String>;
@@ -9,22 +11,29 @@ pub(super) type NewNames = BTreeMap<String, String>;
 /// A text in which identifiers were renamed.
 pub(super) struct RenamedText {
     pub(super) text: String,
-    /// By renamed identifier: its offset and length in the old text, and its length in the new one.
+    /// By change: its offset and length in the old text, and its length in the new one.
     moves: Vec<(usize, usize, usize)>,
 }
 
 impl RenamedText {
-    /// Renames all identifiers at once, also in directives.
-    pub(super) fn of(old: &str, names: &NewNames) -> RenamedText {
+    /// Renames all identifiers at once, also in directives, and removes parts of the text.
+    pub(super) fn of(old: &str, names: &NewNames, removed: &[Range<usize>]) -> RenamedText {
+        let is_removed = |at: usize| removed.iter().any(|part| part.contains(&at));
+        let words = words(old).into_iter();
+        let renamed = words.filter(|(start, _)| !is_removed(*start));
+        let renamed = renamed.filter_map(|(start, word)| {
+            let new = names.get(word)?;
+            Some((start..start + word.len(), new.as_str()))
+        });
+        let removed = removed.iter().map(|part| (part.clone(), ""));
+        let mut changes: Vec<_> = renamed.chain(removed).collect();
+        changes.sort_by_key(|(part, _)| part.start);
         let (mut text, mut moves, mut from) = (String::new(), Vec::new(), 0);
-        for (start, word) in words(old) {
-            let Some(new) = names.get(word) else {
-                continue;
-            };
-            text.push_str(old.get(from..start).unwrap_or(""));
+        for (part, new) in changes {
+            text.push_str(old.get(from..part.start).unwrap_or(""));
             text.push_str(new);
-            from = start + word.len();
-            moves.push((start, word.len(), new.len()));
+            from = part.end;
+            moves.push((part.start, part.len(), new.len()));
         }
         text.push_str(old.get(from..).unwrap_or(""));
         RenamedText { text, moves }
@@ -84,7 +93,7 @@ mod tests {
             .map(|(old, new)| (old.to_string(), new.to_string()))
             .into();
         let text = "a = bb + c; // a\n#define bb c\nd";
-        let renamed = RenamedText::of(text, &names);
+        let renamed = RenamedText::of(text, &names, &[]);
         assert_eq!(renamed.text, "bb = a + long; // a\n#define a long\nd");
         for (old, letter) in [(2, '='), (9, 'c'), (10, ';'), (30, 'd')] {
             let new = renamed.text.rfind(letter).unwrap();

@@ -1,5 +1,6 @@
 //! The text of a pass for a host: the template of the host around the code of the user.
 
+use super::plain::{PlainShader, interface};
 use super::renamed::{NewNames, RenamedText, unused, words};
 use super::supplied::Supplied;
 use super::used::{UsedInput, UsedValue};
@@ -64,6 +65,12 @@ pub(super) struct HostWriter<'a> {
     globals: String,
     assignments: Vec<String>,
     has_screen: bool,
+    /// Text after the code of the user.
+    after: String,
+    /// The function that draws the image.
+    image: String,
+    /// Whether the code declares an interface, which is removed.
+    is_complete: bool,
 }
 
 impl<'a> HostWriter<'a> {
@@ -83,6 +90,9 @@ impl<'a> HostWriter<'a> {
             globals: String::new(),
             assignments: Vec::new(),
             has_screen: false,
+            after: String::new(),
+            image: "mainImage".to_string(),
+            is_complete: false,
         };
         let own = files.iter().map(|(_, file)| &*file.text);
         let parts = [&template.head, &template.screen, &template.tail];
@@ -105,6 +115,21 @@ impl<'a> HostWriter<'a> {
         let all = all.filter(is_free).map(str::to_string);
         writer.reserved.extend(all);
         writer
+    }
+
+    /// Makes the code of a complete shader one with a `mainImage`.
+    pub(super) fn convert(&mut self, shader: &PlainShader) {
+        for (old, new) in &shader.names {
+            self.rename(old, new.clone());
+        }
+        if self.host.version != HostVersion::Es100 {
+            self.rename("texture2D", "texture".to_string());
+        }
+        self.globals.push_str(&shader.globals);
+        self.after = format!("\n{}", shader.image);
+        self.taken.insert(shader.image_name.clone());
+        self.image = shader.image_name.clone();
+        self.is_complete = true;
     }
 
     /// Adds the inputs of the pass, with what supplies them.
@@ -203,6 +228,11 @@ impl<'a> HostWriter<'a> {
         }
         self.reserved.insert(name.to_string());
         self.taken.insert(name.to_string());
+        // What further components would be.
+        let about = match about.split_once(", then ") {
+            Some((first, _)) if ty == "vec2" => first,
+            _ => about,
+        };
         self.uniforms.push(DeclaredUniform {
             name: name.to_string(),
             ty: ty.to_string(),
@@ -239,8 +269,10 @@ impl<'a> HostWriter<'a> {
         if !self.assignments.is_empty() && !self.template.tail.contains(IMAGE) {
             self.reserved.insert("mainImage".to_string());
         }
-        for (_, file) in self.files {
-            for (_, word) in words(&file.text) {
+        let texts = self.files.iter().map(|(_, file)| &*file.text);
+        let after = self.after.clone();
+        for text in texts.chain([after.as_str()]).collect::<Vec<&str>>() {
+            for (_, word) in words(text) {
                 let is_taken = self.reserved.contains(word) && !kept.contains(word);
                 if is_taken && !self.names.contains_key(word) {
                     let new = unused(word, &self.taken);
@@ -255,7 +287,11 @@ impl<'a> HostWriter<'a> {
         let mut text = self.head(credits);
         let mut pieces = Vec::new();
         for (id, file) in self.files {
-            let renamed = RenamedText::of(&file.text, &self.names);
+            let removed = match self.is_complete {
+                true => interface(&file.text),
+                false => Vec::new(),
+            };
+            let renamed = RenamedText::of(&file.text, &self.names, &removed);
             let start = text.len();
             text.push_str(&renamed.text);
             if !text.ends_with('\n') {
@@ -263,6 +299,8 @@ impl<'a> HostWriter<'a> {
             }
             pieces.push((start, *id, renamed));
         }
+        // Its `mainImage` gets another name like one of the user.
+        text.push_str(&RenamedText::of(&self.after, &self.names, &[]).text);
         let tail = self.tail();
         text.push_str(&undefined(program, &tail, &self.names));
         text.push_str(&tail);
@@ -315,7 +353,7 @@ impl<'a> HostWriter<'a> {
             }
             text.push_str(line);
         }
-        let image = self.names.get("mainImage").map_or("mainImage", |n| n);
+        let image = self.names.get(&self.image).unwrap_or(&self.image);
         match text.is_empty() {
             true => text,
             false => format!("\n{}", text.replace(IMAGE, image)),
