@@ -95,10 +95,15 @@ mod tests {
         let text = "a = bb + c; // a\n#define bb c\nd";
         let renamed = RenamedText::of(text, &names, &[]);
         assert_eq!(renamed.text, "bb = a + long; // a\n#define a long\nd");
-        for (old, letter) in [(2, '='), (9, 'c'), (10, ';'), (30, 'd')] {
-            let new = renamed.text.rfind(letter).unwrap();
-            let new = if letter == 'c' { 9 } else { new };
+        for (old, letter) in [(2, '='), (9, 'l'), (10, ';'), (30, 'd')] {
+            let new = match letter {
+                'l' => 9,
+                letter => renamed.text.rfind(letter).unwrap(),
+            };
             assert_eq!(renamed.old_offset(new), old, "{letter}");
         }
+        let shorter = RenamedText::of(text, &names, &[0..4]);
+        assert_eq!(shorter.text, "a + long; // a\n#define a long\nd");
+        assert_eq!(shorter.old_offset(shorter.text.len() - 1), 30);
     }
 }
