@@ -30,8 +30,10 @@ uniform mat3 niri_curr_geo_to_prev_geo; // = identity
 uniform mat3 niri_curr_geo_to_next_geo; // = identity
 uniform mat3 niri_input_to_geo; // = identity
 uniform mat3 niri_input_to_curr_geo; // = identity
-uniform vec2 niri_size; // = resolution
+/// The size of the window in logical pixels.
 uniform vec2 niri_geo_size; // = resolution
+/// The size of the area that is drawn, in logical pixels.
+uniform vec2 niri_size; // = resolution
 uniform vec2 niri_curr_geo_size; // = resolution
 uniform float niri_progress; // = progress
 uniform float niri_clamped_progress; // = progress
