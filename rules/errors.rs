@@ -27,6 +27,7 @@ pages! {
     "foreign-syntax",
     "fragcoord-in-main",
     "function-mismatch",
+    "host-limit",
     "index-out-of-range",
     "infinite-loop",
     "initializer-list",

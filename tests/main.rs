@@ -22,3 +22,4 @@ mod tracing;
 mod usage;
 mod verdicts;
 mod words;
+mod written_hosts;

@@ -7,7 +7,7 @@
 use super::recorded::stale;
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
-use shaderlint::host::{Feed, presets};
+use shaderlint::host::{Feed, Limit, presets};
 use shaderlint::lint::sample::{INSTANTS, SIZE, SampleLimit, grouped};
 use shaderlint::lint::{
     Allow, Check, Fence, FenceKind, Page, Renderer, Rule, RulePreset, Settings,
@@ -398,6 +398,8 @@ fn pages_of_hosts() {
         .map(|feed| format!("| `{}` | {} |\n", feed.name(), feed.description()))
         .collect();
     let words = format!("| value | meaning |\n|---|---|\n{words}");
+    let limits = Limit::ALL.iter().map(|limit| format!("`{}`", limit.name()));
+    let limits = limits.collect::<Vec<_>>().join(", ");
     let mut list = format!(
         "# Hosts\n\nA host is the site or library that runs a shader, or completes it before the browser compiles it. \
         `shaderlint` and `shaderport` detect the host of a shader. To select one, use `--host NAME` or set \
@@ -412,12 +414,17 @@ fn pages_of_hosts() {
         The header has a title, a description and facts: `base` (the host that it extends), `version` (`any`, `own`, `desktop`, \
         `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), \
         `uniforms` (`all`: a shader that declares other uniforms is for another host; `some`), `entry`, `include`, `hole`, `package`, \
-        `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`.\n\n\
+        `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`, \
+        `refuses` (what it does not accept: {limits}), `setters` (`dart`: an application sets the uniforms by their order), \
+        `programs` (how many shaders it runs, which read each other).\n\n\
         A comment `// =` after a declaration states the value that the host sets, so that the shader can be run. Options \
         follow after commas: `or TYPE` lists more types, `numbered` accepts any number in the name, and `usual` or `own` \
         states how strongly the name indicates this host. Names between `#ifdef SHADER_DECLARES` and `#endif` are declared \
         by the shaders themselves. The value of a varying is a GLSL expression of `port_place` (from 0 to 1), `port_pos` \
-        (from -1 to 1) and `port_size` (pixels).\n\n{words}\n## All hosts\n\n| name | host | compiled as |\n|---|---|---|\n",
+        (from -1 to 1) and `port_size` (pixels).\n\n\
+        Between `#ifdef SHADER_TEMPLATE` and `#endif` is the text around the code of a shader that `shaderport --target NAME` \
+        writes: `#pragma code` is the place of the code, `port_image` its `mainImage`. What follows `#pragma screen` is written \
+        if the shader reads the screen.\n\n{words}\n## All hosts\n\n| name | host | compiled as |\n|---|---|---|\n",
     );
     let mut expected = Vec::new();
     for host in presets() {

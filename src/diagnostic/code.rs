@@ -127,6 +127,8 @@ errors! {
     VERSION_PLACEMENT = "version-placement";
     /// A version other than `100` and `300 es`.
     UNSUPPORTED_VERSION = "unsupported-version";
+    /// What the host of a shader does not accept, although WebGL2 does.
+    HOST_LIMIT = "host-limit";
     /// `#extension` after code.
     EXTENSION_PLACEMENT = "extension-placement";
     /// `require` of an extension that WebGL2 does not have.

@@ -51,6 +51,9 @@ pub fn check_shader(
     let before = found.diagnostics.len();
     unknown::decide_severity(sources, part, &mut checked, hosts, &mut found.unresolved);
     required::apply(sources, part, &mut checked);
+    if let Some(host) = part.host {
+        required::add_limits(host, &mut checked);
+    }
     let missing = version::missing(sources, part, &checked, hosts);
     checked.diagnostics.extend(missing);
     version::lower_reserved_words(sources, part, &mut checked);

@@ -1,8 +1,10 @@
-//! The `#version` that the host of a complete shader requires, and where it accepts it.
+//! The `#version` that the host of a complete shader requires, where it accepts it, and what the host
+//! of a shader does not accept.
 
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_host::{Preset, RequiredVersion, presets};
+use shaderlint_port::limits;
 use shaderlint_semantic::{Checked, Completeness, Program, Stage, Storage, Variable};
 use shaderlint_syntax::Version;
 use shaderlint_text::{Role, Sources, Span};
@@ -31,6 +33,25 @@ pub fn apply(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
         let found = outdated(sources, part, host, required);
         checked.diagnostics.extend(found);
     }
+}
+
+/// Adds findings about what the host of a shader does not accept.
+pub fn add_limits(host: &Preset, checked: &mut Checked) {
+    let found = limits(&checked.program, host).into_iter().map(|beyond| {
+        let note = format!(
+            "{} does not accept {}",
+            host.title,
+            beyond.limit.description()
+        );
+        Diagnostic::of(
+            error::HOST_LIMIT,
+            Severity::Warning,
+            beyond.span,
+            beyond.message,
+        )
+        .note(note)
+    });
+    checked.diagnostics.extend(found);
 }
 
 /// The uniforms and varyings that a shader declares.

@@ -5,13 +5,17 @@ use super::playback::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
 use serde::Deserialize;
 use shaderlint_exec::{
-    COMPARED_SIZE, CompileOptions, Draw, Equality, Image, ImageShape, OutputSlot, Sampling, Texels,
-    Texture, equality,
+    COMPARED_SIZE, CompileOptions, Draw, Equality, Filter, Image, ImageShape, OutputSlot, Sampling,
+    Texels, Texture, equality,
 };
+use shaderlint_host::Preset;
 use shaderlint_ir::lower;
 use shaderlint_math::hash;
-use shaderlint_port::{Composed, File, PassUnit, Project, Target, bindings, glsl};
-use shaderlint_semantic::{Pass, Program, Sampler, Scalar, Stage};
+use shaderlint_port::{
+    Bindings, Composed, File, HostedShader, OutputId, PassUnit, Project, Target, Wrapper, bindings,
+    compose, glsl,
+};
+use shaderlint_semantic::{Checked, Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
 
 /// Number of instructions that may run to compare a pass.
@@ -49,9 +53,19 @@ pub fn verify(
     target: Target,
     files: &[File],
 ) -> Result<Vec<Verified>, String> {
-    let units: Vec<_> = drawn_units(composed).collect();
+    let units_of = |composed| {
+        let mut units: Vec<&PassUnit> = drawn_units(composed).collect();
+        if let Target::Host(_) = target {
+            units.sort_by_key(|unit| program_number(project, unit));
+        }
+        units
+    };
+    let units = units_of(composed);
     let made = read_back(target, files, units.len())?;
-    let mut before: Vec<_> = given.map_or(Vec::new(), |g| drawn_units(g).map(|u| (g, u)).collect());
+    let mut before: Vec<_> = given.map_or(Vec::new(), |given| {
+        let units = units_of(given).into_iter();
+        units.map(|unit| (given, unit)).collect()
+    });
     if before.len() != units.len() {
         before.clear();
     }
@@ -74,7 +88,10 @@ pub fn verify(
         };
         let outcome = match analysis.has_errors() {
             true => Err("the shader does not compile".to_string()),
-            false => compare(&analysis.program, &text),
+            false => match target {
+                Target::Host(host) => compare_hosted(project, (unit, analysis), host, &text),
+                _ => compare(&analysis.program, &text),
+            },
         };
         Verified {
             pass,
@@ -103,6 +120,63 @@ fn compare(before: &Program, text: &str) -> Result<Equality, String> {
     equal(before, &after.program, &mut FUEL.clone())
 }
 
+/// The number of a pass among the programs of a host; the image is the last one.
+fn program_number(project: &Project, unit: &PassUnit) -> usize {
+    let pass = project.passes.get(unit.pass);
+    let buffer = pass.filter(|pass| pass.kind == Pass::Buffer);
+    let output = buffer.and_then(|pass| pass.output.as_ref());
+    output.and_then(OutputId::number).unwrap_or(usize::MAX)
+}
+
+/// The programs for a host in their order, each after the common code.
+fn read_programs(host: &Preset, files: &[File]) -> Vec<String> {
+    let is_named = |file: &&File, end: &str| {
+        let stem = file.path.file_stem().unwrap_or_default();
+        stem.to_string_lossy().ends_with(end)
+    };
+    let text = |file: &File| String::from_utf8_lossy(&file.content).into_owned();
+    if host.programs == 0 || files.len() < 2 {
+        return files.iter().take(1).map(text).collect();
+    }
+    let common = files.iter().find(|file| is_named(file, "-c"));
+    let common = common.map_or(String::new(), text);
+    let own = files.iter().filter(|file| !is_named(file, "-c"));
+    own.map(|file| common.clone() + &text(file)).collect()
+}
+
+/// Compares a pass with its shader for a host.
+fn compare_hosted(
+    project: &Project,
+    (unit, before): (&PassUnit, &Checked),
+    host: &'static Preset,
+    text: &str,
+) -> Result<Equality, String> {
+    let after = HostedShader::of(host, text).filter(|after| !after.checked.has_errors());
+    let after = after.ok_or("the output does not compile")?;
+    // Such hosts do not change the alpha of the image.
+    let has_alpha = host.programs > 0 && unit.kind == Pass::Image;
+    let buffer = has_alpha.then(|| as_buffer(project, unit)).flatten();
+    let in_buffer = buffer.as_ref().and_then(|composed| {
+        let unit = composed.units.iter().find(|u| u.pass == unit.pass)?;
+        Some(composed.analysis(unit))
+    });
+    let before = in_buffer.unwrap_or(before);
+    let pass = project.passes.get(unit.pass);
+    let bound = match pass.filter(|pass| pass.wrapper == Wrapper::Own) {
+        Some(pass) => pass.bound.clone(),
+        None => bindings(&before.program, None),
+    };
+    let after = (&after.checked.program, after.bound);
+    equal_bound((&before.program, bound), after, &mut FUEL.clone())
+}
+
+/// The project with an image as a buffer, in which alpha is kept.
+fn as_buffer(project: &Project, unit: &PassUnit) -> Option<Composed> {
+    let mut project = project.clone();
+    project.passes.get_mut(unit.pass)?.kind = Pass::Buffer;
+    compose(&project, "")
+}
+
 /// Compares two shaders in frames that differ in time and mouse. Vertex shaders run one vertex per
 /// pixel. `fuel` is the number of instructions that may run, and is reduced by those that ran.
 ///
@@ -110,12 +184,22 @@ fn compare(before: &Program, text: &str) -> Result<Equality, String> {
 /// If a shader cannot be run, or the varyings differ.
 pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equality, String> {
     // Both use the bindings of the original.
-    let scene = |program: &Program| {
+    let bound = bindings(before, None);
+    equal_bound((before, bound.clone()), (after, bound), fuel)
+}
+
+/// Compares two shaders that have inputs of their own.
+fn equal_bound(
+    before: (&Program, Bindings),
+    after: (&Program, Bindings),
+    fuel: &mut u64,
+) -> Result<Equality, String> {
+    let scene = |(program, bound): (&Program, Bindings)| {
         let options = CompileOptions::default();
-        let scene = Scene::bound(program, &lower(program), bindings(before, None), &options);
+        let scene = Scene::bound(program, &lower(program), bound, &options);
         scene.map_err(|refusal| refusal.what)
     };
-    let stage = before.stage;
+    let stage = before.0.stage;
     let (before, after) = (scene(before)?, scene(after)?);
     let outputs = |scene: &Scene| -> Vec<String> {
         let all = scene.code.outputs.iter();
@@ -125,7 +209,16 @@ pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equali
     if stage == Stage::Vertex && outputs(&before) != outputs(&after) {
         return Err("the varyings differ in name or order".to_string());
     }
-    let noise = Noise::new();
+    // Filtering rounds differently in an image that is turned around, and its height divides no
+    // place of a pixel, so that no place is between two texels.
+    let sampling = match [&before, &after].map(turned) {
+        [before, after] if before == after => Sampling::default(),
+        _ => Sampling {
+            filter: Filter::Nearest,
+            ..Sampling::default()
+        },
+    };
+    let noise = Noise::new(sampling);
     let draws = |number| [&before, &after].map(|scene| noise.draw(scene, number));
     let found = equality([&before.code, &after.code], fuel, &draws);
     let is_large = |output: &OutputSlot| output.lanes() < output.scalars();
@@ -135,6 +228,12 @@ pub fn equal(before: &Program, after: &Program, fuel: &mut u64) -> Result<Equali
         }
         found => Ok(found),
     }
+}
+
+/// The number of images whose upper row comes first.
+fn turned(scene: &Scene) -> usize {
+    let inputs = scene.given.bound.inputs.iter();
+    inputs.filter(|input| !input.sampler.vflip).count()
 }
 
 /// The frame with a number.
@@ -154,21 +253,29 @@ fn moment(number: usize) -> Moment {
 /// Pseudorandom textures and values for inputs that the player does not set.
 struct Noise {
     flat: Option<Arc<Image>>,
+    /// The same with the upper row first.
+    flipped: Option<Arc<Image>>,
     volume: Option<Arc<Image>>,
     cube: Option<Arc<Image>>,
     layers: Option<Arc<Image>>,
+    sampling: Sampling,
 }
 
 impl Noise {
-    fn new() -> Noise {
-        let image = |shape, size: [u32; 3]| {
+    fn new(sampling: Sampling) -> Noise {
+        let of = |shape, size: [u32; 3], seed: &dyn Fn(u32) -> u32| {
             let count = size.iter().product::<u32>();
-            let texels = (0..count).map(|n| hash(n).to_le_bytes()).collect();
+            let texels = (0..count).map(|n| hash(seed(n)).to_le_bytes()).collect();
             let image = Image::new(shape, size, Texels::Unorm8(texels));
             image.ok().map(Arc::new)
         };
+        let image = |shape, size| of(shape, size, &|n| n);
         Noise {
-            flat: image(ImageShape::Flat, [64, 64, 1]),
+            flat: image(ImageShape::Flat, [64, 61, 1]),
+            flipped: of(ImageShape::Flat, [64, 61, 1], &|n| {
+                (60 - n / 64) * 64 + n % 64
+            }),
+            sampling,
             volume: image(ImageShape::Volume, [16, 16, 16]),
             cube: image(ImageShape::Cube, [32, 32, 6]),
             layers: image(ImageShape::Layers, [16, 16, 4]),
@@ -199,10 +306,18 @@ impl Noise {
             draw.set(name, &scalars.collect::<Vec<f64>>());
         }
         for slot in &scene.code.samplers {
-            if let Some(image) = self.of(slot.sampler) {
+            let bound = &scene.given.bound.inputs;
+            let input = bound
+                .iter()
+                .find(|i| i.uniform.as_deref() == Some(&slot.name));
+            let image = match input.is_some_and(|i| !i.sampler.vflip) {
+                true if slot.sampler == Sampler::Sampler2D => self.flipped.as_ref(),
+                _ => self.of(slot.sampler),
+            };
+            if let Some(image) = image {
                 let texture = Texture {
                     image: Arc::clone(image),
-                    sampling: Sampling::default(),
+                    sampling: self.sampling,
                 };
                 draw.bind(&slot.name, texture);
             }
@@ -290,6 +405,7 @@ fn read_back(target: Target, files: &[File], count: usize) -> Result<Vec<String>
             let held = held.ok_or("the output does not contain the project")?;
             Ok(held.passes.iter().map(|pass| held.joined(pass)).collect())
         }
+        Target::Host(host) => Ok(read_programs(host, files)),
         #[cfg(feature = "naga")]
         Target::ThreeWebgpu | Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
             Err("output in this language cannot be verified".to_string())

@@ -68,4 +68,5 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ),
     ("vtk", include_str!("presets/vtk.glsl")),
     ("webgl", include_str!("presets/webgl.glsl")),
+    ("xscreensaver", include_str!("presets/xscreensaver.glsl")),
 ];

@@ -1,6 +1,7 @@
 //! Builds the output files of each target.
 
 use super::embed::still_name;
+use super::host_output::for_host;
 use super::order::{Destination, MainChoice, Order, Target};
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
@@ -46,6 +47,7 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
             Ok(Build::of(files))
         }
         Target::Glsl => shaders(order, project, composed),
+        Target::Host(host) => for_host(order, project, composed, host),
         #[cfg(feature = "naga")]
         Target::Wgsl | Target::Spirv | Target::Hlsl | Target::Msl => {
             translated(order, project, composed)

@@ -3,6 +3,7 @@
 use super::Poster;
 #[cfg(feature = "naga")]
 use super::naga::{FirstRow, TargetLanguage};
+use shaderlint_host::{Preset, presets};
 use std::fmt;
 use std::path::Path;
 
@@ -37,9 +38,17 @@ pub enum Target {
     /// MSL shader of each pass, for Metal
     #[cfg(feature = "naga")]
     Msl,
+    /// Shader for a host that has a template
+    #[cfg_attr(feature = "cli", value(skip))]
+    Host(&'static Preset),
 }
 
 impl Target {
+    /// The hosts that shaders can be written for.
+    pub fn hosts() -> impl Iterator<Item = &'static Preset> {
+        presets().filter(|host| host.template.is_some())
+    }
+
     /// The target for the extension of a path.
     ///
     /// # Errors
@@ -77,6 +86,7 @@ impl Target {
             #[cfg(feature = "naga")]
             Target::ThreeWebgpu => "js",
             Target::Glsl => "frag",
+            Target::Host(_) => "glsl",
             #[cfg(feature = "naga")]
             Target::Wgsl => "wgsl",
             #[cfg(feature = "naga")]

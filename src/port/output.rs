@@ -141,6 +141,25 @@ impl Remark {
         }
     }
 
+    /// A host lacks something that a pass uses.
+    pub(super) fn missing(pass: String, span: Span, message: String) -> Remark {
+        Remark {
+            pass,
+            severity: Severity::Error,
+            message,
+            span,
+            rule: "not-portable",
+        }
+    }
+
+    /// A host draws a pass in a slightly different way.
+    pub(super) fn differs(pass: String, span: Span, message: String) -> Remark {
+        Remark {
+            severity: Severity::Warning,
+            ..Remark::missing(pass, span, message)
+        }
+    }
+
     /// A pass cannot be translated to the target language.
     #[cfg(feature = "naga")]
     pub(super) fn refused(pass: String, reason: &Refused) -> Remark {

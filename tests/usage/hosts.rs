@@ -415,7 +415,7 @@ fn is_shown(host: &Preset) -> bool {
 #[test]
 fn every_host_has_a_fixture_or_is_identified_otherwise() {
     // Nothing in or around a text identifies these: only the user can name them.
-    const NAMED: [&str; 2] = ["openframeworks", "processing"];
+    const NAMED: [&str; 3] = ["openframeworks", "processing", "xscreensaver"];
     for host in presets() {
         let has_fixture = Path::new(DIALECTS).join(host.name).is_dir();
         let is_known = [&host.packages, &host.words, &host.globals];

@@ -218,6 +218,25 @@ fn common_code_precedes_the_passes_of_its_folder() {
     );
 }
 
+/// `NAME-c.glsl` belongs to `NAME.glsl` and to `NAME-0.glsl`, and to no other shader.
+#[test]
+fn common_code_of_a_screen_saver_precedes_its_programs() {
+    let common = "float one() { return 1.0; }\n";
+    let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }\n";
+    let scratch = Scratch::new(&[
+        ("sea-c.glsl", common),
+        ("sea.glsl", image),
+        ("sea-0.glsl", image),
+        ("sea-1.glsl", image),
+        ("lake.glsl", image),
+    ]);
+    for program in ["sea.glsl", "sea-0.glsl", "sea-1.glsl", "sea-c.glsl"] {
+        let ran = scratch.run(&["-q", program]);
+        assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{program}");
+    }
+    assert_eq!(scratch.places(&["lake.glsl"]), ["1:50 undeclared-name"]);
+}
+
 #[test]
 fn common_code_is_checked_as_common_code() {
     let common = "vec4 look(sampler2D s, vec2 p) { return texture(s, p); }\n// what main and texture2D did\n";

@@ -5,13 +5,14 @@ use crate::cli::output::Overwrite;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
 use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, SliderChoice, Target};
-use clap::{Args, Parser, Subcommand};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 
 /// Ports ShaderToy shaders to WebGL2.
 ///
 /// Reads a shader file, a folder of passes or a ShaderToy export. Writes an HTML page, a JavaScript
-/// module or plain shaders.
+/// module, plain shaders or shaders for another host.
 #[derive(Parser, Default, Debug)]
 #[command(name = "shaderport", version, max_term_width = 100)]
 #[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
@@ -68,8 +69,9 @@ pub struct PortArgs {
     /// Output file, or folder for several shaders; default: the first file, on standard output
     #[arg(short, long, value_name = "PATH", help_heading = OUTPUT)]
     pub(super) output: Option<PathBuf>,
-    /// Output format; default: chosen by the extension of the output
-    #[arg(short, long, value_enum, value_name = "TARGET", help_heading = OUTPUT)]
+    /// Output format, or host that the shader is written for; default: chosen by the extension of the
+    /// output
+    #[arg(short, long, value_parser = targets(), value_name = "TARGET", help_heading = OUTPUT)]
     pub(super) target: Option<Target>,
     /// How plain shaders get a `main` function
     #[arg(long, value_enum, default_value_t, value_name = "HOW", help_heading = OUTPUT)]
@@ -199,6 +201,21 @@ Exit codes:
   0  No errors
   1  The shader has errors, or --verify did not confirm the output
   2  Wrong usage, or a file cannot be read or written";
+
+/// Reads a target: an output format, or a host that shaders are written for.
+fn targets() -> impl TypedValueParser<Value = Target> {
+    let formats = Target::value_variants().iter();
+    let formats = formats.filter_map(|target| target.to_possible_value());
+    let hosts = Target::hosts()
+        .map(|host| PossibleValue::new(host.name).help(format!("Shader for {}", host.read_as())));
+    PossibleValuesParser::new(formats.chain(hosts)).map(|name| {
+        let host = || Target::hosts().find(|host| host.name == name);
+        let format = Target::from_str(&name, false).ok();
+        format
+            .or_else(|| host().map(Target::Host))
+            .unwrap_or(Target::Glsl)
+    })
+}
 
 impl PortArgs {
     /// The build order that these arguments describe.

@@ -12,7 +12,9 @@ use std::sync::Arc;
 const MAX_PASS: usize = 1024 * 1024;
 /// The Common file that is included before a pass, if there is one.
 pub fn common_of(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
-    let (role, prefix) = role(file_name(name))?;
+    let Some((role, prefix)) = role(file_name(name)) else {
+        return common_of_saver(name, text, context);
+    };
     if role == PassRole::Common || !may_be_pass(context.options) || !is_pass(text) {
         return None;
     }
@@ -24,14 +26,49 @@ pub fn common_of(name: &str, text: &str, context: CheckContext) -> Option<PathBu
     Some(path.to_path_buf())
 }
 
-/// Whether a file is the Common file of the passes in its folder.
-pub fn is_common(name: &str, text: &str, context: CheckContext) -> bool {
-    let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
+/// The common code of a screen saver of XScreenSaver: `NAME-c.glsl` for `NAME.glsl`, `NAME-0.glsl`
+/// and so on.
+fn common_of_saver(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
+    let (path, extension) = name.rsplit_once('.')?;
+    let saver = match path.rsplit_once('-') {
+        Some((saver, "0" | "1" | "2" | "3" | "4")) => saver,
+        _ => path,
+    };
+    let common = PathBuf::from(format!("{saver}-c.{extension}"));
+    if !may_be_pass(context.options) || !is_pass(text) {
+        return None;
+    }
+    context.files.entry(&common)?;
+    let code = context.files.load(&common).ok()?;
+    (code.len() <= MAX_PASS && !is_pass(&code)).then_some(common)
+}
+
+/// Whether a file is the common code of a screen saver.
+fn is_common_of_saver(name: &str, context: CheckContext) -> bool {
+    let split = name.rsplit_once('.');
+    let Some((saver, extension)) = split.and_then(|(p, e)| Some((p.strip_suffix("-c")?, e))) else {
         return false;
     };
+    let mut programs = ["", "-0", "-1", "-2", "-3", "-4"].iter();
+    programs.any(|end| {
+        let program = format!("{saver}{end}.{extension}");
+        let path = Path::new(&program);
+        let text = context
+            .files
+            .entry(path)
+            .and_then(|_| context.files.load(path).ok());
+        text.is_some_and(|text| text.len() <= MAX_PASS && is_pass(&text))
+    })
+}
+
+/// Whether a file is the Common file of the passes in its folder.
+pub fn is_common(name: &str, text: &str, context: CheckContext) -> bool {
     if !may_be_pass(context.options) || text.contains("#version") {
         return false;
     }
+    let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
+        return !is_pass(text) && is_common_of_saver(name, context);
+    };
     let Some(passes) = sibling_passes(name, context) else {
         return false;
     };

@@ -15,8 +15,8 @@
 // names: some
 // entry: main
 // composes: yes
-uniform vec2 flutter_Size; // = resolution
-vec2 FlutterFragCoord() { return vec2(gl_FragCoord.x, flutter_Size.y - gl_FragCoord.y); }
+// refuses: samplers lookups varyings blocks unsigned numbers
+// setters: dart
 #ifdef SHADER_DECLARES
 uniform vec2 uSize; // = resolution
 uniform vec2 u_size; // = resolution
@@ -32,4 +32,21 @@ uniform float uHeight; // = height
 uniform sampler2D uTexture; // = screen, top-first
 uniform sampler2D tInput; // = screen, top-first
 uniform sampler2D u_texture0; // = screen, top-first, numbered
+uniform sampler2D iChannel0; // = file, top-first, numbered
+#endif
+uniform vec2 flutter_Size; // = resolution
+vec2 FlutterFragCoord() { return vec2(gl_FragCoord.x, flutter_Size.y - gl_FragCoord.y); }
+#ifdef SHADER_TEMPLATE
+#version 460 core
+#include <flutter/runtime_effect.glsl>
+out vec4 pixelColor;
+#pragma screen
+#define texture(s, p) texture(s, vec2(0.0, 1.0) + vec2(1.0, -1.0) * (p))
+#pragma code
+void main() {
+    vec2 place = FlutterFragCoord().xy;
+    vec4 color = vec4(0.0, 0.0, 0.0, 1.0);
+    port_image(color, vec2(place.x, uSize.y - place.y));
+    pixelColor = vec4(color.rgb, 1.0);
+}
 #endif

@@ -59,3 +59,10 @@ uniform sampler2D iChannel0; // = screen
 #define CURSORSTYLE_BAR 2
 #define CURSORSTYLE_UNDERLINE 3
 #define CURSORSTYLE_LOCK 4
+#ifdef SHADER_TEMPLATE
+#pragma code
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    port_image(fragColor, fragCoord);
+    fragColor.a = 1.0;
+}
+#endif

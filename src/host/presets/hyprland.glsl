@@ -39,3 +39,26 @@ uniform int pointer_pressed_touched; // = nothing, own
 uniform float pointer_size; // = nothing, own
 in vec2 v_texcoord; // = vec2(port_place.x, 1.0 - port_place.y), usual
 #endif
+#ifdef SHADER_TEMPLATE
+#version 300 es
+precision highp float;
+precision highp int;
+out vec4 pixelColor;
+#pragma screen
+vec4 screenTexture(sampler2D s, vec2 p) { return texture(s, vec2(p.x, 1.0 - p.y)); }
+vec4 screenTexture(sampler2D s, vec2 p, float bias) { return texture(s, vec2(p.x, 1.0 - p.y), bias); }
+vec4 screenLod(sampler2D s, vec2 p, float lod) { return textureLod(s, vec2(p.x, 1.0 - p.y), lod); }
+vec4 screenFetch(sampler2D s, ivec2 p, int lod) {
+    return texelFetch(s, ivec2(p.x, textureSize(s, lod).y - 1 - p.y), lod);
+}
+#define texture screenTexture
+#define textureLod screenLod
+#define texelFetch screenFetch
+#pragma code
+void main() {
+    vec2 pixel = floor(vec2(v_texcoord.x, 1.0 - v_texcoord.y) * screen_size);
+    vec4 color = vec4(0.0, 0.0, 0.0, 1.0);
+    port_image(color, pixel + 0.5);
+    pixelColor = vec4(color.rgb, 1.0);
+}
+#endif

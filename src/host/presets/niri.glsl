@@ -30,8 +30,10 @@ uniform mat3 niri_curr_geo_to_prev_geo; // = identity
 uniform mat3 niri_curr_geo_to_next_geo; // = identity
 uniform mat3 niri_input_to_geo; // = identity
 uniform mat3 niri_input_to_curr_geo; // = identity
-uniform vec2 niri_size; // = resolution
+/// The size of the window in logical pixels.
 uniform vec2 niri_geo_size; // = resolution
+/// The size of the area that is drawn, in logical pixels.
+uniform vec2 niri_size; // = resolution
 uniform vec2 niri_curr_geo_size; // = resolution
 uniform float niri_progress; // = progress
 uniform float niri_clamped_progress; // = progress
@@ -41,3 +43,25 @@ uniform vec4 niri_corner_radius; // = nothing
 uniform float niri_clip_to_geometry; // = nothing
 uniform float niri_alpha; // = ones
 uniform float niri_scale; // = ones
+#ifdef SHADER_TEMPLATE
+#pragma screen
+vec4 texture(sampler2D s, vec2 p) {
+    return texture2D(s, (niri_geo_to_tex * vec3(p.x, 1.0 - p.y, 1.0)).st);
+}
+vec4 texture(sampler2D s, vec2 p, float bias) {
+    return texture2D(s, (niri_geo_to_tex * vec3(p.x, 1.0 - p.y, 1.0)).st, bias);
+}
+#pragma code
+vec4 open_color(vec3 coords_geo, vec3 size_geo) {
+    vec2 pixel = floor(vec2(coords_geo.x, 1.0 - coords_geo.y) * size_geo.xy * niri_scale);
+    vec4 color = vec4(0.0, 0.0, 0.0, 1.0);
+    port_image(color, (pixel + 0.5) / niri_scale);
+    vec2 inside = step(0.0, coords_geo.xy) * step(coords_geo.xy, vec2(1.0));
+    return vec4(color.rgb, 1.0) * inside.x * inside.y;
+}
+#pragma host
+void main() {
+    vec2 place = gl_FragCoord.xy / niri_geo_size;
+    gl_FragColor = open_color(vec3(place.x, 1.0 - place.y, 1.0), vec3(niri_geo_size, 1.0));
+}
+#endif

@@ -50,7 +50,7 @@ fn main(entry: &str, color: &str) -> String {
         "\n{declared}void main() {{\n    \
          vec2 port_at = gl_FragCoord.xy / niri_size - 0.5;\n    \
          vec3 port_geo = vec3(1.5 * vec2(port_at.x, -port_at.y) + 0.5, 1.0);\n    \
-         vec4 port_window = {entry}(port_geo, vec3(niri_size / 1.5, 1.0)) * niri_alpha;\n    \
+         vec4 port_window = {entry}(port_geo, vec3(niri_geo_size, 1.0)) * niri_alpha;\n    \
          vec3 port_behind = vec3(0.16, 0.18, 0.24);\n    \
          {color} = vec4(port_window.rgb + (1.0 - port_window.a) * port_behind, 1.0);\n}}\n"
     )
