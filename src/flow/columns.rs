@@ -37,7 +37,7 @@ pub fn column_reads(
     width: u32,
 ) -> ColumnReads {
     let mut found = ColumnReads::default();
-    let mut reader = Reader {
+    let mut finder = ColumnFinder {
         module,
         defs,
         left: BUDGET,
@@ -57,15 +57,15 @@ pub fn column_reads(
             _ => f64::from(width),
         };
         let is_plain = !lookup.is_projective && !lookup.has_offset;
-        let Some(chains) = reader.chains(calls, op) else {
+        let Some(chains) = finder.chains(calls, op) else {
             found.reads_others = true;
             continue;
         };
         for chain in chains {
-            if reader.sampler(*sampler, &chain) != Some(uniform) {
+            if finder.sampler(*sampler, &chain) != Some(uniform) {
                 continue;
             }
-            match reader.lane(*coordinates, 0, &chain, 0).filter(|_| is_plain) {
+            match finder.lane(*coordinates, 0, &chain, 0).filter(|_| is_plain) {
                 Some(values) => found.columns.extend(columns(&values, scale, width)),
                 None => found.reads_others = true,
             }
@@ -81,14 +81,14 @@ fn columns(values: &[f64], scale: f64, width: u32) -> impl Iterator<Item = u32> 
     inside.map(|column| column as u32)
 }
 
-struct Reader<'a> {
+struct ColumnFinder<'a> {
     module: &'a Module,
     defs: &'a ReachingDefinitions,
     /// The remaining steps.
     left: u32,
 }
 
-impl Reader<'_> {
+impl ColumnFinder<'_> {
     /// The uniform that a sampler operand is in a chain of calls.
     fn sampler(&self, operand: OpId, chain: &[OpId]) -> Option<VariableId> {
         let OpKind::Load(place) = self.module.op(operand).kind else {

@@ -102,7 +102,8 @@ mod tests {
             };
             assert_eq!(renamed.old_offset(new), old, "{letter}");
         }
-        let shorter = RenamedText::of(text, &names, &[0..4]);
+        let start = 0..4;
+        let shorter = RenamedText::of(text, &names, std::slice::from_ref(&start));
         assert_eq!(shorter.text, "a + long; // a\n#define a long\nd");
         assert_eq!(shorter.old_offset(shorter.text.len() - 1), 30);
     }
