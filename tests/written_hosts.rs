@@ -78,13 +78,11 @@ fn what_a_host_lacks_is_an_error_where_it_is_used() {
     let image = |body: &str| format!("void mainImage(out vec4 c, in vec2 p) {{\n    {body}\n}}\n");
     let mouse = image("c = iMouse * float(iFrame);");
     let lacks = |host: &str, name: &str| format!("host `{host}` does not provide `{name}`: ");
-    let [in_ghostty, in_hyprland] = ["ghostty", "hyprland"].map(|host| lacks(host, "iMouse"));
-    check(&mouse, "ghostty", &[&in_ghostty, "x.glsl:2:9"]);
     let frame = lacks("hyprland", "iFrame");
     check(
         &mouse,
         "hyprland",
-        &[&in_hyprland, &frame, "x.glsl:2:24", "Found 2 errors"],
+        &[&frame, "x.glsl:2:24", "Found 1 error"],
     );
     let second = lacks("ghostty", "iChannel1");
     check(
@@ -113,6 +111,25 @@ fn what_a_host_lacks_is_an_error_where_it_is_used() {
     );
     let upside = image("c = textureGrad(iChannel0, p, p, p);");
     check(&upside, "hyprland", &["`textureGrad`", "x.glsl:2:9"]);
+}
+
+/// ShaderToy's mouse is 0 until the first click, and so it stays.
+#[test]
+fn a_mouse_rests_where_there_is_none() {
+    let folder = Folder::new();
+    let code = "void mainImage(out vec4 c, in vec2 p) {\n    \
+        vec2 at = iMouse.z > 0.0 ? iMouse.xy : p;\n    c = vec4(sin(at), 0.0, 1.0);\n}\n";
+    folder.put("x.glsl", code);
+    for host in ["ghostty", "hyprland"] {
+        let (exit, message) = folder.run(&format!("x.glsl -t {host} --verify -o {host}.glsl"));
+        assert_eq!(exit, Some(0), "{host}: {message}");
+        let warning = format!("host `{host}` has no mouse: `iMouse` stays 0");
+        for part in [&*warning, "x.glsl:2:15", "Image: identical"] {
+            assert!(message.contains(part), "{host}: {part}\n{message}");
+        }
+    }
+    let written = fs::read_to_string(folder.path("ghostty.glsl")).unwrap();
+    assert!(!written.contains("iMouse2"), "{written}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use shaderlint_exec::{
     COMPARED_SIZE, CompileOptions, Draw, Equality, Filter, Image, ImageShape, OutputSlot, Sampling,
     Texels, Texture, equality,
 };
-use shaderlint_host::Preset;
+use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::lower;
 use shaderlint_math::hash;
 use shaderlint_port::{
@@ -162,10 +162,15 @@ fn compare_hosted(
     });
     let before = in_buffer.unwrap_or(before);
     let pass = project.passes.get(unit.pass);
-    let bound = match pass.filter(|pass| pass.wrapper == Wrapper::Own) {
+    let mut bound = match pass.filter(|pass| pass.wrapper == Wrapper::Own) {
         Some(pass) => pass.bound.clone(),
         None => bindings(&before.program, None),
     };
+    for uniform in &mut bound.uniforms {
+        if host.rests(uniform.source) {
+            uniform.source = Feed::Nothing;
+        }
+    }
     let after = (&after.checked.program, after.bound);
     equal_bound((&before.program, bound), after, &mut FUEL.clone())
 }

@@ -1,7 +1,7 @@
 //! What is known about a host, and its documentation page.
 
 use super::limit::Limit;
-use super::meaning::{FeedRow, Meanings, is_named};
+use super::meaning::{Feed, FeedRow, Meanings, is_named};
 use super::template::Template;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -349,6 +349,13 @@ pub fn matches_any(all: &[String], name: &str) -> bool {
 }
 
 impl Preset {
+    /// Whether a value never changes although ShaderToy would change it: the mouse of a host without
+    /// one, which stays 0 as it is until the first click.
+    pub fn rests(&self, feed: Feed) -> bool {
+        let is_set = || self.meanings.feeds.iter().any(|row| row.feed == feed);
+        feed == Feed::Mouse && self.setters.is_empty() && !is_set()
+    }
+
     /// Applies the description of a user to a known host.
     pub fn over(mut self, base: &Preset) -> Preset {
         self.put_after(base);

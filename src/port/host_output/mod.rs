@@ -20,7 +20,7 @@ use super::limits::{limits, lookups};
 use super::order::{Destination, Order};
 use super::output::{Build, BuildError, Remark, file};
 use super::{Composed, PassUnit, Project, Wrapper, credits};
-use pass::{defines, left_out, sampling, supplied_inputs, user_files};
+use pass::{defines, differences, left_out, supplied_inputs, user_files};
 use plain::PlainShader;
 use shaderlint_diagnostic::Severity;
 use shaderlint_host::{Preset, Template, TextureRow};
@@ -118,7 +118,7 @@ fn write(
         text.place(offset)
     });
     match found.is_empty() {
-        true => Ok((text, sampling(pass, &title, &inputs, host))),
+        true => Ok((text, differences(pass, &title, &inputs, host))),
         false => Err(found),
     }
 }

@@ -1,6 +1,6 @@
 //! What the pass of a project requires of a host.
 
-use super::supplied::{Supplied, supplied};
+use super::supplied::{Supplied, rests, supplied};
 use super::used::{UsedInput, UsedValue, used_inputs};
 use crate::output::Remark;
 use crate::{Composed, Input, PassUnit, Project, ProjectPass};
@@ -21,8 +21,28 @@ pub(super) fn left_out(project: &Project, composed: &Composed, host: &Preset) ->
     remarks.collect()
 }
 
+/// Warnings about inputs that have another value in a host, or are read in another way.
+pub(super) fn differences(
+    pass: &ProjectPass,
+    title: &str,
+    inputs: &[(UsedInput, Supplied)],
+    host: &Preset,
+) -> Vec<Remark> {
+    let resting = inputs
+        .iter()
+        .filter(|(used, _)| used.is_live && rests(host, used));
+    let mut remarks: Vec<Remark> = resting
+        .map(|(used, _)| {
+            let message = format!("host `{}` has no mouse: `{}` stays 0", host.name, used.name);
+            Remark::differs(title.to_string(), used.span, message)
+        })
+        .collect();
+    remarks.extend(sampling(pass, title, inputs, host));
+    remarks
+}
+
 /// Warnings about images that a host reads in another way.
-pub(super) fn sampling(
+fn sampling(
     pass: &ProjectPass,
     title: &str,
     inputs: &[(UsedInput, Supplied)],

@@ -1,6 +1,6 @@
 //! The programs of a host that runs several, which read the outputs of each other.
 
-use super::pass::{defines, left_out, sampling, supplied_inputs, user_files};
+use super::pass::{defines, differences, left_out, supplied_inputs, user_files};
 use super::supplied::Supplied;
 use super::text::{HostText, HostWriter};
 use super::used::UsedInput;
@@ -88,7 +88,7 @@ fn program(
     let files = user_files(composed, unit);
     let mut writer = HostWriter::new(host, template, &files);
     writer.supply(&inputs);
-    let warnings = sampling(&pass, &pass.title(unit.pass), &inputs, host);
+    let warnings = differences(&pass, &pass.title(unit.pass), &inputs, host);
     Ok((writer.write(program, &credits::lines(project)), warnings))
 }
 

@@ -17,6 +17,11 @@ pub(super) enum Supplied {
     Uniform(&'static str),
 }
 
+/// Whether the value of an input never changes in a host.
+pub(super) fn rests(host: &Preset, input: &UsedInput) -> bool {
+    matches!(input.value, UsedValue::Known(feed) if host.rests(feed))
+}
+
 /// How a host supplies an input; `None` if it does not.
 pub(super) fn supplied(host: &Preset, input: &UsedInput) -> Option<Supplied> {
     match &input.value {
@@ -48,8 +53,10 @@ fn set_by_application(host: &Preset) -> bool {
 }
 
 fn known(host: &Preset, input: &UsedInput, feed: Feed) -> Option<Supplied> {
+    let rests = rests(host, input);
     let is_same = |r: &FeedRow| {
-        r.is_declared && r.name == input.name && r.feed == feed && r.types.contains(&input.ty)
+        let is_value = r.feed == feed || (rests && r.feed == Feed::Nothing);
+        r.is_declared && r.name == input.name && is_value && r.types.contains(&input.ty)
     };
     if host.meanings.feeds.iter().any(is_same) {
         return Some(Supplied::Same);
@@ -59,6 +66,9 @@ fn known(host: &Preset, input: &UsedInput, feed: Feed) -> Option<Supplied> {
     }
     if let Some(expression) = host.meanings.expression(feed, &input.ty) {
         return Some(Supplied::Global(Some(expression)));
+    }
+    if rests {
+        return Some(Supplied::Global(Some(format!("{}(0.0)", input.ty))));
     }
     let ty = match input.ty.as_str() {
         "float" | "int" => "float",
