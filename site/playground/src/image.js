@@ -126,6 +126,7 @@ export class ShaderImage {
     frame.setAttribute('sandbox', 'allow-scripts allow-downloads');
     frame.allow = 'autoplay; fullscreen';
     frame.className = 'next';
+    frame.inert = true;
     frame.dataset.settings = share < 1 ? `scale=${Math.sqrt(share).toFixed(3)}` : '';
     this.#next = frame;
     this.#load(frame).catch(() => {});
@@ -173,6 +174,7 @@ export class ShaderImage {
       this.#frame = next;
       this.#next = undefined;
       this.#frame.className = '';
+      this.#frame.inert = false;
       this.#parent.dispatchEvent(new Event('drawn'));
     }
   }
