@@ -12,8 +12,8 @@ use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::lower;
 use shaderlint_math::hash;
 use shaderlint_port::{
-    Bindings, Composed, File, HostedShader, OutputId, PassUnit, Project, Target, Wrapper, bindings,
-    compose, glsl,
+    Bindings, Composed, File, HostedShader, PassUnit, Project, Target, Wrapper, bindings, compose,
+    glsl,
 };
 use shaderlint_semantic::{Checked, Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
@@ -56,7 +56,7 @@ pub fn verify(
     let units_of = |composed| {
         let mut units: Vec<&PassUnit> = drawn_units(composed).collect();
         if let Target::Host(_) = target {
-            units.sort_by_key(|unit| program_number(project, unit));
+            units.sort_by_key(|unit| unit.program_number(project));
         }
         units
     };
@@ -118,14 +118,6 @@ fn compare(before: &Program, text: &str) -> Result<Equality, String> {
     let after = after.filter(|a| !a.has_errors);
     let after = after.ok_or("the output does not compile")?;
     equal(before, &after.program, &mut FUEL.clone())
-}
-
-/// The number of a pass among the programs of a host; the image is the last one.
-fn program_number(project: &Project, unit: &PassUnit) -> usize {
-    let pass = project.passes.get(unit.pass);
-    let buffer = pass.filter(|pass| pass.kind == Pass::Buffer);
-    let output = buffer.and_then(|pass| pass.output.as_ref());
-    output.and_then(OutputId::number).unwrap_or(usize::MAX)
 }
 
 /// The programs for a host in their order, each after the common code.

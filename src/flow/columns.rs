@@ -3,11 +3,11 @@
 //! A column is computed for each chain of calls that leads to a lookup, with the arguments of these
 //! calls: `pressed(37)` and `pressed(39)` read two columns through one lookup.
 
-use super::Calls;
+use super::calls::{Bodies, Calls};
 use super::reaching_definitions::{Def, DefId, ReachingDefinitions};
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Root, Unary};
 use shaderlint_semantic::builtins::{BuiltinKind, Level};
-use shaderlint_semantic::{FunctionRef, Scalar, VariableId};
+use shaderlint_semantic::{Scalar, VariableId};
 use std::collections::BTreeSet;
 
 /// Maximum number of steps for one texture.
@@ -40,6 +40,7 @@ pub fn column_reads(
     let mut finder = ColumnFinder {
         module,
         defs,
+        bodies: Bodies::of(module),
         left: BUDGET,
     };
     for op in (0..module.ops.len() as u32).map(OpId) {
@@ -84,6 +85,7 @@ fn columns(values: &[f64], scale: f64, width: u32) -> impl Iterator<Item = u32> 
 struct ColumnFinder<'a> {
     module: &'a Module,
     defs: &'a ReachingDefinitions,
+    bodies: Bodies<'a>,
     /// The remaining steps.
     left: u32,
 }
@@ -111,7 +113,7 @@ impl ColumnFinder<'_> {
     /// `None` if there are too many.
     fn chains(&mut self, calls: &Calls, op: OpId) -> Option<Vec<Vec<OpId>>> {
         let mut done = Vec::new();
-        let mut todo = vec![(self.function_of(op), Vec::new())];
+        let mut todo = vec![(self.bodies.around(op), Vec::new())];
         while let Some((function, mut chain)) = todo.pop() {
             self.left = self.left.checked_sub(1)?;
             let Some(function) = function.filter(|f| Some(*f) != self.module.entry) else {
@@ -126,12 +128,6 @@ impl ColumnFinder<'_> {
             }));
         }
         Some(done)
-    }
-
-    fn function_of(&self, op: OpId) -> Option<FunctionRef> {
-        let functions = (0..).map(FunctionRef).zip(&self.module.functions);
-        let mut around = functions.filter(|(_, function)| function.ops.contains(op));
-        around.next().map(|(id, _)| id)
     }
 
     /// The values that a component may have in a chain of calls; `None` if one is not known.

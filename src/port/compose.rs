@@ -1,7 +1,7 @@
 //! Composes each pass as the player compiles it: header, Common passes in order, its own code.
 
 use super::sliders::{SliderChoice, Sliders};
-use super::{Project, ProjectPass, Wrapper};
+use super::{OutputId, Project, ProjectPass, Wrapper};
 use shaderlint_semantic::{Channels, Checked, Completeness, Dialect, Pass, Stage, Unit, analyze};
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
@@ -49,6 +49,17 @@ impl UnitKey {
     fn of(pass: &ProjectPass) -> UnitKey {
         let texts = [&pass.before, &pass.code, &pass.after].map(Arc::clone);
         UnitKey(pass.kind, pass.wrapper, pass.channels(), texts)
+    }
+}
+
+impl PassUnit {
+    /// The position among the programs of a host that runs several: the number of the buffer; the
+    /// image is the last one.
+    pub fn program_number(&self, project: &Project) -> usize {
+        let pass = project.passes.get(self.pass);
+        let buffer = pass.filter(|pass| pass.kind == Pass::Buffer);
+        let output = buffer.and_then(|pass| pass.output.as_ref());
+        output.and_then(OutputId::number).unwrap_or(usize::MAX)
     }
 }
 

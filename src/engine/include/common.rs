@@ -67,7 +67,7 @@ pub fn is_common(name: &str, text: &str, context: CheckContext) -> bool {
         return false;
     }
     let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
-        return !is_pass(text) && is_common_of_saver(name, context);
+        return is_common_of_saver(name, context) && !is_pass(text);
     };
     let Some(passes) = sibling_passes(name, context) else {
         return false;

@@ -25,7 +25,7 @@ pub(super) fn programs(
     let is_drawn = |unit: &&PassUnit| matches!(unit.kind, Pass::Image | Pass::Buffer);
     let mut units: Vec<&PassUnit> = composed.units.iter().filter(is_drawn).collect();
     // The image is drawn last, and buffers in the order of their letters.
-    units.sort_by_key(|unit| number(project, unit));
+    units.sort_by_key(|unit| unit.program_number(project));
     let outputs: Vec<Option<OutputId>> = units
         .iter()
         .map(|unit| project.passes.get(unit.pass)?.output.clone())
@@ -46,14 +46,6 @@ pub(super) fn programs(
         return Ok(Build { files, remarks });
     }
     files(order, project, &texts).map(|files| Build { files, remarks })
-}
-
-/// The number of the buffer; the image has the last one.
-fn number(project: &Project, unit: &PassUnit) -> usize {
-    let pass = project.passes.get(unit.pass);
-    let buffer = pass.filter(|p| p.kind == Pass::Buffer);
-    let output = buffer.and_then(|p| p.output.as_ref());
-    output.and_then(OutputId::number).unwrap_or(usize::MAX)
 }
 
 /// A program, of which `at` is the number, and warnings about it.
