@@ -149,8 +149,9 @@ fn places(document: &Document, count: usize) -> Vec<u32> {
         let places = declared.filter_map(|o| document.report.in_input(o.span));
         found.extend(places.map(|span| span.start));
     }
-    let can_be =
-        |at: &u32| may_rename(document, *at).is_ok_and(|(_, name)| !WORDS.contains(&name.as_str()));
+    let can_be = |at: &u32| {
+        may_rename(document, *at, &NoFiles).is_ok_and(|(_, name)| !WORDS.contains(&name.as_str()))
+    };
     let found: Vec<u32> = found.into_iter().filter(can_be).collect();
     let step = found.len().div_ceil(count).max(1);
     found.into_iter().step_by(step).collect()
@@ -164,7 +165,9 @@ fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
     };
     let options = Arc::new(Options::default());
     let document = Document::new(&name, text.as_str().into(), options, &NoFiles);
-    let before = modules(&name, &text);
+    let mut before = modules(&name, &text);
+    let alternatives = document.alternatives(&NoFiles).iter();
+    before.extend(alternatives.flat_map(|other| modules(&name, &other.text)));
     // If all shaders have errors, there is nothing to compare.
     if before.iter().all(Option::is_none) {
         return (0, Vec::new());
@@ -181,8 +184,11 @@ fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
         };
         let edits = &renaming.edits[&*name];
         let after = apply_edits(&text, 0, edits).unwrap();
-        let (_, old) = may_rename(&document, place).unwrap();
-        let now = modules(&name, &after);
+        let (_, old) = may_rename(&document, place, &NoFiles).unwrap();
+        let mut now = modules(&name, &after);
+        let document = Document::new(&name, after.into(), Arc::default(), &NoFiles);
+        let alternatives = document.alternatives(&NoFiles).iter();
+        now.extend(alternatives.flat_map(|other| modules(&name, &other.text)));
         assert_eq!(now.len(), before.len(), "{name} at {place}");
         for (before, now) in before.iter().zip(&now) {
             // An error may disappear: the old name was reserved.

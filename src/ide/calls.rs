@@ -1,8 +1,8 @@
 //! The call hierarchy, with the estimated cost of functions.
 
 use super::document::{Document, FileSpan};
+use super::family::{NameHere, compiled_name};
 use super::hover::operations;
-use super::navigate::name_at;
 use super::symbol::{Symbol, declared_at};
 use shaderlint_lint::Facts;
 use shaderlint_semantic::FunctionRef;
@@ -34,7 +34,7 @@ pub struct CallLink {
 
 /// The user-defined function at an offset.
 pub fn call_item(document: &Document, offset: u32) -> Option<CallItem> {
-    let (spot, name, _) = name_at(document, offset)?;
+    let NameHere { spot, name, .. } = compiled_name(document, offset)?;
     let Symbol::Function(function) = name.symbol else {
         return None;
     };
@@ -63,7 +63,7 @@ fn item(document: &Document, facts: &Facts, function: FunctionRef) -> Option<Cal
 /// The functions in the documents that call the function at an offset of `document`, which is one
 /// of them.
 pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Vec<CallLink> {
-    let Some((spot, name, _)) = name_at(document, offset) else {
+    let Some(NameHere { spot, name, .. }) = compiled_name(document, offset) else {
         return Vec::new();
     };
     let origin = document.origin(spot.program(), name.symbol);
@@ -88,7 +88,7 @@ pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Ve
 
 /// The functions that the function at an offset calls.
 pub fn outgoing(document: &Document, offset: u32) -> Vec<CallLink> {
-    let Some((spot, name, _)) = name_at(document, offset) else {
+    let Some(NameHere { spot, name, .. }) = compiled_name(document, offset) else {
         return Vec::new();
     };
     let Symbol::Function(own) = name.symbol else {

@@ -1,6 +1,7 @@
 //! An open document and its analyses.
 
-use super::index::{Index, NameUse, Occurrence};
+use super::branches::other_branches;
+use super::index::{Index, Occurrence};
 use super::symbol::{Symbol, declared_at};
 use shaderlint_engine::{Analysis, FileType, Files, LoadError, Options, Report, analyze};
 use shaderlint_lint::Settings;
@@ -20,7 +21,7 @@ pub struct FileSpan {
 }
 
 /// The declaration of a name, independent of the shader that uses it.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) enum SymbolOrigin {
     /// Declared in the user's text.
     Text(FileSpan),
@@ -44,6 +45,8 @@ pub struct Document {
     /// Findings and analyses.
     pub report: Report,
     indexes: Vec<OnceLock<Index>>,
+    /// The document with other branches of its conditional groups.
+    alternatives: OnceLock<Vec<Document>>,
 }
 
 /// A position in a shader of a document.
@@ -70,7 +73,30 @@ impl Document {
             options,
             report,
             indexes,
+            alternatives: OnceLock::new(),
         }
+    }
+
+    /// The document with other branches of its conditional groups, so that each branch is compiled
+    /// in one of them. Positions are the same. `files` are those that the document was made with.
+    pub fn alternatives(&self, files: &dyn Files) -> &[Document] {
+        self.alternatives.get_or_init(|| {
+            let texts = other_branches(self).into_iter();
+            texts.map(|text| self.read_as(text, files)).collect()
+        })
+    }
+
+    /// The document, and its alternatives if code that it does not compile contains a word.
+    pub(super) fn readings(&self, word: &str, files: &dyn Files) -> Vec<&Document> {
+        let mut inactive = self.shaders().flat_map(|(program, _)| {
+            let spans = program.tokens.inactive.iter();
+            spans.map(|span| program.sources.text(*span))
+        });
+        let mut found = vec![self];
+        if inactive.any(|code| code.contains(word)) {
+            found.extend(self.alternatives(files));
+        }
+        found
     }
 
     /// The document with another text, checked without rules.
@@ -144,27 +170,6 @@ impl Document {
             None => given(),
         }
     }
-
-    /// The occurrences in all shaders of a name with this origin.
-    pub(super) fn named(&self, origin: &SymbolOrigin) -> Vec<NamedOccurrence> {
-        let mut found = Vec::new();
-        for (program, index) in self.shaders() {
-            let mut known: BTreeMap<Symbol, bool> = BTreeMap::new();
-            for occurrence in index.all() {
-                let symbol = occurrence.symbol;
-                let is_it = *known
-                    .entry(symbol)
-                    .or_insert_with(|| self.origin(program, symbol) == *origin);
-                if is_it && let Some(place) = self.place(occurrence.span) {
-                    found.push(NamedOccurrence {
-                        place,
-                        access: occurrence.access,
-                    });
-                }
-            }
-        }
-        found
-    }
 }
 
 /// Whether stages are linked by the name of a variable: outputs of the vertex shader, and uniforms.
@@ -179,13 +184,6 @@ fn is_linked(program: &Program, symbol: Symbol) -> bool {
     };
     let is_shared = is_handed_on || storage == Some(Storage::Uniform);
     is_shared && program.dialect == Dialect::WebGl
-}
-
-/// An occurrence of a name.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) struct NamedOccurrence {
-    pub place: FileSpan,
-    pub access: NameUse,
 }
 
 impl<'d> Spot<'d> {

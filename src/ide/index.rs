@@ -349,7 +349,7 @@ impl Builder<'_> {
                         rest = after;
                         self.directive(line, &global, seen);
                     }
-                    RawKind::Word if self.is_inactive(first.span) => {
+                    RawKind::Word if is_inactive(self.program, first.span) => {
                         self.unseen(first.span, &global, seen);
                         at_start = false;
                     }
@@ -358,13 +358,6 @@ impl Builder<'_> {
                 }
             }
         }
-    }
-
-    fn is_inactive(&self, span: Span) -> bool {
-        let inactive = &self.program.tokens.inactive;
-        let after = inactive.partition_point(|s| s.start <= span.start);
-        let last = after.checked_sub(1).and_then(|i| inactive.get(i));
-        last.is_some_and(|s| s.contains(span))
     }
 
     /// The code that the shader consists of.
@@ -518,4 +511,12 @@ pub fn struct_number(ty: shaderlint_semantic::Type) -> Option<u32> {
         Base::Struct(id) | Base::Block(id) if !ty.is_array() => Some(u32::from(id)),
         _ => None,
     }
+}
+
+/// Whether code is not compiled.
+pub fn is_inactive(program: &Program, span: Span) -> bool {
+    let inactive = &program.tokens.inactive;
+    let after = inactive.partition_point(|s| s.start <= span.start);
+    let last = after.checked_sub(1).and_then(|i| inactive.get(i));
+    last.is_some_and(|s| s.contains(span))
 }

@@ -3,10 +3,12 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod actions;
+mod branches;
 mod calls;
 mod color;
 mod complete;
 mod document;
+mod family;
 mod folding;
 mod hints;
 mod hover;

@@ -1,29 +1,29 @@
 //! Definitions and references.
 
 use super::document::{Document, FileSpan, Spot};
+use super::family::{NameHere, family, name_at};
 use super::index::{NameUse, Occurrence};
 use super::symbol::{Symbol, declared_at};
+use shaderlint_engine::Files;
 use shaderlint_semantic::Base;
 use shaderlint_text::Span;
 
 /// The definition of the symbol at an offset; of a function, its body.
-pub fn definition(document: &Document, offset: u32) -> Option<FileSpan> {
-    let spot = document.spot(offset)?;
-    let symbol = spot.name()?.symbol;
-    let span = match symbol {
-        Symbol::MacroParameter(..) => defined_in(&spot, symbol)?,
-        _ => declared_at(spot.program(), symbol)?,
+pub fn definition(document: &Document, offset: u32, files: &dyn Files) -> Option<FileSpan> {
+    let NameHere { spot, name, .. } = name_at(document, offset, files)?;
+    let span = match name.symbol {
+        Symbol::MacroParameter(..) => defined_in(&spot, name.symbol)?,
+        _ => declared_at(spot.program(), name.symbol)?,
     };
-    document.place(span)
+    spot.document.place(span)
 }
 
 /// The first declaration of the symbol at an offset; of a function, its prototype.
-pub fn declaration(document: &Document, offset: u32) -> Option<FileSpan> {
-    let spot = document.spot(offset)?;
-    let symbol = spot.name()?.symbol;
-    let mut all = spot.index().named(symbol);
+pub fn declaration(document: &Document, offset: u32, files: &dyn Files) -> Option<FileSpan> {
+    let NameHere { spot, name, .. } = name_at(document, offset, files)?;
+    let mut all = spot.index().named(name.symbol);
     let declared = all.find(|o| matches!(o.access, NameUse::Declared | NameUse::Defined));
-    document.place(declared?.span)
+    spot.document.place(declared?.span)
 }
 
 fn defined_in(spot: &Spot, symbol: Symbol) -> Option<Span> {
@@ -32,14 +32,14 @@ fn defined_in(spot: &Spot, symbol: Symbol) -> Option<Span> {
 }
 
 /// The declaration of the struct type of the symbol at an offset.
-pub fn type_definition(document: &Document, offset: u32) -> Option<FileSpan> {
-    let spot = document.spot(offset)?;
-    let ty = spot.name()?.symbol.ty(spot.program())?;
+pub fn type_definition(document: &Document, offset: u32, files: &dyn Files) -> Option<FileSpan> {
+    let NameHere { spot, name, .. } = name_at(document, offset, files)?;
+    let ty = name.symbol.ty(spot.program())?;
     let (Base::Struct(id) | Base::Block(id)) = ty.base else {
         return None;
     };
     let span = declared_at(spot.program(), Symbol::Struct(u32::from(id)))?;
-    document.place(span)
+    spot.document.place(span)
 }
 
 /// The references to the symbol at an offset in all documents; `document` is one of them.
@@ -47,24 +47,19 @@ pub fn references(
     documents: &[&Document],
     document: &Document,
     offset: u32,
+    files: &dyn Files,
 ) -> Vec<(FileSpan, NameUse)> {
-    let found = document
-        .spot(offset)
-        .and_then(|spot| Some((spot, spot.name()?)));
-    let Some((spot, name)) = found else {
+    let Some(here) = name_at(document, offset, files) else {
         return Vec::new();
     };
-    let origin = document.origin(spot.program(), name.symbol);
-    let named = documents.iter().flat_map(|d| d.named(&origin));
-    let mut all: Vec<(FileSpan, NameUse)> = named.map(|n| (n.place, n.access)).collect();
-    all.sort();
-    all.dedup_by(|a, b| a.0 == b.0);
-    all
+    let family = family(documents, &here, files);
+    let places = family.places.into_iter();
+    places.map(|(place, (access, _))| (place, access)).collect()
 }
 
 /// The references to the symbol at an offset in the same document, with their uses.
-pub fn highlights(document: &Document, offset: u32) -> Vec<(Span, NameUse)> {
-    let all = references(&[document], document, offset);
+pub fn highlights(document: &Document, offset: u32, files: &dyn Files) -> Vec<(Span, NameUse)> {
+    let all = references(&[document], document, offset, files);
     let own = all
         .into_iter()
         .filter(|(place, _)| place.path == document.path);
@@ -81,11 +76,4 @@ pub fn is_shared(spot: &Spot, name: Occurrence) -> bool {
         Symbol::MacroParameter(..) | Symbol::Builtin(_) => false,
         Symbol::Function(_) | Symbol::Struct(_) | Symbol::Field(..) | Symbol::Macro(_) => true,
     }
-}
-
-/// The name at an offset, with its span in the document.
-pub(super) fn name_at(document: &Document, offset: u32) -> Option<(Spot<'_>, Occurrence, Span)> {
-    let spot = document.spot(offset)?;
-    let name = spot.name()?;
-    Some((spot, name, document.report.in_input(name.span)?))
 }

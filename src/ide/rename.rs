@@ -1,11 +1,12 @@
 //! Renames a symbol if every name keeps its meaning.
 //!
-//! There are no special cases. The changed texts are checked again, and the declarations that names
-//! refer to are compared. If one differs, the renaming is rejected with the position.
+//! There are no special cases. The changed texts are checked again, with each branch of `#if`, and
+//! the declarations that names refer to are compared. If one differs, the renaming is rejected with
+//! the position.
 
 use super::document::{Document, FileSpan, Overlay, SymbolOrigin};
+use super::family::{NameFamily, NameHere, family, name_at};
 use super::index::NameUse;
-use super::navigate::name_at;
 use super::symbol::{Symbol, SymbolKind};
 use shaderlint_diagnostic::Severity;
 use shaderlint_engine::Files;
@@ -44,13 +45,28 @@ fn refused<T>(why: impl Into<String>) -> Result<T, RenameRefusal> {
 ///
 /// # Errors
 /// If the user's text does not declare the name.
-pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), RenameRefusal> {
-    let Some((spot, name, span)) = name_at(document, offset) else {
+pub fn may_rename(
+    document: &Document,
+    offset: u32,
+    files: &dyn Files,
+) -> Result<(Span, String), RenameRefusal> {
+    let here = renamable(document, offset, files)?;
+    Ok((here.span, here.text().to_string()))
+}
+
+/// The name at an offset, if it can be renamed.
+fn renamable<'d>(
+    document: &'d Document,
+    offset: u32,
+    files: &dyn Files,
+) -> Result<NameHere<'d>, RenameRefusal> {
+    let Some(here) = name_at(document, offset, files) else {
         return refused("no symbol to rename here");
     };
+    let NameHere { spot, name, .. } = &here;
     let program = spot.program();
-    let text = program.sources.text(name.span).to_string();
-    match document.origin(program, name.symbol) {
+    let text = here.text().to_string();
+    match here.origin() {
         SymbolOrigin::Given(_)
             if matches!(name.symbol, Symbol::Builtin(_)) || text.starts_with("gl_") =>
         {
@@ -70,7 +86,7 @@ pub fn may_rename(document: &Document, offset: u32) -> Result<(Span, String), Re
             let host = program.dialect.host().called;
             refused(format!("{host} calls `{text}` by name"))
         }
-        _ => Ok((span, text)),
+        _ => Ok(here),
     }
 }
 
@@ -105,17 +121,14 @@ pub fn rename(
     new: &str,
     files: &dyn Files,
 ) -> Result<Renaming, RenameRefusal> {
-    let (_, old) = may_rename(document, offset)?;
-    let Some((spot, name, _)) = name_at(document, offset) else {
-        return refused("no symbol to rename here");
-    };
-    let program = spot.program();
-    is_name(program, new)?;
-    if new == old {
+    let here = renamable(document, offset, files)?;
+    is_name(here.spot.program(), new)?;
+    if new == here.text() {
         return Ok(Renaming::default());
     }
-    let origin = document.origin(program, name.symbol);
-    let renaming = edits(documents, &origin, new)?;
+    let family = family(documents, &here, files);
+    certain(documents, &here, &family)?;
+    let renaming = edits(documents, &family, new)?;
     verify(documents, &renaming, new, files)?;
     Ok(renaming)
 }
@@ -140,30 +153,49 @@ fn is_name(program: &Program, word: &str) -> Result<(), RenameRefusal> {
     Ok(())
 }
 
+/// Whether it is known what the names refer to.
+fn certain(
+    documents: &[&Document],
+    here: &NameHere,
+    family: &NameFamily,
+) -> Result<(), RenameRefusal> {
+    let name = here.text();
+    let document = |at: usize| documents.get(at).copied().unwrap_or(here.spot.document);
+    if let Some(place) = family.uncertain.first() {
+        let at = family.places.get(place).map_or(0, |(_, at)| *at);
+        let at = located(document(at), place);
+        return refused(format!("`{name}` in {at} may refer to another declaration"));
+    }
+    let is_given = |origin: &SymbolOrigin| matches!(origin, SymbolOrigin::Given(_));
+    if family.origins.iter().any(is_given) {
+        return refused(format!(
+            "`{name}` is not declared here in every branch of `#if`"
+        ));
+    }
+    Ok(())
+}
+
 /// The edits that rename a symbol.
 fn edits(
     documents: &[&Document],
-    origin: &SymbolOrigin,
+    family: &NameFamily,
     new: &str,
 ) -> Result<Renaming, RenameRefusal> {
-    let mut places: BTreeMap<FileSpan, &Document> = BTreeMap::new();
-    for document in documents {
-        for named in document.named(origin) {
-            // Code that is not compiled may refer to several symbols: the first is used.
-            places.entry(named.place).or_insert(document);
-        }
-    }
     let mut renaming = Renaming::default();
-    for (place, document) in places {
+    for (place, (_, at)) in &family.places {
+        let Some(document) = documents.get(*at) else {
+            continue;
+        };
         let edit = match place.path == document.path {
             // Embedded shaders may require escapes.
-            true => written(document, &place, new),
+            true => written(document, place, new),
             false => Some(Edit::replace(place.span, new)),
         };
         let Some(edit) = edit else {
-            return refused(format!("cannot edit {}", located(document, &place)));
+            return refused(format!("cannot edit {}", located(document, place)));
         };
-        renaming.edits.entry(place.path).or_default().push(edit);
+        let edits = renaming.edits.entry(place.path.clone()).or_default();
+        edits.push(edit);
     }
     Ok(renaming)
 }
@@ -216,6 +248,15 @@ fn verify(
         let before = document.read_as(document.text.to_string(), files);
         let after = document.read_as(text.to_string(), &overlay);
         compare(&before, &after, renaming, new)?;
+        let (old, now) = (before.alternatives(files), after.alternatives(&overlay));
+        if old.len() != now.len() {
+            return refused(format!(
+                "renaming to `{new}` changes which code is compiled"
+            ));
+        }
+        for (before, after) in old.iter().zip(now) {
+            compare(before, after, renaming, new)?;
+        }
     }
     Ok(())
 }

@@ -52,6 +52,70 @@ void mainImage(out vec4 c, in vec2 p) {
     same(after, source.text.replace("wave", "ripple"), "the text")
 
 
+BRANCHES = """#define MODE 1
+#if MODE == 1
+float «one»shape(vec3 p) { return length(p); }
+#elif MODE == 2
+float «two»shape(vec3 p) { float «local»far = p.y; return far; }
+#endif
+struct Ray { vec3 «field»from; float far; };
+#ifdef FAST
+const float «steps»LIMIT = 8.0;
+#else
+#define LIMIT 64.0
+#endif
+vec3 shade(Ray ray, float «param»amount) {
+    #ifdef GLOW
+    vec3 «glow»color = ray.from * amount;
+    #else
+    vec3 color = vec3(amount);
+    #if MODE == 2
+    color += ray.from + shape(ray.from);
+    #endif
+    #endif
+    return color * LIMIT;
+}
+void mainImage(out vec4 c, in vec2 p) {
+    c = vec4(shade(Ray(vec3(p, 1.0), 2.0), shape(vec3(p, 0.0))), 1.0);
+}
+"""
+
+
+@test
+def renaming_reaches_code_that_is_not_compiled(case):
+    client = case.client()
+    source = case.write("a.glsl", BRANCHES).open(client)
+    whole = {"one": "shape", "two": "shape", "field": "from", "steps": "LIMIT", "glow": "color", "param": "amount"}
+    for place, name in whole.items():
+        after = renamed(client, source, source[place], "other")[source.uri]
+        same(after, re.sub(r"\b%s\b" % name, "other", source.text), "the text after renaming " + name)
+        client.write_all(source.uri, source.text)
+    # A local of a branch and a member have the same name.
+    after = renamed(client, source, source["local"], "other")[source.uri]
+    same(after, source.text.replace("float far = p.y; return far;", "float other = p.y; return other;"), "the text")
+    client.write_all(source.uri, source.text)
+    places = client.at(source.uri, source["glow"], "textDocument/documentHighlight")
+    same(len(places), 4, "the highlights")
+    target = client.at(source.uri, source.text.index("color += "), "textDocument/definition")
+    same(client.lines(source.uri).span(target["range"])[0], source.text.index("color = vec3"), "the definition")
+
+
+@test
+def a_name_that_another_branch_would_hide_is_rejected(case):
+    client = case.client()
+    source = case.write("a.glsl", """float «fn»gain(float x) { return x; }
+float f(float x) {
+    #ifdef LOUD
+    float power = 2.0;
+    x *= gain(power);
+    #endif
+    return gain(x);
+}
+""").open(client)
+    error = refusal(lambda: client.at(source.uri, source["fn"], "textDocument/rename", newName="power"))
+    contains(error.message, "line 5", "the reason")
+
+
 @test
 def macros_and_members_are_renamed(case):
     client = case.client()

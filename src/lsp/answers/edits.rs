@@ -106,8 +106,8 @@ pub fn prepare_rename(
 ) -> Answer<Option<PrepareRenameResult>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
-    let (span, placeholder) =
-        ide::may_rename(&document, offset).map_err(|refusal| Failure::refused(refusal.0))?;
+    let found = ide::may_rename(&document, offset, &snapshot.files);
+    let (span, placeholder) = found.map_err(|refusal| Failure::refused(refusal.0))?;
     let range = buffer.lines(snapshot.columns()).range(span);
     Ok(Some(PrepareRenameResult::PrepareRenamePlaceholder(
         PrepareRenamePlaceholder { range, placeholder },

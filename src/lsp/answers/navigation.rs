@@ -6,11 +6,12 @@ use crate::capabilities::symbol_kind;
 use crate::snapshot::{Answer, Failure, Snapshot};
 use crate::uri::path_of;
 use gen_lsp_types::*;
+use shaderlint_engine::Files;
 use shaderlint_ide::{self as ide, CallItem, Document, FileSpan, NameUse, OutlineItem};
 use shaderlint_text::Span;
 use std::sync::Arc;
 
-type Find = fn(&Document, u32) -> Option<FileSpan>;
+type Find = fn(&Document, u32, &dyn Files) -> Option<FileSpan>;
 
 fn find(
     snapshot: &Snapshot,
@@ -18,7 +19,7 @@ fn find(
     find: Find,
 ) -> Answer<Option<Location>> {
     let (buffer, offset) = snapshot.place(at)?;
-    let found = find(&snapshot.document(buffer), offset);
+    let found = find(&snapshot.document(buffer), offset, &snapshot.files);
     Ok(found.and_then(|place| snapshot.location(&place)))
 }
 
@@ -104,7 +105,7 @@ pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option
     let document = snapshot.document(buffer);
     let others = documents_with(snapshot, &document, offset);
     let all: Vec<&Document> = others.iter().map(Arc::as_ref).collect();
-    let found = ide::references(&all, &document, offset);
+    let found = ide::references(&all, &document, offset, &snapshot.files);
     let with_declaration = params.context.include_declaration;
     let is_listed = |access: NameUse| {
         with_declaration || !matches!(access, NameUse::Declared | NameUse::Defined)
@@ -123,7 +124,7 @@ pub fn highlights(
     params: DocumentHighlightParams,
 ) -> Answer<Option<Vec<DocumentHighlight>>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
-    let found = ide::highlights(&snapshot.document(buffer), offset);
+    let found = ide::highlights(&snapshot.document(buffer), offset, &snapshot.files);
     let lines = buffer.lines(snapshot.columns());
     let items = found.into_iter().map(|(span, access)| DocumentHighlight {
         range: lines.range(span),

@@ -1,0 +1,194 @@
+//! The names that must be the same: those of one symbol, and of its declarations in other branches
+//! of `#if` and in other files.
+
+use super::document::{Document, FileSpan, Spot, SymbolOrigin};
+use super::index::{NameUse, Occurrence};
+use super::symbol::Symbol;
+use shaderlint_engine::Files;
+use shaderlint_semantic::Program;
+use shaderlint_text::Span;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The name at an offset, in a reading of the document that compiles it.
+pub struct NameHere<'d> {
+    /// The position in the reading.
+    pub spot: Spot<'d>,
+    /// The name.
+    pub name: Occurrence,
+    /// Its span in the document.
+    pub span: Span,
+}
+
+impl NameHere<'_> {
+    /// The name as written.
+    pub fn text(&self) -> &str {
+        self.spot.program().sources.text(self.name.span)
+    }
+
+    /// What the name refers to.
+    pub fn origin(&self) -> SymbolOrigin {
+        let reading = self.spot.document;
+        reading.origin(self.spot.program(), self.name.symbol)
+    }
+}
+
+/// The name at an offset. If the code there is not compiled, a branch is read that contains it.
+pub fn name_at<'d>(document: &'d Document, offset: u32, files: &dyn Files) -> Option<NameHere<'d>> {
+    let own = compiled_name(document, offset);
+    let is_compiled = |here: &NameHere| here.name.access != NameUse::Unseen;
+    if own.as_ref().is_some_and(is_compiled) || !is_left_out(document, offset) {
+        return own;
+    }
+    let others = document.alternatives(files).iter();
+    let mut others = others.filter_map(|other| compiled_name(other, offset));
+    others.find(is_compiled).or(own)
+}
+
+/// The name at an offset, as the shader there is compiled.
+pub fn compiled_name(document: &Document, offset: u32) -> Option<NameHere<'_>> {
+    let spot = document.spot(offset)?;
+    let name = spot.name()?;
+    let span = document.report.in_input(name.span)?;
+    Some(NameHere { spot, name, span })
+}
+
+/// Whether the code at an offset is in a branch that is not compiled.
+fn is_left_out(document: &Document, offset: u32) -> bool {
+    document.spot(offset).is_some_and(|spot| {
+        let mut inactive = spot.program().tokens.inactive.iter();
+        inactive.any(|span| (span.start..=span.end).contains(&spot.address))
+    })
+}
+
+/// The names that must be the same, in some documents.
+#[derive(Default)]
+pub struct NameFamily {
+    /// What they refer to, in one branch or another.
+    pub origins: BTreeSet<SymbolOrigin>,
+    /// By place: how the name is used there, and the index of a document that contains it.
+    pub places: BTreeMap<FileSpan, (NameUse, usize)>,
+    /// Places that may refer to another symbol as well.
+    pub uncertain: BTreeSet<FileSpan>,
+}
+
+/// Symbols of a shader that cannot exist at the same time: two globals with the same name, and for
+/// functions the same parameters. They are declared in different branches.
+type Rivals = (usize, usize, String);
+
+/// The occurrences of one word.
+#[derive(Default)]
+struct SameWord {
+    /// By place, for code that is compiled: what the name refers to.
+    compiled: BTreeMap<FileSpan, BTreeSet<SymbolOrigin>>,
+    by_origin: BTreeMap<SymbolOrigin, BTreeSet<FileSpan>>,
+    /// The same for code that is not compiled in any reading, where it may refer to any of several.
+    unseen: BTreeMap<FileSpan, BTreeSet<SymbolOrigin>>,
+    /// Use, and the index of a document.
+    uses: BTreeMap<FileSpan, (NameUse, usize)>,
+    rivals: BTreeMap<Rivals, BTreeSet<SymbolOrigin>>,
+}
+
+impl SameWord {
+    fn of(documents: &[&Document], word: &str, files: &dyn Files) -> SameWord {
+        let mut found = SameWord::default();
+        for (number, document) in documents.iter().enumerate() {
+            let count = document.report.analyses.len();
+            for reading in document.readings(word, files) {
+                let is_same = reading.report.analyses.len() == count;
+                for (shader, (program, index)) in reading.shaders().enumerate() {
+                    let key = is_same.then_some((number, shader));
+                    let same = |o: &&Occurrence| program.sources.text(o.span) == word;
+                    for occurrence in index.all().iter().filter(same) {
+                        found.add(reading, program, *occurrence, number, key);
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    fn add(
+        &mut self,
+        reading: &Document,
+        program: &Program,
+        occurrence: Occurrence,
+        document: usize,
+        shader: Option<(usize, usize)>,
+    ) {
+        let Some(place) = reading.place(occurrence.span) else {
+            return;
+        };
+        let origin = reading.origin(program, occurrence.symbol);
+        if occurrence.access == NameUse::Unseen {
+            let uses = (NameUse::Unseen, document);
+            self.uses.entry(place.clone()).or_insert(uses);
+            self.unseen.entry(place).or_default().insert(origin);
+            return;
+        }
+        let uses = self.uses.entry(place.clone());
+        let uses = uses.or_insert((occurrence.access, document));
+        if uses.0 == NameUse::Unseen {
+            *uses = (occurrence.access, document);
+        }
+        if let (Some((document, shader)), Some(form)) = (shader, form(program, occurrence.symbol)) {
+            let rivals = self.rivals.entry((document, shader, form)).or_default();
+            rivals.insert(origin.clone());
+        }
+        let places = self.by_origin.entry(origin.clone()).or_default();
+        places.insert(place.clone());
+        self.compiled.entry(place).or_default().insert(origin);
+    }
+
+    /// The family of a symbol.
+    fn family(&self, origin: SymbolOrigin) -> NameFamily {
+        let mut family = NameFamily::default();
+        let mut next = vec![origin];
+        while let Some(origin) = next.pop() {
+            let rivals = self.rivals.values().filter(|all| all.contains(&origin));
+            let places = self.by_origin.get(&origin).into_iter().flatten();
+            let meant = places.filter_map(|place| self.compiled.get(place));
+            next.extend(rivals.chain(meant).flatten().cloned());
+            family.origins.insert(origin);
+            next.retain(|origin| !family.origins.contains(origin));
+        }
+        // Where code is compiled in some branch, that decides.
+        let unseen = self.unseen.iter();
+        let unseen = unseen.filter(|(place, _)| !self.compiled.contains_key(*place));
+        for (place, meant) in self.compiled.iter().chain(unseen) {
+            let Some(used) = self.uses.get(place) else {
+                continue;
+            };
+            if meant.is_disjoint(&family.origins) {
+                continue;
+            }
+            family.places.insert(place.clone(), *used);
+            if !meant.is_subset(&family.origins) {
+                family.uncertain.insert(place.clone());
+            }
+        }
+        family
+    }
+}
+
+/// What two globals of the same name have in common that cannot exist at the same time.
+fn form(program: &Program, symbol: Symbol) -> Option<String> {
+    match symbol {
+        Symbol::Variable(id) => {
+            let is_global = program.variable(id)?.function.is_none();
+            is_global.then(String::new)
+        }
+        Symbol::Function(id) => {
+            let function = program.function(id)?;
+            let types = function.params.iter().map(|p| program.type_name(p.ty));
+            Some(types.collect::<Vec<_>>().join(","))
+        }
+        Symbol::Struct(_) => Some("struct".to_string()),
+        Symbol::Macro(_) => Some("macro".to_string()),
+        Symbol::Field(..) | Symbol::MacroParameter(..) | Symbol::Builtin(_) => None,
+    }
+}
+
+/// The names that must be the same as one of `document`, which is one of the documents.
+pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> NameFamily {
+    SameWord::of(documents, here.text(), files).family(here.origin())
+}
