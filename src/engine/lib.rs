@@ -54,6 +54,7 @@ pub use include::{Absence, MissingInclude};
 pub use modernize::modernize;
 pub use offer::Offer;
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
+pub use partner::program_name;
 pub use repair::{Repairs, repair, repairable};
 pub use shader_input::Shader;
 pub use shaderlint_semantic::Completeness;

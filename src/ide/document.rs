@@ -3,7 +3,9 @@
 use super::branches::other_branches;
 use super::index::{Index, Occurrence};
 use super::symbol::{Symbol, declared_at};
-use shaderlint_engine::{Analysis, FileType, Files, LoadError, Options, Report, analyze};
+use shaderlint_engine::{
+    Analysis, FileType, Files, LoadError, Options, Report, analyze, program_name,
+};
 use shaderlint_lint::Settings;
 use shaderlint_semantic::{Dialect, Program, Stage, Storage};
 use shaderlint_text::Span;
@@ -27,8 +29,7 @@ pub(super) enum SymbolOrigin {
     Text(FileSpan),
     /// A parameter of the macro with its name at this position.
     MacroParameter(FileSpan, u32),
-    /// A name that the stages of a program share; the path of the program without extension, and
-    /// the name.
+    /// A name that the stages of a program share: the name of the program's files, and the name.
     Interface(String, String),
     /// Built in, or declared by a host.
     Given(String),
@@ -160,11 +161,8 @@ impl Document {
         let place = declared_at(program, symbol).and_then(|span| self.place(span));
         match place {
             Some(place) if is_linked(program, symbol) => {
-                let stem = place
-                    .path
-                    .rsplit_once('.')
-                    .map_or(&*place.path, |(stem, _)| stem);
-                SymbolOrigin::Interface(stem.to_string(), symbol.name(program).to_string())
+                let name = symbol.name(program).to_string();
+                SymbolOrigin::Interface(program_name(&place.path), name)
             }
             Some(place) => SymbolOrigin::Text(place),
             None => given(),

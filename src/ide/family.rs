@@ -1,12 +1,14 @@
 //! The names that must be the same: those of one symbol, and of its declarations in other branches
-//! of `#if` and in other files.
+//! of `#if` and in other files, and in the scripts that use the shader.
 
 use super::document::{Document, FileSpan, Spot, SymbolOrigin};
 use super::index::{NameUse, Occurrence};
+use super::scripts::{in_scripts, names_file, role};
 use super::symbol::Symbol;
 use shaderlint_engine::Files;
 use shaderlint_semantic::Program;
 use shaderlint_text::Span;
+use shaderlint_text::embed::{MentionKind, NameRole};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The name at an offset, in a reading of the document that compiles it.
@@ -69,6 +71,8 @@ pub struct NameFamily {
     pub places: BTreeMap<FileSpan, (NameUse, usize)>,
     /// Places that may refer to another symbol as well.
     pub uncertain: BTreeSet<FileSpan>,
+    /// By place in a script: how it refers to the name, and the index of its document.
+    pub mentions: BTreeMap<FileSpan, (MentionKind, usize)>,
 }
 
 /// Symbols of a shader that cannot exist at the same time: two globals with the same name, and for
@@ -86,6 +90,8 @@ struct SameWord {
     /// Use, and the index of a document.
     uses: BTreeMap<FileSpan, (NameUse, usize)>,
     rivals: BTreeMap<Rivals, BTreeSet<SymbolOrigin>>,
+    /// The symbols that scripts may set by name, with the indices of documents that declare them.
+    inputs: BTreeMap<SymbolOrigin, BTreeSet<usize>>,
 }
 
 impl SameWord {
@@ -134,15 +140,19 @@ impl SameWord {
             let rivals = self.rivals.entry((document, shader, form)).or_default();
             rivals.insert(origin.clone());
         }
+        if role(program, occurrence.symbol) == NameRole::Input {
+            let declared = self.inputs.entry(origin.clone()).or_default();
+            declared.insert(document);
+        }
         let places = self.by_origin.entry(origin.clone()).or_default();
         places.insert(place.clone());
         self.compiled.entry(place).or_default().insert(origin);
     }
 
-    /// The family of a symbol.
-    fn family(&self, origin: SymbolOrigin) -> NameFamily {
+    /// The family of some symbols.
+    fn family(&self, origins: BTreeSet<SymbolOrigin>) -> NameFamily {
         let mut family = NameFamily::default();
-        let mut next = vec![origin];
+        let mut next: Vec<SymbolOrigin> = origins.into_iter().collect();
         while let Some(origin) = next.pop() {
             let rivals = self.rivals.values().filter(|all| all.contains(&origin));
             let places = self.by_origin.get(&origin).into_iter().flatten();
@@ -190,5 +200,86 @@ fn form(program: &Program, symbol: Symbol) -> Option<String> {
 
 /// The names that must be the same as one of `document`, which is one of the documents.
 pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> NameFamily {
-    SameWord::of(documents, here.text(), files).family(here.origin())
+    let word = here.text();
+    let same = SameWord::of(documents, word, files);
+    let mut family = same.family(BTreeSet::from([here.origin()]));
+    let role = role(here.spot.program(), here.name.symbol);
+    let scripts = documents.iter().enumerate();
+    let scripts = scripts.map(|(i, document)| (i, in_scripts(document, word, role)));
+    let scripts: Vec<_> = scripts.filter(|(_, found)| !found.is_empty()).collect();
+    // A script that uses two shaders gives both the same name.
+    loop {
+        let used = scripts.iter().flat_map(|(i, _)| same.set_by(documents, *i));
+        let used = used.filter(|all| !all.is_disjoint(&family.origins));
+        let all: BTreeSet<SymbolOrigin> = used.flatten().collect();
+        if role == NameRole::Inner || all.is_subset(&family.origins) {
+            break;
+        }
+        family = same.family(family.origins.union(&all).cloned().collect());
+    }
+    for (i, found) in scripts {
+        let Some(document) = documents.get(i) else {
+            continue;
+        };
+        let is_sure = match same.relation(documents, i, role, &family) {
+            Relation::None => continue,
+            Relation::Sure => true,
+            Relation::Possible => false,
+        };
+        for (span, kind) in found {
+            let path = document.path.clone();
+            let kind = if is_sure { kind } else { MentionKind::Unclear };
+            family.mentions.insert(FileSpan { path, span }, (kind, i));
+        }
+    }
+    family
+}
+
+/// Whether a script uses the shaders of a family.
+enum Relation {
+    None,
+    Possible,
+    Sure,
+}
+
+impl SameWord {
+    /// The inputs in the shaders that a script contains or names the files of, if there are some.
+    fn set_by(&self, documents: &[&Document], script: usize) -> Option<BTreeSet<SymbolOrigin>> {
+        let uses = |other: &usize| uses(documents, script, *other);
+        let own = self.inputs.iter().filter(|(_, all)| all.iter().any(uses));
+        let own: BTreeSet<SymbolOrigin> = own.map(|(origin, _)| origin.clone()).collect();
+        (!own.is_empty()).then_some(own)
+    }
+
+    fn relation(
+        &self,
+        documents: &[&Document],
+        script: usize,
+        role: NameRole,
+        family: &NameFamily,
+    ) -> Relation {
+        if role == NameRole::Inner {
+            let mut declared = family.places.values().map(|(_, document)| *document);
+            return match declared.any(|other| uses(documents, script, other)) {
+                true => Relation::Sure,
+                false => Relation::None,
+            };
+        }
+        let is_own = |origin: &SymbolOrigin| family.origins.contains(origin);
+        match self.set_by(documents, script) {
+            Some(all) if all.iter().any(is_own) => Relation::Sure,
+            Some(_) => Relation::None,
+            // The script names no shader.
+            None if self.inputs.keys().all(is_own) => Relation::Sure,
+            None => Relation::Possible,
+        }
+    }
+}
+
+/// Whether a document contains the shader of another one, or names its file.
+fn uses(documents: &[&Document], script: usize, other: usize) -> bool {
+    let (Some(script), Some(other)) = (documents.get(script), documents.get(other)) else {
+        return false;
+    };
+    script.path == other.path || names_file(script, &other.path)
 }

@@ -7,6 +7,7 @@ use super::symbol::{Symbol, declared_at};
 use shaderlint_engine::Files;
 use shaderlint_semantic::Base;
 use shaderlint_text::Span;
+use shaderlint_text::embed::MentionKind;
 
 /// The definition of the symbol at an offset; of a function, its body.
 pub fn definition(document: &Document, offset: u32, files: &dyn Files) -> Option<FileSpan> {
@@ -53,7 +54,13 @@ pub fn references(
         return Vec::new();
     };
     let family = family(documents, &here, files);
-    let places = family.places.into_iter();
+    let mut places = family.places;
+    for (place, (kind, at)) in family.mentions {
+        if kind != MentionKind::Unclear {
+            places.insert(place, (NameUse::Unseen, at));
+        }
+    }
+    let places = places.into_iter();
     places.map(|(place, (access, _))| (place, access)).collect()
 }
 
@@ -66,8 +73,15 @@ pub fn highlights(document: &Document, offset: u32, files: &dyn Files) -> Vec<(S
     own.map(|(place, access)| (place.span, access)).collect()
 }
 
+/// The name at an offset, if other files may refer to its symbol.
+pub fn shared_name(document: &Document, offset: u32, files: &dyn Files) -> Option<String> {
+    let here = name_at(document, offset, files)?;
+    let is_shared = is_shared(&here.spot, here.name) && !here.text().is_empty();
+    is_shared.then(|| here.text().to_string())
+}
+
 /// Whether other files may refer to a symbol.
-pub fn is_shared(spot: &Spot, name: Occurrence) -> bool {
+fn is_shared(spot: &Spot, name: Occurrence) -> bool {
     match name.symbol {
         Symbol::Variable(id) => spot
             .program()

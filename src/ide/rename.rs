@@ -7,11 +7,12 @@
 use super::document::{Document, FileSpan, Overlay, SymbolOrigin};
 use super::family::{NameFamily, NameHere, family, name_at};
 use super::index::NameUse;
-use super::symbol::{Symbol, SymbolKind};
+use super::symbol::Symbol;
 use shaderlint_diagnostic::Severity;
 use shaderlint_engine::Files;
-use shaderlint_semantic::{Program, Stage, starts_a_shader};
+use shaderlint_semantic::{Program, starts_a_shader};
 use shaderlint_syntax::{RawKind, WordClass, classify, tokenize};
+use shaderlint_text::embed::MentionKind;
 use shaderlint_text::{Edit, LineIndex, Span, apply_edits};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -79,9 +80,6 @@ fn renamable<'d>(
             ))
         }
         _ if !is_identifier(&text) => refused(format!("`{text}` is not a valid identifier")),
-        _ if is_asked_for(document, program, name.symbol) => {
-            refused(format!("the surrounding script refers to `{text}` by name"))
-        }
         _ if is_entry(program, name.symbol) => {
             let host = program.dialect.host().called;
             refused(format!("{host} calls `{text}` by name"))
@@ -93,21 +91,6 @@ fn renamable<'d>(
 /// Whether a host calls a function by name.
 fn is_entry(program: &Program, symbol: Symbol) -> bool {
     matches!(symbol, Symbol::Function(_)) && starts_a_shader(symbol.name(program))
-}
-
-/// Whether the code around the shaders of a document refers to an input by name.
-fn is_asked_for(document: &Document, program: &Program, symbol: Symbol) -> bool {
-    let is_given = match symbol.kind(program) {
-        SymbolKind::Uniform => true,
-        SymbolKind::Input => program.stage == Stage::Vertex,
-        _ => false,
-    };
-    let name = symbol.name(program);
-    if !is_given || document.report.file.is_none() {
-        return false;
-    }
-    let mut places = document.text.match_indices(name);
-    places.any(|(at, _)| document.spot(at as u32).is_none())
 }
 
 /// Renames the symbol at an offset in all documents that refer to it; `document` is one of them.
@@ -166,6 +149,11 @@ fn certain(
         let at = located(document(at), place);
         return refused(format!("`{name}` in {at} may refer to another declaration"));
     }
+    let mut unclear = family.mentions.iter();
+    if let Some((place, (_, at))) = unclear.find(|(_, (kind, _))| *kind == MentionKind::Unclear) {
+        let at = located(document(*at), place);
+        return refused(format!("{at} may refer to `{name}`"));
+    }
     let is_given = |origin: &SymbolOrigin| matches!(origin, SymbolOrigin::Given(_));
     if family.origins.iter().any(is_given) {
         return refused(format!(
@@ -182,6 +170,17 @@ fn edits(
     new: &str,
 ) -> Result<Renaming, RenameRefusal> {
     let mut renaming = Renaming::default();
+    for (place, (kind, _)) in &family.mentions {
+        let edit = match kind {
+            MentionKind::Shorthand => Edit::insert(place.span.start, format!("{new}: ")),
+            MentionKind::Name | MentionKind::Unclear => Edit::replace(place.span, new),
+        };
+        renaming
+            .edits
+            .entry(place.path.clone())
+            .or_default()
+            .push(edit);
+    }
     for (place, (_, at)) in &family.places {
         let Some(document) = documents.get(*at) else {
             continue;
@@ -196,6 +195,9 @@ fn edits(
         };
         let edits = renaming.edits.entry(place.path.clone()).or_default();
         edits.push(edit);
+    }
+    for edits in renaming.edits.values_mut() {
+        edits.sort_by_key(|edit| edit.span.start);
     }
     Ok(renaming)
 }

@@ -35,6 +35,10 @@ pub trait Workspace: Send + Sync {
     /// The files in some folders that may contain shaders.
     fn files(&self, folders: &[PathBuf]) -> Vec<PathBuf>;
 
+    /// The files of the project that contains a file: its repository, package or configuration, or
+    /// the one of `folders` that it is in. Without any, the files next to it.
+    fn project_files(&self, path: &Path, folders: &[PathBuf]) -> Vec<PathBuf>;
+
     /// The URI of the documentation of a rule or compile error.
     fn page(&self, rule: &str) -> Option<Uri>;
 

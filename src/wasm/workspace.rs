@@ -117,6 +117,10 @@ impl Workspace for OpenWorkspace {
         Vec::new()
     }
 
+    fn project_files(&self, _: &Path, _: &[PathBuf]) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
     fn page(&self, rule: &str) -> Option<Uri> {
         let site = self.site.as_ref()?;
         let folder = match ERRORS.contains(&rule) {

@@ -312,11 +312,72 @@ def renamings_that_change_the_meaning_are_rejected(case):
         same(after, re.sub(r"\bp\b", new, source.text), "the text")
 
 
+SCRIPT = """import fragment from './water.frag';
+import vertex from './water.vert';
+const gain = 1; // gain
+const at = gl.getUniformLocation(program, '«name»gain');
+const material = { fragment, uniforms: { gain: { value: gain } } };
+const all = { uniforms: { gain, other: gain } };
+material.uniforms.gain.value = gain;
+"""
+
+
 @test
-def names_used_by_a_script_cannot_be_renamed(case):
+def uniforms_are_renamed_in_scripts(case):
     client = case.client()
-    source = case.write("s.js", "const f = `" + FRAGMENT.replace("«f»", "").replace(
-        "uniform float gain", "uniform float «u»gain") +
-        "`;\nconst place = gl.getUniformLocation(program, 'gain');\n").open(client, "javascript")
-    error = refusal(lambda: client.at(source.uri, source["u"], "textDocument/rename", newName="power"))
-    contains(error.message, "`gain`", "the reason")
+    shaders = [case.write("water." + stage, text.replace("«v»", "").replace("«f»", "").replace(
+        "uniform float gain", "uniform float «u»gain")) for stage, text in (("vert", VERTEX), ("frag", FRAGMENT))]
+    script = case.write("scene.js", SCRIPT)
+    elsewhere = case.write("other.js", "import x from './fire.frag';\ngl.getUniformLocation(p, 'gain');\n")
+    fire = case.write("fire.frag", FRAGMENT.replace("«f»", ""))
+    source = shaders[1].open(client)
+    after = renamed(client, source, source["u"], "power")
+    same(sorted(after), sorted(s.uri for s in shaders + [script]), "the files")
+    expected = script.text.replace("'gain'", "'power'").replace("{ gain: ", "{ power: ")
+    expected = expected.replace("{ gain, ", "{ power: gain, ").replace("uniforms.gain", "uniforms.power")
+    same(after[script.uri], expected, "the script")
+    for other in (elsewhere, fire):
+        with open(path_of(other.uri), encoding="utf-8") as file:
+            same(file.read(), other.text, "the text of another program")
+
+
+@test
+def a_script_that_may_mean_the_name_is_a_reason(case):
+    client = case.client()
+    fragment = case.write("water.frag", FRAGMENT.replace("«f»", "")).open(client)
+    case.write("scene.js", "import water from './water.frag';\nconst { gain } = settings;\n")
+    place = fragment.text.index("gain")
+    error = refusal(lambda: client.at(fragment.uri, place, "textDocument/rename", newName="power"))
+    contains(error.message, "line 2 of `scene.js`", "the reason")
+
+
+@test
+def names_in_the_edited_text_of_a_shader_are_renamed(case):
+    client = case.client()
+    text = "const f = `%s`.replace('vUv', 'vUv * 2.0').replace(/\\bvUv\\b/g, 'vUv');\nlog('vUv');\n"
+    source = case.write("s.js", text % FRAGMENT).open(client, "javascript")
+    after = renamed(client, source, source["f"], "vPlace")[source.uri]
+    same(after, source.text.replace("vUv", "vPlace").replace("log('vPlace')", "log('vUv')"), "the text")
+
+
+@test
+def a_renaming_covers_the_project_and_not_the_folder_of_the_client(case):
+    for mark in ("package.json", "shaderlint.toml", ".git/HEAD"):
+        folder = "of " + mark.replace("/", " ")
+        case.write(folder + "/" + mark, "{}" if mark.endswith("json") else "")
+        library = case.write(folder + "/lib/wave.glsl", "float «fn»wave(float x) { return sin(x); }\n")
+        user = case.write(folder + "/shaders/a.glsl", '#include "../lib/wave.glsl"\nvoid mainImage(out vec4 c, '
+                          "in vec2 p) { c = vec4(wave(p.x)); }\n")
+        client = case.client(folder=os.path.dirname(path_of(library.uri)))
+        library.open(client)
+        after = renamed(client, library, library["fn"], "ripple")
+        same(sorted(after), sorted([library.uri, user.uri]), "the files")
+
+
+@test
+def a_varying_is_renamed_in_stages_that_are_paired_by_name(case):
+    client = case.client()
+    vertex = case.write("vertex.glsl", VERTEX).open(client)
+    fragment = case.write("fragment.glsl", FRAGMENT)
+    after = renamed(client, vertex, vertex["v"], "vPlace")
+    same(after, {s.uri: s.text.replace("vUv", "vPlace") for s in (vertex, fragment)}, "the texts")

@@ -190,6 +190,11 @@ impl Configs {
         Ok(chosen.unwrap_or(others).style())
     }
 
+    /// The outermost folder of the project that contains a file; `None` if nothing marks one.
+    pub fn project_root(&self, path: &Path) -> Option<PathBuf> {
+        self.finder.found(absolute(path).parent()?).pop()
+    }
+
     /// The project that contains a file.
     fn project(&self, path: &Path) -> ProjectFolders {
         let path = absolute(path);

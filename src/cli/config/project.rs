@@ -48,6 +48,18 @@ impl ProjectFinder {
     /// A project is a repository, a folder with a configuration or a package, a folder on the
     /// command line, or the current folder. The outermost one limits what may be read.
     pub fn around(&self, folder: &Path) -> ProjectFolders {
+        let mut tops = self.found(folder);
+        if tops.is_empty() {
+            tops.push(folder.to_path_buf());
+        }
+        ProjectFolders {
+            root: tops.last().cloned().unwrap_or_default(),
+            tops,
+        }
+    }
+
+    /// The folders of the project around a folder, nearest first; none if nothing marks a project.
+    pub fn found(&self, folder: &Path) -> Vec<PathBuf> {
         // A repository in the home folder or at the root holds settings of the machine, not a
         // project.
         let is_narrow = |f: &PathBuf| {
@@ -61,13 +73,7 @@ impl ProjectFinder {
         tops.extend(named.filter(|f| f.is_dir()).map(Path::to_path_buf));
         tops.sort_by_key(|f| std::cmp::Reverse(f.components().count()));
         tops.dedup();
-        if tops.is_empty() {
-            tops.push(folder.to_path_buf());
-        }
-        ProjectFolders {
-            root: tops.last().cloned().unwrap_or_default(),
-            tops,
-        }
+        tops
     }
 
     /// The nearest marked folders, of this one and those above.

@@ -8,6 +8,7 @@ use crate::engine::config::Selection;
 use crate::engine::{Files, Options};
 use crate::format::{Style, StyleChoice};
 use crate::lsp::{SampleRuns, Workspace};
+use crate::text::kind::is_searched;
 use gen_lsp_types::Uri;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -72,6 +73,21 @@ impl Workspace for DiskWorkspace {
         let collected = collect(folders, None, &self.quick);
         let inputs = collected.inputs.into_iter();
         inputs.filter_map(|input| input.path).collect()
+    }
+
+    fn project_files(&self, path: &Path, folders: &[PathBuf]) -> Vec<PathBuf> {
+        let open = folders.iter().filter(|folder| path.starts_with(folder));
+        let known = self.quick.project_root(path).into_iter();
+        let outermost = known
+            .chain(open.cloned())
+            .min_by_key(|f| f.components().count());
+        if let Some(root) = outermost {
+            return self.files(&[root]);
+        }
+        let folder = path.parent().unwrap_or(Path::new("/"));
+        let names = self.disk.names(folder).into_iter();
+        let names = names.filter(|name| is_searched(name));
+        self.files(&names.map(|name| folder.join(name)).collect::<Vec<_>>())
     }
 
     fn page(&self, rule: &str) -> Option<Uri> {

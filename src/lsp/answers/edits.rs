@@ -1,6 +1,6 @@
 //! Answers that edit text: fixes, renaming, formatting.
 
-use super::workspace::documents_with;
+use super::workspace::Related;
 use crate::buffers::{TextBuffer, full_range};
 use crate::capabilities::{EXPLAIN, FIX_ALL_KIND};
 use crate::diagnostics::one;
@@ -12,7 +12,6 @@ use shaderlint_engine as engine;
 use shaderlint_ide::{self as ide, ActionKind, Document};
 use shaderlint_text::{Edit, Span};
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// A workspace edit of one document, for its current version.
 fn workspace_edit(buffer: &TextBuffer, edits: Vec<TextEdit>) -> WorkspaceEdit {
@@ -118,9 +117,19 @@ pub fn prepare_rename(
 pub fn rename(snapshot: &Snapshot, params: RenameParams) -> Answer<Option<WorkspaceEdit>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
-    let all = documents_with(snapshot, &document, offset);
-    let all: Vec<&Document> = all.iter().map(Arc::as_ref).collect();
-    let renaming = ide::rename(&all, &document, offset, &params.new_name, &snapshot.files);
+    let related = Related::of(snapshot, &document, offset);
+    if related.is_cut {
+        return Err(Failure::refused(
+            "the project has too many files to find all names",
+        ));
+    }
+    let renaming = ide::rename(
+        &related.all(),
+        &document,
+        offset,
+        &params.new_name,
+        &snapshot.files,
+    );
     let renaming = renaming.map_err(|refusal| Failure::refused(refusal.0))?;
     let mut changes = HashMap::new();
     for (path, edits) in &renaming.edits {

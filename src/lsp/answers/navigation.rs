@@ -1,6 +1,6 @@
 //! Definitions, references, outlines and call hierarchies.
 
-use super::workspace::documents_with;
+use super::workspace::Related;
 use crate::buffers::TextBuffer;
 use crate::capabilities::symbol_kind;
 use crate::snapshot::{Answer, Failure, Snapshot};
@@ -103,9 +103,8 @@ pub fn type_definition(
 pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option<Vec<Location>>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
-    let others = documents_with(snapshot, &document, offset);
-    let all: Vec<&Document> = others.iter().map(Arc::as_ref).collect();
-    let found = ide::references(&all, &document, offset, &snapshot.files);
+    let related = Related::of(snapshot, &document, offset);
+    let found = ide::references(&related.all(), &document, offset, &snapshot.files);
     let with_declaration = params.context.include_declaration;
     let is_listed = |access: NameUse| {
         with_declaration || !matches!(access, NameUse::Declared | NameUse::Defined)
@@ -261,9 +260,8 @@ pub fn incoming(
     params: CallHierarchyIncomingCallsParams,
 ) -> Answer<Option<Vec<CallHierarchyIncomingCall>>> {
     let (document, offset) = place_of(snapshot, &params.item)?;
-    let others = documents_with(snapshot, &document, offset);
-    let all: Vec<&Document> = others.iter().map(Arc::as_ref).collect();
-    let links = ide::incoming(&all, &document, offset).into_iter();
+    let related = Related::of(snapshot, &document, offset);
+    let links = ide::incoming(&related.all(), &document, offset).into_iter();
     let calls = links.filter_map(|link| {
         Some(CallHierarchyIncomingCall {
             from_ranges: ranges(snapshot, &link.item.place.path, &link.calls)?,

@@ -41,32 +41,42 @@ pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
     )))
 }
 
-/// The documents that may refer to the symbol at an offset of a document, which is the first of
-/// them.
-pub fn documents_with(
-    snapshot: &Snapshot,
-    document: &Arc<Document>,
-    offset: u32,
-) -> Vec<Arc<Document>> {
-    let mut found = vec![document.clone()];
-    let name = document.spot(offset).and_then(|spot| {
-        let occurrence = spot.name()?;
-        let sources = &spot.program().sources;
-        ide::is_shared(&spot, occurrence).then(|| sources.text(occurrence.span).to_string())
-    });
-    let Some(name) = name.filter(|name| !name.is_empty()) else {
-        return found;
-    };
-    for path in files(snapshot) {
-        if path == Path::new(&document.path) {
-            continue;
+/// The documents that may refer to the symbol at an offset.
+pub struct Related {
+    /// The documents; the one of the symbol is the first.
+    pub documents: Vec<Arc<Document>>,
+    /// Whether there may be more.
+    pub is_cut: bool,
+}
+
+impl Related {
+    /// The documents of the project that contain the name at an offset.
+    pub fn of(snapshot: &Snapshot, document: &Arc<Document>, offset: u32) -> Related {
+        let mut found = Related {
+            documents: vec![document.clone()],
+            is_cut: false,
+        };
+        let Some(name) = ide::shared_name(document, offset, &snapshot.files) else {
+            return found;
+        };
+        let own = Path::new(&document.path);
+        let saved = snapshot.workspace().project_files(own, &snapshot.folders);
+        found.is_cut = saved.len() > MOST_FILES;
+        let open = snapshot.files.open.keys().cloned();
+        let all: BTreeSet<PathBuf> = saved.into_iter().take(MOST_FILES).chain(open).collect();
+        for path in all.iter().filter(|path| *path != own) {
+            let text = snapshot.files.load(path).ok();
+            if text.is_some_and(|text| text.contains(&name)) {
+                found.documents.extend(document_at(snapshot, path));
+            }
         }
-        let text = snapshot.files.load(&path).ok();
-        if text.is_some_and(|text| text.contains(&name)) {
-            found.extend(document_at(snapshot, &path));
-        }
+        found
     }
-    found
+
+    /// The documents.
+    pub fn all(&self) -> Vec<&Document> {
+        self.documents.iter().map(Arc::as_ref).collect()
+    }
 }
 
 /// The workspace symbols.

@@ -18,6 +18,7 @@ mod language;
 mod listing;
 mod literal;
 mod markdown;
+mod mention;
 mod script;
 mod tag;
 mod template;
@@ -28,6 +29,7 @@ pub use embedded::{Embedded, Wrapping};
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
 pub use language::DocumentLanguage;
+pub use mention::{Mention, MentionKind, NameRole, mentions};
 pub use together::{Asked, asked, together};
 
 /// Finds the shaders in a file, in source order.

@@ -25,7 +25,7 @@ pub fn together(language: DocumentLanguage, text: &str, all: &[Embedded]) -> Vec
 }
 
 /// The scripts in a file.
-fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
+pub fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
     match language {
         DocumentLanguage::Script => std::iter::once(0..text.len()).collect(),
         DocumentLanguage::Markdown => Vec::new(),
