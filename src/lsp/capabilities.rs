@@ -95,7 +95,10 @@ pub fn capabilities(client: &Client) -> Value {
             "full": { "delta": true },
         },
         "inlayHintProvider": true,
-        "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
+        "workspace": {
+            "workspaceFolders": { "supported": true, "changeNotifications": true },
+            "fileOperations": { "willRename": { "filters": [{ "pattern": { "glob": "**" } }] } },
+        },
     });
     if let (true, Some(fields)) = (client.pulls, all.as_object_mut()) {
         let diagnostics = json!({

@@ -2,8 +2,9 @@
 
 import os
 
-from client import CHANGED, CREATED, DELETED, uri_of
+from client import CHANGED, CREATED, DELETED, changes_of, path_of, uri_of
 from harness import errors, everything, holds, pulling, rules, same, test, without
+from text import apply_edits
 
 UNUSED = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float unused = 2.0;
@@ -167,3 +168,43 @@ def pulled_diagnostics_include_new_files(case):
     client.watched((source.uri, CHANGED))
     items = client.request("workspace/diagnostic", {"previousResultIds": []})["items"]
     same(items[0]["items"], [], "the diagnostics of the fixed file")
+
+
+@test
+def moved_files_take_their_includes_along(case):
+    client = case.client()
+    main = "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n"
+    library = case.write("lib/wave.glsl", '#include "./base.glsl"\n#include "more"\nfloat wave(float x) '
+                         "{ return base(x) + more(x); }\n")
+    base = case.write("lib/base.glsl", "float base(float x) { return x; }\n")
+    case.write("lib/more.glsl", "float more(float x) { return x; }\n")
+    user = case.write("a.glsl", '#include "lib/wave.glsl"\n' + main).open(client)
+    module = case.write("b.glsl", "#pragma glslify: wave = require(./lib/wave)\n" + main)
+    script = case.write("scene.js", "import a from './a.glsl?raw';\nconst f = `#include \"lib/wave.glsl\"\n%s`;\n" % main)
+
+    def moved(*pairs):
+        files = [{"oldUri": case.uri(old), "newUri": case.uri(new)} for old, new in pairs]
+        edit = client.request("workspace/willRenameFiles", {"files": files})
+        texts = {}
+        for uri, edits in changes_of(edit or {}):
+            with open(path_of(uri), encoding="utf-8") as file:
+                texts[uri] = apply_edits(file.read(), edits, client.encoding)
+        return texts
+
+    same(moved(("lib/wave.glsl", "noise/ripple.glsl")), {
+        library.uri: library.text.replace("./base", "../lib/base").replace("more\"", "../lib/more\""),
+        user.uri: user.text.replace("lib/wave", "noise/ripple"),
+        module.uri: module.text.replace("./lib/wave", "./noise/ripple"),
+        script.uri: script.text.replace("lib/wave", "noise/ripple"),
+    }, "the texts after moving a file")
+    same(moved(("lib", "shared/lib")), {
+        user.uri: user.text.replace("lib/wave", "shared/lib/wave"),
+        module.uri: module.text.replace("./lib/wave", "./shared/lib/wave"),
+        script.uri: script.text.replace("lib/wave", "shared/lib/wave"),
+    }, "the texts after moving a folder")
+    same(moved(("a.glsl", "in/b.frag")), {
+        user.uri: user.text.replace("lib/wave", "../lib/wave"),
+        script.uri: script.text.replace("./a.glsl?raw", "./in/b.frag?raw"),
+    }, "the texts after moving a user")
+    same(moved(("other.txt", "other2.txt")), {}, "the texts after moving another file")
+    holds(base.uri not in moved(("lib/base.glsl", "lib/basis.glsl")), "the moved file changes", base.uri)

@@ -21,6 +21,8 @@ const PACKAGES: &str = "node_modules";
 pub struct FoundFile {
     /// Path in messages.
     pub name: String,
+    /// The folder that the path in the directive is relative to.
+    pub folder: PathBuf,
     /// Path without symbolic links.
     pub real: PathBuf,
     /// Contents of the file.
@@ -87,7 +89,7 @@ impl CheckContext<'_> {
                 continue;
             };
             match self.load(&path) {
-                Ok(found) => return Ok(found),
+                Ok(found) => return Ok(FoundFile { folder, ..found }),
                 Err(why) => absent.why = why,
             }
         }
@@ -136,6 +138,7 @@ impl CheckContext<'_> {
         let file = self.options.file_cache.text(self.files, &real);
         Ok(FoundFile {
             name: path.to_string_lossy().replace('\\', "/"),
+            folder: PathBuf::new(),
             file: file.ok_or(Absence::NotFound)?,
             real,
         })

@@ -4,12 +4,14 @@
 mod common;
 mod find;
 mod module;
+mod moved;
 pub(super) mod passes;
 pub(super) mod scan;
 mod subject;
 
 pub use common::is_common;
 pub use find::Absence;
+pub use moved::{Moves, moved_includes};
 
 use super::check_context::CheckContext;
 use super::path::tidy;

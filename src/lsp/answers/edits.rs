@@ -1,17 +1,20 @@
 //! Answers that edit text: fixes, renaming, formatting.
 
-use super::workspace::Related;
+use super::workspace::{Related, project_files};
 use crate::buffers::{TextBuffer, full_range};
 use crate::capabilities::{EXPLAIN, FIX_ALL_KIND};
 use crate::diagnostics::one;
 use crate::position::text_edits;
 use crate::snapshot::{Answer, Failure, Snapshot};
+use crate::uri::path_of;
 use crate::workspace::SampleRuns;
 use gen_lsp_types::*;
-use shaderlint_engine as engine;
+use shaderlint_engine::{self as engine, Files};
 use shaderlint_ide::{self as ide, ActionKind, Document};
 use shaderlint_text::{Edit, Span};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A workspace edit of one document, for its current version.
 fn workspace_edit(buffer: &TextBuffer, edits: Vec<TextEdit>) -> WorkspaceEdit {
@@ -191,6 +194,48 @@ fn clip(text: &str, edit: &Edit, within: Span) -> Option<Edit> {
     }
     let old = text.get(edit.span.start as usize..edit.span.end as usize)?;
     (old != edit.text).then_some(edit)
+}
+
+/// The edits after which all files include the same files as before some are moved.
+pub fn move_files(snapshot: &Snapshot, params: RenameFilesParams) -> Answer<Option<WorkspaceEdit>> {
+    let pairs = params.files.iter();
+    let pairs = pairs.filter_map(|f| Some((path_of(&f.old_uri)?, path_of(&f.new_uri)?)));
+    let pairs: Vec<(PathBuf, PathBuf)> = pairs.collect();
+    let mut files = BTreeSet::new();
+    for (old, _) in &pairs {
+        files.append(&mut project_files(snapshot, old).0);
+    }
+    let stems = pairs
+        .iter()
+        .filter_map(|(old, _)| old.file_stem()?.to_str());
+    let stems: Vec<String> = stems.map(str::to_string).collect();
+    let is_moved = |file: &Path| pairs.iter().any(|(old, _)| file.starts_with(old));
+    let may_change =
+        |file: &Path, text: &str| is_moved(file) || stems.iter().any(|stem| text.contains(stem));
+    let files: Vec<(PathBuf, Arc<str>)> = files
+        .into_iter()
+        .filter_map(|file| {
+            let text = snapshot.files.load(&file).ok()?;
+            may_change(&file, &text).then_some((file, text))
+        })
+        .collect();
+    let moves = engine::Moves::new(pairs);
+    let mut changes = HashMap::new();
+    for (file, text) in files {
+        let name = file.to_string_lossy().replace('\\', "/");
+        let Some(options) = snapshot.workspace().options(&file, SampleRuns::Off) else {
+            continue;
+        };
+        let edits = engine::moved_includes(&name, &text, &options, &snapshot.files, &moves);
+        if !edits.is_empty() {
+            let edits = snapshot.with_lines(&name, |lines| text_edits(lines, &edits));
+            changes.insert(snapshot.uri(&name), edits.unwrap_or_default());
+        }
+    }
+    Ok((!changes.is_empty()).then(|| WorkspaceEdit {
+        changes: Some(changes),
+        ..WorkspaceEdit::default()
+    }))
 }
 
 /// Formats a document.

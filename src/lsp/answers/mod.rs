@@ -105,6 +105,7 @@ impl Jobs {
             Quick CodeActionRequest edits::actions,
             Quick PrepareRenameRequest edits::prepare_rename,
             Slow RenameRequest edits::rename,
+            Slow WillRenameFilesRequest edits::move_files,
             Quick DocumentFormattingRequest edits::format,
             Quick DocumentRangeFormattingRequest edits::format_range,
             Quick DocumentOnTypeFormattingRequest edits::format_typed,

@@ -25,6 +25,17 @@ fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
     all.into_iter().collect()
 }
 
+/// The files of the project that contains a file, and whether there are more.
+pub fn project_files(snapshot: &Snapshot, path: &Path) -> (BTreeSet<PathBuf>, bool) {
+    let saved = snapshot.workspace().project_files(path, &snapshot.folders);
+    let is_cut = saved.len() > MOST_FILES;
+    let open = snapshot.files.open.keys().cloned();
+    (
+        saved.into_iter().take(MOST_FILES).chain(open).collect(),
+        is_cut,
+    )
+}
+
 /// The analysed document of a file, open or not.
 pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
     if let Some(buffer) = snapshot.files.open.get(path) {
@@ -60,10 +71,8 @@ impl Related {
             return found;
         };
         let own = Path::new(&document.path);
-        let saved = snapshot.workspace().project_files(own, &snapshot.folders);
-        found.is_cut = saved.len() > MOST_FILES;
-        let open = snapshot.files.open.keys().cloned();
-        let all: BTreeSet<PathBuf> = saved.into_iter().take(MOST_FILES).chain(open).collect();
+        let (all, is_cut) = project_files(snapshot, own);
+        found.is_cut = is_cut;
         for path in all.iter().filter(|path| *path != own) {
             let text = snapshot.files.load(path).ok();
             if text.is_some_and(|text| text.contains(&name)) {

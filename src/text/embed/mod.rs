@@ -30,7 +30,7 @@ pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
 pub use language::DocumentLanguage;
 pub use mention::{Mention, MentionKind, NameRole, mentions};
-pub use together::{Asked, asked, together};
+pub use together::{Asked, asked, strings, together};
 
 /// Finds the shaders in a file, in source order.
 pub fn extract(language: DocumentLanguage, text: &str) -> Vec<Embedded> {

@@ -33,6 +33,17 @@ pub fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
     }
 }
 
+/// The contents of quoted strings in the scripts of a file.
+pub fn strings(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    for script in scripts(language, text) {
+        let read = tokens(text.get(script.clone()).unwrap_or("")).into_iter();
+        let quoted = read.filter(|t| t.kind == ScriptTokenKind::Quoted);
+        found.extend(quoted.map(|t| script.start + t.range.start..script.start + t.range.end));
+    }
+    found
+}
+
 /// The names of shaders in a script.
 struct ShaderNames<'a> {
     text: &'a str,
