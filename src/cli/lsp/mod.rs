@@ -5,20 +5,21 @@
 //! snapshot of all documents at the time of its arrival.
 
 mod pages;
+mod parent;
 mod server;
+mod transport;
 mod workers;
 mod workspace;
 
-use lsp_server::Connection;
 use std::io;
 
 /// Serves a client until it exits. Returns whether it sent `shutdown` before.
 ///
 /// # Errors
-/// If standard input or output fails.
+/// If standard input holds no message, or standard output fails.
 pub fn serve() -> io::Result<bool> {
-    let (connection, threads) = Connection::stdio();
+    let (connection, transport) = transport::stdio()?;
     let done = server::serve(connection).unwrap_or(false);
-    threads.join()?;
+    transport.finish()?;
     Ok(done)
 }

@@ -1,5 +1,6 @@
 //! The documentation of rules and errors as files, which every editor can open.
 
+use super::parent::is_alive;
 use crate::lsp::uri_of;
 use crate::rules::page;
 use gen_lsp_types::Uri;
@@ -12,6 +13,26 @@ use tempfile::TempDir;
 #[derive(Default)]
 pub struct PageFiles {
     made: Mutex<MadePage>,
+}
+
+/// Prefix of the folder's name; the id of the process follows.
+const PREFIX: &str = "shaderlint-pages-";
+
+/// Removes the folders of servers that were killed.
+fn remove_left_over() {
+    for entry in fs::read_dir(std::env::temp_dir())
+        .into_iter()
+        .flatten()
+        .flatten()
+    {
+        let name = entry.file_name();
+        let of = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
+        let id = of.and_then(|of| of.split('-').next()?.parse().ok());
+        if id.is_some_and(|id| !is_alive(id)) {
+            // Another server may remove it at the same time.
+            let _ = fs::remove_dir_all(entry.path());
+        }
+    }
 }
 
 #[derive(Default)]
@@ -35,16 +56,20 @@ impl PageFiles {
         self.write(name, content)
     }
 
+    /// Removes all files.
+    pub fn remove(&self) {
+        *self.lock() = MadePage::default();
+    }
+
     fn write(&self, name: &str, content: &str) -> Option<Uri> {
         let mut made = self.lock();
         if let Some(known) = made.pages.get(name) {
             return known.clone();
         }
         if made.folder.is_none() {
-            made.folder = tempfile::Builder::new()
-                .prefix("shaderlint-")
-                .tempdir()
-                .ok();
+            remove_left_over();
+            let prefix = format!("{PREFIX}{}-", std::process::id());
+            made.folder = tempfile::Builder::new().prefix(&prefix).tempdir().ok();
         }
         let file = made.folder.as_ref().map(|folder| folder.path().join(name));
         let written = file.filter(|file| fs::write(file, content).is_ok());

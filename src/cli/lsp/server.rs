@@ -1,6 +1,7 @@
 //! The main loop: reads messages, dispatches work to threads, and starts sample runs.
 
 use super::pages::PageFiles;
+use super::parent;
 use super::workers::Worker;
 use super::workspace::DiskWorkspace;
 use crate::lsp::{Lane, PendingRequest, Session, Snapshot, initialized, run_buffer};
@@ -22,7 +23,7 @@ enum Event {
     Message(Message),
     /// The sample run of a document in this state has finished.
     Ran(PathBuf, u64),
-    /// The client closed the connection.
+    /// The client closed the connection, or has ended.
     Closed,
 }
 
@@ -58,14 +59,22 @@ pub fn serve(connection: Connection) -> Result<bool, ProtocolError> {
         return Ok(false);
     }
     connection.initialize_finish(id, initialized(&params))?;
-    let Ok(mut server) = Server::new(connection, &params) else {
+    let pages = Arc::new(PageFiles::default());
+    let Ok(mut server) = Server::new(connection, &params, pages.clone()) else {
         return Ok(false);
     };
-    Ok(server.run())
+    let is_done = server.run();
+    // A thread may still have a snapshot with them.
+    pages.remove();
+    Ok(is_done)
 }
 
 impl Server {
-    fn new(connection: Connection, params: &Value) -> std::io::Result<Server> {
+    fn new(
+        connection: Connection,
+        params: &Value,
+        pages: Arc<PageFiles>,
+    ) -> std::io::Result<Server> {
         let connection = Arc::new(connection);
         let (sender, events) = channel();
         let (reader, from) = (sender.clone(), connection.clone());
@@ -79,7 +88,10 @@ impl Server {
                 }
                 let _ = reader.send(Event::Closed);
             })?;
-        let pages = Arc::new(PageFiles::default());
+        let closer = sender.clone();
+        parent::watch(params, move || {
+            let _ = closer.send(Event::Closed);
+        });
         let session = Session::new(params, |folders| {
             Arc::new(DiskWorkspace::new(folders, pages))
         });

@@ -1,0 +1,178 @@
+//! Messages over standard input and output.
+//!
+//! Input that is no message is answered with an error, as JSON-RPC 2.0 section 5.1 requires. After a
+//! header that cannot be read, the start of the next message is unknown, and the connection ends.
+
+use lsp_server::{Connection, ErrorCode, Message, Notification};
+use serde_json::{Value, json};
+use std::io::{self, BufRead, ErrorKind, Read, Write};
+use std::sync::{Arc, Mutex};
+use std::thread::{self, JoinHandle};
+
+/// Size limit of a message in bytes.
+const MAX_MESSAGE: u64 = 256 * 1024 * 1024;
+/// Size limit of a line of the header in bytes.
+const MAX_LINE: u64 = 8 * 1024;
+
+/// The notification after which nothing is written. No message of a server has this method.
+const LAST: &str = "";
+
+/// The threads that read and write.
+pub struct Transport {
+    writer: JoinHandle<io::Result<()>>,
+    /// Ends the writer, also if other threads have messages left.
+    last: Box<dyn FnOnce() + Send>,
+    /// Why reading ended, unless the input did.
+    broken: Arc<Mutex<Option<io::Error>>>,
+}
+
+/// Connects standard input and output.
+///
+/// # Errors
+/// If the system cannot start a thread.
+pub fn stdio() -> io::Result<(Connection, Transport)> {
+    let (server, client) = Connection::memory();
+    let Connection { sender, receiver } = client;
+    let writer =
+        thread::Builder::new()
+            .name("writer".to_string())
+            .spawn(move || -> io::Result<()> {
+                let is_last =
+                    |m: &Message| matches!(m, Message::Notification(n) if n.method == LAST);
+                for message in receiver.iter().take_while(|m| !is_last(m)) {
+                    message.write(&mut io::stdout().lock())?;
+                }
+                Ok(())
+            })?;
+    let broken: Arc<Mutex<Option<io::Error>>> = Arc::default();
+    let failed = broken.clone();
+    thread::Builder::new()
+        .name("input".to_string())
+        .spawn(move || {
+            let mut input = io::stdin().lock();
+            let done = read_all(&mut input, &mut io::stdout(), &mut |message| {
+                let is_exit = matches!(&message, Message::Notification(n) if n.method == "exit");
+                sender.send(message).is_ok() && !is_exit
+            });
+            if let (Err(error), Ok(mut broken)) = (done, failed.lock()) {
+                *broken = Some(error);
+            }
+        })?;
+    let out = server.sender.clone();
+    let last = Box::new(move || {
+        // A failure means that the writer has ended already.
+        let _ = out.send(Notification::new(LAST.to_string(), Value::Null).into());
+    });
+    let transport = Transport {
+        writer,
+        last,
+        broken,
+    };
+    Ok((server, transport))
+}
+
+impl Transport {
+    /// Waits until everything is written that was sent so far.
+    ///
+    /// # Errors
+    /// If standard input held no message, or standard output failed.
+    pub fn finish(self) -> io::Result<()> {
+        (self.last)();
+        let written = self.writer.join();
+        if let Some(error) = self.broken.lock().ok().and_then(|mut b| b.take()) {
+            return Err(error);
+        }
+        written.unwrap_or(Ok(()))
+    }
+}
+
+/// Reads messages until the input ends, or until `take` returns false.
+fn read_all(
+    input: &mut impl BufRead,
+    output: &mut impl Write,
+    take: &mut impl FnMut(Message) -> bool,
+) -> io::Result<()> {
+    loop {
+        let body = match read_body(input) {
+            Ok(Some(body)) => body,
+            Ok(None) => return Ok(()),
+            Err(error) => {
+                answer(output, ErrorCode::ParseError, &error.to_string())?;
+                return Err(error);
+            }
+        };
+        match serde_json::from_slice(&body) {
+            Ok(message) => {
+                if !take(message) {
+                    return Ok(());
+                }
+            }
+            Err(error) if error.is_data() => {
+                answer(
+                    output,
+                    ErrorCode::InvalidRequest,
+                    "not a message of JSON-RPC 2.0",
+                )?;
+            }
+            Err(error) => answer(output, ErrorCode::ParseError, &format!("not JSON: {error}"))?,
+        }
+    }
+}
+
+/// Answers input that has no id.
+fn answer(output: &mut impl Write, code: ErrorCode, message: &str) -> io::Result<()> {
+    let error = json!({ "code": code as i32, "message": message });
+    let text = json!({ "jsonrpc": "2.0", "id": null, "error": error }).to_string();
+    let mut frame = format!("Content-Length: {}\r\n\r\n", text.len());
+    frame.push_str(&text);
+    output.write_all(frame.as_bytes())?;
+    output.flush()
+}
+
+/// The body of the next message; `None` at the end of the input.
+fn read_body(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
+    let mut length = None;
+    loop {
+        let mut line = Vec::new();
+        input.take(MAX_LINE).read_until(b'\n', &mut line)?;
+        if line.is_empty() && length.is_none() {
+            return Ok(None);
+        }
+        let line = String::from_utf8_lossy(&line);
+        let Some(line) = line.strip_suffix('\n') else {
+            return Err(invalid("the header has no end"));
+        };
+        let line = line.trim_end();
+        if line.is_empty() {
+            break;
+        }
+        let Some((name, value)) = line.split_once(':') else {
+            return Err(invalid("a line of the header has no `:`"));
+        };
+        if name.eq_ignore_ascii_case("content-length") {
+            let number = value.trim().parse::<u64>();
+            let number = number.map_err(|_| invalid("`Content-Length` is not a number"))?;
+            length = Some(number);
+        }
+    }
+    let length = length.ok_or_else(|| invalid("the header has no `Content-Length`"))?;
+    if length > MAX_MESSAGE {
+        return Err(invalid(&format!(
+            "the message has {length} bytes; the limit is {MAX_MESSAGE}"
+        )));
+    }
+    // The buffer grows with what arrives, not with what is announced.
+    let mut body = Vec::new();
+    input.take(length).read_to_end(&mut body)?;
+    if (body.len() as u64) < length {
+        return Err(io::Error::new(
+            ErrorKind::UnexpectedEof,
+            "the message has no end",
+        ));
+    }
+    Ok(Some(body))
+}
+
+fn invalid(message: &str) -> io::Error {
+    io::Error::new(ErrorKind::InvalidData, message)
+}
