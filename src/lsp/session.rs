@@ -6,12 +6,13 @@ use super::buffers::{OpenFiles, TextBuffer, changed};
 use super::capabilities::PREVIEW;
 use super::capabilities::{EXPLAIN, FIX_ALL, capabilities};
 use super::client::{Client, UserSettings};
+use super::configs::config_findings;
 use super::pending_request::{PendingRequest, guarded};
 #[cfg(feature = "preview")]
 use super::preview;
 use super::snapshot::{Answer, Failure, Snapshot};
 use super::uri::path_of;
-use super::workspace::Workspace;
+use super::workspace::{ConfigFinding, Workspace};
 use gen_lsp_types::*;
 use lsp_server::{ErrorCode, Message, Notification as Sent, Request as Asked};
 use lsp_server::{RequestId, Response};
@@ -20,6 +21,7 @@ use shaderlint_engine::Files;
 use shaderlint_ide::Document;
 use shaderlint_lint::Page;
 use shaderlint_rules::page;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -41,6 +43,10 @@ pub struct Session {
     asked: u32,
     /// Whether the client sent `shutdown`.
     is_done: bool,
+    /// The configurations with published findings.
+    invalid: BTreeMap<PathBuf, ConfigFinding>,
+    /// Whether configurations are to be looked at again.
+    has_new_configs: bool,
 }
 
 /// The result of the request `initialize`.
@@ -91,6 +97,8 @@ impl Session {
             changed: Vec::new(),
             asked: 0,
             is_done: false,
+            invalid: BTreeMap::new(),
+            has_new_configs: false,
         };
         session.greet(params.get("initializationOptions"));
         session
@@ -303,6 +311,7 @@ impl Session {
     /// Analyses all open documents again, with configurations that are read again.
     fn renew(&mut self) {
         self.now.files.others = self.now.files.others.renewed(&self.now.folders);
+        self.has_new_configs = true;
         let all: Vec<Arc<TextBuffer>> = self.now.files.open.values().cloned().collect();
         for buffer in all {
             self.again(&buffer);
@@ -316,6 +325,7 @@ impl Session {
         let buffer = TextBuffer::new(item.uri, language, item.version, item.text, state);
         let path = PathBuf::from(&buffer.path);
         let is_new = self.now.files.entry(&path).is_none();
+        self.has_new_configs = true;
         self.put(buffer);
         if is_new {
             self.renew_others(&path);
@@ -396,8 +406,43 @@ impl Session {
         self.renew();
     }
 
+    /// Publishes the findings about configurations that changed, and a message about each that is
+    /// invalid now.
+    fn publish_configs(&mut self) {
+        if !std::mem::take(&mut self.has_new_configs) {
+            return;
+        }
+        let open: Vec<PathBuf> = self.now.files.open.keys().cloned().collect();
+        let found = self.now.workspace().invalid_configs(&open).into_iter();
+        let found = found
+            .map(|finding| (finding.path.clone(), finding))
+            .collect();
+        let before = std::mem::replace(&mut self.invalid, found);
+        let paths: BTreeSet<PathBuf> = before.keys().chain(self.invalid.keys()).cloned().collect();
+        for path in paths {
+            let finding = self.invalid.get(&path).cloned();
+            if before.get(&path) == finding.as_ref() {
+                continue;
+            }
+            let name = path.to_string_lossy().replace('\\', "/");
+            let params = config_findings(&self.now, &name, finding.as_ref());
+            self.notify::<PublishDiagnosticsNotification>(&params);
+            if let Some(finding) = finding {
+                let line = finding
+                    .at
+                    .map_or(String::new(), |(line, _)| format!(":{line}"));
+                let message = format!("{name}{line}: {}", finding.message);
+                self.notify::<ShowMessageNotification>(&ShowMessageParams {
+                    kind: MessageType::Error,
+                    message,
+                });
+            }
+        }
+    }
+
     /// Publishes the findings of changed documents, unless the client requests them.
     pub fn publish_findings(&mut self) {
+        self.publish_configs();
         let unpublished = std::mem::take(&mut self.unpublished);
         if self.now.client.pulls {
             return;

@@ -15,13 +15,28 @@ pub enum SampleRuns {
     AsConfigured,
 }
 
+/// A configuration that cannot be used.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ConfigFinding {
+    /// Path of the configuration file.
+    pub path: PathBuf,
+    /// Line and column in characters, from 1, if a place is wrong.
+    pub at: Option<(u32, u32)>,
+    /// What is wrong.
+    pub message: String,
+}
+
 /// The files that are not open, and the options of all files.
 pub trait Workspace: Send + Sync {
     /// The files that are not open.
     fn saved(&self) -> &dyn Files;
 
-    /// The options for checking a file; `None` if its configuration is invalid.
+    /// The options for checking a file; `None` if its configuration never was valid.
     fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>>;
+
+    /// The configurations that cannot be used, of those that apply to some files. Their last valid
+    /// content is used.
+    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigFinding>;
 
     /// The formatting style of a file: as configured, and otherwise `client`.
     ///

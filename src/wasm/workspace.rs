@@ -5,7 +5,7 @@ use shaderlint_diagnostic::ERRORS;
 use shaderlint_engine::config::{Selection, options};
 use shaderlint_engine::{FileType, Files, LoadError, Options};
 use shaderlint_format::{Style, StyleChoice};
-use shaderlint_lsp::{SampleRuns, Workspace};
+use shaderlint_lsp::{ConfigFinding, SampleRuns, Workspace};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -114,6 +114,10 @@ impl Workspace for OpenWorkspace {
     }
 
     fn files(&self, _: &[PathBuf]) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn invalid_configs(&self, _: &[PathBuf]) -> Vec<ConfigFinding> {
         Vec::new()
     }
 

@@ -1,11 +1,13 @@
 """Start, course and end of a session; answers to invalid requests."""
 
 import json
+import os
+import subprocess
 
 from client import (
-    CANCELLED, CONTENT_MODIFIED, INVALID_PARAMS, INVALID_REQUEST, METHOD_NOT_FOUND, everything,
+    CANCELLED, Connection, CONTENT_MODIFIED, INVALID_PARAMS, INVALID_REQUEST, METHOD_NOT_FOUND, everything,
 )
-from harness import errors, holds, pulling, refusal, rules, same, test, without
+from harness import contains, errors, holds, pulling, refusal, rules, same, test, without
 from text import Lines
 
 GOOD = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
@@ -359,3 +361,71 @@ def root_uri_is_supported(case):
     client.notify("initialized", {})
     found = client.request("workspace/symbol", {"query": "lib"})
     same([s["name"] for s in found], ["lib"], "the symbols")
+
+
+def raw(data):
+    return b"Content-Length: %d\r\n\r\n" % len(data) + data
+
+
+@test
+def input_that_is_no_message_is_answered(case):
+    client = case.client()
+    for data, code in ((b'{"a":', -32700), (b"[1, 2]", -32600), (b'{"jsonrpc": "2.0"}', -32600)):
+        client.write_bytes(raw(data))
+        answer = client.wait_until(lambda: client.answers.pop(None, None), "no answer to %r" % data)
+        same(answer["error"]["code"], code, "the code of the answer to %r" % data)
+    source = case.write("a.glsl", GOOD).open(client)
+    same(client.published(source.uri), [], "the findings afterwards")
+
+
+@test
+def a_header_that_cannot_be_read_ends_the_server(case):
+    headers = {
+        b"Content-Length: 99999999999999\r\n\r\n{}": "99999999999999 bytes",
+        b"Content-Length: -5\r\n\r\n{}": "not a number",
+        b"Length: 2\r\n\r\n{}": "no `Content-Length`",
+        b"hello\n": "no `:`",
+        b"x" * 100_000 + b"\n": "no end",
+    }
+    for header, reason in headers.items():
+        client = case.client()
+        client.write_bytes(header)
+        same(client.finish(), 2, "the exit code after %r" % header[:40])
+        contains(client.said(), reason, "the reason")
+        same(client.answers[None]["error"]["code"], -32700, "the answer")
+
+
+@test
+def the_server_ends_with_its_client(case):
+    client = subprocess.Popen(["sleep", "60"])
+    server = Connection([case.program, "lsp"], environment={"TMPDIR": case.temp()})
+    try:
+        params = {"processId": client.pid, "rootUri": None, "capabilities": {}}
+        server.request("initialize", params)
+        server.notify("initialized")
+        text = BROKEN.replace("«use»", "")
+        item = {"uri": "file:///a.glsl", "languageId": "glsl", "version": 1, "text": text}
+        server.notify("textDocument/didOpen", {"textDocument": item})
+        server.wait_until(lambda: server.notifications, "no findings")
+        same(len(os.listdir(case.temp())), 1, "the folders of pages")
+        client.kill()
+        client.wait()
+        # The input stays open.
+        server.finish()
+        same(os.listdir(case.temp()), [], "the folders that are left")
+    finally:
+        client.kill()
+        server.kill()
+
+
+@test
+def folders_of_servers_that_were_killed_are_removed(case):
+    folders = []
+    for _ in range(2):
+        client = case.client()
+        source = case.write("a.glsl", BROKEN.replace("«use»", "")).open(client)
+        client.published(source.uri)
+        folders.append(os.listdir(case.temp()))
+        client.kill()
+    same([len(found) for found in folders], [1, 1], "the number of folders")
+    holds(folders[0] != folders[1], "the folder is the same", folders)

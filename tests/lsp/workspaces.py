@@ -4,7 +4,7 @@ import os
 
 from client import CHANGED, CREATED, DELETED, changes_of, path_of, uri_of
 from harness import errors, everything, holds, pulling, rules, same, test, without
-from text import apply_edits
+from text import Lines, apply_edits
 
 UNUSED = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float unused = 2.0;
@@ -208,3 +208,38 @@ def moved_files_take_their_includes_along(case):
     }, "the texts after moving a user")
     same(moved(("other.txt", "other2.txt")), {}, "the texts after moving another file")
     holds(base.uri not in moved(("lib/base.glsl", "lib/basis.glsl")), "the moved file changes", base.uri)
+
+
+def shown_messages(client):
+    client.settle()
+    return [n["message"] for n in client.told("window/showMessage")]
+
+
+@test
+def an_invalid_configuration_is_reported_and_the_last_valid_one_used(case):
+    client = case.client(options={"run": False})
+    valid = '[rules]\nunused-variable = "off"\n'
+    config = case.write("shaderlint.toml", valid)
+    source = case.write("a.glsl", UNUSED).open(client)
+    same(client.published(source.uri), [], "with a valid configuration")
+    text = '[rules]\nunused-variable = "off"\nunused-variabel = "off"\n'
+    case.write("shaderlint.toml", text)
+    client.watched((config.uri, CHANGED))
+    found = client.published_when(config.uri, lambda d: d, "the configuration has no finding")
+    lines = Lines(text, client.encoding)
+    holds(lines.at(found[0]["range"]).startswith("unused-variabel"), "the range", found)
+    holds("unused-variable" in found[0]["message"], "the message", found)
+    same(len(shown_messages(client)), 1, "the messages")
+    holds("shaderlint.toml:3: " in shown_messages(client)[0], "the message", shown_messages(client))
+    # Another file, and a change of the first one, still use the valid configuration.
+    other = case.write("b.glsl", UNUSED).open(client)
+    same(client.published(other.uri), [], "with an invalid configuration")
+    client.write_all(source.uri, source.text + "// more\n")
+    client.settle()
+    same(client.published(source.uri), [], "with an invalid configuration")
+    same(len(shown_messages(client)), 1, "the messages")
+    case.write("shaderlint.toml", "")
+    client.watched((config.uri, CHANGED))
+    client.published_when(config.uri, lambda d: not d, "the finding stays")
+    found = client.published_when(source.uri, lambda d: d, "the new configuration has no effect")
+    same(rules(found), ["unused-variable"], "the findings")

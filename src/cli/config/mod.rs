@@ -1,14 +1,18 @@
 //! Finds the `shaderlint.toml` that applies to a file.
 
 mod editor;
+mod last_good;
+mod load;
 mod project;
 
-use crate::engine::config::{Config, Selection, options, parse, style};
-use crate::engine::{FileCache, HostNames, Options};
+use crate::engine::config::{Config, Selection, options, style};
+use crate::engine::{FileCache, Options};
 use crate::format::{Style, StyleChoice};
 use crate::host::{Preset, host_named, kept, read as read_host};
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
+pub use last_good::LastGood;
+use load::load;
 pub use project::{FILE, absolute};
 use project::{ProjectFinder, ProjectFolders};
 use std::collections::HashMap;
@@ -52,6 +56,8 @@ pub enum ConfigSource {
 /// Resolves the options of files; each configuration is read once.
 pub struct Configs {
     asked: ConfigArgs,
+    /// Takes the place of configurations that are invalid, if set.
+    last_good: Option<Arc<LastGood>>,
     finder: ProjectFinder,
     cache: Mutex<Cache>,
     /// Files that were read for other files, such as includes.
@@ -83,16 +89,35 @@ impl Configs {
         Configs {
             finder: ProjectFinder::new(&asked.paths),
             asked,
+            last_good: None,
             cache: Mutex::default(),
             file_cache: Arc::default(),
         }
+    }
+
+    /// The same, with the last valid content of configurations that are invalid.
+    pub fn with_last_good(self, last_good: Arc<LastGood>) -> Configs {
+        Configs {
+            last_good: Some(last_good),
+            ..self
+        }
+    }
+
+    fn load(&self, file: &Path) -> FoundConfig {
+        let loaded = match &self.last_good {
+            Some(kept) => kept.load(file),
+            None => load(file),
+        };
+        loaded
+            .map(Some)
+            .map_err(|problem| problem.to_string().into())
     }
 
     /// The configuration that applies to a file.
     pub fn config(&self, path: &Path) -> FoundConfig {
         match &self.asked.source {
             ConfigSource::Nowhere => Ok(None),
-            ConfigSource::File(file) => self.cached(file, || load(file).map(Some)),
+            ConfigSource::File(file) => self.cached(file, || self.load(file)),
             ConfigSource::Nearest => {
                 let path = absolute(path);
                 let folder = path.parent().unwrap_or(Path::new("/"));
@@ -131,7 +156,7 @@ impl Configs {
         self.cached(folder, || {
             let file = folder.join(FILE);
             if file.is_file() {
-                return load(&file).map(Some);
+                return self.load(&file);
             }
             folder
                 .parent()
@@ -216,23 +241,6 @@ fn unknown(unknown: UnknownRule) -> Arc<str> {
     format!("unknown rule or group `{}`{near}", unknown.name).into()
 }
 
-fn load(file: &Path) -> Result<Arc<Config>, Arc<str>> {
-    let here = std::env::current_dir().unwrap_or_default();
-    let shown = file.strip_prefix(here).unwrap_or(file).display();
-    let text = fs::read_to_string(file).map_err(|e| format!("{shown}: {e}"))?;
-    let mut config =
-        parse(&text).map_err(|e| format!("{shown}:{}:{}: {}", e.line, e.column, e.message))?;
-    let folder = absolute(file);
-    config.root = folder.parent().unwrap_or(Path::new("/")).to_path_buf();
-    let overrides = config.overrides.iter_mut().map(|(_, layer)| layer);
-    for layer in std::iter::once(&mut config.base).chain(overrides) {
-        if let Some(host) = &mut layer.host {
-            describe(host, &config.root).map_err(|e| format!("{shown}: {e}"))?;
-        }
-    }
-    Ok(Arc::new(config))
-}
-
 /// The host that a user names: a built-in one, or a GLSL file that describes one.
 ///
 /// # Errors
@@ -259,15 +267,4 @@ pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
     });
     let options = configs.options(path).map_err(|e| e.to_string())?;
     Ok(options.host.preset)
-}
-
-/// Reads the file that describes a host, in addition to its preset.
-fn describe(host: &mut HostNames, root: &Path) -> Result<(), String> {
-    let Some(path) = &host.prelude else {
-        return Ok(());
-    };
-    let text = fs::read_to_string(root.join(path)).map_err(|e| format!("{path}: {e}"))?;
-    let own = read_host(&text).map_err(|e| format!("{path}:{}: {}", e.line, e.message))?;
-    host.describe(own);
-    Ok(())
 }

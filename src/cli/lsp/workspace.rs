@@ -1,13 +1,13 @@
 //! The files of the disk and their configurations.
 
-use super::super::config::{ConfigArgs, ConfigSource, Configs, Exclusion, absolute};
+use super::super::config::{ConfigArgs, ConfigSource, Configs, Exclusion, LastGood, absolute};
 use super::super::disk::Disk;
 use super::super::input::collect;
 use super::pages::PageFiles;
 use crate::engine::config::Selection;
 use crate::engine::{Files, Options};
 use crate::format::{Style, StyleChoice};
-use crate::lsp::{SampleRuns, Workspace};
+use crate::lsp::{ConfigFinding, SampleRuns, Workspace};
 use crate::text::kind::is_searched;
 use gen_lsp_types::Uri;
 use std::path::{Path, PathBuf};
@@ -20,16 +20,22 @@ pub struct DiskWorkspace {
     quick: Configs,
     /// Options for checking with sample runs.
     full: Configs,
+    last_good: Arc<LastGood>,
     pages: Arc<PageFiles>,
 }
 
 impl DiskWorkspace {
     /// Reads no file yet.
-    pub fn new(folders: &[PathBuf], pages: Arc<PageFiles>) -> DiskWorkspace {
+    pub fn new(
+        folders: &[PathBuf],
+        pages: Arc<PageFiles>,
+        last_good: Arc<LastGood>,
+    ) -> DiskWorkspace {
         DiskWorkspace {
             disk: Disk::new(),
-            quick: configs(folders, Some(0)),
-            full: configs(folders, None),
+            quick: configs(folders, Some(0)).with_last_good(last_good.clone()),
+            full: configs(folders, None).with_last_good(last_good.clone()),
+            last_good,
             pages,
         }
     }
@@ -59,6 +65,20 @@ impl Workspace for DiskWorkspace {
             SampleRuns::AsConfigured => &self.full,
         };
         configs.options(path).ok()
+    }
+
+    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigFinding> {
+        for path in paths {
+            // An invalid one is kept as a problem.
+            let _ = self.quick.config(path);
+        }
+        let problems = self.last_good.problems().into_iter();
+        let findings = problems.map(|problem| ConfigFinding {
+            path: problem.file,
+            at: problem.at,
+            message: problem.message,
+        });
+        findings.collect()
     }
 
     fn style(&self, path: &Path, client: StyleChoice) -> Result<Style, Arc<str>> {
@@ -99,6 +119,7 @@ impl Workspace for DiskWorkspace {
     }
 
     fn renewed(&self, folders: &[PathBuf]) -> Arc<dyn Workspace> {
-        Arc::new(DiskWorkspace::new(folders, self.pages.clone()))
+        let last_good = Arc::new(self.last_good.renewed());
+        Arc::new(DiskWorkspace::new(folders, self.pages.clone(), last_good))
     }
 }
