@@ -1,10 +1,11 @@
 //! A checked shader that outlives the check, for editors and sample runs.
 
+use super::reading::code_of;
 use shaderlint_host::Preset;
 use shaderlint_ir::Module;
 use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_semantic::{Checked, Completeness, Program};
-use shaderlint_text::Sources;
+use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
 /// A checked shader with further analyses, each computed on first use. It owns its data and can be
@@ -18,6 +19,8 @@ pub struct Analysis {
     pub has_errors: bool,
     /// The host that runs it, set by the user or detected.
     pub host: Option<&'static Preset>,
+    /// The texts that it consists of, in order.
+    files: Vec<FileId>,
     known: Arc<CachedFacts>,
 }
 
@@ -27,6 +30,7 @@ impl Analysis {
         checked: Checked,
         has_errors: bool,
         host: Option<&'static Preset>,
+        files: &[FileId],
         known: Arc<CachedFacts>,
     ) -> Analysis {
         Analysis {
@@ -34,6 +38,7 @@ impl Analysis {
             completeness: checked.completeness,
             has_errors,
             host,
+            files: files.to_vec(),
             known,
         }
     }
@@ -41,6 +46,11 @@ impl Analysis {
     /// The source texts that its spans refer to.
     pub fn sources(&self) -> &Arc<Sources> {
         &self.program.sources
+    }
+
+    /// The user's code of the shader, with what it includes.
+    pub fn user_code(&self) -> String {
+        code_of(self.sources(), &self.files)
     }
 
     /// The IR of the shader.

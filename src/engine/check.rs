@@ -72,12 +72,15 @@ pub fn check_shader(
         found.diagnostics.append(&mut own);
     }
     if keep == Keep::Programs {
-        part.analysis = Some(Analysis::new(
+        let files = part.reading().map_or(&[][..], |reading| &reading.files);
+        let analysis = Analysis::new(
             checked,
             reported.0.has_errors,
             host_of(part, options),
+            files,
             known,
-        ));
+        );
+        part.analysis = Some(analysis);
     }
     Some(reported)
 }

@@ -5,7 +5,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_semantic::{FunctionRef, Program, Resolution, VariableId};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Name, RawKind, RawToken, TokenKind, tokenize};
-use shaderlint_text::Span;
+use shaderlint_text::{CompiledText, Span};
 
 /// How a symbol is used by an occurrence of its name.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -335,8 +335,8 @@ impl Builder<'_> {
     /// names.
     fn directives(&mut self, seen: &mut FxHashSet<u32>) {
         let global = Globals::of(self.program);
-        for (text, base) in self.units() {
-            let tokens = tokenize(&text, base);
+        for CompiledText { text, base, .. } in user_texts(self.program) {
+            let tokens = tokenize(text, base);
             let mut at_start = true;
             let mut rest = tokens.as_slice();
             while let [first, after @ ..] = rest {
@@ -358,29 +358,6 @@ impl Builder<'_> {
                 }
             }
         }
-    }
-
-    /// The code that the shader consists of.
-    fn units(&self) -> Vec<(String, u32)> {
-        let program = self.program;
-        let mut units: Vec<(String, u32)> = Vec::new();
-        let mut bounds: Vec<Span> = Vec::new();
-        let tokens = program.tokens.tokens.iter().map(|t| t.spelled);
-        let names = program.tokens.macros.iter().filter(|m| !m.predefined);
-        let names = names.map(|m| m.name_span.start);
-        for address in tokens.chain(names) {
-            let is_known = |s: &Span| s.start <= address && address <= s.end;
-            if bounds.last().is_some_and(is_known) || bounds.iter().any(is_known) {
-                continue;
-            }
-            if let Some(code) = program.sources.code_at(address) {
-                bounds.push(Span::new(code.base, code.base + code.text.len() as u32));
-                if program.sources.is_user(code.base) {
-                    units.push((code.text.to_string(), code.base));
-                }
-            }
-        }
-        units
     }
 
     fn directive(&mut self, line: &[RawToken], global: &Globals, seen: &mut FxHashSet<u32>) {
@@ -519,4 +496,26 @@ pub fn is_inactive(program: &Program, span: Span) -> bool {
     let after = inactive.partition_point(|s| s.start <= span.start);
     let last = after.checked_sub(1).and_then(|i| inactive.get(i));
     last.is_some_and(|s| s.contains(span))
+}
+
+/// The user's texts that a shader consists of, in order.
+fn user_texts(program: &Program) -> Vec<CompiledText<'_>> {
+    let mut found = Vec::new();
+    let mut bounds: Vec<Span> = Vec::new();
+    let tokens = program.tokens.tokens.iter().map(|t| t.spelled);
+    let names = program.tokens.macros.iter().filter(|m| !m.predefined);
+    let names = names.map(|m| m.name_span.start);
+    for address in tokens.chain(names) {
+        let is_known = |s: &Span| s.start <= address && address <= s.end;
+        if bounds.last().is_some_and(is_known) || bounds.iter().any(is_known) {
+            continue;
+        }
+        if let Some(code) = program.sources.code_at(address) {
+            bounds.push(Span::new(code.base, code.base + code.text.len() as u32));
+            if program.sources.is_user(code.base) {
+                found.push(code);
+            }
+        }
+    }
+    found
 }

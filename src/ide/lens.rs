@@ -2,6 +2,7 @@
 
 use super::document::Document;
 use super::hover::operations;
+use super::preview::preview_project;
 use super::run::RunObservations;
 use shaderlint_diagnostic::count;
 use shaderlint_semantic::Scalar;
@@ -24,8 +25,8 @@ pub struct Lens {
 pub enum LensCommand {
     /// None: the lens is informative.
     Nothing,
-    /// Opens the preview.
-    Preview,
+    /// Opens the preview of the shader with this number.
+    Preview(usize),
     /// Changes a number with a slider.
     Tune {
         /// Span of the number.
@@ -53,11 +54,13 @@ pub fn lenses(document: &Document, seen: &[Option<RunObservations>]) -> Vec<Lens
         let place = place.filter(|p| program.is_user(*p));
         if let (Some(entry), Some(span)) = (entry, place.and_then(|p| document.report.in_input(p)))
         {
-            found.push(Lens {
-                span,
-                title: "▶ Preview".to_string(),
-                command: LensCommand::Preview,
-            });
+            if preview_project(document, number).is_ok() {
+                found.push(Lens {
+                    span,
+                    title: "▶ Preview".to_string(),
+                    command: LensCommand::Preview(number),
+                });
+            }
             let title = match seen.get(number).and_then(Option::as_ref) {
                 Some(seen) => observed_cost(seen),
                 None => {

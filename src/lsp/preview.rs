@@ -2,16 +2,41 @@
 
 use super::buffers::TextBuffer;
 use super::snapshot::{Answer, Failure, Snapshot};
+use gen_lsp_types::Position;
+use serde::{Deserialize, Serialize};
 use shaderlint_diagnostic::Severity;
 use shaderlint_engine::Files;
 use shaderlint_host::shadertoy;
+use shaderlint_ide as ide;
 use shaderlint_port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
 use shaderlint_semantic::Pass;
 use std::path::Path;
 
-/// The page of a document, with the passes in the same folder.
-pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
-    let mut project = project(snapshot, buffer)?;
+/// Which shader of a document is shown.
+#[derive(Clone, Copy, Default, Deserialize)]
+pub struct ShownShader {
+    /// A position in it.
+    pub position: Option<Position>,
+    /// Its number, which an earlier page had.
+    pub shader: Option<usize>,
+}
+
+/// A page that plays a shader.
+#[derive(Serialize)]
+pub struct ShaderPage {
+    /// The page.
+    pub html: String,
+    /// Number of the shader in its document.
+    pub shader: usize,
+}
+
+/// The page of a shader of a document, with the passes in the same folder.
+pub fn page(snapshot: &Snapshot, buffer: &TextBuffer, shown: ShownShader) -> Answer<ShaderPage> {
+    let document = snapshot.document(buffer);
+    let offset = shown.position.map(|at| snapshot.offset(buffer, at));
+    let shader = shown.shader.or_else(|| ide::previewed(&document, offset));
+    let shader = shader.unwrap_or(0);
+    let mut project = project(snapshot, buffer, shader)?;
     let wrong = |error: shaderlint_port::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
@@ -26,7 +51,10 @@ pub fn page(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<String> {
     }
     add_stand_ins(&mut project);
     let composed = project.renew(composed, &buffer.path).map_err(wrong)?;
-    Ok(html(&project, &composed, None).whole())
+    Ok(ShaderPage {
+        html: html(&project, &composed, None).whole(),
+        shader,
+    })
 }
 
 /// The first error in the passes of a project, with its line.
@@ -43,7 +71,7 @@ fn first_error(composed: &Composed) -> Option<String> {
     Some(format!("{part}line {line}: {}", error.message))
 }
 
-fn project(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<Project> {
+fn project(snapshot: &Snapshot, buffer: &TextBuffer, shader: usize) -> Answer<Project> {
     let name = buffer.path.rsplit('/').next().unwrap_or("shader");
     if name.ends_with(".json") {
         return Project::from_json(&buffer.text).map_err(|e| Failure::refused(e.to_string()));
@@ -55,8 +83,8 @@ fn project(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<Project> {
         let title = title.map_or("shader".into(), |t| t.to_string_lossy());
         return Project::from_parts(&title, parts).map_err(|e| Failure::refused(e.to_string()));
     }
-    let title = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    Project::from_shader(title, &buffer.text).map_err(|e| Failure::refused(e.to_string()))
+    let project = ide::preview_project(&snapshot.document(buffer), shader);
+    project.map_err(|e| Failure::refused(e.to_string()))
 }
 
 /// The passes in the folder of a document that is named like a pass.

@@ -495,7 +495,9 @@ impl Session {
         let command = params.get("command").and_then(Value::as_str).unwrap_or("");
         let first = params.get("arguments").and_then(|all| all.get(0));
         let first = first.and_then(Value::as_str).unwrap_or("").to_string();
-        let act: fn(&Snapshot, &TextBuffer) -> Answer<(&'static str, Value)> = match command {
+        let second = params.get("arguments").and_then(|all| all.get(1)).cloned();
+        let act: fn(&Snapshot, &TextBuffer, Value) -> Answer<(&'static str, Value)> = match command
+        {
             EXPLAIN => {
                 let answer = self.explain(&first);
                 return Some(PendingRequest::new(id, Lane::Quick, |_| {
@@ -512,7 +514,7 @@ impl Session {
         };
         Some(PendingRequest::new(id, Lane::Slow, move |snapshot| {
             let buffer = snapshot.buffer(&Uri(first))?;
-            let (method, params) = act(snapshot, buffer)?;
+            let (method, params) = act(snapshot, buffer, second.unwrap_or_default())?;
             let id = RequestId::from(format!("{method}#{}", buffer.state));
             let request = Asked::new(id, method.to_string(), params);
             Ok((Value::Null, Some(request)))
@@ -539,10 +541,17 @@ impl Session {
     }
 }
 
-/// Writes the preview page of a document to a file, for the browser.
+/// Writes the preview page of a document to a file, for the browser. `shown` is the number of the
+/// shader, or null.
 #[cfg(feature = "preview")]
-fn show(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value)> {
-    let html = preview::page(snapshot, buffer)?;
+fn show(snapshot: &Snapshot, buffer: &TextBuffer, shown: Value) -> Answer<(&'static str, Value)> {
+    let shown = preview::ShownShader {
+        shader: shown
+            .as_u64()
+            .and_then(|number| usize::try_from(number).ok()),
+        position: serde_json::from_value(shown).ok(),
+    };
+    let html = preview::page(snapshot, buffer, shown)?.html;
     let uri = snapshot.workspace().write_page("preview.html", &html);
     let uri = uri.ok_or_else(|| Failure::refused("cannot write the preview page"))?;
     Ok((
@@ -552,7 +561,7 @@ fn show(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value
 }
 
 /// The edit that applies all safe fixes of a document.
-fn apply_all(snapshot: &Snapshot, buffer: &TextBuffer) -> Answer<(&'static str, Value)> {
+fn apply_all(snapshot: &Snapshot, buffer: &TextBuffer, _: Value) -> Answer<(&'static str, Value)> {
     let action = super::answers::fix_all(snapshot, buffer);
     let action = action.ok_or_else(|| Failure::refused("no safe fixes available"))?;
     let params = json!({ "label": action.title, "edit": action.edit });

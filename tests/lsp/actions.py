@@ -221,3 +221,47 @@ def the_page_of_a_folder_contains_all_passes(case):
     page = client.of(image.uri, "shaderlint/page")["html"]
     for part in ("vec4(wave(p.x))", "float wave(float x)", "* wave(iTime)"):
         contains(page, part, "the page")
+
+
+STAGES = """const vertex = `#version 300 es
+in vec4 position; out vec2 vUv; uniform float amount;
+void main() { vUv = position.xy * amount; gl_Position = position; }`;
+const water = `#version 300 es
+precision highp float;
+in vec2 vUv; uniform float uTime; out vec4 color;
+void main() { float «water»ripple = sin(uTime); color = vec4(vUv, ripple, 1.0); }`;
+const fire = `#version 300 es
+precision highp float;
+in vec2 vUv; uniform float uTime; out vec4 color;
+void main() { float «fire»flame = 0.375 * uTime; color = vec4(vUv, flame, 1.0); }`;
+"""
+
+
+@test
+def previews_show_the_shader_at_a_position(case):
+    client = case.client(options=QUIET)
+    source = case.write("scene.js", STAGES).open(client, "javascript")
+    same(errors(client.published(source.uri)), [], "the errors")
+    lenses = client.of(source.uri, "textDocument/codeLens")
+    shown = [lens["command"]["arguments"] for lens in lenses if "Preview" in lens["command"]["title"]]
+    same(shown, [[source.uri, 1], [source.uri, 2]], "the lenses of shaders that can be played")
+    pages = [client.of(source.uri, "shaderlint/page", shader=shader) for _, shader in shown]
+    holds("ripple" in pages[0]["html"] and "ripple" not in pages[1]["html"], "the first page")
+    holds("flame" in pages[1]["html"], "the second page")
+    place = client.lines(source.uri).position(source["water"])
+    same(client.of(source.uri, "shaderlint/page", position=place)["shader"], 1, "the shader at a position")
+    # The vertex shader cannot be played: the first that can.
+    place = client.lines(source.uri).position(source.text.index("amount"))
+    same(client.of(source.uri, "shaderlint/page", position=place)["shader"], 1, "the shader of a vertex shader")
+
+
+@test
+def previews_include_what_checks_include(case):
+    client = case.client(options=QUIET)
+    case.write("lib/constants.glsl", "#define STEEP 0.375\n")
+    case.write("lib/flame.glsl", '#include "constants.glsl"\nfloat flame(float x) { return x * STEEP; }\n')
+    source = case.write("in/a.glsl", '#include "../lib/flame.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
+                        "{ c = vec4(flame(p.x)); }\n").open(client)
+    same(errors(client.published(source.uri)), [], "the errors")
+    page = client.of(source.uri, "shaderlint/page")["html"]
+    holds("0.375" in page and "flame" in page, "the page lacks included code")

@@ -37,7 +37,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
         previews,
         maps,
         vscode.commands.registerCommand('shaderlint.restart', restart),
-        vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown) => previews.open(place)),
+        vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) => previews.open(place, shader)),
         vscode.commands.registerCommand('shaderlint.costMap', (place?: unknown) => maps.show(place)),
         vscode.commands.registerCommand('shaderlint.tune', tune),
         vscode.workspace.onDidChangeConfiguration((change) => {

@@ -7,7 +7,15 @@ const VIEW = 'shaderlint.preview';
 /** The delay between the last change and the request for a new page, in milliseconds. */
 const PAUSE = 300;
 
-const PAGE = new RequestType<{ textDocument: { uri: string } }, { html: string }, void>('shaderlint/page');
+/** The shader at a position, or the one with this number in its document. */
+interface Shown {
+    position?: { line: number; character: number };
+    shader?: number;
+}
+
+const PAGE = new RequestType<{ textDocument: { uri: string } } & Shown, { html: string; shader: number }, void>(
+    'shaderlint/page',
+);
 
 /** Messages from the view. */
 type Told =
@@ -36,27 +44,32 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
         ];
     }
 
-    /** Opens a preview of the document at `place`, or else of the active editor's. */
-    async open(place: unknown): Promise<void> {
+    /**
+     * Opens a preview of the document at `place`, or else of the active editor's: of the shader with
+     * this number, or else the one under the cursor.
+     */
+    async open(place: unknown, shader: unknown): Promise<void> {
         const uri = uriOf(place);
         if (!uri) {
             void vscode.window.showInformationMessage('Open a shader first to preview it.');
             return;
         }
         const known = this.previews.get(uri.toString());
+        const shown = typeof shader === 'number' ? { shader } : cursor(uri);
         if (known) {
+            known.show(shown);
             known.panel.reveal(undefined, true);
             return;
         }
         const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
         const panel = vscode.window.createWebviewPanel(VIEW, 'Preview', column, { retainContextWhenHidden: true });
-        await this.attach(panel, uri);
+        await this.attach(panel, uri, shown);
     }
 
     /** Restores a preview that was open when the window was closed. */
     async deserializeWebviewPanel(panel: vscode.WebviewPanel, state: unknown): Promise<void> {
         const uri = state instanceof Object && 'uri' in state ? uriOf(state.uri) : undefined;
-        if (uri) await this.attach(panel, uri);
+        if (uri) await this.attach(panel, uri, {});
         else panel.dispose();
     }
 
@@ -75,11 +88,11 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
         for (const subscription of this.subscriptions) subscription.dispose();
     }
 
-    private async attach(panel: vscode.WebviewPanel, uri: vscode.Uri): Promise<void> {
+    private async attach(panel: vscode.WebviewPanel, uri: vscode.Uri, shown: Shown): Promise<void> {
         const media = vscode.Uri.joinPath(this.context.extensionUri, 'media');
         panel.webview.options = { enableScripts: true, localResourceRoots: [media] };
         panel.title = `Preview ${uri.path.replace(/^.*\//, '')}`;
-        const preview = new Preview(panel, uri, this.client);
+        const preview = new Preview(panel, uri, shown, this.client);
         this.previews.set(uri.toString(), preview);
         panel.onDidDispose(() => {
             preview.end();
@@ -99,12 +112,19 @@ class Preview {
     constructor(
         readonly panel: vscode.WebviewPanel,
         private readonly uri: vscode.Uri,
+        private shown: Shown,
         private readonly client: () => LanguageClient | undefined,
     ) {
         panel.webview.onDidReceiveMessage((told: Told) => { this.hear(told); });
         panel.onDidChangeViewState(() => {
             if (this.isStale) this.renewSoon();
         });
+    }
+
+    /** Changes to another shader of the document. */
+    show(shown: Shown): void {
+        this.shown = shown;
+        this.renewSoon();
     }
 
     end(): void {
@@ -136,7 +156,9 @@ class Preview {
             const client = this.client();
             if (!client) throw new Error('The language server is not running.');
             const uri = client.code2ProtocolConverter.asUri(document.uri);
-            const { html } = await client.sendRequest(PAGE, { textDocument: { uri } }, token);
+            const { html, shader } = await client.sendRequest(PAGE, { textDocument: { uri }, ...this.shown }, token);
+            // The text before the shader may change.
+            this.shown = { shader };
             return { type: 'page', html };
         } catch (error) {
             return { type: 'trouble', words: reason(error) };
@@ -151,6 +173,14 @@ class Preview {
             void this.renew();
         }
     }
+}
+
+/** The position of the cursor in a document. */
+function cursor(uri: vscode.Uri): Shown {
+    const editor = vscode.window.activeTextEditor;
+    if (editor?.document.uri.toString() !== uri.toString()) return {};
+    const { line, character } = editor.selection.active;
+    return { position: { line, character } };
 }
 
 function reason(error: unknown): string {

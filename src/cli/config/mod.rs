@@ -254,6 +254,13 @@ pub fn host_of(name: &str) -> Result<&'static Preset, String> {
     Ok(kept(own))
 }
 
+/// The outermost folder of the project that contains a file; `None` if nothing marks one.
+pub fn project_root(path: &Path) -> Option<PathBuf> {
+    ProjectFinder::new(&[])
+        .found(absolute(path).parent()?)
+        .pop()
+}
+
 /// The host set in the configuration of a file.
 ///
 /// # Errors

@@ -1,6 +1,7 @@
 //! Companion files that a shader refers to: includes, buffers and its vertex shader.
 
 use super::read::{read_text, shown};
+use crate::cli::config::project_root;
 use crate::port::{Project, SiblingTexts};
 use std::path::{Path, PathBuf};
 
@@ -28,27 +29,29 @@ pub(super) fn draft_with_siblings(
     }
 }
 
-/// Reads companion files. Files outside of the shader's folder are rejected.
+/// Reads companion files. Files outside of the shader's project are rejected, as in checks.
 fn read_requested(
     path: &Path,
     requested: &[String],
     texts: &mut SiblingTexts,
 ) -> Result<(), String> {
     let folder = folder_of(path);
-    let root = folder.canonicalize();
+    let here = folder.canonicalize();
+    let root = project_root(path).unwrap_or_else(|| folder.to_path_buf());
+    let root = root.canonicalize();
     let is_stdin = path.as_os_str() == "-";
     for asked in requested {
         if texts.len() >= MAX_TEXTS {
             return Err(format!("the shader includes more than {MAX_TEXTS} files"));
         }
-        let found = match &root {
-            Ok(root) if !is_stdin => root.join(asked).canonicalize().ok(),
+        let found = match &here {
+            Ok(here) if !is_stdin => here.join(asked).canonicalize().ok(),
             _ => None,
         };
         let is_inside = |file: &PathBuf| root.as_ref().is_ok_and(|root| file.starts_with(root));
         let text = match found {
             Some(file) if !is_inside(&file) => {
-                return Err(format!("`{asked}` is outside of {}", shown(folder)));
+                return Err(format!("`{asked}` is outside of the project"));
             }
             Some(file) if file.is_file() => Some(read_text(&folder.join(asked))?.into()),
             _ => None,
@@ -107,6 +110,12 @@ mod tests {
             "{missing:?}"
         );
         let out = draft(folder.path(), "deep/../../secret.glsl").unwrap_err();
-        assert!(out.contains("`../secret.glsl` is outside of"), "{out}");
+        assert!(
+            out.contains("`../secret.glsl` is outside of the project"),
+            "{out}"
+        );
+        fs::write(folder.path().join("package.json"), "{}").unwrap();
+        let inside = draft(folder.path(), "deep/../../secret.glsl").unwrap();
+        assert_eq!(inside.len(), 1, "{inside:?}");
     }
 }

@@ -268,12 +268,15 @@ pub fn lenses(snapshot: &Snapshot, params: CodeLensParams) -> Answer<Option<Vec<
     let items = found.into_iter().filter_map(|lens| {
         let (command, arguments) = match lens.command {
             LensCommand::Nothing => (String::new(), None),
-            LensCommand::Preview => {
+            LensCommand::Preview(shader) => {
                 #[cfg(feature = "preview")]
                 let command = own_view.cloned().unwrap_or_else(|| PREVIEW.to_string());
                 #[cfg(not(feature = "preview"))]
                 let command = own_view.cloned()?;
-                (command, Some(vec![buffer.uri.0.clone().into()]))
+                (
+                    command,
+                    Some(vec![buffer.uri.0.clone().into(), shader.into()]),
+                )
             }
             // Only clients with their own view have sliders.
             LensCommand::Tune {

@@ -62,12 +62,8 @@ fn write<T: Serialize>(answer: &T) -> Answer<Value> {
 #[serde(rename_all = "camelCase")]
 struct PageParams {
     text_document: TextDocumentIdentifier,
-}
-
-#[cfg(feature = "preview")]
-#[derive(Serialize)]
-struct PageResult {
-    html: String,
+    #[serde(flatten)]
+    shown: super::preview::ShownShader,
 }
 
 /// Answers the preview request.
@@ -75,8 +71,7 @@ struct PageResult {
 fn show_page(snapshot: &Snapshot, params: Value) -> Answer<Value> {
     let params = read::<PageParams>(params)?;
     let buffer = snapshot.buffer(&params.text_document.uri)?;
-    let html = super::preview::page(snapshot, buffer)?;
-    write(&PageResult { html })
+    write(&super::preview::page(snapshot, buffer, params.shown)?)
 }
 
 impl Jobs {
