@@ -10,12 +10,13 @@ use super::options::Desktop;
 use super::shader::shader_part;
 use super::shader_input::{Shader, ShaderInput};
 use super::{embedded, foreign, hosted, partner};
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_lint::{CheckedSpans, Settings};
+use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
+use shaderlint_lint::{CheckedSpans, Settings, SkippedRules};
 use shaderlint_port::{Project, ProjectError, compose};
 use shaderlint_rules::RULES;
+use shaderlint_semantic::Completeness;
 use shaderlint_text::embed::{DocumentLanguage, Embedded, extract_named};
-use shaderlint_text::kind::{Decision, FileKind, ShaderLanguage, decide};
+use shaderlint_text::kind::{Decision, Evidence, FileKind, ShaderLanguage, decide};
 use shaderlint_text::{Encoding, FileId, Role, Sources, Span};
 use std::fmt;
 use std::sync::Arc;
@@ -77,6 +78,8 @@ pub enum Unread {
     Skipped(Decision),
     /// It is an invalid ShaderToy export.
     Export(ProjectError),
+    /// Nothing in it is GLSL, though its name says so, and it cannot be parsed.
+    NotGlsl,
     /// The text exceeds the address space of 4 GiB.
     TooLarge,
 }
@@ -86,6 +89,7 @@ impl fmt::Display for Unread {
         match self {
             Unread::Skipped(decision) => decision.fmt(f),
             Unread::Export(error) => error.fmt(f),
+            Unread::NotGlsl => f.write_str("the text is not GLSL"),
             Unread::TooLarge => f.write_str("the file is too large"),
         }
     }
@@ -140,6 +144,10 @@ fn try_check(
     };
     let all = check_shaders(&mut input, name, context, keep);
     let (mut diagnostics, shaders) = (all.found.diagnostics, all.shaders);
+    let may_be_other = kind == FileKind::Shader && diagnostics.is_empty();
+    if may_be_other && is_other(name, text, &shaders, context) {
+        return Err(Unread::NotGlsl);
+    }
     diagnostics.extend(all.found.unresolved.report());
     partner::check(
         &input,
@@ -184,6 +192,28 @@ fn try_check(
     note_fixes(&report, &mut diagnostics);
     report.diagnostics = diagnostics;
     Ok(report)
+}
+
+/// Whether a text that could not be read as a part of a shader shows no GLSL at all: nothing that
+/// only GLSL has, and no statements of a function.
+fn is_other(name: &str, text: &str, shaders: &[Shader], context: CheckContext) -> bool {
+    let is_lost = |shader: &Shader| {
+        let is_everywhere = matches!(shader.skipped, SkippedRules::Everywhere);
+        is_everywhere && shader.completeness != Completeness::Complete
+    };
+    if shaders.is_empty()
+        || !shaders.iter().all(is_lost)
+        || text.contains('#')
+        || Evidence::of(text).has_glsl()
+    {
+        return false;
+    }
+    let body = format!("void statements() {{\n{text}\n}}\n");
+    let report = try_check(name, &body, Encoding::Utf8, context);
+    report.is_ok_and(|report| {
+        let is_broken = report.diagnostics.iter().any(|d| d.has(Facet::Grammar));
+        is_broken || report.shaders.iter().all(is_lost)
+    })
 }
 
 /// Notes which fixes of embedded shaders cannot be written.

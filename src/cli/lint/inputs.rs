@@ -116,13 +116,17 @@ fn check_input(input: &InputFile, run: &CheckRun) -> Outcome {
     }
     match checked.text.report.unread {
         None => Outcome::Checked(Box::new(checked)),
+        // Whoever pipes a text wants it checked.
+        Some(Unread::Skipped(decision)) if input.path.is_none() => {
+            Outcome::Failed(decision.to_string())
+        }
         Some(Unread::Skipped(decision)) => {
             Outcome::Skipped(decision.to_string(), checked.fixed.applied)
         }
-        Some(Unread::Export(error)) if !input.is_explicit => {
+        Some(error @ (Unread::Export(_) | Unread::NotGlsl)) if !input.is_explicit => {
             Outcome::Skipped(error.to_string(), checked.fixed.applied)
         }
-        Some(error @ (Unread::Export(_) | Unread::TooLarge)) => Outcome::Failed(error.to_string()),
+        Some(error) => Outcome::Failed(error.to_string()),
     }
 }
 
