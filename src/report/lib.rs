@@ -22,7 +22,7 @@ mod xml;
 pub use fingerprint::fingerprints;
 pub use human::render;
 pub use sarif::{Pages, RulePage};
-pub use summary::{ReadAs, Scope, Summary};
+pub use summary::{OptionNames, ReadAs, Scope, Summary};
 
 use place::clean;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity, count};
@@ -39,6 +39,8 @@ pub enum Format {
     Short,
     /// One line per finding, with its fix, labels and notes.
     Agent,
+    /// The same for the answers of tools, which have parameters instead of options.
+    Tool,
     /// One JSON object.
     Json,
     /// One JSON object per line, one line per finding.
@@ -194,7 +196,7 @@ impl<W: Write> Reporter<W> {
         let more = format!("and {}", count(missing, "more finding"));
         let mut printed = worst(diagnostics);
         match self.format {
-            Format::Human | Format::Short | Format::Agent => {
+            Format::Human | Format::Short | Format::Agent | Format::Tool => {
                 self.print((name, scope), sources, &printed)?;
                 writeln!(self.out, "{}: {more}", clean(name))
             }
@@ -227,7 +229,9 @@ impl<W: Write> Reporter<W> {
             match self.format {
                 Format::Human => human::write(out, sources, diagnostic, self.color)?,
                 Format::Short => short::write(out, sources, diagnostic)?,
-                Format::Agent => agent::write(out, sources, diagnostic, &mut self.notes)?,
+                Format::Agent | Format::Tool => {
+                    agent::write(out, sources, diagnostic, &mut self.notes)?;
+                }
                 Format::Json => json::write(out, sources, diagnostic, self.printed == 0)?,
                 Format::Jsonl => json::write_line(out, sources, diagnostic, read_as)?,
                 Format::Github => github::write(out, sources, diagnostic, &self.root)?,
@@ -263,7 +267,10 @@ impl<W: Write> Reporter<W> {
                 let files = count(summary.files, "file");
                 vec![format!("Found {} in {files}", summary.counts())]
             }
-            ReportEnd::All => summary.lines(),
+            ReportEnd::All => summary.lines(match self.format {
+                Format::Tool => &OptionNames::TOOL,
+                _ => &OptionNames::COMMAND,
+            }),
         };
         for line in lines {
             writeln!(self.out, "{}", clean(&line))?;
@@ -290,7 +297,7 @@ impl<W: Write> Reporter<W> {
         match self.format {
             Format::Json => json::end(&mut self.out, &self.summary)?,
             Format::Human => self.sum_up()?,
-            Format::Agent => {
+            Format::Agent | Format::Tool => {
                 self.end = ReportEnd::All;
                 self.sum_up()?;
             }

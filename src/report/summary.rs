@@ -96,6 +96,35 @@ pub struct Summary {
     pub readings: Vec<(String, ReadAs)>,
 }
 
+/// How a caller names the options that a summary refers to.
+pub struct OptionNames {
+    fix: &'static str,
+    unsafe_fixes: &'static str,
+    /// The same, where `fix` is not mentioned.
+    unsafe_alone: &'static str,
+    only: &'static str,
+    info: &'static str,
+}
+
+impl OptionNames {
+    /// The options of the command line.
+    pub const COMMAND: OptionNames = OptionNames {
+        fix: "--fix",
+        unsafe_fixes: "--unsafe-fixes",
+        unsafe_alone: "--unsafe-fixes",
+        only: "--only",
+        info: "--info",
+    };
+    /// The parameters of tools for coding agents.
+    pub const TOOL: OptionNames = OptionNames {
+        fix: "the tool `fix`",
+        unsafe_fixes: "its parameter `unsafe_fixes`",
+        unsafe_alone: "the parameter `unsafe_fixes` of the tool `fix`",
+        only: "the parameter `only`",
+        info: "the parameter `info`",
+    };
+}
+
 impl Summary {
     /// Counts a finding.
     pub fn add(&mut self, diagnostic: &Diagnostic) {
@@ -152,13 +181,16 @@ impl Summary {
     }
 
     /// `3 fixable with --fix`, if there are any.
-    pub fn fixes(&self) -> Option<String> {
+    fn fixes(&self, options: &OptionNames) -> Option<String> {
+        let OptionNames {
+            fix, unsafe_fixes, ..
+        } = options;
         match (self.fixable, self.suggested) {
             (0, 0) => None,
-            (0, n) => Some(format!("{n} fixable with --unsafe-fixes")),
-            (n, 0) => Some(format!("{n} fixable with --fix")),
+            (0, n) => Some(format!("{n} fixable with {}", options.unsafe_alone)),
+            (n, 0) => Some(format!("{n} fixable with {fix}")),
             (n, m) => Some(format!(
-                "{n} fixable with --fix, {m} more with --unsafe-fixes"
+                "{n} fixable with {fix}, {m} more with {unsafe_fixes}"
             )),
         }
     }
@@ -186,8 +218,8 @@ impl Summary {
             || !self.open_functions.is_empty()
     }
 
-    /// The lines of the summary.
-    pub fn lines(&self) -> Vec<String> {
+    /// The lines of the summary, which name options as the caller does.
+    pub fn lines(&self, options: &OptionNames) -> Vec<String> {
         if self.files == 0 {
             return Vec::new();
         }
@@ -207,7 +239,7 @@ impl Summary {
         let known = (self.known > 0).then(|| format!("{} in the baseline", self.known));
         let hidden = (self.hidden > 0).then(|| {
             let hidden = count(self.hidden, "error");
-            format!("{hidden} hidden by --only")
+            format!("{hidden} hidden by {}", options.only)
         });
         let fixed = (self.fixed > 0).then(|| format!("fixed {}", count(self.fixed, "finding")));
         let more = if self.findings() > 0 {
@@ -216,11 +248,18 @@ impl Summary {
             "info"
         };
         let infos = self.counted_infos;
-        let infos = (infos > 0).then(|| format!("{}: --info", count(infos, more)));
-        let first: Vec<String> = [Some(found), fixed, known, hidden, self.fixes(), infos]
-            .into_iter()
-            .flatten()
-            .collect();
+        let infos = (infos > 0).then(|| format!("{}: {}", count(infos, more), options.info));
+        let first: Vec<String> = [
+            Some(found),
+            fixed,
+            known,
+            hidden,
+            self.fixes(options),
+            infos,
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
         let mut lines = vec![first.join("; ")];
         if self.failing > 0 {
             let rules: Vec<String> = self

@@ -101,7 +101,7 @@ async def session():
 
 async def test_tools_are_described(tools):
     listed = (await tools.session.list_tools()).tools
-    assert [tool.name for tool in listed] == ["check", "fix", "run", "explain", "port"], listed
+    assert [tool.name for tool in listed] == ["check", "fix", "format", "run", "explain", "port"], listed
     for tool in listed:
         assert tool.description and tool.annotations.title
         for name, schema in tool.input_schema["properties"].items():
@@ -216,6 +216,27 @@ async def test_run_accepts_options(tools):
         "void main() { color = vec4(level); }\n"
     text = await tools.good("run", code=code, uniforms={"level": 0.25})
     assert "mean 0.250" in text, text
+
+
+async def test_format(tools):
+    code = "void mainImage(out vec4 c,in vec2 p){c=vec4(p.x);}\n"
+    formatted = "void mainImage(out vec4 c, in vec2 p) { c = vec4(p.x); }\n"
+    assert await tools.good("format", code=code) == formatted
+    tools.write("a.glsl", code)
+    assert "+void mainImage(out vec4 c, in vec2 p)" in await tools.good("format", path="a.glsl")
+    assert (tools.folder / "a.glsl").read_text() == code
+    await tools.good("format", path="a.glsl", write=True)
+    assert (tools.folder / "a.glsl").read_text() == formatted
+    assert "already formatted" in await tools.good("format", path="a.glsl")
+    assert "unclosed bracket" in await tools.bad("format", code="void main( {")
+    assert "`write` requires `path`" in await tools.bad("format", code=code, write=True)
+
+
+async def test_answers_name_parameters(tools):
+    text = await tools.good("check", code="void mainImage(out vec4 c, in vec2 p) { float x = p; c = vec4(x); }")
+    assert "the parameter `unsafe_fixes` of the tool `fix`" in text and "--" not in text, text
+    for text in ("(((((", "def f(x):\n    return x\n", '{"a": 1}'):
+        await tools.bad("check", code=text)
 
 
 async def test_run_reports_errors(tools):

@@ -288,6 +288,9 @@ pub enum FormatChoice {
     Short,
     /// One line per finding, including its fix, labels and notes
     Agent,
+    /// The same for the answers of `shaderlint mcp`
+    #[value(hide = true)]
+    Tool,
     /// One JSON object
     Json,
     /// One JSON object per line
@@ -325,6 +328,7 @@ impl CheckArgs {
             FormatChoice::Human => Format::Human,
             FormatChoice::Short => Format::Short,
             FormatChoice::Agent => Format::Agent,
+            FormatChoice::Tool => Format::Tool,
             FormatChoice::Json => Format::Json,
             FormatChoice::Jsonl => Format::Jsonl,
             FormatChoice::Sarif => Format::Sarif,

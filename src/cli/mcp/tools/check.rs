@@ -41,7 +41,7 @@ impl Tool for CheckTool {
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
-        let mut args = Args::of(&["--format=agent"]);
+        let mut args = Args::of(&["--format=tool"]);
         args.option("--stdin-filename", self.name);
         args.option("--dialect", self.dialect);
         args.options("--only", &self.only);

@@ -35,7 +35,7 @@ impl Tool for FixTool {
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
-        let mut args = Args::of(&["--format=agent"]);
+        let mut args = Args::of(&["--format=tool"]);
         args.option("--stdin-filename", self.name);
         args.switch("--unsafe-fixes", self.unsafe_fixes);
         match (input, self.write) {

@@ -3,6 +3,7 @@
 mod check;
 mod explain;
 mod fix;
+mod format;
 mod port;
 mod run;
 mod tool;
@@ -12,6 +13,7 @@ use super::command::OwnProgram;
 use check::CheckTool;
 use explain::ExplainTool;
 use fix::FixTool;
+use format::FormatTool;
 use port::PortTool;
 use rmcp::ErrorData;
 use rmcp::handler::server::tool::schema_for_input;
@@ -28,6 +30,7 @@ pub fn all() -> Result<Vec<rmcp::model::Tool>, ErrorData> {
     Ok(vec![
         described::<CheckTool>()?,
         described::<FixTool>()?,
+        described::<FormatTool>()?,
         described::<RunTool>()?,
         described::<ExplainTool>()?,
         described::<PortTool>()?,
@@ -46,6 +49,7 @@ pub async fn call(
     Ok(match name {
         CheckTool::NAME => called::<CheckTool>(arguments, program).await,
         FixTool::NAME => called::<FixTool>(arguments, program).await,
+        FormatTool::NAME => called::<FormatTool>(arguments, program).await,
         RunTool::NAME => called::<RunTool>(arguments, program).await,
         ExplainTool::NAME => called::<ExplainTool>(arguments, program).await,
         PortTool::NAME => called::<PortTool>(arguments, program).await,
