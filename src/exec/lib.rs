@@ -24,8 +24,8 @@ mod vm;
 pub use bytecode::{
     Bytecode, InputSlot, MAX_TRACED, OutputSlot, SamplerSlot, TraceSite, TracedValue, UniformSlot,
 };
-pub use compile::compile;
 pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
+pub use compile::{compile, start};
 pub use draw::{Draw, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};

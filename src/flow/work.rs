@@ -17,6 +17,8 @@ const MOST_OFTEN: f64 = 1e15;
 #[derive(Default, Debug)]
 pub struct Work {
     functions: Vec<Cost>,
+    /// The initial values of globals.
+    globals: Cost,
     /// By loop: iterations of innermost loops per execution.
     loops: Vec<f64>,
     /// By loop: the trip count, if it is known.
@@ -32,6 +34,8 @@ struct Cost {
     size: f64,
     /// Iterations of innermost loops in one call.
     iterations: f64,
+    /// Whether it contains a loop with an unknown trip count.
+    is_guess: bool,
 }
 
 /// A loop on the path to the most expensive code.
@@ -56,6 +60,7 @@ impl Work {
     pub fn of(module: &Module, calls: &Calls, iterations: impl Fn(&Loop) -> Option<u64>) -> Work {
         let mut work = Work {
             functions: vec![Cost::default(); module.functions.len()],
+            globals: Cost::default(),
             loops: vec![0.0; module.loops.len()],
             counts: module.loops.iter().map(iterations).collect(),
         };
@@ -69,7 +74,18 @@ impl Work {
                 *slot = cost;
             }
         }
+        let mut globals = Cost::default();
+        work.region(module, module.globals, 1.0, &mut globals);
+        work.globals = globals;
         work
+    }
+
+    /// Operations of a shader that starts with a function, and whether it never takes more: all
+    /// trip counts are known.
+    pub fn of_shader(&self, entry: FunctionRef) -> (f64, bool) {
+        let (own, globals) = (self.cost(entry), self.globals);
+        let operations = f64::min(own.operations + globals.operations, MOST);
+        (operations, !own.is_guess && !globals.is_guess)
     }
 
     fn cost(&self, function: FunctionRef) -> Cost {
@@ -105,10 +121,8 @@ impl Work {
                     origin,
                     ..
                 } => {
-                    // `?:`, `&&` and `||` count as one operation plus both sides.
-                    if matches!(origin, Provenance::Expr(_)) {
-                        cost.add(1.0, 1.0, times);
-                    }
+                    let own = f64::from(module.step_cost(step));
+                    cost.add(own, own, times);
                     let then = self.region(module, then, times, cost);
                     let otherwise = self.region(module, otherwise, times, cost);
                     match origin {
@@ -132,12 +146,15 @@ impl Work {
             return 0.0;
         };
         let count = self.count(id);
+        cost.is_guess |= count.is_none();
         let inside = f64::min(
             times * count.map_or(UNKNOWN_ITERATIONS, |t| t as f64),
             MOST_OFTEN,
         );
-        let mut iterations = 0.0;
-        for region in [found.test, found.body, found.step] {
+        // The test runs once more, when the loop ends.
+        let tests = f64::min(inside + times, MOST_OFTEN);
+        let mut iterations = self.region(module, found.test, tests, cost);
+        for region in [found.body, found.step] {
             iterations += self.region(module, region, inside, cost);
         }
         let iterations = f64::min(iterations.max(1.0) * count.unwrap_or(1) as f64, MOST);
@@ -153,20 +170,14 @@ impl Work {
 
     /// Adds the cost of an operation. Returns the iterations in the function that it calls.
     fn op(&self, module: &Module, op: OpId, times: f64, cost: &mut Cost) -> f64 {
-        match module.op(op).kind {
-            OpKind::Unary(..)
-            | OpKind::Binary(..)
-            | OpKind::MatrixProduct(..)
-            | OpKind::Same { .. }
-            | OpKind::Select { .. } => cost.add(1.0, 1.0, times),
-            OpKind::Builtin(function, _) => cost.add(function.cost(), function.cost(), times),
-            OpKind::Call(callee, _) => {
-                let callee = self.cost(callee);
-                cost.add(callee.operations, callee.size, times);
-                return callee.iterations;
-            }
-            _ => {}
+        if let OpKind::Call(callee, _) = module.op(op).kind {
+            let callee = self.cost(callee);
+            cost.add(callee.operations, callee.size, times);
+            cost.is_guess |= callee.is_guess;
+            return callee.iterations;
         }
+        let own = f64::from(module.cost(op));
+        cost.add(own, own, times);
         0.0
     }
 

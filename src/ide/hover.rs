@@ -12,7 +12,7 @@ use shaderlint_host::Feed;
 use shaderlint_lint::Facts;
 use shaderlint_port::bindings;
 use shaderlint_semantic::builtins::Builtins;
-use shaderlint_semantic::{BuiltinId, Program, Scalar, Storage, Type, Value};
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Stage, Storage, Type, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId};
 use shaderlint_text::Span;
 
@@ -202,7 +202,10 @@ fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     let work = facts.work();
     let calls = facts.calls().graph().calls_of(id).len();
     let times = match calls {
-        0 if facts.entry() == Some(id) => "runs once per pixel".to_string(),
+        0 if facts.entry() == Some(id) => match program.stage {
+            Stage::Vertex => "runs once per vertex".to_string(),
+            Stage::Fragment => "runs once per pixel".to_string(),
+        },
         0 => "never called".to_string(),
         n => count(n, "call site"),
     };

@@ -5,8 +5,9 @@ use super::hover::operations;
 use super::preview::preview_project;
 use super::run::RunObservations;
 use shaderlint_diagnostic::count;
-use shaderlint_semantic::Scalar;
+use shaderlint_exec::start;
 use shaderlint_semantic::tunable::tunables;
+use shaderlint_semantic::{Scalar, Stage};
 use shaderlint_text::Span;
 
 /// A code lens.
@@ -64,8 +65,9 @@ pub fn lenses(document: &Document, seen: &[Option<RunObservations>]) -> Vec<Lens
             let title = match seen.get(number).and_then(Option::as_ref) {
                 Some(seen) => observed_cost(seen),
                 None => {
-                    let most = facts.work().operations(entry);
-                    format!("estimated: up to {} per pixel", operations(most))
+                    let start = start(program, analysis.module()).unwrap_or(entry);
+                    let (count, is_bound) = facts.work().of_shader(start);
+                    estimated_cost(program.stage, count, is_bound)
                 }
             };
             found.push(Lens {
@@ -105,11 +107,25 @@ pub fn lenses(document: &Document, seen: &[Option<RunObservations>]) -> Vec<Lens
     found
 }
 
+/// The cost of a shader that was not run.
+fn estimated_cost(stage: Stage, count: f64, is_bound: bool) -> String {
+    let count = operations(count);
+    let per = match stage {
+        Stage::Vertex => "vertex",
+        Stage::Fragment => "pixel",
+    };
+    match is_bound {
+        true => format!("estimated: at most {count} per {per}"),
+        false => format!("estimated: {count} per {per}, if loops of unknown length run 8 times"),
+    }
+}
+
 /// The cost of pixels in a sample run.
 fn observed_cost(seen: &RunObservations) -> String {
     let mut title = format!("sample run: {} per pixel", operations(seen.cost.round()));
     if f64::from(seen.most_cost) > seen.cost.round() {
-        title.push_str(&format!(", {} at most", seen.most_cost));
+        let most = operations(f64::from(seen.most_cost));
+        title.push_str(&format!(", at most {most}"));
     }
     if let Some(most) = seen.loops.values().map(|iterations| iterations.most).max() {
         title.push_str(&format!("; loops up to {}", count(most, "iteration")));

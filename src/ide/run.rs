@@ -65,7 +65,7 @@ impl ObservedIterations {
 pub enum FrameCost {
     /// The average number of operations per pixel.
     PerPixel(f64),
-    /// More than the budget of a sample run, at least this many operations per pixel.
+    /// More than the budget of a sample run: more than about this many operations per pixel.
     Exceeded(f64),
     /// The shader cannot be run.
     Unknown,
@@ -84,8 +84,9 @@ pub fn frame_cost(analysis: &Analysis) -> FrameCost {
     match drawn(&scene) {
         Ok(drawn) => FrameCost::PerPixel(drawn.mean_cost()),
         Err(_) => {
+            // An operation takes about four instructions.
             let groups = f64::from(SIZE[0] * SIZE[1]) / LANES as f64;
-            FrameCost::Exceeded(BUDGET as f64 / groups)
+            FrameCost::Exceeded(BUDGET as f64 / groups / 4.0)
         }
     }
 }

@@ -279,3 +279,29 @@ fn a_number_is_grey_and_several_are_colours() {
     assert_eq!(middle("x"), [x, x, x, 1.0]);
     assert_eq!(middle("rgb")[..3], [x, 0.0, 0.5]);
 }
+
+/// The estimated cost of a shader and the most that a pixel takes in a sample run.
+fn costs(code: &str) -> (f64, f64) {
+    let (document, _) = marked(&format!("void main() {{\n|{code}\n}}\n"));
+    let analysis = &document.report.analyses[0];
+    let (estimate, is_bound) = {
+        let facts = analysis.facts();
+        facts.work().of_shader(facts.entry().unwrap())
+    };
+    assert!(is_bound, "{code}");
+    (estimate, f64::from(run(analysis).unwrap().most_cost))
+}
+
+#[test]
+fn estimates_and_runs_count_the_same() {
+    for code in [
+        "color = vec4(sin(gl_FragCoord.x) * 2.0 + gl_FragCoord.y);",
+        "float x = 0.0; for (int i = 0; i < 7; i++) { x += cos(gl_FragCoord.x); } color = vec4(x);",
+        "float x = gl_FragCoord.x; color = vec4(x > -1.0 && x < 1e6 ? x * x : x);",
+    ] {
+        let (estimate, most) = costs(code);
+        assert!(most <= estimate, "{code}: {most} of {estimate}");
+        // All code runs except one side of `?:`.
+        assert!(estimate - most <= 1.0, "{code}: {most} of {estimate}");
+    }
+}

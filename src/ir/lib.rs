@@ -2,6 +2,7 @@
 //! control flow, the input of all analyses, back ends and the bytecode compiler.
 #![cfg_attr(test, allow(clippy::string_slice, clippy::unreachable))]
 
+mod cost;
 pub mod expand;
 mod form;
 mod layout;

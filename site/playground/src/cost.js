@@ -1,7 +1,7 @@
 // Whether a frame may take so long that the browser stops responding.
 
 /** Operations of a frame that a GPU does in some hundredths of a second, and a processor in about one. */
-const MOST = { gpu: 8e9, processor: 4e8 };
+const MOST = { gpu: 3e9, processor: 1.5e8 };
 
 /** What WebGL draws with: a processor, if the browser has no GPU. */
 function renderer() {

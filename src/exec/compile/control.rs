@@ -347,11 +347,8 @@ impl Compiler<'_> {
         if !self.options.cost {
             return;
         }
-        let runs = steps.iter().filter_map(|step| match step {
-            Step::Run(run) => Some(run.len),
-            _ => None,
-        });
-        let cost: u32 = runs.sum();
+        let module = self.module;
+        let cost: u32 = steps.iter().map(|step| module.step_cost(step)).sum();
         if cost > 0 {
             let by = self.frames.last().map_or(0, |f| f.path);
             self.push(Instr::Spend { cost, by });

@@ -38,7 +38,7 @@ pub fn compile(
         what: what.to_string(),
         at: Provenance::Language,
     };
-    let entry = options.entry.or_else(|| entry(program, module));
+    let entry = options.entry.or_else(|| start(program, module));
     let entry = entry.ok_or_else(|| refused("a shader without `main`"))?;
     let functions = callees_first(module, entry).ok_or_else(|| refused("recursion"))?;
     let plan = plan::plan(module, &functions);
@@ -49,7 +49,7 @@ pub fn compile(
 }
 
 /// The entry point: `main` of the shader or its host, else the function that the host calls.
-fn entry(program: &Program, module: &Module) -> Option<FunctionRef> {
+pub fn start(program: &Program, module: &Module) -> Option<FunctionRef> {
     let main = program.names.get("main")?;
     let is_main = |f: &shaderlint_semantic::Function| f.name == main && f.definition.is_some();
     let at = program.functions.iter().position(is_main);
