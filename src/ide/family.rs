@@ -6,7 +6,8 @@ use super::index::{NameUse, Occurrence};
 use super::scripts::{in_scripts, names_file, role};
 use super::symbol::Symbol;
 use shaderlint_engine::Files;
-use shaderlint_semantic::Program;
+use shaderlint_semantic::{Completeness, Program, Resolution};
+use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Span;
 use shaderlint_text::embed::{MentionKind, NameRole};
 use std::collections::{BTreeMap, BTreeSet};
@@ -90,6 +91,8 @@ struct SameWord {
     /// Use, and the index of a document.
     uses: BTreeMap<FileSpan, (NameUse, usize)>,
     rivals: BTreeMap<Rivals, BTreeSet<SymbolOrigin>>,
+    /// Places that need a declaration from elsewhere, with the index of the document.
+    open: BTreeMap<FileSpan, usize>,
     /// The symbols that scripts may set by name, with the indices of documents that declare them.
     inputs: BTreeMap<SymbolOrigin, BTreeSet<usize>>,
 }
@@ -107,6 +110,9 @@ impl SameWord {
                     for occurrence in index.all().iter().filter(same) {
                         found.add(reading, program, *occurrence, number, key);
                     }
+                    let places = unresolved(program, word).into_iter();
+                    let places = places.filter_map(|span| reading.place(span));
+                    found.open.extend(places.map(|place| (place, number)));
                 }
             }
         }
@@ -180,6 +186,27 @@ impl SameWord {
     }
 }
 
+/// The uses of a word that no declaration explains.
+fn unresolved(program: &Program, word: &str) -> Vec<Span> {
+    let Some(name) = program.names.get(word) else {
+        return Vec::new();
+    };
+    let exprs = program.tree.exprs.iter().zip(0..);
+    let is_it = |kind: &ExprKind| match kind {
+        ExprKind::Name(used) | ExprKind::Call(used, _) => *used == name,
+        _ => false,
+    };
+    let open = exprs.filter(|(expr, id)| {
+        is_it(&expr.kind) && program.expr(ExprId(*id)).resolution == Resolution::None
+    });
+    let spans = open.filter_map(|(expr, _)| {
+        let token = program.token(expr.extent.first)?;
+        let span = Span::new(token.spelled, token.spelled + word.len() as u32);
+        (program.is_user(span) && program.sources.text(span) == word).then_some(span)
+    });
+    spans.collect()
+}
+
 /// What two globals of the same name have in common that cannot exist at the same time.
 fn form(program: &Program, symbol: Symbol) -> Option<String> {
     match symbol {
@@ -203,6 +230,14 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
     let word = here.text();
     let same = SameWord::of(documents, word, files);
     let mut family = same.family(BTreeSet::from([here.origin()]));
+    // Whoever completes a fragment may put it together with others.
+    if here.spot.analysis.completeness != Completeness::Complete {
+        let open = same.open.iter();
+        let open = open.filter(|(place, _)| !same.compiled.contains_key(*place));
+        let unclear =
+            |(place, at): (&FileSpan, &usize)| (place.clone(), (MentionKind::Unclear, *at));
+        family.mentions.extend(open.map(unclear));
+    }
     let role = role(here.spot.program(), here.name.symbol);
     let scripts = documents.iter().enumerate();
     let scripts = scripts.map(|(i, document)| (i, in_scripts(document, word, role)));
@@ -215,7 +250,10 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
         if role == NameRole::Inner || all.is_subset(&family.origins) {
             break;
         }
-        family = same.family(family.origins.union(&all).cloned().collect());
+        family = NameFamily {
+            mentions: family.mentions,
+            ..same.family(family.origins.union(&all).cloned().collect())
+        };
     }
     for (i, found) in scripts {
         let Some(document) = documents.get(i) else {

@@ -381,3 +381,17 @@ def a_varying_is_renamed_in_stages_that_are_paired_by_name(case):
     fragment = case.write("fragment.glsl", FRAGMENT)
     after = renamed(client, vertex, vertex["v"], "vPlace")
     same(after, {s.uri: s.text.replace("vUv", "vPlace") for s in (vertex, fragment)}, "the texts")
+
+
+@test
+def a_fragment_that_may_use_the_name_is_a_reason(case):
+    client = case.client()
+    first = case.write("noise.glsl", "float «fn»noise2(vec2 p) { return fract(p.x * seed); }\n").open(client)
+    case.write("clouds.glsl", "float clouds(vec2 p) {\n    return noise2(p) * 2.0;\n}\n")
+    error = refusal(lambda: client.at(first.uri, first["fn"], "textDocument/rename", newName="grain"))
+    contains(error.message, "line 2 of `clouds.glsl` may refer to `noise2`", "the reason")
+    # Nobody completes a complete shader.
+    own = case.write("whole.frag", HEAD + "out vec4 color;\nfloat «fn»noise2(vec2 p) { return p.x; }\n"
+                     "void main() { color = vec4(noise2(vec2(1.0))); }\n").open(client)
+    after = renamed(client, own, own["fn"], "grain")
+    same(after, {own.uri: own.text.replace("noise2", "grain")}, "the texts")

@@ -113,8 +113,8 @@ impl MovedFile<'_> {
         let file = Path::new(self.name);
         let is_relative = file.parent() == Some(folder);
         let own = self.moves.after(file);
-        let is_moved = self.moves.after(target) != target;
-        if !is_moved && !(is_relative && own.parent() != file.parent()) {
+        let is_elsewhere = is_relative && own.parent() != file.parent();
+        if self.moves.after(target) == target && !is_elsewhere {
             return None;
         }
         let rest = named.trim_start_matches(['/', '~']);
