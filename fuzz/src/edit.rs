@@ -104,14 +104,14 @@ fn at_place(document: &Document, at: u32) {
     let (word, _) = complete(document, at, &NoFiles);
     assert!(is_inside(document, word) && word.end == at, "{word:?}");
     for find in [definition, declaration, type_definition] {
-        if let Some(place) = find(document, at) {
+        if let Some(place) = find(document, at, &NoFiles) {
             assert!(is_inside(document, place.span), "{place:?}");
         }
     }
-    for (span, _) in highlights(document, at) {
+    for (span, _) in highlights(document, at, &NoFiles) {
         assert!(is_inside(document, span), "{span:?}");
     }
-    for (place, _) in references(&[document], document, at) {
+    for (place, _) in references(&[document], document, at, &NoFiles) {
         assert!(is_inside(document, place.span), "{place:?}");
     }
     signature_help(document, at);
@@ -140,7 +140,7 @@ fn is_free(name: &str) -> bool {
 /// Renaming keeps the number of uses, and renaming back restores the text.
 fn renames(document: &Document, at: u32) {
     const NEW: &str = "renamedByFuzz";
-    let Ok((span, old)) = may_rename(document, at) else {
+    let Ok((span, old)) = may_rename(document, at, &NoFiles) else {
         return;
     };
     assert!(is_inside(document, span));

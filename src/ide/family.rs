@@ -4,8 +4,9 @@
 use super::document::{Document, FileSpan, Spot, SymbolOrigin};
 use super::index::{NameUse, Occurrence};
 use super::scripts::{in_scripts, names_file, role};
-use super::symbol::Symbol;
+use super::symbol::{Symbol, SymbolKind};
 use shaderlint_engine::Files;
+use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Completeness, Program, Resolution};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Span;
@@ -192,8 +193,10 @@ fn unresolved(program: &Program, word: &str) -> Vec<Span> {
         return Vec::new();
     };
     let exprs = program.tree.exprs.iter().zip(0..);
+    let built_in = Builtins::of(program.version, program.stage).function(word);
     let is_it = |kind: &ExprKind| match kind {
-        ExprKind::Name(used) | ExprKind::Call(used, _) => *used == name,
+        ExprKind::Name(used) => *used == name,
+        ExprKind::Call(used, _) => *used == name && built_in.is_none(),
         _ => false,
     };
     let open = exprs.filter(|(expr, id)| {
@@ -230,8 +233,7 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
     let word = here.text();
     let same = SameWord::of(documents, word, files);
     let mut family = same.family(BTreeSet::from([here.origin()]));
-    // Whoever completes a fragment may put it together with others.
-    if here.spot.analysis.completeness != Completeness::Complete {
+    if may_be_used_elsewhere(here) {
         let open = same.open.iter();
         let open = open.filter(|(place, _)| !same.compiled.contains_key(*place));
         let unclear =
@@ -266,11 +268,30 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
         };
         for (span, kind) in found {
             let path = document.path.clone();
-            let kind = if is_sure { kind } else { MentionKind::Unclear };
+            // A property of a script that names no shader is hardly an input of one.
+            let kind = match kind {
+                MentionKind::Unclear if !is_sure => continue,
+                kind if is_sure => kind,
+                _ => MentionKind::Unclear,
+            };
             family.mentions.insert(FileSpan { path, span }, (kind, i));
         }
     }
     family
+}
+
+/// Whether texts that name nothing of this shader may refer to its symbol: whoever completes a
+/// fragment may put it together with others, at its end or where it includes something.
+fn may_be_used_elsewhere(here: &NameHere) -> bool {
+    let (analysis, program) = (here.spot.analysis, here.spot.program());
+    if analysis.completeness == Completeness::Complete {
+        return false;
+    }
+    match here.name.symbol.kind(program) {
+        SymbolKind::Field => false,
+        SymbolKind::Local | SymbolKind::Parameter => analysis.user_code().contains("#include"),
+        _ => true,
+    }
 }
 
 /// Whether a script uses the shaders of a family.
@@ -314,10 +335,10 @@ impl SameWord {
     }
 }
 
-/// Whether a document contains the shader of another one, or names its file.
+/// Whether a script is in the same file as a shader, or one of both names the other's file.
 fn uses(documents: &[&Document], script: usize, other: usize) -> bool {
     let (Some(script), Some(other)) = (documents.get(script), documents.get(other)) else {
         return false;
     };
-    script.path == other.path || names_file(script, &other.path)
+    script.path == other.path || names_file(script, &other.path) || names_file(other, &script.path)
 }

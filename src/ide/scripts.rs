@@ -53,8 +53,11 @@ pub fn in_scripts(document: &Document, name: &str, role: NameRole) -> Vec<(Span,
     spans.collect()
 }
 
-/// Whether the code of a document names a file.
+/// Whether a document names a file; in strings, without its extension too.
 pub fn names_file(document: &Document, path: &str) -> bool {
     let name = path.rsplit('/').next().unwrap_or(path);
-    document.path != path && document.text.contains(name)
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let imports = |quote: char| document.text.contains(&format!("/{stem}{quote}"));
+    let text = &document.text;
+    document.path != path && (text.contains(name) || ['\'', '"', '`'].into_iter().any(imports))
 }
