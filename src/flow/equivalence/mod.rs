@@ -1,0 +1,141 @@
+//! Proves that two versions of a shader compute the same: their IR is equal after inlining the
+//! functions that only one has, and after value numbering.
+//!
+//! Functions that both have are compared one by one, with calls of each other as they are. A
+//! function is evaluated symbolically: variables become values, so that names, temporaries and the
+//! order of independent operations do not matter. What remains is compared: results, `discard`,
+//! loops, jumps, calls with side effects, and where derivatives are taken.
+
+mod control;
+mod evaluate;
+mod nodes;
+
+use super::effects::Effects;
+use evaluate::Evaluation;
+use nodes::{NodeId, Nodes};
+use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_ir::{Module, Root};
+use shaderlint_semantic::{FunctionRef, Program, Value, VariableId};
+
+/// One version of a shader.
+#[derive(Clone, Copy)]
+pub struct ShaderVersion<'a> {
+    /// The checked program.
+    pub program: &'a Program,
+    /// Its IR.
+    pub module: &'a Module,
+    /// Its side effects.
+    pub effects: &'a Effects,
+}
+
+/// A global variable that keeps its value between functions.
+struct SharedGlobal<'a> {
+    name: &'a str,
+    id: VariableId,
+}
+
+impl<'a> ShaderVersion<'a> {
+    fn name(&self, id: VariableId) -> &'a str {
+        let variable = self.program.variable(id);
+        variable.map_or("", |v| self.program.names.text(v.name))
+    }
+
+    fn is_const(&self, id: VariableId) -> bool {
+        self.program.variable(id).is_some_and(|v| v.is_const)
+    }
+
+    /// The global variables and outputs that may change, by name.
+    fn shared(&self) -> Vec<SharedGlobal<'a>> {
+        let ids = (0..self.module.variables.len() as u32).map(VariableId);
+        let is_shared = |id: &VariableId| {
+            let root = self.module.variable(*id).map(|v| v.root);
+            matches!(root, Some(Root::Global | Root::Output)) && !self.is_const(*id)
+        };
+        let mut all: Vec<SharedGlobal> = ids
+            .filter(is_shared)
+            .map(|id| SharedGlobal {
+                name: self.name(id),
+                id,
+            })
+            .collect();
+        all.sort_by_key(|g| g.name);
+        all
+    }
+
+    /// The functions that are defined, by name and type.
+    fn functions(&self) -> FxHashMap<String, FunctionRef> {
+        let all = (0..).map(FunctionRef).zip(&self.program.functions);
+        let defined = all.filter(|(_, f)| f.definition.is_some());
+        let signature = |f: &shaderlint_semantic::Function| {
+            let ty = |ty| self.program.type_name(ty);
+            let params = f.params.iter();
+            let params = params.map(|p| format!("{} {}", p.direction.name(), ty(p.ty)));
+            let params: Vec<String> = params.collect();
+            let name = self.program.names.text(f.name);
+            format!("{} {name}({})", ty(f.returns), params.join(", "))
+        };
+        defined.map(|(id, f)| (signature(f), id)).collect()
+    }
+}
+
+/// Whether two versions of a shader compute the same. In `given`, a uniform of the later version has
+/// a value. `false` means that no proof was found.
+pub fn is_equivalent(
+    before: ShaderVersion,
+    after: ShaderVersion,
+    given: Option<(&str, &[Value])>,
+) -> bool {
+    let (ours, theirs) = (before.functions(), after.functions());
+    let common: FxHashSet<&str> = ours
+        .keys()
+        .filter(|s| theirs.contains_key(*s))
+        .map(String::as_str)
+        .collect();
+    let entry = |side: &ShaderVersion, of: &FxHashMap<String, FunctionRef>| {
+        let entry = side.module.entry?;
+        let found = of.iter().find(|(_, id)| **id == entry)?;
+        Some(found.0.clone())
+    };
+    if entry(&before, &ours) != entry(&after, &theirs) {
+        return false;
+    }
+    let names = |side: &ShaderVersion| {
+        let all = side.shared().into_iter();
+        all.map(|g| g.name.to_string()).collect::<Vec<_>>()
+    };
+    if names(&before) != names(&after) {
+        return false;
+    }
+    let mut nodes = Nodes::default();
+    let of = |functions: &FxHashMap<String, FunctionRef>| {
+        let called = functions
+            .iter()
+            .filter(|(s, _)| common.contains(s.as_str()));
+        called.map(|(s, id)| (*id, s.clone())).collect()
+    };
+    let first = results(&mut nodes, before, of(&ours), None);
+    let second = results(&mut nodes, after, of(&theirs), given);
+    first.is_some() && first == second
+}
+
+/// By function: what it computes, after the initial values of global variables. `None` if there is
+/// no answer.
+fn results(
+    nodes: &mut Nodes,
+    side: ShaderVersion,
+    called: FxHashMap<FunctionRef, String>,
+    given: Option<(&str, &[Value])>,
+) -> Option<Vec<NodeId>> {
+    let mut all: Vec<(&String, &FunctionRef)> = called.iter().map(|(id, s)| (s, id)).collect();
+    all.sort_unstable();
+    let all: Vec<FunctionRef> = all.into_iter().map(|(_, id)| *id).collect();
+    let mut evaluation = Evaluation::new(nodes, side, called, given);
+    let mut results = evaluation.globals()?;
+    for id in all {
+        results.push(evaluation.function(id)?);
+    }
+    Some(results)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,181 @@
+use super::*;
+use crate::test_shader::checked;
+use crate::{Calls, Writes};
+use shaderlint_ir::lower;
+use shaderlint_semantic::{Mentions, Structure};
+
+const MAIN: &str = "void mainImage(out vec4 c, in vec2 p) {";
+
+/// Whether two bodies, each after code of its own, are proved to be equivalent.
+#[track_caller]
+fn check(before: [&str; 2], after: [&str; 2], expected: bool) {
+    let texts = [before, after].map(|[code, body]| format!("{code}\n{MAIN}\n{body}\n}}\n"));
+    let checked = texts.each_ref().map(|text| checked(text));
+    let modules = checked.each_ref().map(|c| lower(&c.program));
+    let effects: Vec<Effects> = checked
+        .iter()
+        .zip(&modules)
+        .map(|(c, module)| {
+            let program = &c.program;
+            let writes = Writes::of(program, module, &Mentions::of(program));
+            let calls = Calls::of(module);
+            Effects::of(program, module, &Structure::of(program), &calls, &writes)
+        })
+        .collect();
+    let version = |at: usize| ShaderVersion {
+        program: &checked[at].program,
+        module: &modules[at],
+        effects: &effects[at],
+    };
+    let found = is_equivalent(version(0), version(1), None);
+    assert_eq!(found, expected, "{}\n{}", texts[0], texts[1]);
+}
+
+#[test]
+fn variables_are_values() {
+    check(
+        ["", "c = vec4(sin(p.x * 2.0) + p.y);"],
+        [
+            "",
+            "float a = p.x * 2.0; float b = sin(a); c = vec4(b + p.y);",
+        ],
+        true,
+    );
+    check(
+        ["", "c = vec4(sin(p.x * 2.0));"],
+        ["", "c = vec4(sin(p.x * 2.5));"],
+        false,
+    );
+    // The value between two writes.
+    check(
+        ["", "float x = p.x; x += 1.0; c = vec4(x * 2.0); x = 0.0;"],
+        [
+            "",
+            "float x = p.x; x += 1.0; float v = x * 2.0; x = 0.0; c = vec4(v);",
+        ],
+        true,
+    );
+    check(
+        ["", "float x = p.x; x += 1.0; c = vec4(x * 2.0);"],
+        [
+            "",
+            "float x = p.x; float v = x * 2.0; x += 1.0; c = vec4(v);",
+        ],
+        false,
+    );
+    // Constants are folded.
+    check(
+        ["", "float k = 2.0; c = vec4(k * 3.0 * p.x);"],
+        ["", "c = vec4(2.0 * 3.0 * p.x);"],
+        true,
+    );
+}
+
+#[test]
+fn functions_of_one_version_are_inlined() {
+    check(
+        ["", "float d = p.x; d *= 2.0; d += p.y; c = vec4(d);"],
+        [
+            "void f(inout float d, vec2 p) { d *= 2.0; d += p.y; }",
+            "float d = p.x; f(d, p); c = vec4(d);",
+        ],
+        true,
+    );
+    check(
+        [
+            "",
+            "float d = 0.0; for (int i = 0; i < 4; i++) { d += p.x; if (d > 2.0) break; } c = vec4(d);",
+        ],
+        [
+            "float f(vec2 p) { float d = 0.0; for (int i = 0; i < 4; i++) { d += p.x; if (d > 2.0) break; } return d; }",
+            "float d = f(p); c = vec4(d);",
+        ],
+        true,
+    );
+    check(
+        ["float g = 1.0;", "g += p.x; c = vec4(g);"],
+        [
+            "float g = 1.0; float f(float x) { g = 2.0; return x; }",
+            "g += f(p.x); c = vec4(g);",
+        ],
+        false,
+    );
+}
+
+#[test]
+fn loops_are_compared() {
+    let around = |body: &str| {
+        format!("float t = 0.0; for (int i = 0; i < 9; i++) {{ {body} }} c = vec4(t);")
+    };
+    let [first, second, third, fourth] = [
+        "float d = length(p * t); t += d; if (d < 0.1) break;",
+        "float k = length(p * t); float d = k; t += d; if (d < 0.1) break;",
+        "float d = length(p * t); if (d < 0.1) break; t += d;",
+        "float d = length(p * t); t += d; if (d < 0.2) break;",
+    ]
+    .map(around);
+    check(["", &first], ["", &second], true);
+    check(["", &first], ["", &third], false);
+    check(["", &first], ["", &fourth], false);
+    // A value that does not change is the same before the loop; one that changes is not.
+    check(
+        [
+            "",
+            "float t = 1.0; for (int i = 0; i < 9; i++) t += p.x * 2.0; c = vec4(t);",
+        ],
+        [
+            "",
+            "float t = 1.0; float v = p.x * 2.0; for (int i = 0; i < 9; i++) t += v; c = vec4(t);",
+        ],
+        true,
+    );
+    check(
+        [
+            "",
+            "float t = 1.0; for (int i = 0; i < 9; i++) t += t * 2.0; c = vec4(t);",
+        ],
+        [
+            "",
+            "float t = 1.0; float v = t * 2.0; for (int i = 0; i < 9; i++) t += v; c = vec4(t);",
+        ],
+        false,
+    );
+}
+
+/// Derivatives depend on the control flow around them, as do side effects.
+#[test]
+fn positions_matter_for_derivatives_and_effects() {
+    let lookup = "texture(iChannel0, p).x";
+    check(
+        [
+            "",
+            &format!("float x = 0.0; if (p.x > 1.0) x = {lookup}; c = vec4(x);"),
+        ],
+        [
+            "",
+            &format!("float x = 0.0; float v = {lookup}; if (p.x > 1.0) x = v; c = vec4(x);"),
+        ],
+        false,
+    );
+    check(
+        ["", &format!("c = vec4(p.x + {lookup});")],
+        ["", &format!("float v = {lookup}; c = vec4(p.x + v);")],
+        true,
+    );
+    check(
+        ["", "if (p.x > 1.0) discard; c = vec4(1.0);"],
+        ["", "if (p.x > 2.0) discard; c = vec4(1.0);"],
+        false,
+    );
+    let count = "float n = 0.0; float f() { n += 1.0; return n; }";
+    check(
+        [count, "float a = f(); float b = f(); c = vec4(a - b);"],
+        [count, "float b = f(); float a = f(); c = vec4(a - b);"],
+        false,
+    );
+    check(
+        [count, "c = vec4(f() + f());"],
+        [count, "float v = f(); c = vec4(v + v);"],
+        false,
+    );
+}
