@@ -4,7 +4,7 @@ use super::nodes::{NodeId, NodeTag, Nodes, PathStep};
 use super::{ShaderVersion, SharedGlobal};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Access, Module, OpId, OpKind, Place, PlaceId, Root};
-use shaderlint_semantic::{FunctionRef, Type, Value, VariableId};
+use shaderlint_semantic::{FunctionRef, Type, VariableId};
 
 /// Maximum number of operations that are evaluated.
 const MAX_OPS: u32 = 2_000_000;
@@ -46,7 +46,6 @@ pub(super) struct Evaluation<'n, 'a> {
     /// The functions whose calls are not inlined, with their signatures.
     called: FxHashMap<FunctionRef, String>,
     shared: Vec<SharedGlobal<'a>>,
-    given: Option<(String, Vec<Value>)>,
     /// Values of constants.
     constants: VariableValues,
     pub values: VariableValues,
@@ -65,7 +64,6 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         nodes: &'n mut Nodes,
         side: ShaderVersion<'a>,
         called: FxHashMap<FunctionRef, String>,
-        given: Option<(&str, &[Value])>,
     ) -> Evaluation<'n, 'a> {
         let start = nodes.add(NodeTag::Start, Type::VOID, Vec::new());
         Evaluation {
@@ -74,7 +72,6 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             module: side.module,
             called,
             shared: side.shared(),
-            given: given.map(|(name, values)| (name.to_string(), values.to_vec())),
             constants: VariableValues::default(),
             values: VariableValues::default(),
             effects: Vec::new(),
@@ -127,6 +124,11 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             function: Some(id),
             ..CallFrame::default()
         };
+        // All ways to a position have a value for each of them.
+        for (call, id) in self.shared_keys() {
+            let value = self.whole(call, id);
+            self.values.insert((call, id), value);
+        }
         for (number, parameter) in (0..).zip(self.module.parameters(function)) {
             let variable = self.module.variable(*parameter)?;
             let tag = match variable.root {
@@ -185,12 +187,6 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         let variable = self.module.variable(id);
         let ty = variable.map_or(Type::ERROR, |v| v.ty);
         let name = self.side.name(id);
-        if let Some((given, values)) = &self.given
-            && given == name
-            && variable.is_some_and(|v| v.root == Root::Uniform)
-        {
-            return self.nodes.constant(values, ty);
-        }
         let tag = match variable.is_some_and(|v| v.function.is_some()) {
             true => NodeTag::Undef,
             false => NodeTag::Entry(name.to_string()),

@@ -15,7 +15,7 @@ use evaluate::Evaluation;
 use nodes::{NodeId, Nodes};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{Module, Root};
-use shaderlint_semantic::{FunctionRef, Program, Value, VariableId};
+use shaderlint_semantic::{FunctionRef, Program, VariableId};
 
 /// One version of a shader.
 #[derive(Clone, Copy)]
@@ -78,13 +78,8 @@ impl<'a> ShaderVersion<'a> {
     }
 }
 
-/// Whether two versions of a shader compute the same. In `given`, a uniform of the later version has
-/// a value. `false` means that no proof was found.
-pub fn is_equivalent(
-    before: ShaderVersion,
-    after: ShaderVersion,
-    given: Option<(&str, &[Value])>,
-) -> bool {
+/// Whether two versions of a shader compute the same. `false` means that no proof was found.
+pub fn is_equivalent(before: ShaderVersion, after: ShaderVersion) -> bool {
     let (ours, theirs) = (before.functions(), after.functions());
     let common: FxHashSet<&str> = ours
         .keys()
@@ -106,16 +101,28 @@ pub fn is_equivalent(
     if names(&before) != names(&after) {
         return false;
     }
-    let mut nodes = Nodes::default();
-    let of = |functions: &FxHashMap<String, FunctionRef>| {
-        let called = functions
-            .iter()
-            .filter(|(s, _)| common.contains(s.as_str()));
-        called.map(|(s, id)| (*id, s.clone())).collect()
+    let compare = |is_inlined: &dyn Fn(&str) -> bool| {
+        let mut nodes = Nodes::default();
+        let of = |functions: &FxHashMap<String, FunctionRef>| {
+            let mut all: Vec<(String, FunctionRef)> = functions
+                .iter()
+                .filter(|(s, _)| common.contains(s.as_str()))
+                .map(|(s, id)| (s.clone(), *id))
+                .collect();
+            all.sort_unstable();
+            all
+        };
+        let first = results(&mut nodes, before, of(&ours), is_inlined);
+        let second = results(&mut nodes, after, of(&theirs), is_inlined);
+        first.is_some() && first == second
     };
-    let first = results(&mut nodes, before, of(&ours), None);
-    let second = results(&mut nodes, after, of(&theirs), given);
-    first.is_some() && first == second
+    // A call that only one version has may be written as the body of its function.
+    let calls = |side: &ShaderVersion, id| {
+        let all = side.program.calls.iter();
+        all.filter(|call| Some(&call.callee) == id).count()
+    };
+    let differs = |s: &str| calls(&before, ours.get(s)) != calls(&after, theirs.get(s));
+    compare(&|_| false) || common.iter().any(|s| differs(s)) && compare(&differs)
 }
 
 /// By function: what it computes, after the initial values of global variables. `None` if there is
@@ -123,15 +130,14 @@ pub fn is_equivalent(
 fn results(
     nodes: &mut Nodes,
     side: ShaderVersion,
-    called: FxHashMap<FunctionRef, String>,
-    given: Option<(&str, &[Value])>,
+    functions: Vec<(String, FunctionRef)>,
+    is_inlined: &dyn Fn(&str) -> bool,
 ) -> Option<Vec<NodeId>> {
-    let mut all: Vec<(&String, &FunctionRef)> = called.iter().map(|(id, s)| (s, id)).collect();
-    all.sort_unstable();
-    let all: Vec<FunctionRef> = all.into_iter().map(|(_, id)| *id).collect();
-    let mut evaluation = Evaluation::new(nodes, side, called, given);
+    let called = functions.iter().filter(|(s, _)| !is_inlined(s));
+    let called = called.map(|(s, id)| (*id, s.clone())).collect();
+    let mut evaluation = Evaluation::new(nodes, side, called);
     let mut results = evaluation.globals()?;
-    for id in all {
+    for (_, id) in functions {
         results.push(evaluation.function(id)?);
     }
     Some(results)

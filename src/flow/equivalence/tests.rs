@@ -27,7 +27,7 @@ fn check(before: [&str; 2], after: [&str; 2], expected: bool) {
         module: &modules[at],
         effects: &effects[at],
     };
-    let found = is_equivalent(version(0), version(1), None);
+    let found = is_equivalent(version(0), version(1));
     assert_eq!(found, expected, "{}\n{}", texts[0], texts[1]);
 }
 
@@ -102,6 +102,22 @@ fn functions_of_one_version_are_inlined() {
     );
 }
 
+/// Both have the function, but only one calls it.
+#[test]
+fn calls_are_inlined_where_only_one_version_has_them() {
+    let twice = "float twice(float x) { return x + x; }";
+    check(
+        [twice, "c = vec4(twice(p.x * 2.0) + twice(p.y));"],
+        [twice, "c = vec4(p.x * 2.0 + p.x * 2.0 + twice(p.y));"],
+        true,
+    );
+    check(
+        [twice, "c = vec4(twice(p.x * 2.0) + twice(p.y));"],
+        [twice, "c = vec4(p.x * 2.0 + p.x + twice(p.y));"],
+        false,
+    );
+}
+
 #[test]
 fn loops_are_compared() {
     let around = |body: &str| {
@@ -158,6 +174,11 @@ fn positions_matter_for_derivatives_and_effects() {
         false,
     );
     check(
+        ["", "vec4 a = texture(iChannel0, p); if (p.x > 1.0) c = a;"],
+        ["", "if (p.x > 1.0) c = texture(iChannel0, p);"],
+        false,
+    );
+    check(
         ["", &format!("c = vec4(p.x + {lookup});")],
         ["", &format!("float v = {lookup}; c = vec4(p.x + v);")],
         true,
@@ -171,6 +192,13 @@ fn positions_matter_for_derivatives_and_effects() {
     check(
         [count, "float a = f(); float b = f(); c = vec4(a - b);"],
         [count, "float b = f(); float a = f(); c = vec4(a - b);"],
+        false,
+    );
+    // A global variable that only one branch writes.
+    let set = "float n = 0.0; void f(float x) { if (x > 1.0) n = x; }";
+    check(
+        [set, "f(p.x); c = vec4(n);"],
+        [&set.replace("n = x", "n = x * 2.0"), "f(p.x); c = vec4(n);"],
         false,
     );
     check(
