@@ -1,7 +1,7 @@
 //! Evaluates a function symbolically.
 
 use super::nodes::{NodeId, NodeTag, Nodes, PathStep};
-use super::{ShaderVersion, SharedGlobal};
+use super::version::{ShaderVersion, SharedGlobal};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Access, Module, OpId, OpKind, Place, PlaceId, Root};
 use shaderlint_semantic::{FunctionRef, Type, VariableId};

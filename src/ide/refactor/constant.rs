@@ -1,7 +1,7 @@
 //! Gives a constant expression a global name, which may have a slider.
 
 use super::place::RefactorPlace;
-use super::{Proposal, RefactorKind};
+use super::proposal::{Proposal, RefactorKind};
 use crate::symbol::typed;
 use shaderlint_semantic::Value;
 use shaderlint_syntax::ast::*;

@@ -1,7 +1,7 @@
 //! Writes a macro as a constant, and a constant as a macro.
 
 use super::place::RefactorPlace;
-use super::{Proposal, RefactorKind};
+use super::proposal::{Proposal, RefactorKind};
 use crate::symbol::{Symbol, typed};
 use shaderlint_semantic::Type;
 use shaderlint_syntax::Name;

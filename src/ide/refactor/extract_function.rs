@@ -1,7 +1,7 @@
 //! Moves an expression, or statements, to a new function.
 
 use super::place::RefactorPlace;
-use super::{Proposal, RefactorKind};
+use super::proposal::{Proposal, RefactorKind};
 use crate::symbol::typed;
 use shaderlint_semantic::{Direction, FunctionRef, Storage, VariableId};
 use shaderlint_syntax::ast::*;

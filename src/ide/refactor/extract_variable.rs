@@ -1,7 +1,7 @@
 //! Gives an expression a name: `f(a + b)` becomes `float value = a + b; f(value)`.
 
 use super::place::{InsertionPoint, RefactorPlace};
-use super::{Proposal, RefactorKind};
+use super::proposal::{Proposal, RefactorKind};
 use crate::symbol::typed;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;

@@ -2,7 +2,7 @@
 
 use super::inline_variable::with_line;
 use super::place::RefactorPlace;
-use super::{Proposal, RefactorKind};
+use super::proposal::{Proposal, RefactorKind};
 use crate::index::NameUse;
 use crate::symbol::Symbol;
 use shaderlint_semantic::{FunctionRef, Resolution, starts_a_shader};

@@ -1,7 +1,7 @@
 //! Replaces a variable that is written once with its value.
 
 use super::place::RefactorPlace;
-use super::{Proposal, RefactorKind};
+use super::proposal::{Proposal, RefactorKind};
 use shaderlint_text::{Edit, Span};
 
 pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {

@@ -2,7 +2,7 @@
 
 use super::inline_variable::with_line;
 use super::place::RefactorPlace;
-use super::{NewFile, Proposal, RefactorKind};
+use super::proposal::{NewFile, Proposal, RefactorKind};
 use crate::index::NameUse;
 use crate::symbol::Symbol;
 use shaderlint_semantic::starts_a_shader;

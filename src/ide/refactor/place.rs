@@ -1,6 +1,6 @@
 //! The selected code, and how text is inserted around it.
 
-use super::super::document::Document;
+use crate::document::Document;
 use shaderlint_engine::Files;
 use shaderlint_lint::Facts;
 use shaderlint_semantic::{FunctionRef, Program, VariableId};

@@ -1,7 +1,7 @@
 //! Converts a complete shader of GLSL ES 1.00 to GLSL ES 3.00.
 
 use super::place::RefactorPlace;
-use super::{Evidence, Proposal, RefactorKind};
+use super::proposal::{Evidence, Proposal, RefactorKind};
 use shaderlint_semantic::{Dialect, upgrade};
 use shaderlint_syntax::Version;
 

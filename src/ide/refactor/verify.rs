@@ -1,8 +1,8 @@
 //! Checks the text after a refactoring.
 
-use super::super::document::Document;
 use super::place::RefactorPlace;
-use super::{Evidence, NewFile, Proposal, Refactoring};
+use super::proposal::{Evidence, NewFile, Proposal, Refactoring};
+use crate::document::Document;
 use shaderlint_diagnostic::{Origin, Severity};
 use shaderlint_engine::{Analysis, FileType, Files, LoadError, equal};
 use shaderlint_exec::Equality;
