@@ -1,9 +1,9 @@
 //! Evaluates control flow: what follows depends on all ways that lead there.
 
-use super::evaluate::{CallFrame, CallVariable, Evaluation, Exits, VariableValues};
+use super::evaluate::{CallFrame, CallVariable, Evaluation, Exits, MAX_INLINED, VariableValues};
 use super::nodes::{Meeting, NodeId, NodeTag};
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{CaseLabel, Loop, LoopId, OpId, OpKind, Region, Step, Switch};
+use shaderlint_ir::{CaseLabel, Loop, LoopId, OpId, OpKind, Region, Run, Step, Switch};
 use shaderlint_semantic::{Type, VariableId};
 use std::collections::BTreeSet;
 
@@ -174,19 +174,35 @@ impl Evaluation<'_, '_> {
         Some(values)
     }
 
-    /// The variables that a loop may change, in the order of their names.
-    fn carried(&mut self, looped: &Loop, number: u32, frame: &CallFrame) -> Vec<CarriedVariable> {
-        let mut keys: BTreeSet<CallVariable> = BTreeSet::new();
-        for op in looped.ops.ops() {
+    /// Collects the variables that operations may change.
+    fn changed(&self, ops: Run, call: u32, depth: u32, keys: &mut BTreeSet<CallVariable>) {
+        for op in ops.ops() {
             match self.module.op(op).kind {
                 OpKind::Store(place, _) => {
                     let variable = self.module.place(place).variable;
-                    keys.insert(self.key(variable, frame));
+                    keys.insert(self.key(variable, call));
                 }
-                OpKind::Call(..) => keys.extend(self.shared_keys()),
+                OpKind::Call(callee, _) => match self.is_pure(callee) {
+                    Some(true) => {}
+                    Some(false) => keys.extend(self.shared_keys()),
+                    // Its own variables begin at its call.
+                    None if depth < MAX_INLINED => {
+                        let function = self.module.function(callee);
+                        if let Some(function) = function {
+                            self.changed(function.ops, u32::MAX, depth + 1, keys);
+                        }
+                    }
+                    None => {}
+                },
                 _ => {}
             }
         }
+    }
+
+    /// The variables that a loop may change, in the order of their names.
+    fn carried(&mut self, looped: &Loop, number: u32, frame: &CallFrame) -> Vec<CarriedVariable> {
+        let mut keys: BTreeSet<CallVariable> = BTreeSet::new();
+        self.changed(looped.ops, frame.number, 0, &mut keys);
         let mut same: FxHashMap<&str, u32> = FxHashMap::default();
         let mut all = Vec::new();
         for key in keys {

@@ -9,6 +9,9 @@ use shaderlint_semantic::{FunctionRef, Type, VariableId};
 /// Maximum number of operations that are evaluated.
 const MAX_OPS: u32 = 2_000_000;
 
+/// Maximum number of nested calls that are inlined.
+pub(super) const MAX_INLINED: u32 = 32;
+
 /// A variable of one call; globals belong to call 0.
 pub(super) type CallVariable = (u32, VariableId);
 
@@ -38,13 +41,21 @@ pub(super) struct CallFrame {
     pub result: Option<NodeId>,
 }
 
+/// A function whose calls are not inlined.
+#[derive(Clone)]
+pub(super) struct CalledFunction {
+    pub signature: String,
+    /// Whether calls with equal arguments are equal, and have no side effects.
+    pub is_pure: bool,
+}
+
 /// The evaluation of one shader. Functions return `None` if there is no answer.
 pub(super) struct Evaluation<'n, 'a> {
     pub nodes: &'n mut Nodes,
     pub side: ShaderVersion<'a>,
     pub module: &'a Module,
-    /// The functions whose calls are not inlined, with their signatures.
-    called: FxHashMap<FunctionRef, String>,
+    /// The functions whose calls are not inlined.
+    called: FxHashMap<FunctionRef, CalledFunction>,
     shared: Vec<SharedGlobal<'a>>,
     /// Values of constants.
     constants: VariableValues,
@@ -63,7 +74,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     pub fn new(
         nodes: &'n mut Nodes,
         side: ShaderVersion<'a>,
-        called: FxHashMap<FunctionRef, String>,
+        called: FxHashMap<FunctionRef, CalledFunction>,
     ) -> Evaluation<'n, 'a> {
         let start = nodes.add(NodeTag::Start, Type::VOID, Vec::new());
         Evaluation {
@@ -171,10 +182,10 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     }
 
     /// The variable of a call, or a global variable.
-    pub fn key(&self, id: VariableId, frame: &CallFrame) -> CallVariable {
+    pub fn key(&self, id: VariableId, call: u32) -> CallVariable {
         let variable = self.module.variable(id);
         match variable.is_some_and(|v| v.function.is_some()) {
-            true => (frame.number, id),
+            true => (call, id),
             false => (0, id),
         }
     }
@@ -262,7 +273,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
 
     fn load(&mut self, place: PlaceId, indices: Vec<NodeId>, frame: &CallFrame) -> NodeId {
         let place = *self.module.place(place);
-        let (call, id) = self.key(place.variable, frame);
+        let (call, id) = self.key(place.variable, frame.number);
         let mut value = self.whole(call, id);
         let mut indices = indices.into_iter();
         let path = self.module.path(&place);
@@ -300,7 +311,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         frame: &CallFrame,
     ) -> Option<()> {
         let place = *self.module.place(place);
-        let key = self.key(place.variable, frame);
+        let key = self.key(place.variable, frame.number);
         let value = self.rounded(place.variable, op, value);
         let path = self.module.path(&place);
         let variable = self.module.variable(place.variable)?;
@@ -340,11 +351,10 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         arguments: Vec<NodeId>,
         frame: &mut CallFrame,
     ) -> Option<()> {
-        let Some(signature) = self.called.get(&callee).cloned() else {
+        let Some(CalledFunction { signature, is_pure }) = self.called.get(&callee).cloned() else {
             return self.inlined(id, callee, arguments, frame);
         };
         let ty = self.module.ty(id);
-        let is_pure = self.side.effects.is_pure(callee);
         let mut operands = arguments;
         operands.push(self.position);
         if !is_pure {
@@ -375,6 +385,11 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         Some(())
     }
 
+    /// Whether calls of a function are pure; `None` if they are inlined.
+    pub fn is_pure(&self, callee: FunctionRef) -> Option<bool> {
+        self.called.get(&callee).map(|f| f.is_pure)
+    }
+
     /// Evaluates the body of a function at its call.
     fn inlined(
         &mut self,
@@ -401,7 +416,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             let value = self.rounded(*parameter, *op, value);
             self.values.insert((inner.number, *parameter), value);
         }
-        if self.depth > 32 || !self.region(function.body?, &mut inner)? {
+        if self.depth > MAX_INLINED || !self.region(function.body?, &mut inner)? {
             return None;
         }
         self.depth -= 1;

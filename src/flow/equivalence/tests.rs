@@ -1,6 +1,6 @@
 use super::*;
 use crate::test_shader::checked;
-use crate::{Calls, Writes};
+use crate::{Calls, Effects, Writes};
 use shaderlint_ir::lower;
 use shaderlint_semantic::{Mentions, Structure};
 
@@ -118,6 +118,23 @@ fn calls_are_inlined_where_only_one_version_has_them() {
     );
 }
 
+/// A function stays pure if part of it moves to a function that is not.
+#[test]
+fn purity_is_a_property_of_both_versions() {
+    let body = "p = vec2(dot(p, vec2(1.0)), 2.0);";
+    check(
+        [
+            &format!("float h(vec2 p) {{ {body} return p.x; }}"),
+            "c = vec4(h(p));",
+        ],
+        [
+            &format!("void e(inout vec2 p) {{ {body} }} float h(vec2 p) {{ e(p); return p.x; }}"),
+            "c = vec4(h(p));",
+        ],
+        true,
+    );
+}
+
 #[test]
 fn loops_are_compared() {
     let around = |body: &str| {
@@ -133,6 +150,9 @@ fn loops_are_compared() {
     check(["", &first], ["", &second], true);
     check(["", &first], ["", &third], false);
     check(["", &first], ["", &fourth], false);
+    let called = around("float d = f(p, t); t += d; if (d < 0.1) break;");
+    let function = "float n = 0.0; float f(vec2 p, float t) { return length(p * t); }";
+    check(["float n = 0.0;", &first], [function, &called], true);
     // A value that does not change is the same before the loop; one that changes is not.
     check(
         [
@@ -192,6 +212,17 @@ fn positions_matter_for_derivatives_and_effects() {
     check(
         [count, "float a = f(); float b = f(); c = vec4(a - b);"],
         [count, "float b = f(); float a = f(); c = vec4(a - b);"],
+        false,
+    );
+    let cut = "float f(float x) { if (x > 1.0) discard; return 1.0; }";
+    check(
+        [cut, "float v = f(p.x); c = vec4(1.0); c *= v;"],
+        [cut, "c = vec4(1.0);"],
+        false,
+    );
+    check(
+        [cut, "if (p.y > 2.0) c = vec4(f(p.x));"],
+        [cut, "float v = f(p.x); if (p.y > 2.0) c = vec4(v);"],
         false,
     );
     // A global variable that only one branch writes.

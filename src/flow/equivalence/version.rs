@@ -50,6 +50,17 @@ impl<'a> ShaderVersion<'a> {
         all
     }
 
+    /// Whether a function only computes a value of its arguments.
+    pub(super) fn is_pure(&self, id: FunctionRef) -> bool {
+        self.effects.is_pure(id) && !self.effects.acts(id)
+    }
+
+    /// The number of calls of a function.
+    pub(super) fn call_count(&self, id: FunctionRef) -> usize {
+        let calls = self.program.calls.iter();
+        calls.filter(|call| call.callee == id).count()
+    }
+
     /// The functions that are defined, by name and type.
     pub(super) fn functions(&self) -> FxHashMap<String, FunctionRef> {
         let all = (0..).map(FunctionRef).zip(&self.program.functions);

@@ -73,8 +73,8 @@ fn to_macro(place: &RefactorPlace) -> Option<Proposal> {
     let span = program.span(decl.extent);
     let text = place.text_of(program.tree.expr(init).extent)?;
     let starts_line = place.indent(span.start)?.is_some();
-    let after = place.code()?;
-    let after = after.text.get((span.end - after.base) as usize..)?;
+    let code = program.sources.code_at(span.start)?;
+    let after = code.text.get((span.end - code.base) as usize..)?;
     let line = after.split(['\n', '\r']).next()?.trim();
     let ends_line = line.is_empty() || line.starts_with("//");
     if !starts_line || !ends_line || text.contains(['\n', '\r']) {

@@ -20,7 +20,9 @@ fn proposal(place: &RefactorPlace) -> Option<Proposal> {
     };
     let function = place.definition(id)?;
     let called = place.program.names.text(place.program.function(id)?.name);
-    if starts_a_shader(called) || place.document.report.holds_shaders() {
+    // Exports and other languages have no includes.
+    let report = &place.document.report;
+    if starts_a_shader(called) || report.holds_shaders() || report.file.is_none() {
         return None;
     }
     let file = format!("{called}.glsl");
