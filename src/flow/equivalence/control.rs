@@ -42,7 +42,7 @@ impl Evaluation<'_, '_> {
                 Step::Continue(_) => self.jump(NodeTag::Continue, frame)?,
                 Step::Return(value, _) => {
                     let value = match value {
-                        Some(op) => Some(*frame.ops.get(&op)?),
+                        Some(op) => Some((op, *frame.ops.get(&op)?)),
                         None => None,
                     };
                     if frame.is_inlined {
@@ -52,7 +52,7 @@ impl Evaluation<'_, '_> {
                         frame.result = value;
                         return is_last.then_some(true);
                     }
-                    self.leave(value, frame)?;
+                    self.leave(value.map(|(_, value)| value), frame)?;
                     false
                 }
                 Step::Discard(_) => {

@@ -3,7 +3,7 @@
 use super::nodes::{NodeId, NodeTag, Nodes, PathStep};
 use super::version::{ShaderVersion, SharedGlobal};
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{Access, Module, OpId, OpKind, Place, PlaceId, Root};
+use shaderlint_ir::{Access, Module, OpId, OpKind, Place, PlaceId, Precision, Root};
 use shaderlint_semantic::{FunctionRef, Type, VariableId};
 
 /// Maximum number of operations that are evaluated.
@@ -37,8 +37,8 @@ pub(super) struct CallFrame {
     pub exits: Vec<Exits>,
     /// Whether it is evaluated at its call.
     pub is_inlined: bool,
-    /// The result of a call that is inlined.
-    pub result: Option<NodeId>,
+    /// The result of a call that is inlined, and its operation.
+    pub result: Option<(OpId, NodeId)>,
 }
 
 /// A function whose calls are not inlined.
@@ -336,9 +336,13 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     /// A value as a variable keeps it.
     fn rounded(&mut self, variable: VariableId, op: OpId, value: NodeId) -> NodeId {
         let kept = self.module.variable(variable).map(|v| v.precision);
-        let kept = kept.unwrap_or_default();
+        self.lowered(kept.unwrap_or_default(), op, value)
+    }
+
+    /// A value with a precision that may be lower than that of its operation.
+    fn lowered(&mut self, kept: Precision, op: OpId, value: NodeId) -> NodeId {
         let op = self.module.op(op);
-        match kept < op.precision && kept != shaderlint_ir::Precision::None {
+        match kept < op.precision && kept != Precision::None {
             true => self.nodes.add(NodeTag::Rounded(kept), op.ty, vec![value]),
             false => value,
         }
@@ -424,7 +428,11 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         let returned: Vec<NodeId> = returned.collect();
         frame.returned.insert(id, returned);
         let nothing = self.node(NodeTag::Undef, Vec::new());
-        frame.ops.insert(id, inner.result.unwrap_or(nothing));
+        let kept = self.module.op(id).precision;
+        let result = inner
+            .result
+            .map(|(op, value)| self.lowered(kept, op, value));
+        frame.ops.insert(id, result.unwrap_or(nothing));
         Some(())
     }
 }

@@ -216,7 +216,7 @@ fn positions_matter_for_derivatives_and_effects() {
     );
     let cut = "float f(float x) { if (x > 1.0) discard; return 1.0; }";
     check(
-        [cut, "float v = f(p.x); c = vec4(1.0); c *= v;"],
+        [cut, "f(p.x); c = vec4(1.0);"],
         [cut, "c = vec4(1.0);"],
         false,
     );
@@ -235,6 +235,38 @@ fn positions_matter_for_derivatives_and_effects() {
     check(
         [count, "c = vec4(f() + f());"],
         [count, "float v = f(); c = vec4(v + v);"],
+        false,
+    );
+}
+
+/// A variable, a parameter or a result with less precision rounds the value.
+#[test]
+fn precision_is_kept() {
+    let original = ["", "c = vec4(p.x * 2.0 + 1.0);"];
+    check(
+        original,
+        ["", "highp float v = p.x * 2.0; c = vec4(v + 1.0);"],
+        true,
+    );
+    check(
+        original,
+        ["", "mediump float v = p.x * 2.0; c = vec4(v + 1.0);"],
+        false,
+    );
+    check(
+        original,
+        [
+            "mediump float f(float x) { return x * 2.0; }",
+            "c = vec4(f(p.x) + 1.0);",
+        ],
+        false,
+    );
+    check(
+        original,
+        [
+            "float f(mediump float x) { return x * 2.0; }",
+            "c = vec4(f(p.x) + 1.0);",
+        ],
         false,
     );
 }

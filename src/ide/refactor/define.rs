@@ -1,6 +1,6 @@
 //! Writes a macro as a constant, and a constant as a macro.
 
-use super::place::RefactorPlace;
+use super::place::{RefactorPlace, as_macro};
 use super::proposal::{Proposal, RefactorKind};
 use crate::symbol::{Symbol, typed};
 use shaderlint_semantic::Type;
@@ -81,7 +81,7 @@ fn to_macro(place: &RefactorPlace) -> Option<Proposal> {
         return None;
     }
     let name = program.names.text(variable.name);
-    let value = place.as_operand(init, text);
+    let value = as_macro(program, init, text);
     let edits = vec![Edit::replace(span, format!("#define {name} {value}"))];
     let title = format!("Convert constant `{name}` to a macro");
     Some(Proposal::new(RefactorKind::Rewrite, title, edits))

@@ -105,19 +105,14 @@ impl<'p> InlinedBody<'p> {
         let mut edits = Vec::new();
         for (uses, arg) in self.parameters.iter().zip(args) {
             let text = place.text_of(tree.expr(*arg).extent)?;
-            let operand = place.as_operand(*arg, text);
             edits.extend(uses.iter().map(|e| {
-                let is_separate = place.is_separate(*e);
-                let text = if is_separate { text } else { operand.as_str() };
+                let text = place.in_place_of(*e, *arg, text);
                 Edit::replace(program.expr_span(*e), text)
             }));
         }
         let value = program.expr_span(self.value);
         let text = apply_edits(place.text(value)?, value.start, &edits).ok()?;
-        let text = match place.is_separate(call) {
-            true => text,
-            false => place.as_operand(self.value, &text),
-        };
+        let text = place.in_place_of(call, self.value, &text);
         Some(Edit::replace(program.span(found.extent), text))
     }
 }

@@ -26,10 +26,7 @@ fn proposal(place: &RefactorPlace) -> Option<Proposal> {
     let declared = program.span(decl.extent);
     let mut edits = vec![Edit::delete(with_line(place, declared)?)];
     for expr in mentions {
-        let text = match place.is_separate(expr) {
-            true => value.to_string(),
-            false => place.as_operand(init, value),
-        };
+        let text = place.in_place_of(expr, init, value);
         edits.push(Edit::replace(program.expr_span(expr), text));
     }
     let title = format!("Inline variable `{}`", program.names.text(variable.name));

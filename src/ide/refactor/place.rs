@@ -313,12 +313,23 @@ impl<'d> RefactorPlace<'d> {
         self.program.tree.function(definition)
     }
 
-    /// An expression as an operand: in parentheses, if it needs them.
-    pub fn as_operand(&self, value: ExprId, text: &str) -> String {
-        let is_atom = match self.program.tree.expr(value).kind {
+    /// The text of `value` in the place of `replaced`: in parentheses, if it needs them.
+    pub fn in_place_of(&self, replaced: ExprId, value: ExprId, text: &str) -> String {
+        match self.is_separate(replaced) || self.is_tight(replaced, value) {
+            true => text.to_string(),
+            false => format!("({text})"),
+        }
+    }
+
+    /// Whether an expression binds at least as tightly as the place of another requires.
+    fn is_tight(&self, replaced: ExprId, value: ExprId) -> bool {
+        let tree = &self.program.tree;
+        let parent = self.facts.structure().parent(replaced);
+        let parent = parent.map(|parent| tree.expr(parent).kind);
+        match tree.expr(value).kind {
             ExprKind::Int(_) | ExprKind::Uint(_) | ExprKind::Float(_) | ExprKind::Bool(_) => {
                 // A macro may write an operator.
-                self.program.is_direct(self.program.tree.expr(value).extent)
+                self.program.is_direct(tree.expr(value).extent)
             }
             ExprKind::Name(_)
             | ExprKind::Paren(_)
@@ -326,17 +337,20 @@ impl<'d> RefactorPlace<'d> {
             | ExprKind::Construct(..)
             | ExprKind::Member(..)
             | ExprKind::Index(..) => true,
+            ExprKind::Binary(inner, ..) => match parent {
+                Some(ExprKind::Binary(outer, left, _)) => {
+                    let (inner, outer) = (precedence(inner), precedence(outer));
+                    inner > outer || inner == outer && left == replaced
+                }
+                _ => false,
+            },
             _ => false,
-        };
-        match is_atom {
-            true => text.to_string(),
-            false => format!("({text})"),
         }
     }
 
     /// Whether an expression can be replaced with any other but a comma: it is an argument, an
     /// initial value, or in parentheses.
-    pub fn is_separate(&self, expr: ExprId) -> bool {
+    fn is_separate(&self, expr: ExprId) -> bool {
         let tree = &self.program.tree;
         match self.facts.structure().parent(expr) {
             None => true,
@@ -347,5 +361,42 @@ impl<'d> RefactorPlace<'d> {
                 _ => false,
             },
         }
+    }
+}
+
+/// The precedence of an operator, lowest first (GLSL ES 3.00 section 5.1).
+fn precedence(op: BinaryOp) -> u8 {
+    match op {
+        BinaryOp::Or => 0,
+        BinaryOp::Xor => 1,
+        BinaryOp::And => 2,
+        BinaryOp::BitOr => 3,
+        BinaryOp::BitXor => 4,
+        BinaryOp::BitAnd => 5,
+        BinaryOp::Equal | BinaryOp::NotEqual => 6,
+        BinaryOp::Less | BinaryOp::Greater | BinaryOp::LessEqual | BinaryOp::GreaterEqual => 7,
+        BinaryOp::ShiftLeft | BinaryOp::ShiftRight => 8,
+        BinaryOp::Add | BinaryOp::Sub => 9,
+        BinaryOp::Mul | BinaryOp::Div | BinaryOp::Rem => 10,
+    }
+}
+
+/// An expression as the text of a macro: in parentheses, if it needs them anywhere.
+pub(super) fn as_macro(program: &Program, value: ExprId, text: &str) -> String {
+    let kind = program.tree.expr(value).kind;
+    let is_open = matches!(
+        kind,
+        ExprKind::Unary(..)
+            | ExprKind::Postfix(..)
+            | ExprKind::Binary(..)
+            | ExprKind::Assign(..)
+            | ExprKind::Ternary(..)
+            | ExprKind::Comma(..)
+    );
+    // Another macro may write an operator.
+    let is_direct = program.is_direct(program.tree.expr(value).extent);
+    match is_open || !is_direct {
+        true => format!("({text})"),
+        false => text.to_string(),
     }
 }

@@ -211,7 +211,7 @@ fn names_are_inlined() {
         "Inline call of `twice`",
         &format!(
             "float twice(float x) {{ return x + x; }}\n{}",
-            in_main("color = vec4(((p.x * 2.0) + (p.x * 2.0)) * 3.0);")
+            in_main("color = vec4((p.x * 2.0 + p.x * 2.0) * 3.0);")
         ),
     );
     check(
@@ -221,6 +221,14 @@ fn names_are_inlined() {
         ),
         "Inline function `twice`",
         &in_main("color = vec4(p.x + p.x, p.y + p.y, 1, 1);"),
+    );
+    // Parentheses where the order of operations needs them.
+    check(
+        &in_main("float |a = p.x - 1.0;\n    color = vec4(2.0 - a, a - 2.0, -a, a * 2.0);"),
+        "Inline variable `a`",
+        &in_main(
+            "color = vec4(2.0 - (p.x - 1.0), p.x - 1.0 - 2.0, -(p.x - 1.0), (p.x - 1.0) * 2.0);",
+        ),
     );
     let none = |body: &str| check_none(&in_main(body), "Inline");
     // Its operand changes, it is written, or it is evaluated elsewhere.
