@@ -8,7 +8,7 @@ use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
 pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
-    let found = place.expr().and_then(|expr| {
+    let found = place.expr().map(|expr| {
         let everywhere = Extent {
             first: 0,
             last: place.program.tokens.tokens.len() as u32,
@@ -21,7 +21,7 @@ pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
             true => None,
             false => proposal(place, expr, &others, title, ""),
         };
-        Some(one.into_iter().chain(all).collect())
+        one.into_iter().chain(all).collect()
     });
     found.unwrap_or_default()
 }

@@ -86,7 +86,7 @@ impl<'d> RefactorPlace<'d> {
             && is_outside(
                 self.program
                     .token(extent.last + 1)
-                    .filter(|t| t.span.len() > 0),
+                    .filter(|t| !t.span.is_empty()),
             )
     }
 
