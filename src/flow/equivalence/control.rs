@@ -1,6 +1,8 @@
 //! Evaluates control flow: what follows depends on all ways that lead there.
 
-use super::evaluate::{CallFrame, CallVariable, Evaluation, Exits, MAX_INLINED, VariableValues};
+use super::evaluate::{
+    CallVariable, EvaluatedCall, Evaluation, Exits, MAX_INLINED, VariableValues,
+};
 use super::nodes::{Meeting, NodeId, NodeTag};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{CaseLabel, Loop, LoopId, OpId, OpKind, Region, Run, Step, Switch};
@@ -8,7 +10,7 @@ use shaderlint_semantic::{Type, VariableId};
 use std::collections::BTreeSet;
 
 /// A variable that a loop changes: its node at the start of an iteration, and its value before.
-struct CarriedVariable {
+struct LoopVariable {
     key: CallVariable,
     name: String,
     start: NodeId,
@@ -17,7 +19,7 @@ struct CarriedVariable {
 
 impl Evaluation<'_, '_> {
     /// Evaluates a region; whether its end is reached.
-    pub fn region(&mut self, region: Region, frame: &mut CallFrame) -> Option<bool> {
+    pub fn region(&mut self, region: Region, frame: &mut EvaluatedCall) -> Option<bool> {
         let steps = self.module.steps(region);
         for (at, step) in steps.iter().enumerate() {
             let is_alive = match *step {
@@ -68,7 +70,7 @@ impl Evaluation<'_, '_> {
         Some(true)
     }
 
-    fn jump(&mut self, tag: NodeTag, frame: &mut CallFrame) -> Option<bool> {
+    fn jump(&mut self, tag: NodeTag, frame: &mut EvaluatedCall) -> Option<bool> {
         let values = self.values.clone();
         let is_continue = tag == NodeTag::Continue;
         let mut around = frame.exits.iter_mut().rev();
@@ -83,7 +85,7 @@ impl Evaluation<'_, '_> {
     }
 
     /// Evaluates a region on its own: its side effects, and whether its end is reached.
-    fn inner(&mut self, region: Region, frame: &mut CallFrame) -> Option<(NodeId, bool)> {
+    fn inner(&mut self, region: Region, frame: &mut EvaluatedCall) -> Option<(NodeId, bool)> {
         let outer = std::mem::take(&mut self.effects);
         let is_alive = self.region(region, frame)?;
         let effects = std::mem::replace(&mut self.effects, outer);
@@ -94,7 +96,7 @@ impl Evaluation<'_, '_> {
         &mut self,
         condition: OpId,
         regions: [Region; 2],
-        frame: &mut CallFrame,
+        frame: &mut EvaluatedCall,
     ) -> Option<bool> {
         let condition = *frame.ops.get(&condition)?;
         let (before, position) = (self.values.clone(), self.position);
@@ -200,7 +202,7 @@ impl Evaluation<'_, '_> {
     }
 
     /// The variables that a loop may change, in the order of their names.
-    fn carried(&mut self, looped: &Loop, number: u32, frame: &CallFrame) -> Vec<CarriedVariable> {
+    fn carried(&mut self, looped: &Loop, number: u32, frame: &EvaluatedCall) -> Vec<LoopVariable> {
         let mut keys: BTreeSet<CallVariable> = BTreeSet::new();
         self.changed(looped.ops, frame.number, 0, &mut keys);
         let mut same: FxHashMap<&str, u32> = FxHashMap::default();
@@ -216,7 +218,7 @@ impl Evaluation<'_, '_> {
             let tag = NodeTag::Carried(number, name.to_string(), *position);
             *position += 1;
             let start = self.nodes.add(tag, self.type_of(key.1), Vec::new());
-            all.push(CarriedVariable {
+            all.push(LoopVariable {
                 key,
                 name: name.to_string(),
                 start,
@@ -227,7 +229,7 @@ impl Evaluation<'_, '_> {
         all
     }
 
-    fn looped(&mut self, id: LoopId, frame: &mut CallFrame) -> Option<bool> {
+    fn looped(&mut self, id: LoopId, frame: &mut EvaluatedCall) -> Option<bool> {
         let looped = *self.module.looped(id)?;
         let number = self.loops;
         self.loops += 1;
@@ -281,7 +283,7 @@ impl Evaluation<'_, '_> {
     fn test(
         &mut self,
         looped: &Loop,
-        frame: &mut CallFrame,
+        frame: &mut EvaluatedCall,
         effects: &mut Vec<NodeId>,
         ways_out: &mut Vec<VariableValues>,
     ) -> Option<()> {
@@ -293,7 +295,7 @@ impl Evaluation<'_, '_> {
         Some(())
     }
 
-    fn switch(&mut self, switch: &Switch, frame: &mut CallFrame) -> Option<bool> {
+    fn switch(&mut self, switch: &Switch, frame: &mut EvaluatedCall) -> Option<bool> {
         let selector = *frame.ops.get(&switch.selector)?;
         let number = self.loops;
         self.loops += 1;

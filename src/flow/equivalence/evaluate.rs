@@ -28,7 +28,7 @@ pub(super) struct Exits {
 
 /// A call that is evaluated.
 #[derive(Default)]
-pub(super) struct CallFrame {
+pub(super) struct EvaluatedCall {
     pub number: u32,
     pub function: Option<FunctionRef>,
     pub ops: FxHashMap<OpId, NodeId>,
@@ -100,7 +100,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
 
     /// Evaluates initial values, and returns those of global variables that may change.
     pub fn globals(&mut self) -> Option<Vec<NodeId>> {
-        let mut frame = CallFrame::default();
+        let mut frame = EvaluatedCall::default();
         let is_alive = self.region(self.module.globals, &mut frame)?;
         if !is_alive || !self.effects.is_empty() {
             return None;
@@ -130,10 +130,10 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         self.effects.clear();
         self.position = self.node(NodeTag::Start, Vec::new());
         (self.loops, self.calls, self.depth) = (0, 1, 0);
-        let mut frame = CallFrame {
+        let mut frame = EvaluatedCall {
             number: 1,
             function: Some(id),
-            ..CallFrame::default()
+            ..EvaluatedCall::default()
         };
         // All ways to a position have a value for each of them.
         for (call, id) in self.shared_keys() {
@@ -157,7 +157,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     }
 
     /// Records what a function returns.
-    pub fn leave(&mut self, value: Option<NodeId>, frame: &CallFrame) -> Option<()> {
+    pub fn leave(&mut self, value: Option<NodeId>, frame: &EvaluatedCall) -> Option<()> {
         let mut results: Vec<NodeId> = value.into_iter().collect();
         results.extend(self.out_values(frame)?);
         results.extend(self.shared_values());
@@ -167,7 +167,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     }
 
     /// The values of the parameters of a call that are returned.
-    fn out_values(&mut self, frame: &CallFrame) -> Option<Vec<NodeId>> {
+    fn out_values(&mut self, frame: &EvaluatedCall) -> Option<Vec<NodeId>> {
         let parameters = self
             .module
             .parameters(self.module.function(frame.function?)?);
@@ -206,7 +206,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     }
 
     /// Evaluates an operation.
-    pub fn op(&mut self, id: OpId, frame: &mut CallFrame) -> Option<()> {
+    pub fn op(&mut self, id: OpId, frame: &mut EvaluatedCall) -> Option<()> {
         self.left = self.left.checked_sub(1)?;
         let op = *self.module.op(id);
         let mut operands = Vec::new();
@@ -271,7 +271,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         Some(())
     }
 
-    fn load(&mut self, place: PlaceId, indices: Vec<NodeId>, frame: &CallFrame) -> NodeId {
+    fn load(&mut self, place: PlaceId, indices: Vec<NodeId>, frame: &EvaluatedCall) -> NodeId {
         let place = *self.module.place(place);
         let (call, id) = self.key(place.variable, frame.number);
         let mut value = self.whole(call, id);
@@ -308,7 +308,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         op: OpId,
         value: NodeId,
         indices: Vec<NodeId>,
-        frame: &CallFrame,
+        frame: &EvaluatedCall,
     ) -> Option<()> {
         let place = *self.module.place(place);
         let key = self.key(place.variable, frame.number);
@@ -353,7 +353,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         id: OpId,
         callee: FunctionRef,
         arguments: Vec<NodeId>,
-        frame: &mut CallFrame,
+        frame: &mut EvaluatedCall,
     ) -> Option<()> {
         let Some(CalledFunction { signature, is_pure }) = self.called.get(&callee).cloned() else {
             return self.inlined(id, callee, arguments, frame);
@@ -400,16 +400,16 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         id: OpId,
         callee: FunctionRef,
         arguments: Vec<NodeId>,
-        frame: &mut CallFrame,
+        frame: &mut EvaluatedCall,
     ) -> Option<()> {
         let function = self.module.function(callee)?;
         self.calls += 1;
         self.depth += 1;
-        let mut inner = CallFrame {
+        let mut inner = EvaluatedCall {
             number: self.calls,
             function: Some(callee),
             is_inlined: true,
-            ..CallFrame::default()
+            ..EvaluatedCall::default()
         };
         let parameters = self.module.parameters(function);
         let OpKind::Call(_, list) = self.module.op(id).kind else {

@@ -79,7 +79,7 @@ pub(super) enum PathStep {
 }
 
 #[derive(Clone, PartialEq, Eq, Hash)]
-struct Node {
+struct ValueNode {
     tag: NodeTag,
     ty: Type,
     operands: Vec<NodeId>,
@@ -88,8 +88,8 @@ struct Node {
 /// The nodes of two shaders.
 #[derive(Default)]
 pub(super) struct Nodes {
-    numbers: FxHashMap<Node, NodeId>,
-    all: Vec<Node>,
+    numbers: FxHashMap<ValueNode, NodeId>,
+    all: Vec<ValueNode>,
 }
 
 fn bits(value: &Value) -> (Scalar, u32) {
@@ -132,7 +132,7 @@ impl Nodes {
     }
 
     fn number(&mut self, tag: NodeTag, ty: Type, operands: Vec<NodeId>) -> NodeId {
-        let node = Node { tag, ty, operands };
+        let node = ValueNode { tag, ty, operands };
         if let Some(number) = self.numbers.get(&node) {
             return *number;
         }
@@ -159,8 +159,8 @@ impl Nodes {
     }
 
     fn is_bool(&self, id: NodeId, value: bool) -> bool {
-        let wanted = [(Scalar::Bool, u32::from(value))];
-        matches!(self.node(id), Some((NodeTag::Const(values), _)) if values[..] == wanted)
+        let expected = [(Scalar::Bool, u32::from(value))];
+        matches!(self.node(id), Some((NodeTag::Const(values), _)) if values[..] == expected)
     }
 
     /// The constant that an operation on constants is, as far as lowering also computes it.

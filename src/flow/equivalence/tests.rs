@@ -1,3 +1,5 @@
+//! Pairs of shaders that compute the same, and pairs that do not.
+
 use super::*;
 use crate::test_shader::checked;
 use crate::{Calls, Effects, Writes};

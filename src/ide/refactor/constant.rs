@@ -1,13 +1,13 @@
 //! Gives a constant expression a global name, which may have a slider.
 
 use super::place::RefactorPlace;
-use super::proposal::{Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind};
 use crate::symbol::typed;
 use shaderlint_semantic::Value;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     let found = place.expr().map(|expr| {
         let everywhere = Extent {
             first: 0,
@@ -46,7 +46,7 @@ fn proposal(
     others: &[ExprId],
     title: String,
     comment: &str,
-) -> Option<Proposal> {
+) -> Option<ProposedRefactoring> {
     let (program, tree) = (place.program, &place.program.tree);
     let info = program.expr(expr);
     let is_name = matches!(tree.expr(tree.unparen(expr)).kind, ExprKind::Name(_));
@@ -63,15 +63,15 @@ fn proposal(
     for expr in others.iter().chain([&expr]) {
         edits.push(Edit::replace(program.expr_span(*expr), &name));
     }
-    Some(Proposal::new(RefactorKind::ExtractConstant, title, edits).named(name))
+    Some(ProposedRefactoring::new(RefactorKind::ExtractConstant, title, edits).named(name))
 }
 
 /// A literal as a constant with a slider, from zero to twice the value.
-pub(super) fn propose_slider(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose_slider(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     slider(place).into_iter().collect()
 }
 
-fn slider(place: &RefactorPlace) -> Option<Proposal> {
+fn slider(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let expr = place.expr().or_else(|| literal_at(place))?;
     let (low, high) = match place.program.scalar(expr)? {
         Value::Float(value) if value != 0.0 => {
@@ -90,7 +90,7 @@ fn slider(place: &RefactorPlace) -> Option<Proposal> {
     let comment = format!(" // ({}~{})", digits(low), digits(high));
     let title = "Extract to constant with slider".to_string();
     let proposal = proposal(place, expr, &[], title, &comment)?;
-    Some(Proposal {
+    Some(ProposedRefactoring {
         kind: RefactorKind::Rewrite,
         slider: proposal.name.clone(),
         ..proposal

@@ -1,14 +1,14 @@
 //! Writes a macro as a constant, and a constant as a macro.
 
 use super::place::{RefactorPlace, as_macro};
-use super::proposal::{Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind};
 use crate::symbol::{Symbol, typed};
 use shaderlint_semantic::Type;
 use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     let found = place.name().and_then(|name| match name.symbol {
         Symbol::Macro(name) => to_constant(place, name),
         Symbol::Variable(_) => to_macro(place),
@@ -17,7 +17,7 @@ pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
     found.into_iter().collect()
 }
 
-fn to_constant(place: &RefactorPlace, name: Name) -> Option<Proposal> {
+fn to_constant(place: &RefactorPlace, name: Name) -> Option<ProposedRefactoring> {
     let program = place.program;
     let mut all = program.tokens.macros.iter().filter(|m| m.name == name);
     let definition = all.next().filter(|m| m.params.is_none() && !m.predefined)?;
@@ -39,7 +39,11 @@ fn to_constant(place: &RefactorPlace, name: Name) -> Option<Proposal> {
     let declared = format!("const {} = {value};", typed(program, ty, text));
     let edits = vec![Edit::replace(Span::new(start, body.end), declared)];
     let title = format!("Convert macro `{text}` to a constant");
-    Some(Proposal::new(RefactorKind::Rewrite, title, edits))
+    Some(ProposedRefactoring::new(
+        RefactorKind::Rewrite,
+        title,
+        edits,
+    ))
 }
 
 /// The type of the constant expression that a macro stands for.
@@ -62,7 +66,7 @@ fn type_of(place: &RefactorPlace, name: Name) -> Option<Type> {
     info.is_const.then_some(info.ty)
 }
 
-fn to_macro(place: &RefactorPlace) -> Option<Proposal> {
+fn to_macro(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let id = place.variable()?;
     let program = place.program;
     let variable = program.variable(id)?;
@@ -84,5 +88,9 @@ fn to_macro(place: &RefactorPlace) -> Option<Proposal> {
     let value = as_macro(program, init, text);
     let edits = vec![Edit::replace(span, format!("#define {name} {value}"))];
     let title = format!("Convert constant `{name}` to a macro");
-    Some(Proposal::new(RefactorKind::Rewrite, title, edits))
+    Some(ProposedRefactoring::new(
+        RefactorKind::Rewrite,
+        title,
+        edits,
+    ))
 }

@@ -1,13 +1,13 @@
 //! Moves an expression, or statements, to a new function.
 
 use super::place::RefactorPlace;
-use super::proposal::{Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind};
 use crate::symbol::typed;
 use shaderlint_semantic::{Direction, FunctionRef, Storage, VariableId};
 use shaderlint_syntax::ast::*;
-use shaderlint_text::{Edit, Span};
+use shaderlint_text::{Edit, Span, apply_edits};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     let found = match place.expr() {
         Some(expr) => of_expr(place, expr),
         None => of_statements(place),
@@ -18,8 +18,7 @@ pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
 /// A variable that the new function gets.
 struct PassedVariable {
     id: VariableId,
-    /// Whether the caller sees what the function writes.
-    is_returned: bool,
+    direction: Direction,
 }
 
 fn proposal(
@@ -27,7 +26,7 @@ fn proposal(
     function: FunctionRef,
     passed: &[PassedVariable],
     parts: NewFunction,
-) -> Option<Proposal> {
+) -> Option<ProposedRefactoring> {
     let program = place.program;
     let own = place.definition(function)?;
     let mut parameters = Vec::new();
@@ -36,9 +35,9 @@ fn proposal(
         let declared = program.variable(variable.id)?;
         let name = program.names.text(declared.name);
         let typed = typed(program, declared.ty, name);
-        parameters.push(match variable.is_returned {
-            true => format!("inout {typed}"),
-            false => typed,
+        parameters.push(match variable.direction {
+            Direction::In => typed,
+            direction => format!("{} {typed}", direction.name()),
         });
         arguments.push(name);
     }
@@ -54,7 +53,7 @@ fn proposal(
     let at = place.before_item(program.span(own.extent).start)?;
     let edits = vec![Edit::insert(at, text), Edit::replace(parts.replaced, call)];
     let kind = RefactorKind::ExtractFunction;
-    Some(Proposal::new(kind, "Extract to function", edits).named(name))
+    Some(ProposedRefactoring::new(kind, "Extract to function", edits).named(name))
 }
 
 /// The text of a new function, and of its call.
@@ -68,7 +67,7 @@ struct NewFunction {
     replaced: Span,
 }
 
-fn of_expr(place: &RefactorPlace, expr: ExprId) -> Option<Proposal> {
+fn of_expr(place: &RefactorPlace, expr: ExprId) -> Option<ProposedRefactoring> {
     let (program, tree) = (place.program, &place.program.tree);
     let ty = program.ty(expr);
     let inner = tree.unparen(expr);
@@ -91,7 +90,7 @@ fn of_expr(place: &RefactorPlace, expr: ExprId) -> Option<Proposal> {
     }
     let passed = locals.into_iter().map(|id| PassedVariable {
         id,
-        is_returned: false,
+        direction: Direction::In,
     });
     let passed: Vec<PassedVariable> = passed.collect();
     let (indent, line) = (place.indentation(), place.line_break());
@@ -176,7 +175,7 @@ fn is_left(place: &RefactorPlace, extent: Extent) -> bool {
     })
 }
 
-fn of_statements(place: &RefactorPlace) -> Option<Proposal> {
+fn of_statements(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let program = place.program;
     let statements = selected(place)?;
     let extent = statements.extent;
@@ -192,45 +191,79 @@ fn of_statements(place: &RefactorPlace) -> Option<Proposal> {
             .is_some_and(|t| extent.contains(Extent::token(t)))
         {
             let is_written = place.writes_in(id, extent);
-            passed.push(PassedVariable {
-                id,
-                is_returned: is_written && is_used_after(place, id, &statements),
-            });
+            let is_returned = is_written && is_used_after(place, id, &statements);
+            let direction = match is_returned {
+                true => Direction::Inout,
+                false => Direction::In,
+            };
+            passed.push(PassedVariable { id, direction });
         }
     }
     // Declared in the statements, and used after them.
     let declared = (0..).map(VariableId).zip(&program.variables);
     let declared =
         declared.filter(|(_, v)| v.token.is_some_and(|t| extent.contains(Extent::token(t))));
-    let mut used = declared.filter(|(id, _)| is_mentioned_outside(place, *id, extent));
-    let result = used.next();
-    if used.next().is_some() {
-        return None;
-    }
-    let name = place.free_name("extracted");
+    let used = declared.filter(|(id, _)| is_mentioned_outside(place, *id, extent));
+    let used: Vec<VariableId> = used.map(|(id, _)| id).collect();
     let (indent, line) = (place.indentation(), place.line_break());
-    let mut body = indented(place, statements.first, text)?;
-    let mut before = String::new();
-    let mut returns = "void".to_string();
-    if let Some((_, variable)) = result {
-        let own = program.names.text(variable.name);
-        body.push_str(&format!("{indent}return {own};{line}"));
-        before = format!("{} = ", typed(program, variable.ty, own));
-        returns = typed(program, variable.ty, "").trim_end().to_string();
+    let mut parts = NewFunction {
+        name: place.free_name("extracted"),
+        returns: "void".to_string(),
+        body: String::new(),
+        before: String::new(),
+        after: ";",
+        replaced: place.selection,
+    };
+    let mut text = text.to_string();
+    if used.len() > 1 {
+        text = without_types(place, &used, extent)?;
+        parts.before = declarations(place, &used, statements.first)?;
+        let outputs = used.iter().map(|id| PassedVariable {
+            id: *id,
+            direction: Direction::Out,
+        });
+        passed.extend(outputs);
     }
-    proposal(
-        place,
-        statements.function,
-        &passed,
-        NewFunction {
-            name,
-            returns,
-            body,
-            before,
-            after: ";",
-            replaced: place.selection,
-        },
-    )
+    parts.body = indented(place, statements.first, &text)?;
+    if let [result] = used[..] {
+        let variable = program.variable(result)?;
+        let own = program.names.text(variable.name);
+        parts.body.push_str(&format!("{indent}return {own};{line}"));
+        parts.before = format!("{} = ", typed(program, variable.ty, own));
+        parts.returns = typed(program, variable.ty, "").trim_end().to_string();
+    }
+    proposal(place, statements.function, &passed, parts)
+}
+
+/// The text of statements in which variables are parameters, and not declared.
+fn without_types(place: &RefactorPlace, used: &[VariableId], extent: Extent) -> Option<String> {
+    let program = place.program;
+    let mut edits = Vec::new();
+    for id in used {
+        let (decl, _) = place.only_declarator(*id)?;
+        let start = program.span(decl.extent).start;
+        let name = program.declarator_of(*id)?.ident.token;
+        let end = program.token(name)?.span.start;
+        edits.push(Edit::delete(Span::new(start, end)));
+    }
+    let span = program.span(extent);
+    apply_edits(place.text(span)?, span.start, &edits).ok()
+}
+
+/// The declarations of variables before a call that sets them.
+fn declarations(place: &RefactorPlace, used: &[VariableId], first: StmtId) -> Option<String> {
+    let program = place.program;
+    let start = program.span(program.tree.stmt(first).extent).start;
+    let after = match place.indent(start)? {
+        Some(indent) => format!("{}{indent}", place.line_break()),
+        None => " ".to_string(),
+    };
+    let declared = used.iter().map(|id| {
+        let variable = program.variable(*id)?;
+        let typed = typed(program, variable.ty, program.names.text(variable.name));
+        Some(format!("{typed};{after}"))
+    });
+    declared.collect()
 }
 
 fn is_mentioned_outside(place: &RefactorPlace, id: VariableId, extent: Extent) -> bool {

@@ -1,12 +1,12 @@
 //! Gives an expression a name: `f(a + b)` becomes `float value = a + b; f(value)`.
 
 use super::place::{InsertionPoint, RefactorPlace};
-use super::proposal::{Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind};
 use crate::symbol::typed;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     let found = place.expr().and_then(|expr| {
         let point = place.insertion_point(expr)?;
         let others = place.same_exprs(expr, point.scope);
@@ -25,7 +25,7 @@ fn proposal(
     expr: ExprId,
     point: &InsertionPoint,
     others: &[ExprId],
-) -> Option<Proposal> {
+) -> Option<ProposedRefactoring> {
     let tree = &place.program.tree;
     let ty = place.program.ty(expr);
     let is_name = matches!(tree.expr(tree.unparen(expr)).kind, ExprKind::Name(_));
@@ -47,5 +47,5 @@ fn proposal(
         0 => "Extract to variable".to_string(),
         more => format!("Extract {} occurrences to variable", more + 1),
     };
-    Some(Proposal::new(RefactorKind::ExtractVariable, title, edits).named(name))
+    Some(ProposedRefactoring::new(RefactorKind::ExtractVariable, title, edits).named(name))
 }

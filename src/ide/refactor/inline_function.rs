@@ -2,18 +2,18 @@
 
 use super::inline_variable::with_line;
 use super::place::RefactorPlace;
-use super::proposal::{Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind};
 use crate::index::NameUse;
 use crate::symbol::Symbol;
 use shaderlint_semantic::{FunctionRef, Resolution, starts_a_shader};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, apply_edits};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     proposal(place).into_iter().collect()
 }
 
-fn proposal(place: &RefactorPlace) -> Option<Proposal> {
+fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let name = place.name()?;
     let Symbol::Function(id) = name.symbol else {
         return None;
@@ -32,7 +32,7 @@ fn proposal(place: &RefactorPlace) -> Option<Proposal> {
         let call = calls.iter().find(is_here)?;
         let title = format!("Inline call of `{called}`");
         let edits = vec![body.replace(place, *call)?];
-        return Some(Proposal::new(RefactorKind::Inline, title, edits));
+        return Some(ProposedRefactoring::new(RefactorKind::Inline, title, edits));
     }
     if calls.is_empty() || starts_a_shader(called) {
         return None;
@@ -45,7 +45,7 @@ fn proposal(place: &RefactorPlace) -> Option<Proposal> {
         edits.push(body.replace(place, call)?);
     }
     let title = format!("Inline function `{called}`");
-    Some(Proposal::new(RefactorKind::Inline, title, edits))
+    Some(ProposedRefactoring::new(RefactorKind::Inline, title, edits))
 }
 
 /// A function whose body returns an expression.

@@ -1,14 +1,14 @@
 //! Replaces a variable that is written once with its value.
 
 use super::place::RefactorPlace;
-use super::proposal::{Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind};
 use shaderlint_text::{Edit, Span};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     proposal(place).into_iter().collect()
 }
 
-fn proposal(place: &RefactorPlace) -> Option<Proposal> {
+fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let id = place.variable()?;
     let program = place.program;
     let variable = program.variable(id)?;
@@ -30,7 +30,7 @@ fn proposal(place: &RefactorPlace) -> Option<Proposal> {
         edits.push(Edit::replace(program.expr_span(expr), text));
     }
     let title = format!("Inline variable `{}`", program.names.text(variable.name));
-    Some(Proposal::new(RefactorKind::Inline, title, edits))
+    Some(ProposedRefactoring::new(RefactorKind::Inline, title, edits))
 }
 
 /// The span of a declaration with the line that it leaves empty.

@@ -21,7 +21,7 @@ mod verify;
 
 use super::document::Document;
 use place::RefactorPlace;
-use proposal::Proposal;
+use proposal::ProposedRefactoring;
 pub use proposal::{NewFile, RefactorKind, Refactoring};
 use shaderlint_engine::Files;
 use shaderlint_text::Span;
@@ -36,7 +36,7 @@ pub fn refactorings(
     let Some(place) = RefactorPlace::of(document, files, selection) else {
         return Vec::new();
     };
-    type Propose = fn(&RefactorPlace) -> Vec<Proposal>;
+    type Propose = fn(&RefactorPlace) -> Vec<ProposedRefactoring>;
     let all: [(RefactorKind, Propose); 9] = [
         (RefactorKind::ExtractVariable, extract_variable::propose),
         (RefactorKind::ExtractConstant, constant::propose),

@@ -2,18 +2,18 @@
 
 use super::inline_variable::with_line;
 use super::place::RefactorPlace;
-use super::proposal::{NewFile, Proposal, RefactorKind};
+use super::proposal::{NewFile, ProposedRefactoring, RefactorKind};
 use crate::index::NameUse;
 use crate::symbol::Symbol;
 use shaderlint_semantic::starts_a_shader;
 use shaderlint_text::{Edit, Span};
 use std::path::Path;
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     proposal(place).into_iter().collect()
 }
 
-fn proposal(place: &RefactorPlace) -> Option<Proposal> {
+fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let name = place.name().filter(|n| n.access == NameUse::Defined)?;
     let Symbol::Function(id) = name.symbol else {
         return None;
@@ -36,12 +36,12 @@ fn proposal(place: &RefactorPlace) -> Option<Proposal> {
     let line = place.line_break();
     let text = format!("{}{line}", place.text(Span::new(start, span.end))?);
     let edit = Edit::replace(moved, format!("#include \"{file}\"{line}"));
-    let proposal = Proposal::new(
+    let proposal = ProposedRefactoring::new(
         RefactorKind::Move,
         format!("Move `{called}` to `{file}`"),
         vec![edit],
     );
-    Some(Proposal {
+    Some(ProposedRefactoring {
         creates: Some(NewFile {
             path: path.to_str()?.to_string(),
             text,

@@ -57,7 +57,7 @@ impl RefactorKind {
 
 /// How a refactoring is verified.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Evidence {
+pub(super) enum RequiredProof {
     /// The IR is equal.
     Proof,
     /// The sampled images are equal.
@@ -65,33 +65,37 @@ pub(super) enum Evidence {
 }
 
 /// A refactoring that is not verified yet. Edits are of addresses.
-pub(super) struct Proposal {
+pub(super) struct ProposedRefactoring {
     pub title: String,
     pub kind: RefactorKind,
     pub edits: Vec<Edit>,
     /// The new name.
     pub name: Option<String>,
     pub creates: Option<NewFile>,
-    pub evidence: Evidence,
+    pub evidence: RequiredProof,
     /// The name of a constant that must get a slider.
     pub slider: Option<String>,
 }
 
-impl Proposal {
-    pub fn new(kind: RefactorKind, title: impl Into<String>, edits: Vec<Edit>) -> Proposal {
-        Proposal {
+impl ProposedRefactoring {
+    pub fn new(
+        kind: RefactorKind,
+        title: impl Into<String>,
+        edits: Vec<Edit>,
+    ) -> ProposedRefactoring {
+        ProposedRefactoring {
             title: title.into(),
             kind,
             edits,
             name: None,
             creates: None,
-            evidence: Evidence::Proof,
+            evidence: RequiredProof::Proof,
             slider: None,
         }
     }
 
-    pub fn named(self, name: impl Into<String>) -> Proposal {
-        Proposal {
+    pub fn named(self, name: impl Into<String>) -> ProposedRefactoring {
+        ProposedRefactoring {
             name: Some(name.into()),
             ..self
         }

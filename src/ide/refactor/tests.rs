@@ -188,11 +188,22 @@ fn code_becomes_a_function() {
             )
         ),
     );
-    // Jumps out of the code, and two results.
+    // Several results.
+    check(
+        &in_main("«float a = p.x;\n    float b = a * time;»\n    color = vec4(a, b, 1, 1);"),
+        "Extract to function",
+        &format!(
+            "void extracted(vec2 p, out float a, out float b) {{\n    a = p.x;\n    b = a * time;\n}}\n\n{}",
+            in_main(
+                "float a;\n    float b;\n    ¦extracted(p, a, b);\n    color = vec4(a, b, 1, 1);"
+            )
+        ),
+    );
+    // Jumps out of the code, and results of one declaration.
     let none = |body: &str| check_none(&in_main(body), "to function");
     none("for (int i = 0; i < 4; i++) { «if (p.x > 1.0) break;» color = vec4(i); }");
     none("«if (p.x > 1.0) return;»\n    color = vec4(1);");
-    none("«float a = p.x; float b = p.y;» color = vec4(a, b, 1, 1);");
+    none("«float a = p.x, b = p.y;» color = vec4(a, b, 1, 1);");
     none("color = vec4(«p.x += 1.0»);");
 }
 

@@ -1,11 +1,11 @@
 //! Converts a complete shader of GLSL ES 1.00 to GLSL ES 3.00.
 
 use super::place::RefactorPlace;
-use super::proposal::{Evidence, Proposal, RefactorKind};
+use super::proposal::{ProposedRefactoring, RefactorKind, RequiredProof};
 use shaderlint_semantic::{Dialect, upgrade};
 use shaderlint_syntax::Version;
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
+pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     let program = place.program;
     // Code that gives the shader to the browser may depend on its version.
     let is_alone =
@@ -16,9 +16,9 @@ pub(super) fn propose(place: &RefactorPlace) -> Vec<Proposal> {
         .flatten();
     // Inputs with other names would need changes of the code that sets them.
     let done = done.filter(|done| done.renamed.is_empty());
-    let proposal = done.map(|done| Proposal {
-        evidence: Evidence::Images,
-        ..Proposal::new(RefactorKind::Rewrite, "Convert to GLSL ES 3.00", done.edits)
+    let proposal = done.map(|done| ProposedRefactoring {
+        evidence: RequiredProof::Images,
+        ..ProposedRefactoring::new(RefactorKind::Rewrite, "Convert to GLSL ES 3.00", done.edits)
     });
     proposal.into_iter().collect()
 }

@@ -1,7 +1,7 @@
 //! Checks the text after a refactoring.
 
 use super::place::RefactorPlace;
-use super::proposal::{Evidence, NewFile, Proposal, Refactoring};
+use super::proposal::{NewFile, ProposedRefactoring, Refactoring, RequiredProof};
 use crate::document::Document;
 use shaderlint_diagnostic::{Origin, Severity};
 use shaderlint_engine::{Analysis, FileType, Files, LoadError, equal};
@@ -17,7 +17,10 @@ use std::sync::Arc;
 const FUEL: u64 = 100_000_000;
 
 /// The refactoring of a proposal, if the shaders stay the same.
-pub(super) fn verified(place: &RefactorPlace, proposal: Proposal) -> Option<Refactoring> {
+pub(super) fn verified(
+    place: &RefactorPlace,
+    proposal: ProposedRefactoring,
+) -> Option<Refactoring> {
     let document = place.document;
     let edits = proposal.edits.iter();
     let edits = edits.map(|edit| document.report.edit_of_input(edit));
@@ -74,7 +77,7 @@ fn error_count(document: &Document) -> usize {
 }
 
 /// Whether the shaders of a document stay the same.
-fn is_kept(before: &Document, after: &Document, evidence: Evidence) -> bool {
+fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool {
     let (ours, theirs) = (&before.report.analyses, &after.report.analyses);
     if ours.len() != theirs.len() || error_count(after) > error_count(before) {
         return false;
@@ -86,8 +89,8 @@ fn is_kept(before: &Document, after: &Document, evidence: Evidence) -> bool {
         }
         a.program.stage == b.program.stage
             && match evidence {
-                Evidence::Proof => is_proved(a, b),
-                Evidence::Images => matches!(
+                RequiredProof::Proof => is_proved(a, b),
+                RequiredProof::Images => matches!(
                     equal(&a.program, &b.program, &mut FUEL.clone()),
                     Ok(Equality::Proved | Equality::SampledEqual { .. })
                 ),
