@@ -59,9 +59,9 @@ impl RefactorKind {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum RequiredProof {
     /// The IR is equal.
-    Proof,
+    EqualIr,
     /// The sampled images are equal.
-    Images,
+    EqualImages,
 }
 
 /// A refactoring that is not verified yet. Edits are of addresses.
@@ -89,7 +89,7 @@ impl ProposedRefactoring {
             edits,
             name: None,
             creates: None,
-            evidence: RequiredProof::Proof,
+            evidence: RequiredProof::EqualIr,
             slider: None,
         }
     }

@@ -17,7 +17,7 @@ pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     // Inputs with other names would need changes of the code that sets them.
     let done = done.filter(|done| done.renamed.is_empty());
     let proposal = done.map(|done| ProposedRefactoring {
-        evidence: RequiredProof::Images,
+        evidence: RequiredProof::EqualImages,
         ..ProposedRefactoring::new(RefactorKind::Rewrite, "Convert to GLSL ES 3.00", done.edits)
     });
     proposal.into_iter().collect()

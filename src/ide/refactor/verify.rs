@@ -89,8 +89,8 @@ fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool
         }
         a.program.stage == b.program.stage
             && match evidence {
-                RequiredProof::Proof => is_proved(a, b),
-                RequiredProof::Images => matches!(
+                RequiredProof::EqualIr => is_proved(a, b),
+                RequiredProof::EqualImages => matches!(
                     equal(&a.program, &b.program, &mut FUEL.clone()),
                     Ok(Equality::Proved | Equality::SampledEqual { .. })
                 ),
