@@ -95,6 +95,11 @@ impl Effects {
         self.exprs.get(expr.0 as usize).is_none_or(|e| *e)
     }
 
+    /// Whether a call of a function writes to globals or outputs, or executes `discard`.
+    pub fn acts(&self, function: FunctionRef) -> bool {
+        self.summary(function).acts
+    }
+
     /// Whether a function is pure: equal arguments give equal results, and nothing is written.
     pub fn is_pure(&self, function: FunctionRef) -> bool {
         let found = self.summary(function);

@@ -7,6 +7,7 @@ mod calls;
 mod columns;
 mod definite_assignment;
 mod effects;
+mod equivalence;
 mod gradients;
 mod jumps;
 mod liveness;
@@ -30,6 +31,7 @@ pub use definite_assignment::{
     AssignmentFindings, DefiniteAssignment, PartMask, UnassignedVariable,
 };
 pub use effects::Effects;
+pub use equivalence::{ShaderVersion, is_equivalent};
 pub use gradients::{DivergenceCause, Gradient, gradients};
 pub use jumps::{Jump, jump};
 pub use liveness::Liveness;

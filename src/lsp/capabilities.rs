@@ -3,7 +3,8 @@
 use super::client::Client;
 use gen_lsp_types::{CodeActionKind, SymbolKind};
 use serde_json::{Value, json};
-use shaderlint_ide::{SymbolKind as Kind, TokenClass};
+use shaderlint_ide::{RefactorKind, SymbolKind as Kind, TokenClass};
+use std::borrow::Cow;
 
 /// Semantic token types, indexed by number.
 pub const TOKEN_TYPES: [&str; 7] = [
@@ -55,7 +56,27 @@ const COMMANDS: &[&str] = &[
 
 /// The kind of code action that applies all safe fixes.
 pub const FIX_ALL_KIND: CodeActionKind =
-    CodeActionKind::Custom(std::borrow::Cow::Borrowed("source.fixAll.shaderlint"));
+    CodeActionKind::Custom(Cow::Borrowed("source.fixAll.shaderlint"));
+
+/// The kind of code action of a refactoring.
+pub const fn action_kind(kind: RefactorKind) -> CodeActionKind {
+    let name = match kind {
+        RefactorKind::ExtractVariable => "refactor.extract.variable",
+        RefactorKind::ExtractConstant => "refactor.extract.constant",
+        RefactorKind::ExtractFunction => "refactor.extract.function",
+        RefactorKind::Inline => return CodeActionKind::RefactorInline,
+        RefactorKind::Rewrite => return CodeActionKind::RefactorRewrite,
+        RefactorKind::Move => return CodeActionKind::RefactorMove,
+    };
+    CodeActionKind::Custom(Cow::Borrowed(name))
+}
+
+/// The kinds of code actions.
+fn action_kinds() -> Vec<CodeActionKind> {
+    let refactorings = RefactorKind::ALL.into_iter().map(action_kind);
+    let fixes = [CodeActionKind::QuickFix, FIX_ALL_KIND];
+    fixes.into_iter().chain(refactorings).collect()
+}
 
 /// The capabilities announced to a client.
 pub fn capabilities(client: &Client) -> Value {
@@ -75,7 +96,7 @@ pub fn capabilities(client: &Client) -> Value {
         "documentHighlightProvider": true,
         "documentSymbolProvider": true,
         "workspaceSymbolProvider": true,
-        "codeActionProvider": { "codeActionKinds": [CodeActionKind::QuickFix, FIX_ALL_KIND] },
+        "codeActionProvider": { "codeActionKinds": action_kinds() },
         "codeLensProvider": {},
         "colorProvider": true,
         "documentFormattingProvider": true,

@@ -32,6 +32,8 @@ pub struct Client {
     pub folds_inside_lines: bool,
     /// Whether document symbols may be nested.
     pub nested_outline: bool,
+    /// Whether edits may create files.
+    pub creates_files: bool,
 }
 
 impl Client {
@@ -46,6 +48,7 @@ impl Client {
             Some(all.iter().filter_map(Value::as_str).collect::<Vec<_>>())
         };
         let formats = names("textDocument/hover/contentFormat");
+        let operations = names("workspace/workspaceEdit/resourceOperations");
         Client {
             columns: Columns::choose(&names("general/positionEncodings").unwrap_or_default()),
             pulls: exists("textDocument/diagnostic"),
@@ -58,6 +61,8 @@ impl Client {
             watches: is("workspace/didChangeWatchedFiles/dynamicRegistration"),
             configurations: is("workspace/configuration"),
             folds_inside_lines: !is("textDocument/foldingRange/lineFoldingOnly"),
+            creates_files: is("workspace/workspaceEdit/documentChanges")
+                && operations.is_some_and(|all| all.contains(&"create")),
             nested_outline: is("textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),
         }
     }
@@ -77,6 +82,9 @@ pub struct UserSettings {
     pub lenses: bool,
     /// Client command that opens its own preview, if it has one.
     pub preview_command: Option<String>,
+    /// Client command that renames the name at a position, if it has one: a refactoring that writes a
+    /// new name then asks for a better one.
+    pub rename_command: Option<String>,
 }
 
 /// Which inlay hints are shown.
@@ -100,6 +108,7 @@ impl Default for UserSettings {
             hints: UserHints::default(),
             lenses: true,
             preview_command: None,
+            rename_command: None,
         }
     }
 }

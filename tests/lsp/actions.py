@@ -150,6 +150,96 @@ def actions_are_filtered_by_kind(case):
          "the actions without a diagnostic")
 
 
+PARTS = """// A wave.
+float wave(float x) {
+    return sin(x) * 0.5;
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    vec2 uv = fragCoord / iResolution.xy;
+    float bright = «sum»uv.x * 2.0«end» + wave(uv.y);
+    fragColor = vec4(bright);
+}
+"""
+
+
+def refactorings(client, source, start, end, only="refactor", trigger=1):
+    """The refactorings of a range."""
+    context = {"diagnostics": [], "triggerKind": trigger, "only": [only]}
+    chosen = client.lines(source.uri).range(start, end)
+    return client.of(source.uri, "textDocument/codeAction", range=chosen, context=context)
+
+
+@test
+def expressions_are_extracted_and_variables_inlined(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", PARTS).open(client)
+    found = refactorings(client, source, source["sum"], source["end"])
+    kinds = {a["title"]: a["kind"] for a in found}
+    same(kinds, {"Extract to variable": "refactor.extract.variable",
+                 "Extract to function": "refactor.extract.function"}, "the refactorings")
+    holds(set(kinds.values()) < set(client.initialized["capabilities"]["codeActionProvider"]["codeActionKinds"]),
+          "kinds that were not announced")
+    # A server whose client has no command for it does not ask for a name.
+    same([a.get("command") for a in found], [None, None], "the commands")
+    functions = refactorings(client, source, source["sum"], source["end"], "refactor.extract.function")
+    same([a["title"] for a in functions], ["Extract to function"], "the refactorings of a kind")
+    client.apply(titled(found, "Extract to variable")["edit"])
+    contains(client.text(source.uri),
+             "\n    float value = uv.x * 2.0;\n    float bright = value + wave(uv.y);\n", "the text")
+    same(errors(client.published(source.uri)), [], "the errors")
+    at = client.text(source.uri).index("value")
+    client.apply(titled(refactorings(client, source, at, at), "Inline variable")["edit"])
+    contains(client.text(source.uri), "\n    float bright = uv.x * 2.0 + wave(uv.y);\n", "the text")
+
+
+@test
+def new_names_are_renamed_by_the_client(case):
+    client = case.client(options={"run": False, "renameCommand": "editor.rename"})
+    source = case.write("a.glsl", PARTS).open(client)
+    found = refactorings(client, source, source["sum"], source["end"])
+    for action in found:
+        text = client.text(source.uri)
+        client.apply(action["edit"])
+        uri, position = action["command"]["arguments"]
+        same((action["command"]["command"], uri), ("editor.rename", source.uri), "the command")
+        at = client.lines(uri).offset(position)
+        name = {"Extract to variable": "value ", "Extract to function": "extracted("}[action["title"]]
+        holds(client.text(uri)[at:].startswith(name), "another name at the position", client.text(uri)[at:])
+        client.write_all(source.uri, text)
+
+
+@test
+def functions_move_to_new_files(case):
+    capabilities = everything()
+    capabilities["workspace"]["workspaceEdit"] = {"documentChanges": True, "resourceOperations": ["create"]}
+    client = case.client(capabilities=capabilities, options=QUIET)
+    source = case.write("a.glsl", PARTS).open(client)
+    at = source.text.index("wave(float")
+    client.apply(titled(refactorings(client, source, at, at), "Move `wave`")["edit"])
+    contains(client.text(source.uri), "#include \"wave.glsl\"\n\nvoid mainImage", "the text")
+    with open(os.path.join(case.folder, "wave.glsl"), encoding="utf-8") as file:
+        same(file.read(), "// A wave.\nfloat wave(float x) {\n    return sin(x) * 0.5;\n}\n", "the file")
+    same(errors(client.published(source.uri)), [], "the errors")
+    # Other clients cannot create files.
+    client = case.client(options=QUIET)
+    other = case.write("b.glsl", PARTS.replace("wave", "ripple")).open(client)
+    found = refactorings(client, other, at, at)
+    same([a for a in found if a["kind"] == "refactor.move"], [], "without files")
+
+
+@test
+def a_cursor_that_moves_gets_no_refactorings(case):
+    client = case.client(options=QUIET)
+    source = case.write("a.glsl", PARTS).open(client)
+    at = source.text.index("bright")
+    holds(refactorings(client, source, at, at), "none on request")
+    same(refactorings(client, source, at, at, trigger=2), [], "without a request")
+    # Code with errors is not refactored.
+    client.write_all(source.uri, source.text.replace("bright);", "bright + 1);"))
+    same(refactorings(client, source, at, at), [], "with an error")
+
+
 @test
 def fix_all_applies_safe_fixes(case):
     client = case.client(options=QUIET)

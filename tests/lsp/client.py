@@ -434,6 +434,10 @@ class Client(Connection):
     def apply(self, edit):
         """Applies a workspace edit to the open texts and to the files that are not open, and
         notifies the server."""
+        for change in edit.get("documentChanges") or []:
+            if change.get("kind") == "create":
+                with open(path_of(change["uri"]), "x", encoding="utf-8"):
+                    pass
         for uri, edits in changes_of(edit):
             if uri in self.documents:
                 text = apply_edits(self.documents[uri].text, edits, self.encoding)
@@ -548,7 +552,8 @@ def path_of(uri):
 def changes_of(edit):
     """The edits of a workspace edit, by URI."""
     if "documentChanges" in edit:
-        return [(c["textDocument"]["uri"], c["edits"]) for c in edit["documentChanges"]]
+        texts = [c for c in edit["documentChanges"] if "kind" not in c]
+        return [(c["textDocument"]["uri"], c["edits"]) for c in texts]
     return sorted((edit.get("changes") or {}).items())
 
 

@@ -4,7 +4,8 @@ import { CloseAction, ErrorAction, LanguageClient, type LanguageClientOptions } 
 import { binary } from './binary';
 import { CostMaps } from './costMap';
 import { Previews } from './preview';
-import { documentSelector, PREVIEW_COMMAND, SECTION, serverSettings } from './settings';
+import { renameAt } from './rename';
+import { documentSelector, PREVIEW_COMMAND, RENAME_COMMAND, SECTION, serverSettings } from './settings';
 import { tune } from './tune';
 
 /** A client that only logs its errors: the messages below tell the user, once. */
@@ -40,6 +41,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
         vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) => previews.open(place, shader)),
         vscode.commands.registerCommand('shaderlint.costMap', (place?: unknown) => maps.show(place)),
         vscode.commands.registerCommand('shaderlint.tune', tune),
+        vscode.commands.registerCommand(RENAME_COMMAND, renameAt),
         vscode.workspace.onDidChangeConfiguration((change) => {
             const restarts = ['path', 'exports'].some((name) => change.affectsConfiguration(`${SECTION}.${name}`));
             if (restarts) void restart();
@@ -79,7 +81,7 @@ function createClient(command: string, output: vscode.OutputChannel): LanguageCl
         markdown: { isTrusted: false, supportHtml: false },
         middleware: {
             workspace: {
-                // The server asks for the whole section, which lacks the name of the preview command.
+                // The server asks for the whole section, which lacks the names of commands.
                 configuration: async (params, token, next) => {
                     const told: unknown = await next(params, token);
                     if (!Array.isArray(told)) return [];

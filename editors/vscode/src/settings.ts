@@ -7,6 +7,9 @@ export const SECTION = 'shaderlint';
 /** The command that opens a preview; the server offers it as a code lens. */
 export const PREVIEW_COMMAND = 'shaderlint.preview';
 
+/** The command that renames a new name; the server adds it to refactorings. */
+export const RENAME_COMMAND = 'shaderlint.rename';
+
 /** The settings that are sent to the server. */
 export function serverSettings(): object {
     const settings = vscode.workspace.getConfiguration(SECTION);
@@ -21,6 +24,7 @@ export function serverSettings(): object {
         },
         lenses: is('lenses', true),
         previewCommand: PREVIEW_COMMAND,
+        renameCommand: RENAME_COMMAND,
     };
 }
 

@@ -1,5 +1,6 @@
 //! Answers that edit text: fixes, renaming, formatting.
 
+use super::refactor::refactorings;
 use super::workspace::{Related, project_files};
 use crate::buffers::{TextBuffer, full_range};
 use crate::capabilities::{EXPLAIN, FIX_ALL_KIND};
@@ -24,7 +25,7 @@ fn workspace_edit(buffer: &TextBuffer, edits: Vec<TextEdit>) -> WorkspaceEdit {
     }
 }
 
-/// The code actions for the findings in a range.
+/// The code actions for the findings in a range, and the refactorings of its code.
 pub fn actions(
     snapshot: &Snapshot,
     params: CodeActionParams,
@@ -40,13 +41,19 @@ pub fn actions(
         only.is_none_or(|only| only.iter().any(of))
     };
     let mut found = Vec::new();
+    let span = snapshot.span(buffer, params.range);
     if is_requested(&CodeActionKind::QuickFix) {
-        let span = snapshot.span(buffer, params.range);
         let actions = ide::actions(&document, &snapshot.files, span);
         let items = actions
             .iter()
             .filter_map(|action| of_finding(snapshot, buffer, &document, action));
         found.extend(items.map(CodeActionResponse::CodeAction));
+    }
+    // A cursor that moves asks for what an editor shows without being asked: no refactorings.
+    let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::Automatic);
+    if !(span.is_empty() && is_automatic) {
+        let actions = refactorings(snapshot, buffer, span, is_requested);
+        found.extend(actions.into_iter().map(CodeActionResponse::CodeAction));
     }
     // All safe fixes together, only on request: verifying them draws the shader.
     let asks = only.is_some_and(|only| only.iter().any(|k| k.to_string().starts_with("source")));

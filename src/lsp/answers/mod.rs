@@ -4,6 +4,7 @@ mod appearance;
 mod edits;
 mod language;
 mod navigation;
+mod refactor;
 mod workspace;
 
 use super::snapshot::{Answer, Failure, Snapshot};

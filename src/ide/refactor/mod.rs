@@ -1,0 +1,56 @@
+//! Refactorings: edits that keep what a shader computes.
+//!
+//! There are few special cases. A refactoring proposes edits; the changed text is checked again, and
+//! the IR of the shaders before and after must be equal after inlining and value numbering. What
+//! cannot be proved is not offered.
+
+mod constant;
+mod define;
+mod extract_function;
+mod extract_variable;
+mod inline_function;
+mod inline_variable;
+mod move_function;
+mod name;
+mod place;
+mod proposal;
+#[cfg(test)]
+mod tests;
+mod upgrade;
+mod verify;
+
+use super::document::Document;
+use place::RefactorPlace;
+use proposal::ProposedRefactoring;
+pub use proposal::{NewFile, RefactorKind, Refactoring};
+use shaderlint_engine::Files;
+use shaderlint_text::Span;
+
+/// The refactorings of the code at a selection, of the requested kinds. Each is verified.
+pub fn refactorings(
+    document: &Document,
+    files: &dyn Files,
+    selection: Span,
+    is_requested: impl Fn(RefactorKind) -> bool,
+) -> Vec<Refactoring> {
+    let Some(place) = RefactorPlace::of(document, files, selection) else {
+        return Vec::new();
+    };
+    type Propose = fn(&RefactorPlace) -> Vec<ProposedRefactoring>;
+    let all: [(RefactorKind, Propose); 9] = [
+        (RefactorKind::ExtractVariable, extract_variable::propose),
+        (RefactorKind::ExtractConstant, constant::propose),
+        (RefactorKind::ExtractFunction, extract_function::propose),
+        (RefactorKind::Inline, inline_variable::propose),
+        (RefactorKind::Inline, inline_function::propose),
+        (RefactorKind::Rewrite, constant::propose_slider),
+        (RefactorKind::Rewrite, define::propose),
+        (RefactorKind::Rewrite, upgrade::propose),
+        (RefactorKind::Move, move_function::propose),
+    ];
+    let requested = all.into_iter().filter(|(kind, _)| is_requested(*kind));
+    let proposals = requested.flat_map(|(_, propose)| propose(&place));
+    proposals
+        .filter_map(|proposal| verify::verified(&place, proposal))
+        .collect()
+}

@@ -1,0 +1,168 @@
+//! Checks the text after a refactoring.
+
+use super::place::RefactorPlace;
+use super::proposal::{NewFile, ProposedRefactoring, Refactoring, RequiredProof};
+use crate::document::Document;
+use shaderlint_diagnostic::{Origin, Severity};
+use shaderlint_engine::{Analysis, FileType, Files, LoadError, equal};
+use shaderlint_exec::Equality;
+use shaderlint_flow::{ShaderVersion, is_equivalent};
+use shaderlint_lint::Facts;
+use shaderlint_semantic::tunable::tunables;
+use shaderlint_text::{Edit, apply_edits};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Number of instructions that may run to compare images.
+const FUEL: u64 = 100_000_000;
+
+/// The refactoring of a proposal, if the shaders stay the same.
+pub(super) fn verified(
+    place: &RefactorPlace,
+    proposal: ProposedRefactoring,
+) -> Option<Refactoring> {
+    let document = place.document;
+    let edits = proposal.edits.iter();
+    let edits = edits.map(|edit| document.report.edit_of_input(edit));
+    let mut edits: Vec<Edit> = edits.collect::<Option<_>>()?;
+    edits.sort_by_key(|edit| edit.span);
+    let text = apply_edits(&document.text, 0, &edits).ok()?;
+    let files = WithNewFile {
+        files: place.files,
+        beside: Path::new(&document.path),
+        created: proposal.creates.as_ref(),
+    };
+    let after = document.read_as(text, &files);
+    let has_slider = |name: &String| {
+        let mut all = after.report.analyses.iter();
+        all.any(|a| {
+            tunables(&a.program)
+                .iter()
+                .any(|t| a.program.sources.text(t.name) == name)
+        })
+    };
+    let is_kept = is_kept(document, &after, proposal.evidence);
+    if !is_kept || !proposal.slider.as_ref().is_none_or(has_slider) {
+        return None;
+    }
+    let name = proposal.name.and_then(|name| position(&edits, &name));
+    Some(Refactoring {
+        title: proposal.title,
+        kind: proposal.kind,
+        edits,
+        name,
+        creates: proposal.creates,
+    })
+}
+
+/// Where edits write a name that is new, in the changed text: at its last use, which is the code
+/// that was selected or replaces it.
+fn position(edits: &[Edit], name: &str) -> Option<u32> {
+    let mut grown = 0;
+    let mut found = None;
+    for edit in edits {
+        if let Some(at) = edit.text.rfind(name) {
+            found = Some(i64::from(edit.span.start) + grown + at as i64);
+        }
+        grown += edit.text.len() as i64 - i64::from(edit.span.len());
+    }
+    found.and_then(|at| u32::try_from(at).ok())
+}
+
+/// The number of errors, apart from those of rules, which do not check the changed text.
+fn error_count(document: &Document) -> usize {
+    let all = document.report.diagnostics.iter();
+    let errors = all.filter(|d| d.severity == Severity::Error && d.origin != Origin::Rule);
+    errors.count()
+}
+
+/// Whether the shaders of a document stay the same.
+fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool {
+    let (ours, theirs) = (&before.report.analyses, &after.report.analyses);
+    if ours.len() != theirs.len() || error_count(after) > error_count(before) {
+        return false;
+    }
+    let mut pairs = ours.iter().zip(theirs);
+    pairs.all(|(a, b)| {
+        if a.has_errors || b.has_errors {
+            return a.has_errors == b.has_errors;
+        }
+        a.program.stage == b.program.stage
+            && match evidence {
+                RequiredProof::EqualIr => is_proved(a, b),
+                RequiredProof::EqualImages => matches!(
+                    equal(&a.program, &b.program, &mut FUEL.clone()),
+                    Ok(Equality::Proved | Equality::SampledEqual { .. })
+                ),
+            }
+    })
+}
+
+fn is_proved(before: &Analysis, after: &Analysis) -> bool {
+    let (ours, theirs) = (before.facts(), after.facts());
+    is_equivalent(version(before, &ours), version(after, &theirs))
+}
+
+fn version<'a>(analysis: &'a Analysis, facts: &'a Facts<'a>) -> ShaderVersion<'a> {
+    ShaderVersion {
+        program: &analysis.program,
+        module: facts.module(),
+        effects: facts.effects(),
+    }
+}
+
+/// A file system with a new file beside another.
+struct WithNewFile<'f> {
+    files: &'f dyn Files,
+    beside: &'f Path,
+    created: Option<&'f NewFile>,
+}
+
+impl WithNewFile<'_> {
+    fn created(&self, path: &Path) -> Option<&NewFile> {
+        self.created.filter(|file| path == Path::new(&file.path))
+    }
+}
+
+impl Files for WithNewFile<'_> {
+    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
+        match self.created(path) {
+            Some(file) => Ok(file.text.as_str().into()),
+            None => self.files.load(path),
+        }
+    }
+
+    fn entry(&self, path: &Path) -> Option<FileType> {
+        match self.created(path) {
+            Some(_) => Some(FileType::File),
+            None => self.files.entry(path),
+        }
+    }
+
+    fn names(&self, folder: &Path) -> Vec<String> {
+        self.files.names(folder)
+    }
+
+    fn here(&self) -> &Path {
+        self.files.here()
+    }
+
+    fn real(&self, path: &Path) -> Option<PathBuf> {
+        let Some(name) = self.created(path).and_then(|_| path.file_name()) else {
+            return self.files.real(path);
+        };
+        let beside = self.files.real(self.beside);
+        Some(
+            beside
+                .unwrap_or(self.beside.to_path_buf())
+                .with_file_name(name),
+        )
+    }
+
+    fn version(&self, path: &Path) -> Option<u64> {
+        match self.created(path) {
+            Some(_) => None,
+            None => self.files.version(path),
+        }
+    }
+}
