@@ -6,8 +6,7 @@
 //! are formatted, too, and so is code with errors, as long as its brackets match.
 //!
 //! The author's line breaks within statements are kept. Lines that are too long are broken at the
-//! outermost position such that the part before it fits (after D. Oppen, "Prettyprinting", 1980,
-//! inconsistent breaks).
+//! outermost level, and their parts at the next (after D. Oppen, "Prettyprinting", 1980).
 
 mod columns;
 mod gaps;
@@ -16,9 +15,11 @@ mod hang;
 mod item;
 mod layout;
 mod lines;
+mod operators;
 mod overflow;
 mod place;
 mod request;
+mod rows;
 mod spacing;
 mod structure;
 mod style;
@@ -56,6 +57,6 @@ pub fn format(
     };
     let roles = structure::read(&items)?;
     grid::keep(&mut items, &roles);
-    let places = layout::place(text, &items, &roles, style, extent, lines);
+    let places = layout::place(text, &mut items, &roles, style, extent, lines);
     Ok(gaps::edits(text, &items, &places, style, extent))
 }

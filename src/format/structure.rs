@@ -4,9 +4,29 @@
 use super::item::{BranchDirective, FormatItem, ItemKind};
 use super::request::Unformatted;
 use shaderlint_syntax::TokenKind as T;
+use shaderlint_syntax::set::TokenSet;
 
 /// Maximum nesting of brackets, bodies without braces and preprocessor conditionals.
 const MAX_DEPTH: usize = 200;
+
+/// Words with which a statement or declaration may start.
+const BEGINS_STATEMENT: TokenSet = TokenSet::of(&[
+    T::Identifier,
+    T::Type,
+    T::Void,
+    T::Const,
+    T::Uniform,
+    T::In,
+    T::Out,
+    T::Struct,
+    T::Highp,
+    T::Mediump,
+    T::Lowp,
+    T::If,
+    T::For,
+    T::While,
+    T::Return,
+]);
 
 /// The role of an item in its statement.
 #[derive(Clone, Copy, Debug, Default)]
@@ -93,6 +113,8 @@ struct OpenBlock {
     level: u32,
     /// Whether a label of this block precedes the current statement.
     is_labelled: bool,
+    /// Whether the current statement consists of macro calls so far.
+    is_call: bool,
     at: StatementPoint,
     /// The enclosing headers without braces: `if (a) for (;;) ...` has two.
     controls: Vec<ConstructKind>,
@@ -146,6 +168,7 @@ impl OpenBlock {
             open,
             level,
             is_labelled: false,
+            is_call: false,
             at: StatementPoint::Between,
             controls: Vec::new(),
         }
@@ -338,6 +361,9 @@ impl StructureReader<'_> {
 
     /// Continues a statement.
     fn inside(&mut self, at: u32, kind: T, declares: bool) -> Result<(), Unformatted> {
+        if self.follows_macro(at, kind) {
+            return self.start(at, kind);
+        }
         match kind {
             T::LeftParen | T::LeftBracket => self.open_bracket(at, kind, None),
             T::LeftBrace if self.is_list() => self.open_bracket(at, kind, None),
@@ -371,6 +397,28 @@ impl StructureReader<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Whether a word starts a statement although no semicolon precedes it: after a statement that
+    /// consists of macro calls.
+    fn follows_macro(&mut self, at: u32, kind: T) -> bool {
+        let (last, items) = (self.last, self.items);
+        let item = |at: u32| items.get(at as usize);
+        let last_is = |kind| item(last).is_some_and(|last| last.is(kind));
+        let is_called = item(at + 1).is_some_and(|next| next.is(T::LeftParen));
+        let starts_line = item(at).is_some_and(|i| i.breaks > 0);
+        let is_first = self.role(last).start == StatementStart::Statement;
+        let Some(block) = self.block() else {
+            return false;
+        };
+        block.is_call &= kind == T::LeftParen || BEGINS_STATEMENT.contains(kind) && !is_first;
+        block.is_call
+            && starts_line
+            && match kind {
+                T::LeftParen => false,
+                T::Identifier if last_is(T::Identifier) => is_called,
+                _ => last_is(T::RightParen),
+            }
     }
 
     /// Whether the current brace opens an initialiser list or the like.
@@ -469,6 +517,7 @@ impl StructureReader<'_> {
             _ => {
                 let declares = matches!(kind, T::Struct | T::Uniform | T::In | T::Out);
                 if let Some(block) = self.block() {
+                    block.is_call = kind == T::Identifier;
                     block.at = StatementPoint::Inside { declares };
                 }
             }

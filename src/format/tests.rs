@@ -161,6 +161,68 @@ fn tables_stay_tables() {
 }
 
 #[test]
+fn columns_contain_items_of_one_sort() {
+    // A coincidence.
+    body(
+        "a=b+c*(d-e);\nvec2   g=h;",
+        "a = b + c * (d - e);\nvec2 g = h;",
+    );
+    body(
+        "float a  = b;\nvec2  cc = d;",
+        "float a  = b;\nvec2  cc = d;",
+    );
+    body(
+        "m=mat2(cos(a),0,\n       0,     1);",
+        "m = mat2(cos(a), 0,\n         0,      1);",
+    );
+}
+
+#[test]
+fn numbers_in_columns_keep_their_padding() {
+    body(
+        "a=f(vec2( 1.0,  0.0));\nb=f(vec2(-1.0, -1.0));\nc=f(vec2(10.0,  1.0));",
+        "a = f(vec2( 1.0,  0.0));\nb = f(vec2(-1.0, -1.0));\nc = f(vec2(10.0,  1.0));",
+    );
+    body(
+        "x+=x<<10u;\nx^=x>> 6u;\nx+=y;",
+        "x += x << 10u;\nx ^= x >>  6u;\nx += y;",
+    );
+    body("a = vec2( 1.0, 2.0);", "a = vec2(1.0, 2.0);");
+}
+
+#[test]
+fn rows_of_equal_statements_stay() {
+    body("c(1);c(2);c(3);", "c(1); c(2); c(3);");
+    body(
+        "float f=.5*n(p);p=m*p;\nf+=.25*n(p);p=m*p*2.;",
+        "float f = .5 * n(p); p = m * p;\nf += .25 * n(p); p = m * p * 2.;",
+    );
+    body("a=1.;b=2.;\nf(c);d=3.;", "a = 1.;\nb = 2.;\nf(c);\nd = 3.;");
+}
+
+#[test]
+fn rows_of_tables_may_be_too_long() {
+    let style = Style {
+        width: 30,
+        ..Style::default()
+    };
+    let text = "m = mat3(aaaaaaaaaa + b, 0,      c,\n         0,              d + ee, 0);\n";
+    assert_eq!(formatted(text, &style), text);
+}
+
+#[test]
+fn calls_of_macros_need_no_semicolon() {
+    check(
+        "A(1)\nB(2) c\nD(3)\nvoid f(){}",
+        "A(1)\nB(2) c\nD(3)\nvoid f() {}\n",
+    );
+    check(
+        "int a = b(1)\n+c(2)\n;",
+        "int a = b(1)\n    + c(2)\n    ;\n",
+    );
+}
+
+#[test]
 fn long_lines_are_broken_at_the_outermost_place() {
     let style = Style {
         width: 30,
@@ -178,6 +240,74 @@ fn long_lines_are_broken_at_the_outermost_place() {
     assert_eq!(
         broken("float a = bbbbbb * cccccc + dddddd * eeeeee;"),
         "float a = bbbbbb * cccccc\n    + dddddd * eeeeee;\n"
+    );
+}
+
+#[test]
+fn long_lines_have_one_form() {
+    let style = Style {
+        width: 40,
+        ..Style::default()
+    };
+    let cases = [
+        // The last line has more than one argument.
+        (
+            "a = f(bbbbbbbbb, cccccccc, dddddddd, eee);",
+            "a = f(bbbbbbbbb, cccccccc,\n      dddddddd, eee);\n",
+        ),
+        // Arguments that fit nowhere else start a line.
+        (
+            "col.rgb = mix(cc, g(aaaaa, bbbbbb, dd + ee));",
+            "col.rgb = mix(\n    cc, g(aaaaa, bbbbbb, dd + ee));\n",
+        ),
+        // One line after the assignment, rather than a short last line.
+        (
+            "float aaaaaa = bbbbbb(cccccc, ddddd) * e;",
+            "float aaaaaa =\n    bbbbbb(cccccc, ddddd) * e;\n",
+        ),
+        // Terms fill lines, or each has its own.
+        (
+            "float a = bbbbbbbb + cccccccc + dddddddd + eeee;",
+            "float a = bbbbbbbb + cccccccc\n    + dddddddd + eeee;\n",
+        ),
+        (
+            "float a = bb + cccccc * f(dddddddd, eeeeeeee) * g + hhhhhhhhhhhh;",
+            "float a = bb\n    + cccccc * f(dddddddd, eeeeeeee) * g\n    + hhhhhhhhhhhh;\n",
+        ),
+        // Factors of a term are indented further.
+        (
+            "float a = b + cccccccccccccccc * dddddddddd * eeeeeee;",
+            "float a = b + cccccccccccccccc\n        * dddddddddd * eeeeeee;\n",
+        ),
+        (
+            "a = bbbbbbb < c ? ddddddddd : bbbbbb < e ? ffffff : g;",
+            "a = bbbbbbb < c ? ddddddddd\n    : bbbbbb < e ? ffffff\n    : g;\n",
+        ),
+        // Lines end with operators where the author's do.
+        (
+            "a = b +\nc;\nfloat d = eeeeeeeeeeee * fffffffff + gggggggggg;",
+            "a = b +\n    c;\nfloat d = eeeeeeeeeeee * fffffffff +\n    gggggggggg;\n",
+        ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(formatted(text, &style), expected);
+    }
+}
+
+#[test]
+fn if_and_else_on_one_line_are_broken_together() {
+    let style = Style {
+        width: 40,
+        ..Style::default()
+    };
+    let broken = |text: &str| formatted(&format!("void f(){{\n{text}}}"), &style);
+    assert_eq!(
+        broken("if(aaaaaaa)b=1;else if(ccccccc)d=1;else e=2;\n"),
+        "void f() {\n    if (aaaaaaa) b = 1;\n    else if (ccccccc) d = 1;\n    else e = 2;\n}\n"
+    );
+    assert_eq!(
+        broken("if(aaaaaaa)b=cccccccccccccccccccccc;else e=2;\n"),
+        "void f() {\n    if (aaaaaaa)\n        b = cccccccccccccccccccccc;\n    else\n        e = 2;\n}\n"
     );
 }
 

@@ -1,0 +1,148 @@
+//! Lines of several statements that stay on one line, because they are rows of a table.
+
+use super::item::FormatItem;
+use super::place::LineLayout;
+use super::spacing::is_assignment;
+use super::structure::{ItemRole, StatementStart};
+use shaderlint_syntax::TokenKind as T;
+use std::ops::Range;
+
+/// Minimum number of equal statements that stay on one line.
+const EQUAL: usize = 3;
+
+/// A line whose statements may share a line.
+pub struct Row {
+    /// Its first item, and the item after the last one.
+    pub from: usize,
+    to: usize,
+    line: u32,
+}
+
+impl LineLayout<'_> {
+    /// The lines of several statements that fit on a line.
+    pub(super) fn rows(&self) -> Vec<Row> {
+        let mut to = 0;
+        let lines = self.items.chunk_by(|a, b| a.line == b.line);
+        let rows = lines.map(|line| {
+            let from = to;
+            to += line.len();
+            let line = line.first().map_or(0, |first| first.line);
+            Row { from, to, line }
+        });
+        rows.filter(|row| self.is_row(row.from..row.to)).collect()
+    }
+
+    /// Whether a source line consists of statements that may share a line.
+    fn is_row(&self, line: Range<usize>) -> bool {
+        let role = self.role(line.start);
+        let roles = self.roles.get(line.clone()).unwrap_or(&[]);
+        let starts = |r: &&ItemRole| {
+            r.start != StatementStart::Nothing && r.start != StatementStart::Comment
+        };
+        let statements = roles.iter().filter(starts);
+        let are_plain = statements
+            .clone()
+            .all(|r| r.start == StatementStart::Statement && r.level == role.level);
+        let comment = |i: usize| self.item(i).is_some_and(FormatItem::is_comment);
+        let last = line.clone().rev().find(|i| !comment(*i));
+        let column = self.base + role.level * self.style.indent.width();
+        // One more space is put between statements than is counted.
+        let apart = statements.count() as u32;
+        role.start == StatementStart::Statement
+            && are_plain
+            && !goes_on(self.items, self.roles, line.end)
+            && last.is_some_and(|last| self.fits(line.start, last, column + apart))
+    }
+
+    /// By item: whether it starts a statement that stays on the same line as the previous one:
+    /// because an item of its line is a cell, because the next line or the one before has
+    /// statements of the same form, or because all statements of its line are equal.
+    pub(super) fn in_rows(&self, rows: &[Row]) -> Vec<bool> {
+        let mut stays = vec![false; self.items.len()];
+        let forms: Vec<Vec<Vec<T>>> = rows.iter().map(|row| self.forms(row)).collect();
+        let is_like = |n: usize, other: usize| match (rows.get(n), rows.get(other)) {
+            (Some(row), Some(next)) => {
+                let form = forms.get(n);
+                let is_near = row.line.abs_diff(next.line) == 1;
+                is_near && form == forms.get(other) && form.is_some_and(|f| !f.is_empty())
+            }
+            _ => false,
+        };
+        for (n, row) in rows.iter().enumerate() {
+            let starts =
+                (row.from + 1..row.to).filter(|i| self.role(*i).start == StatementStart::Statement);
+            let stay = starts.clone().any(|i| self.is_aligned(i))
+                || is_like(n, n + 1)
+                || n.checked_sub(1).is_some_and(|before| is_like(n, before))
+                || self.are_equal(row);
+            for i in starts.filter(|_| stay) {
+                if let Some(stays) = stays.get_mut(i) {
+                    *stays = true;
+                }
+            }
+        }
+        stays
+    }
+
+    /// Whether an item is aligned with items of other lines.
+    pub(super) fn is_aligned(&self, at: usize) -> bool {
+        self.aligned.get(at) == Some(&true)
+    }
+
+    /// The tokens of the statements of a row.
+    fn statements(&self, row: &Row) -> Vec<Vec<T>> {
+        let line = self.items.get(row.from..row.to).unwrap_or(&[]);
+        let code = line.iter().filter(|i| !i.is_comment() && !i.is_prefix);
+        let tokens: Vec<T> = code.filter_map(FormatItem::token).map(sort).collect();
+        let statements = tokens.split_inclusive(|kind| *kind == T::Semicolon);
+        statements.map(<[T]>::to_vec).collect()
+    }
+
+    /// The forms of the statements of a row: the tokens of each up to the assignment or call,
+    /// without a type. Equal ones count once; a row of one statement has none.
+    fn forms(&self, row: &Row) -> Vec<Vec<T>> {
+        let mut statements = self.statements(row);
+        if statements.len() < 2 {
+            return Vec::new();
+        }
+        for tokens in &mut statements {
+            let is_end = |kind: &T| is_assignment(*kind) || *kind == T::LeftParen;
+            let end = tokens.iter().position(is_end);
+            let end = end.map_or(tokens.len(), |end| end + 1);
+            let types = tokens.iter().take(end.saturating_sub(2));
+            let from = types.take_while(|kind| is_word(**kind)).count();
+            *tokens = tokens.get(from..end).unwrap_or(&[]).to_vec();
+        }
+        statements.dedup();
+        statements
+    }
+
+    /// Whether a row consists of equal statements, apart from names and numbers.
+    fn are_equal(&self, row: &Row) -> bool {
+        let statements = self.statements(row);
+        let are_equal = statements
+            .windows(2)
+            .all(|pair| pair.first() == pair.last());
+        statements.len() >= EQUAL && are_equal
+    }
+}
+
+fn is_word(kind: T) -> bool {
+    matches!(kind, T::Identifier | T::Type | T::Const)
+}
+
+/// A kind of token, the same for all numbers and for all assignments.
+fn sort(kind: T) -> T {
+    match kind {
+        T::Int | T::True | T::False => T::Float,
+        kind if is_assignment(kind) => T::Equal,
+        kind => kind,
+    }
+}
+
+/// Whether an item continues the statement of the item before it.
+pub fn goes_on(items: &[FormatItem], roles: &[ItemRole], at: usize) -> bool {
+    let is_inside = |r: &ItemRole| r.start == StatementStart::Nothing;
+    let is_code = |i: &FormatItem| i.is_comment() || i.token().is_some();
+    items.get(at).is_some_and(is_code) && roles.get(at).is_some_and(is_inside)
+}
