@@ -44,15 +44,19 @@ impl Formatting {
     fn shader(&mut self, text: &str, style: &Style) {
         let code = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
         let before = (text.len() - code.len()) as u32;
-        match format_code(code, style, TextExtent::File, Lines::Free) {
-            Ok(edits) => self
-                .edits
-                .extend(edits.into_iter().map(|e| moved(e, before))),
-            Err(why) => self.left.push(Unformatted {
-                span: moved_span(why.span, before),
-                ..why
-            }),
-        }
+        let formatted = format_code(code, style, TextExtent::File, Lines::Free);
+        let edits = formatted.edits.into_iter();
+        self.edits.extend(edits.map(|e| moved(e, before)));
+        self.leave(formatted.left, before);
+    }
+
+    /// Reports what was left, in a text that starts at `start`.
+    fn leave(&mut self, left: Vec<Unformatted>, start: u32) {
+        let left = left.into_iter().map(|why| Unformatted {
+            span: moved_span(why.span, start),
+            ..why
+        });
+        self.left.extend(left);
     }
 
     fn inside(&mut self, name: &str, language: DocumentLanguage, text: &str, style: &Style) {
@@ -66,27 +70,22 @@ impl Formatting {
 
     fn embedded(&mut self, embedded: &Embedded, text: &str, style: &Style) {
         let start = embedded.start as u32;
-        match format_code(&embedded.code, style, TextExtent::Inside, Lines::Free) {
-            Ok(edits) => {
-                let edits = edits.into_iter().map(|e| moved(e, start));
-                let is_template = embedded.wrapping == Wrapping::Template;
-                let edits = edits.filter_map(|e| {
-                    match is_template && !embedded.is_verbatim(text, e.span) {
-                        true => indentation_after(text, &e),
-                        false => Some(e),
-                    }
-                });
-                let edits: Vec<Edit> = edits.collect();
-                // A shader is skipped completely if the surrounding language would change the
-                // meaning of an edit.
-                if edits.iter().all(|e| embedded.admits(text, e)) {
-                    self.edits.extend(edits);
-                }
-            }
-            Err(why) => self.left.push(Unformatted {
-                span: moved_span(why.span, start),
-                ..why
-            }),
+        let formatted = format_code(&embedded.code, style, TextExtent::Inside, Lines::Free);
+        self.leave(formatted.left, start);
+        let edits = formatted.edits.into_iter().map(|e| moved(e, start));
+        let is_template = embedded.wrapping == Wrapping::Template;
+        let edits =
+            edits.filter_map(
+                |e| match is_template && !embedded.is_verbatim(text, e.span) {
+                    true => indentation_after(text, &e),
+                    false => Some(e),
+                },
+            );
+        let edits: Vec<Edit> = edits.collect();
+        // A shader is skipped completely if the surrounding language would change the meaning of an
+        // edit.
+        if edits.iter().all(|e| embedded.admits(text, e)) {
+            self.edits.extend(edits);
         }
     }
 
@@ -98,19 +97,17 @@ impl Formatting {
             false => Lines::Free,
         };
         for (_, code) in &codes {
-            match format_code(&code.value, style, TextExtent::File, lines) {
-                Ok(edits) => {
-                    let edits: Option<Vec<Edit>> = edits.iter().map(|e| in_json(e, code)).collect();
-                    self.edits.extend(edits.unwrap_or_default());
-                }
-                Err(why) => {
-                    let (from, to) = (why.span.start as usize, why.span.end as usize);
-                    let place = code.place(from, to);
-                    self.left.push(Unformatted {
-                        span: place.map_or(Span::at(0), |p| Span::new(p.start, p.end)),
-                        ..why
-                    });
-                }
+            let formatted = format_code(&code.value, style, TextExtent::File, lines);
+            let edits: Option<Vec<Edit>> =
+                formatted.edits.iter().map(|e| in_json(e, code)).collect();
+            self.edits.extend(edits.unwrap_or_default());
+            for why in formatted.left {
+                let (from, to) = (why.span.start as usize, why.span.end as usize);
+                let place = code.place(from, to);
+                self.left.push(Unformatted {
+                    span: place.map_or(Span::at(0), |p| Span::new(p.start, p.end)),
+                    ..why
+                });
             }
         }
         self.edits.sort_by_key(|e| e.span);

@@ -28,8 +28,7 @@ mod style;
 mod tests;
 
 use item::items;
-pub use request::{Lines, TextExtent, Unformatted};
-use shaderlint_text::Edit;
+pub use request::{FormattedText, Lines, TextExtent, Unformatted};
 pub use style::{Brace, Indentation, Style, StyleChoice};
 
 /// The macro that expands to the current line number.
@@ -40,23 +39,32 @@ pub fn counts_lines(text: &str) -> bool {
     text.contains(LINE_MACRO)
 }
 
-/// The edits that format a text, in order. Spans are relative to the start of the text.
-///
-/// # Errors
-/// A bracket is unmatched, a comment is unterminated, or brackets nest too deeply.
-pub fn format(
-    text: &str,
-    style: &Style,
-    extent: TextExtent,
-    lines: Lines,
-) -> Result<Vec<Edit>, Unformatted> {
-    let mut items = items(text, style.indent.width())?;
+/// Formats a text.
+pub fn format(text: &str, style: &Style, extent: TextExtent, lines: Lines) -> FormattedText {
+    let mut items = match items(text, style.indent.width()) {
+        Ok(items) => items,
+        Err(why) => {
+            return FormattedText {
+                edits: Vec::new(),
+                left: vec![why],
+            };
+        }
+    };
     let lines = match counts_lines(text) {
         true => Lines::Kept,
         false => lines,
     };
-    let roles = structure::read(&items)?;
+    let (roles, left) = structure::read(&mut items);
+    if items.iter().all(|item| item.keeps) {
+        return FormattedText {
+            edits: Vec::new(),
+            left,
+        };
+    }
     grid::keep(&mut items, &roles);
     let places = layout::place(text, &mut items, &roles, style, extent, lines);
-    Ok(gaps::edits(text, &items, &places, style, extent))
+    FormattedText {
+        edits: gaps::edits(text, &items, &places, style, extent),
+        left,
+    }
 }

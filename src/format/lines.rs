@@ -25,6 +25,7 @@ impl LineLayout<'_> {
     pub(super) fn gap(&self, at: usize, item: &FormatItem) -> Gap {
         let Some(before) = self.before(at) else {
             return match (self.extent, item.breaks) {
+                _ if item.keeps => Gap::Kept,
                 (TextExtent::Inside, 0) => Gap::Kept,
                 _ => Gap::Level,
             };

@@ -6,8 +6,9 @@ use shaderlint_text::apply_edits;
 #[track_caller]
 fn formatted(text: &str, style: &Style) -> String {
     let apply = |text: &str| {
-        let edits = format(text, style, TextExtent::File, Lines::Free).unwrap();
-        apply_edits(text, 0, &edits).unwrap()
+        let formatted = format(text, style, TextExtent::File, Lines::Free);
+        assert_eq!(formatted.left, []);
+        apply_edits(text, 0, &formatted.edits).unwrap()
     };
     let once = apply(text);
     assert_eq!(apply(&once), once, "not stable");
@@ -356,12 +357,33 @@ fn what_does_not_match_is_refused() {
         "a; #b",
         "a; /* */ #b",
     ] {
-        assert!(
-            format(text, &Style::default(), TextExtent::File, Lines::Free).is_err(),
+        let formatted = format(text, &Style::default(), TextExtent::File, Lines::Free);
+        assert_eq!(
+            (&formatted.edits[..], formatted.left.len()),
+            (&[][..], 1),
             "{text}"
         );
     }
     let deep = "(".repeat(300);
-    let why = format(&deep, &Style::default(), TextExtent::File, Lines::Free).unwrap_err();
+    let formatted = format(&deep, &Style::default(), TextExtent::File, Lines::Free);
+    let [why] = &formatted.left[..] else {
+        panic!("one reason")
+    };
     assert_eq!(why.message, "the code is nested too deeply");
+}
+
+#[test]
+fn functions_whose_brackets_do_not_match_are_left_alone() {
+    let text = "float a( ) {return 1.;}\n#define EACH for (;;) {\nvoid b( ) {\nEACH  c;\n}\n}\n}\n\n\
+                float d( ) {return 2.;}\n";
+    let expected = "float a() { return 1.; }\n#define EACH for (;;) {\nvoid b( ) {\nEACH  c;\n}\n}\n}\n\n\
+                    float d() { return 2.; }\n";
+    let apply = |text: &str| {
+        let formatted = format(text, &Style::default(), TextExtent::File, Lines::Free);
+        let messages: Vec<String> = formatted.left.into_iter().map(|why| why.message).collect();
+        assert_eq!(messages, ["unmatched closing bracket"]);
+        apply_edits(text, 0, &formatted.edits).unwrap()
+    };
+    assert_eq!(apply(text), expected);
+    assert_eq!(apply(expected), expected);
 }
