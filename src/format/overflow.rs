@@ -370,7 +370,7 @@ impl LineLayout<'_> {
             return;
         };
         let (column, depends_on) = self.hanging(at);
-        let level = self.role(at).level;
+        let level = self.role(at).level + self.base_level();
         let place = ItemPlace {
             breaks: 1,
             column,

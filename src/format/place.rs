@@ -115,6 +115,11 @@ impl LineLayout<'_> {
         }
     }
 
+    /// The indentation level of statements outside functions.
+    pub(super) fn base_level(&self) -> u32 {
+        self.base / self.style.indent.width().max(1)
+    }
+
     pub(super) fn line_column(&self) -> u32 {
         let first = self.starts.last().copied();
         first.map_or(0, |first| self.placed(first).column)
@@ -197,7 +202,7 @@ impl LineLayout<'_> {
             ItemPlace {
                 breaks,
                 column,
-                level,
+                level: level + self.base_level(),
                 ..ItemPlace::default()
             },
         );

@@ -5,7 +5,7 @@ mod project;
 
 use crate::engine::config::{Config, Selection, options, parse, style};
 use crate::engine::{FileCache, HostNames, Options};
-use crate::format::{Style, StyleChoice};
+use crate::format::StyleChoice;
 use crate::host::{Preset, host_named, kept, read as read_host};
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
@@ -177,17 +177,17 @@ impl Configs {
     }
 
     /// The formatting style of a file: from its configuration, and otherwise from `.editorconfig`.
-    pub fn style(&self, path: &Path) -> Result<Style, Arc<str>> {
+    pub fn style(&self, path: &Path) -> Result<StyleChoice, Arc<str>> {
         self.style_or(path, StyleChoice::default())
     }
 
     /// The same, with `last` for what neither file sets.
-    pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<Style, Arc<str>> {
+    pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<StyleChoice, Arc<str>> {
         let config = self.config(path)?;
         let path = absolute(path);
         let others = editor::choice(&path).or(last);
         let chosen = config.map(|c| style(&c, &c.layers(&path), others));
-        Ok(chosen.unwrap_or(others).style())
+        Ok(chosen.unwrap_or(others))
     }
 
     /// The project that contains a file.
