@@ -1,7 +1,6 @@
 //! The layout pass: assigns a position to every item.
 
 use super::columns;
-use super::grid;
 use super::item::FormatItem;
 use super::lines::Gap;
 use super::operators;
@@ -10,6 +9,15 @@ use super::request::{Lines, TextExtent};
 use super::spacing::has_blank;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
+
+/// How a text is laid out.
+pub struct LayoutSettings<'a> {
+    pub style: &'a Style,
+    pub extent: TextExtent,
+    pub lines: Lines,
+    /// The column of statements outside functions.
+    pub base: u32,
+}
 
 /// Maximum number of layouts of a text.
 const MAX_ROUNDS: usize = 4;
@@ -20,19 +28,16 @@ pub fn place(
     text: &str,
     items: &mut [FormatItem],
     roles: &[ItemRole],
-    style: &Style,
-    extent: TextExtent,
-    lines: Lines,
+    settings: &LayoutSettings,
 ) -> Vec<ItemPlace> {
-    let (mut places, mut is_over) = place_once(text, items, roles, style, extent, lines);
+    let (mut places, mut is_over) = place_once(text, items, roles, settings);
     for _ in 1..MAX_ROUNDS {
         if !is_over {
             break;
         }
         move_items(text, items, &places);
-        grid::keep(items, roles);
         let before = std::mem::take(&mut places);
-        (places, is_over) = place_once(text, items, roles, style, extent, lines);
+        (places, is_over) = place_once(text, items, roles, settings);
         is_over &= places != before;
     }
     places
@@ -71,18 +76,16 @@ fn place_once(
     text: &str,
     items: &[FormatItem],
     roles: &[ItemRole],
-    style: &Style,
-    extent: TextExtent,
-    lines: Lines,
+    settings: &LayoutSettings,
 ) -> (Vec<ItemPlace>, bool) {
     let blanks = blanks(text, items, roles);
     let mut layout = LineLayout {
         items,
         roles,
-        style,
-        extent,
-        lines,
-        base: base(items, roles, extent),
+        style: settings.style,
+        extent: settings.extent,
+        lines: settings.lines,
+        base: settings.base,
         in_rows: Vec::new(),
         aligned: Vec::new(),
         blanks,
@@ -119,7 +122,7 @@ fn place_once(
 
 /// The column of statements outside functions, if the text is embedded in another: that of the
 /// first one that starts a line.
-fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32 {
+pub fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32 {
     let is_outer = |(item, role): &(&FormatItem, &ItemRole)| {
         item.breaks > 0 && role.start == StatementStart::Statement && role.level == 0
     };

@@ -8,6 +8,7 @@
 //! The author's line breaks within statements are kept. Lines that are too long are broken at the
 //! outermost level, and their parts at the next (after D. Oppen, "Prettyprinting", 1980).
 
+mod branches;
 mod columns;
 mod gaps;
 mod grid;
@@ -28,6 +29,7 @@ mod style;
 mod tests;
 
 use item::items;
+use layout::LayoutSettings;
 pub use request::{FormattedText, Lines, TextExtent, Unformatted};
 pub use style::{Brace, Indentation, Style, StyleChoice};
 
@@ -54,15 +56,23 @@ pub fn format(text: &str, style: &Style, extent: TextExtent, lines: Lines) -> Fo
         true => Lines::Kept,
         false => lines,
     };
-    let (roles, left) = structure::read(&mut items);
+    let (mut roles, left) = structure::read(&mut items);
     if items.iter().all(|item| item.keeps) {
         return FormattedText {
             edits: Vec::new(),
             left,
         };
     }
+    let base = layout::base(&items, &roles, extent);
+    branches::indent(&items, &mut roles, base);
     grid::keep(&mut items, &roles);
-    let places = layout::place(text, &mut items, &roles, style, extent, lines);
+    let settings = LayoutSettings {
+        style,
+        extent,
+        lines,
+        base,
+    };
+    let places = layout::place(text, &mut items, &roles, &settings);
     FormattedText {
         edits: gaps::edits(text, &items, &places, style, extent),
         left,

@@ -64,7 +64,11 @@ impl LineLayout<'_> {
             StatementStart::Body => {
                 let is_split =
                     self.split.is_some() && self.split == self.role(at).level.checked_sub(1);
-                match item.breaks == 0 && !is_split && self.ends_here(at) {
+                let is_header_broken = self.starts.last().is_some_and(|first| {
+                    *first > self.statement && self.item(*first).is_some_and(|i| i.breaks == 0)
+                });
+                let stays = item.breaks == 0 && !is_split && !is_header_broken;
+                match stays && self.ends_here(at) {
                     true => Gap::Line,
                     false => Gap::Level,
                 }
@@ -185,7 +189,12 @@ impl LineLayout<'_> {
             return self.lines == Lines::Free || self.item(partner).is_some_and(|p| p.breaks == 0);
         }
         let is_one_line = self.item(partner).is_some_and(|p| p.line == open.line);
-        is_one_line && self.fits(at, partner, column)
+        let is_plain = |i: &FormatItem| !i.parts_lines() && !i.keeps;
+        let is_row = || {
+            let inner = self.items.get(at..=partner).unwrap_or(&[]);
+            self.is_table_row(at, partner) && inner.iter().all(is_plain)
+        };
+        is_one_line && (self.fits(at, partner, column) || is_row())
     }
 
     /// Whether the rest of the source line fits on the current line.

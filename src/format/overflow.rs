@@ -60,7 +60,7 @@ impl LineLayout<'_> {
     }
 
     /// Whether items, after an assignment if there is one, contain several cells of a table.
-    fn is_table_row(&self, from: usize, to: usize) -> bool {
+    pub(super) fn is_table_row(&self, from: usize, to: usize) -> bool {
         let is_assignment = |i: &usize| {
             let kind = self.item(*i).and_then(FormatItem::token);
             self.role(*i).bracket.is_none() && kind.is_some_and(is_assignment)
@@ -186,7 +186,8 @@ impl LineLayout<'_> {
         let hang = self.hanging(first).0;
         if let Some(open) = open
             && !breaks.is_operator
-            && !(fits && self.all_fit(&parts, (column, hang)))
+            && (!(fits && self.all_fit(&parts, (column, hang)))
+                || hang <= self.placed(open).column && parts.len() > 2)
             && self.fits_at(column, from, open + 1)
         {
             let column = self.line_column() + self.style.indent.width();

@@ -46,8 +46,9 @@ impl LineLayout<'_> {
         let comment = |i: usize| self.item(i).is_some_and(FormatItem::is_comment);
         let last = line.clone().rev().find(|i| !comment(*i));
         let column = self.base + role.level * self.style.indent.width();
-        // One more space is put between statements than is counted.
-        let apart = statements.count() as u32;
+        // Another space is put between statements that had several.
+        let line_items = self.items.get(line.clone()).unwrap_or(&[]);
+        let apart = line_items.iter().skip(1).filter(|i| i.blanks > 1).count() as u32;
         role.start == StatementStart::Statement
             && are_plain
             && !goes_on(self.items, self.roles, line.end)

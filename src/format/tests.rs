@@ -130,6 +130,23 @@ fn directives_stay_as_they_are() {
 }
 
 #[test]
+fn code_inside_conditionals_may_be_indented() {
+    body(
+        "  #if A\n    a;\n  #else\n    if(b){\nc;}\n  #endif\n  d;",
+        "#if A\n    a;\n#else\n    if (b) {\n        c;\n    }\n#endif\nd;",
+    );
+    check(
+        "#ifdef A\n  #define B\n  float c ;\n#endif",
+        "#ifdef A\n    #define B\n    float c;\n#endif\n",
+    );
+    // Directives around the start of a block are indented like the others.
+    body(
+        "  #if A\n  for(;;){\n  #else\n  b;\n  #endif\n  c;\n  #if A\n  }\n  #endif",
+        "#if A\nfor (;;) {\n#else\nb;\n#endif\n    c;\n#if A\n}\n#endif",
+    );
+}
+
+#[test]
 fn what_is_never_compiled_is_no_code() {
     check(
         "#if 0\n it's  text (\n#endif\nfloat a ;",
@@ -209,6 +226,9 @@ fn rows_of_tables_may_be_too_long() {
     };
     let text = "m = mat3(aaaaaaaaaa + b, 0,      c,\n         0,              d + ee, 0);\n";
     assert_eq!(formatted(text, &style), text);
+    let text =
+        "float a(float b) { return bb  + c  * dd; }\nfloat b(float b) { return ccc + dd * ee; }\n";
+    assert_eq!(formatted(text, &style), text);
 }
 
 #[test]
@@ -283,6 +303,10 @@ fn long_lines_have_one_form() {
         (
             "a = bbbbbbb < c ? ddddddddd : bbbbbb < e ? ffffff : g;",
             "a = bbbbbbb < c ? ddddddddd\n    : bbbbbb < e ? ffffff\n    : g;\n",
+        ),
+        (
+            "if (aaaaaaaaaaaaaaaaaa < bbbbbbbbbbbbbb(ccc)) d = 1.;",
+            "if (aaaaaaaaaaaaaaaaaa\n    < bbbbbbbbbbbbbb(ccc))\n    d = 1.;\n",
         ),
         // Lines end with operators where the author's do.
         (
