@@ -7,7 +7,7 @@ use super::spacing::{is_assignment, precedence};
 use super::structure::{ItemRole, StatementStart};
 use shaderlint_syntax::TokenKind as T;
 use std::cmp::Ordering;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 /// The column of an item that is not aligned.
 const NONE: u32 = u32::MAX;
@@ -50,7 +50,10 @@ pub fn cells(items: &[FormatItem], roles: &[ItemRole], blanks: &[bool], rows: &[
     let mut rows = rows.iter().peekable();
     for line in items.chunk_by(|a, b| a.line == b.line) {
         let own = above.end..above.end + line.len();
-        let own_is_row = rows.next_if(|row| row.from == own.start).is_some();
+        let row = rows.next_if(|row| row.from == own.start);
+        let own_is_row = row.is_some_and(|row| row.fits);
+        let semicolons = line.iter().filter(|i| i.is(T::Semicolon));
+        let own_is_single = semicolons.count() < 2;
         let is_cell = |i: usize| match roles.get(i).map(|r| r.start) {
             Some(StatementStart::Nothing | StatementStart::Comment) => blanks.get(i) == Some(&true),
             Some(StatementStart::Statement) => {
@@ -81,7 +84,7 @@ pub fn cells(items: &[FormatItem], roles: &[ItemRole], blanks: &[bool], rows: &[
             let wide = |pair: &CellPair| {
                 // A number that is shorter than the other has more space.
                 let is_padded = match (pair.side, space(pair.above), space(pair.below)) {
-                    (Some(CellSide::End), Some(above), Some(below)) => {
+                    (Some(CellSide::End), Some(above), Some(below)) if own_is_single => {
                         above == below && follow_alike(items, roles, pair)
                     }
                     _ => false,
@@ -190,6 +193,13 @@ impl Cells {
     /// Whether an item is in a column.
     pub fn contain(&self, at: usize) -> bool {
         self.column(at).is_some()
+    }
+
+    /// Removes items that do not keep their lines.
+    pub fn remove(&mut self, range: RangeInclusive<usize>) {
+        if let Some(columns) = self.columns.get_mut(range) {
+            columns.fill(NONE);
+        }
     }
 
     /// Adds an item to the column of the one above it, or to a new column.

@@ -88,6 +88,7 @@ fn place_once(
         base: settings.base,
         in_rows: Vec::new(),
         aligned: Vec::new(),
+        filled: Vec::new(),
         blanks,
         ends: Vec::new(),
         places: vec![ItemPlace::default(); items.len()],
@@ -108,9 +109,14 @@ fn place_once(
     };
     layout.ends = layout.flat_ends();
     let rows = layout.rows();
-    let cells = columns::cells(items, roles, &layout.blanks, &rows);
+    let mut cells = columns::cells(items, roles, &layout.blanks, &rows);
+    layout.filled = layout.refilled(&rows);
+    for (at, last) in layout.filled.iter().enumerate().filter(|(_, l)| **l > 0) {
+        cells.remove(at..=*last);
+    }
     layout.aligned = (0..items.len()).map(|at| cells.contain(at)).collect();
     layout.in_rows = layout.in_rows(&rows);
+    layout.is_over = layout.filled.iter().any(|last| *last > 0);
     for at in 0..items.len() {
         layout.set(at);
     }

@@ -108,6 +108,12 @@ impl LineLayout<'_> {
     }
 
     fn gap_statement(&self, at: usize, item: &FormatItem) -> Gap {
+        if let Some(last) = self.filled.get(at).copied().filter(|last| *last > 0) {
+            return match self.fits(at, last, self.end + 1) {
+                true => Gap::Line,
+                false => Gap::Level,
+            };
+        }
         let is_after_label = || self.labelled == Some(item.line) && self.line_fits(at, item);
         match item.breaks == 0 && (self.is_in_row(at) || is_after_label()) {
             true => Gap::Line,
@@ -121,12 +127,16 @@ impl LineLayout<'_> {
             .role(at - 1)
             .partner
             .is_some_and(|open| self.placed(open as usize).line == self.placed(at - 1).line);
-        let stays = item.breaks == 0 && self.ends_here(at);
+        // `else` at the end of a line belongs to the `if` on the next one.
+        let is_apart = self
+            .item(at + 1)
+            .is_some_and(|next| next.is(T::If) && next.breaks > 0);
+        let stays = item.breaks == 0 && !is_apart && !self.is_on_tail(at) && self.ends_here(at);
         let is_joined = match (before.is(T::RightBrace), was_inline) {
             (true, false) => self.style.brace == Brace::Same || is_do,
             (true, true) => stays || is_do,
             // After a body without braces, on the line of its `if`.
-            (false, _) => stays && self.statement_starts_line_with_head() && !self.is_on_tail(at),
+            (false, _) => stays && self.statement_starts_line_with_head(),
         };
         match is_joined {
             true => Gap::Line,

@@ -37,6 +37,8 @@ pub struct LineLayout<'a> {
     pub base: u32,
     /// By item: whether it starts a statement that stays on the same line as the previous one.
     pub in_rows: Vec<bool>,
+    /// By item: the last item of the statement that starts there, if it fills the line before.
+    pub filled: Vec<usize>,
     /// By item: whether it is aligned with items of other lines.
     pub aligned: Vec<bool>,
     pub blanks: Vec<bool>,

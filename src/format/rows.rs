@@ -16,10 +16,12 @@ pub struct Row {
     pub from: usize,
     to: usize,
     line: u32,
+    /// Whether it fits on a line.
+    pub fits: bool,
 }
 
 impl LineLayout<'_> {
-    /// The lines of several statements that fit on a line.
+    /// The lines that consist of statements which may share a line.
     pub(super) fn rows(&self) -> Vec<Row> {
         let mut to = 0;
         let lines = self.items.chunk_by(|a, b| a.line == b.line);
@@ -27,13 +29,20 @@ impl LineLayout<'_> {
             let from = to;
             to += line.len();
             let line = line.first().map_or(0, |first| first.line);
-            Row { from, to, line }
+            let fits = self.is_row(from..to)?;
+            Some(Row {
+                from,
+                to,
+                line,
+                fits,
+            })
         });
-        rows.filter(|row| self.is_row(row.from..row.to)).collect()
+        rows.flatten().collect()
     }
 
-    /// Whether a source line consists of statements that may share a line.
-    fn is_row(&self, line: Range<usize>) -> bool {
+    /// Whether a source line fits on a line; `None` unless it consists of statements that may share
+    /// a line.
+    fn is_row(&self, line: Range<usize>) -> Option<bool> {
         let role = self.role(line.start);
         let roles = self.roles.get(line.clone()).unwrap_or(&[]);
         let starts = |r: &&ItemRole| {
@@ -49,10 +58,51 @@ impl LineLayout<'_> {
         // Another space is put between statements that had several.
         let line_items = self.items.get(line.clone()).unwrap_or(&[]);
         let apart = line_items.iter().skip(1).filter(|i| i.blanks > 1).count() as u32;
-        role.start == StatementStart::Statement
+        let is_row = role.start == StatementStart::Statement
             && are_plain
-            && !goes_on(self.items, self.roles, line.end)
-            && last.is_some_and(|last| self.fits(line.start, last, column + apart))
+            && !goes_on(self.items, self.roles, line.end);
+        let fits = last.is_some_and(|last| self.fits(line.start, last, column + apart));
+        is_row.then_some(fits)
+    }
+
+    /// By item: the last item of the statement that starts there, if it goes on the line before as
+    /// far as there is space: in consecutive lines of equal statements one of which is too long.
+    pub(super) fn refilled(&self, rows: &[Row]) -> Vec<usize> {
+        let mut filled = vec![0; self.items.len()];
+        let forms: Vec<Option<Vec<T>>> = rows.iter().map(|row| self.form(row)).collect();
+        let mut from = 0;
+        while let Some(form) = forms.get(from) {
+            let rest = rows.get(from..).unwrap_or(&[]).windows(2);
+            let near = rest.take_while(|pair| matches!(pair, [a, b] if a.line + 1 == b.line));
+            let same = forms.iter().skip(from + 1).take_while(|next| *next == form);
+            let to = from + 1 + near.count().min(same.count());
+            let block = rows.get(from..to).unwrap_or(&[]);
+            if form.is_some() && block.iter().any(|row| !row.fits) {
+                let first = block.first().map_or(0, |row| row.from);
+                let end = block.last().map_or(0, |row| row.to);
+                let mut last = end;
+                for at in (first + 1..end).rev() {
+                    if self.role(at).start != StatementStart::Nothing {
+                        if let Some(filled) = filled.get_mut(at) {
+                            *filled = last - 1;
+                        }
+                        last = at;
+                    }
+                }
+            }
+            from = to;
+        }
+        filled
+    }
+
+    /// The tokens of each statement of a row, if all are equal and there is nothing else.
+    fn form(&self, row: &Row) -> Option<Vec<T>> {
+        let items = self.items.get(row.from..row.to)?;
+        let is_plain = |i: &FormatItem| i.token().is_some() && !i.keeps;
+        let mut statements = self.statements(row);
+        statements.dedup();
+        let form = statements.pop()?;
+        (items.iter().all(is_plain) && statements.is_empty()).then_some(form)
     }
 
     /// By item: whether it starts a statement that stays on the same line as the previous one:
@@ -65,11 +115,15 @@ impl LineLayout<'_> {
             (Some(row), Some(next)) => {
                 let form = forms.get(n);
                 let is_near = row.line.abs_diff(next.line) == 1;
-                is_near && form == forms.get(other) && form.is_some_and(|f| !f.is_empty())
+                row.fits
+                    && next.fits
+                    && is_near
+                    && form == forms.get(other)
+                    && form.is_some_and(|f| !f.is_empty())
             }
             _ => false,
         };
-        for (n, row) in rows.iter().enumerate() {
+        for (n, row) in rows.iter().enumerate().filter(|(_, row)| row.fits) {
             let starts =
                 (row.from + 1..row.to).filter(|i| self.role(*i).start == StatementStart::Statement);
             let stay = starts.clone().any(|i| self.is_aligned(i))

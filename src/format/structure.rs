@@ -429,7 +429,7 @@ impl StructureReader<'_> {
 
     /// Continues a statement.
     fn inside(&mut self, at: u32, kind: T, declares: bool) -> Result<(), Unformatted> {
-        if self.follows_macro(at, kind) {
+        if kind == T::Else || self.follows_macro(at, kind) {
             return self.start(at, kind);
         }
         match kind {

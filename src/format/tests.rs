@@ -219,6 +219,21 @@ fn rows_of_equal_statements_stay() {
 }
 
 #[test]
+fn lists_of_equal_statements_are_filled_again() {
+    let style = Style {
+        width: 32,
+        ..Style::default()
+    };
+    assert_eq!(
+        formatted(
+            "aa(1); aa(2); aa(3); aa(4); aa(5);\naa(6);\n\nb(1);",
+            &style
+        ),
+        "aa(1); aa(2); aa(3); aa(4);\naa(5); aa(6);\n\nb(1);\n"
+    );
+}
+
+#[test]
 fn rows_of_tables_may_be_too_long() {
     let style = Style {
         width: 30,
@@ -329,6 +344,18 @@ fn if_and_else_on_one_line_are_broken_together() {
     assert_eq!(
         broken("if(aaaaaaa)b=1;else if(ccccccc)d=1;else e=2;\n"),
         "void f() {\n    if (aaaaaaa) b = 1;\n    else if (ccccccc) d = 1;\n    else e = 2;\n}\n"
+    );
+    assert_eq!(
+        broken("if(aaaaaaa){b;}else if(cccccccccc){d;}else{e;}\n"),
+        "void f() {\n    if (aaaaaaa) { b; }\n    else if (cccccccccc) { d; }\n    else { e; }\n}\n"
+    );
+    assert_eq!(
+        broken("if(a)b;else\nif(c)d;\n"),
+        "void f() {\n    if (a) b;\n    else if (c) d;\n}\n"
+    );
+    assert_eq!(
+        broken("if(a)_1 else if(b)_2\n"),
+        "void f() {\n    if (a) _1 else if (b) _2\n}\n"
     );
     assert_eq!(
         broken("if(aaaaaaa)b=cccccccccccccccccccccc;else e=2;\n"),
