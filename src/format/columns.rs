@@ -2,7 +2,7 @@
 
 use super::item::FormatItem;
 use super::place::ItemPlace;
-use super::rows::{Row, goes_on};
+use super::rows::{StatementRow, goes_on};
 use super::spacing::{is_assignment, precedence};
 use super::structure::{ItemRole, StatementStart};
 use shaderlint_syntax::TokenKind as T;
@@ -39,7 +39,12 @@ struct CellPair {
 
 /// The columns of a text. `blanks` says before which items a space belongs; `rows` lists the lines
 /// whose statements may share a line.
-pub fn cells(items: &[FormatItem], roles: &[ItemRole], blanks: &[bool], rows: &[Row]) -> Cells {
+pub fn cells(
+    items: &[FormatItem],
+    roles: &[ItemRole],
+    blanks: &[bool],
+    rows: &[StatementRow],
+) -> Cells {
     let mut cells = Cells {
         columns: vec![NONE; items.len()],
         sides: Vec::new(),

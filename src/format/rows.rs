@@ -11,7 +11,7 @@ use std::ops::Range;
 const EQUAL: usize = 3;
 
 /// A line whose statements may share a line.
-pub struct Row {
+pub struct StatementRow {
     /// Its first item, and the item after the last one.
     pub from: usize,
     to: usize,
@@ -22,7 +22,7 @@ pub struct Row {
 
 impl LineLayout<'_> {
     /// The lines that consist of statements which may share a line.
-    pub(super) fn rows(&self) -> Vec<Row> {
+    pub(super) fn rows(&self) -> Vec<StatementRow> {
         let mut to = 0;
         let lines = self.items.chunk_by(|a, b| a.line == b.line);
         let rows = lines.map(|line| {
@@ -30,7 +30,7 @@ impl LineLayout<'_> {
             to += line.len();
             let line = line.first().map_or(0, |first| first.line);
             let fits = self.is_row(from..to)?;
-            Some(Row {
+            Some(StatementRow {
                 from,
                 to,
                 line,
@@ -67,7 +67,7 @@ impl LineLayout<'_> {
 
     /// By item: the last item of the statement that starts there, if it goes on the line before as
     /// far as there is space: in consecutive lines of equal statements one of which is too long.
-    pub(super) fn refilled(&self, rows: &[Row]) -> Vec<usize> {
+    pub(super) fn refilled(&self, rows: &[StatementRow]) -> Vec<usize> {
         let mut filled = vec![0; self.items.len()];
         let forms: Vec<Option<Vec<T>>> = rows.iter().map(|row| self.form(row)).collect();
         let mut from = 0;
@@ -96,7 +96,7 @@ impl LineLayout<'_> {
     }
 
     /// The tokens of each statement of a row, if all are equal and there is nothing else.
-    fn form(&self, row: &Row) -> Option<Vec<T>> {
+    fn form(&self, row: &StatementRow) -> Option<Vec<T>> {
         let items = self.items.get(row.from..row.to)?;
         let is_plain = |i: &FormatItem| i.token().is_some() && !i.keeps;
         let mut statements = self.statements(row);
@@ -108,7 +108,7 @@ impl LineLayout<'_> {
     /// By item: whether it starts a statement that stays on the same line as the previous one:
     /// because an item of its line is a cell, because the next line or the one before has
     /// statements of the same form, or because all statements of its line are equal.
-    pub(super) fn in_rows(&self, rows: &[Row]) -> Vec<bool> {
+    pub(super) fn in_rows(&self, rows: &[StatementRow]) -> Vec<bool> {
         let mut stays = vec![false; self.items.len()];
         let forms: Vec<Vec<Vec<T>>> = rows.iter().map(|row| self.forms(row)).collect();
         let is_like = |n: usize, other: usize| match (rows.get(n), rows.get(other)) {
@@ -145,7 +145,7 @@ impl LineLayout<'_> {
     }
 
     /// The tokens of the statements of a row.
-    fn statements(&self, row: &Row) -> Vec<Vec<T>> {
+    fn statements(&self, row: &StatementRow) -> Vec<Vec<T>> {
         let line = self.items.get(row.from..row.to).unwrap_or(&[]);
         let code = line.iter().filter(|i| !i.is_comment() && !i.is_prefix);
         let tokens: Vec<T> = code.filter_map(FormatItem::token).map(sort).collect();
@@ -155,7 +155,7 @@ impl LineLayout<'_> {
 
     /// The forms of the statements of a row: the tokens of each up to the assignment or call,
     /// without a type. Equal ones count once; a row of one statement has none.
-    fn forms(&self, row: &Row) -> Vec<Vec<T>> {
+    fn forms(&self, row: &StatementRow) -> Vec<Vec<T>> {
         let mut statements = self.statements(row);
         if statements.len() < 2 {
             return Vec::new();
@@ -173,7 +173,7 @@ impl LineLayout<'_> {
     }
 
     /// Whether a row consists of equal statements, apart from names and numbers.
-    fn are_equal(&self, row: &Row) -> bool {
+    fn are_equal(&self, row: &StatementRow) -> bool {
         let statements = self.statements(row);
         let are_equal = statements
             .windows(2)
