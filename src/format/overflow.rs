@@ -145,7 +145,7 @@ impl LineLayout<'_> {
         }
         let first = *at.first()?;
         let bracket = self.role(first).bracket;
-        at.retain(|i| self.role(*i).bracket == bracket);
+        at.retain(|i| least >= LAST || self.role(*i).bracket == bracket);
         let operator = self.operator_of_line(first);
         let breaks = LevelBreaks {
             at,
@@ -157,13 +157,16 @@ impl LineLayout<'_> {
 
     /// Breaks a part where it should not be broken: after an assignment or a parenthesis.
     fn lay_last(&mut self, part: LinePart, breaks: &LevelBreaks) {
-        let LinePart { from, to } = part;
-        let Some(at) = breaks.at.first().copied() else {
-            return;
-        };
-        self.lay_flat(from + 1, at);
-        self.break_before(at);
-        self.lay(LinePart { from: at, to });
+        let LinePart { mut from, to } = part;
+        for at in breaks.at.iter().copied() {
+            if self.fits_at(self.placed(from).column, from, to) {
+                break;
+            }
+            self.lay_flat(from + 1, at);
+            self.break_before(at);
+            from = at;
+        }
+        self.lay(LinePart { from, to });
     }
 
     /// Breaks a part at a level.
