@@ -18,8 +18,17 @@ impl LineLayout<'_> {
         }
     }
 
-    /// The column of a continuation line as determined by the brackets around it.
+    /// The column of a continuation line as determined by the brackets and operators around it.
     pub(super) fn hanging(&self, at: usize) -> (u32, Option<u32>) {
+        let (column, depends_on) = self.hanging_in_bracket(at);
+        let steps = self.steps.get(at).copied().unwrap_or(0);
+        (
+            column + u32::from(steps) * self.style.indent.width(),
+            depends_on,
+        )
+    }
+
+    fn hanging_in_bracket(&self, at: usize) -> (u32, Option<u32>) {
         let indent = self.style.indent.width();
         let Some(open) = self.role(at).bracket.map(|b| b as usize) else {
             return (self.statement_column + indent, None);

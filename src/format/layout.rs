@@ -3,30 +3,92 @@
 use super::columns;
 use super::item::FormatItem;
 use super::lines::Gap;
+use super::operators;
 use super::place::{ItemPlace, LineLayout};
 use super::request::{Lines, TextExtent};
 use super::spacing::has_blank;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
 
-/// Assigns a position to every item.
+/// How a text is laid out.
+pub struct LayoutSettings<'a> {
+    pub style: &'a Style,
+    pub extent: TextExtent,
+    pub lines: Lines,
+    /// The column of statements outside functions.
+    pub base: u32,
+}
+
+/// Maximum number of layouts of a text.
+const MAX_ROUNDS: usize = 4;
+
+/// Assigns a position to every item. Lines that were too long are laid out again from where they
+/// are now, so that formatting the result would not change it.
 pub fn place(
+    text: &str,
+    items: &mut [FormatItem],
+    roles: &[ItemRole],
+    settings: &LayoutSettings,
+) -> Vec<ItemPlace> {
+    let (mut places, mut is_over) = place_once(text, items, roles, settings);
+    for _ in 1..MAX_ROUNDS {
+        if !is_over {
+            break;
+        }
+        move_items(text, items, &places);
+        let before = std::mem::take(&mut places);
+        (places, is_over) = place_once(text, items, roles, settings);
+        is_over &= places != before;
+    }
+    places
+}
+
+/// Moves items to their positions.
+fn move_items(text: &str, items: &mut [FormatItem], places: &[ItemPlace]) {
+    let (mut line, mut end) = (0, 0);
+    for (item, place) in items.iter_mut().zip(places) {
+        line += place.breaks;
+        item.breaks = place.breaks;
+        item.blanks = match place.breaks {
+            0 => place.column.saturating_sub(end),
+            _ => place.column,
+        };
+        item.line = line;
+        item.column = place.column;
+        end = match item.is_tall {
+            true => item.width,
+            false => place.column + item.width,
+        };
+        if item.is_tall {
+            let span = item.span.start as usize..item.span.end as usize;
+            line += line_breaks(text.get(span).unwrap_or(""));
+        }
+    }
+}
+
+fn line_breaks(text: &str) -> u32 {
+    let count = |text: &str, of| text.matches(of).count();
+    (count(text, "\n") + count(text, "\r") - count(text, "\r\n")) as u32
+}
+
+/// Assigns a position to every item, and whether there were lines that were too long.
+fn place_once(
     text: &str,
     items: &[FormatItem],
     roles: &[ItemRole],
-    style: &Style,
-    extent: TextExtent,
-    lines: Lines,
-) -> Vec<ItemPlace> {
+    settings: &LayoutSettings,
+) -> (Vec<ItemPlace>, bool) {
     let blanks = blanks(text, items, roles);
     let mut layout = LineLayout {
         items,
         roles,
-        style,
-        extent,
-        lines,
-        base: base(items, roles, extent),
+        style: settings.style,
+        extent: settings.extent,
+        lines: settings.lines,
+        base: settings.base,
         in_rows: Vec::new(),
+        aligned: Vec::new(),
+        filled: Vec::new(),
         blanks,
         ends: Vec::new(),
         places: vec![ItemPlace::default(); items.len()],
@@ -37,22 +99,36 @@ pub fn place(
         statement_column: 0,
         inline: None,
         labelled: None,
-        scanned: 0,
+        steps: operators::steps(items, roles),
+        operators_end_lines: operators::end_lines(items, roles),
+        laid: 0,
+        is_over: false,
+        split: None,
+        last: 0,
+        after: 0,
     };
     layout.ends = layout.flat_ends();
-    let cells = columns::cells(items, roles, &layout.blanks, |line| layout.is_row(line));
-    layout.in_rows = columns::in_rows(items, roles, &cells);
+    let rows = layout.rows();
+    let mut cells = columns::cells(items, roles, &layout.blanks, &rows);
+    layout.filled = layout.refilled(&rows);
+    for (at, last) in layout.filled.iter().enumerate().filter(|(_, l)| **l > 0) {
+        cells.remove(at..=*last);
+    }
+    layout.aligned = (0..items.len()).map(|at| cells.contain(at)).collect();
+    layout.in_rows = layout.in_rows(&rows);
+    layout.is_over = layout.filled.iter().any(|last| *last > 0);
     for at in 0..items.len() {
         layout.set(at);
     }
     let mut places = layout.places;
+    let is_over = layout.is_over;
     columns::align(items, roles, &cells, &mut places);
-    places
+    (places, is_over)
 }
 
 /// The column of statements outside functions, if the text is embedded in another: that of the
 /// first one that starts a line.
-fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32 {
+pub fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32 {
     let is_outer = |(item, role): &(&FormatItem, &ItemRole)| {
         item.breaks > 0 && role.start == StatementStart::Statement && role.level == 0
     };
@@ -78,14 +154,14 @@ impl LineLayout<'_> {
         let Some(item) = self.items.get(at) else {
             return;
         };
+        if at < self.laid {
+            return self.note(at, item, Gap::Line);
+        }
         let gap = self.gap(at, item);
         self.note(at, item, gap);
         match gap {
             Gap::Kept => self.keep(at, item),
-            Gap::Line => {
-                self.go_on(at, item);
-                self.fit(at);
-            }
+            Gap::Line => self.go_on(at, item),
             Gap::Level => {
                 let level = self.level(at, item);
                 let column = self.base + level * self.style.indent.width();
@@ -99,12 +175,24 @@ impl LineLayout<'_> {
                 }
             }
         }
-        if self.role(at).start != StatementStart::Nothing && !item.is_comment() {
+        let role = self.role(at);
+        let starts = role.start != StatementStart::Nothing;
+        match role.start {
+            StatementStart::Body if gap == Gap::Level && item.breaks == 0 => {
+                self.split = role.level.checked_sub(1);
+            }
+            StatementStart::Statement | StatementStart::Close => self.split = None,
+            _ => {}
+        }
+        if starts && !item.is_comment() {
             self.statement = at;
             self.statement_column = self.line_column();
             if let Some(outer) = self.siblings.first_mut() {
                 *outer = [None; 3];
             }
+        }
+        if gap != Gap::Kept && (gap != Gap::Line || starts) {
+            self.fit(at);
         }
     }
 }

@@ -6,9 +6,9 @@
 //! are formatted, too, and so is code with errors, as long as its brackets match.
 //!
 //! The author's line breaks within statements are kept. Lines that are too long are broken at the
-//! outermost position such that the part before it fits (after D. Oppen, "Prettyprinting", 1980,
-//! inconsistent breaks).
+//! outermost level, and their parts at the next (after D. Oppen, "Prettyprinting", 1980).
 
+mod branches;
 mod columns;
 mod gaps;
 mod grid;
@@ -16,9 +16,11 @@ mod hang;
 mod item;
 mod layout;
 mod lines;
+mod operators;
 mod overflow;
 mod place;
 mod request;
+mod rows;
 mod spacing;
 mod structure;
 mod style;
@@ -27,8 +29,8 @@ mod style;
 mod tests;
 
 use item::items;
-pub use request::{Lines, TextExtent, Unformatted};
-use shaderlint_text::Edit;
+use layout::LayoutSettings;
+pub use request::{FormattedText, Lines, TextExtent, Unformatted};
 pub use style::{Brace, Indentation, Style, StyleChoice};
 
 /// The macro that expands to the current line number.
@@ -39,23 +41,40 @@ pub fn counts_lines(text: &str) -> bool {
     text.contains(LINE_MACRO)
 }
 
-/// The edits that format a text, in order. Spans are relative to the start of the text.
-///
-/// # Errors
-/// A bracket is unmatched, a comment is unterminated, or brackets nest too deeply.
-pub fn format(
-    text: &str,
-    style: &Style,
-    extent: TextExtent,
-    lines: Lines,
-) -> Result<Vec<Edit>, Unformatted> {
-    let mut items = items(text, style.indent.width())?;
+/// Formats a text.
+pub fn format(text: &str, style: &Style, extent: TextExtent, lines: Lines) -> FormattedText {
+    let mut items = match items(text, style.indent.width()) {
+        Ok(items) => items,
+        Err(why) => {
+            return FormattedText {
+                edits: Vec::new(),
+                left: vec![why],
+            };
+        }
+    };
     let lines = match counts_lines(text) {
         true => Lines::Kept,
         false => lines,
     };
-    let roles = structure::read(&items)?;
+    let (mut roles, left) = structure::read(&mut items);
+    if items.iter().all(|item| item.keeps) {
+        return FormattedText {
+            edits: Vec::new(),
+            left,
+        };
+    }
+    let base = layout::base(&items, &roles, extent);
+    branches::indent(&items, &mut roles, base);
     grid::keep(&mut items, &roles);
-    let places = layout::place(text, &items, &roles, style, extent, lines);
-    Ok(gaps::edits(text, &items, &places, style, extent))
+    let settings = LayoutSettings {
+        style,
+        extent,
+        lines,
+        base,
+    };
+    let places = layout::place(text, &mut items, &roles, &settings);
+    FormattedText {
+        edits: gaps::edits(text, &items, &places, style, extent),
+        left,
+    }
 }

@@ -1,13 +1,11 @@
 //! Decides where lines end.
 
-use super::columns;
 use super::item::{FormatItem, ItemKind};
 use super::place::LineLayout;
 use super::request::{Lines, TextExtent};
 use super::structure::{ItemRole, StatementStart};
 use super::style::Brace;
 use shaderlint_syntax::TokenKind as T;
-use std::ops::Range;
 
 /// The gap between an item and the one before it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,6 +25,7 @@ impl LineLayout<'_> {
     pub(super) fn gap(&self, at: usize, item: &FormatItem) -> Gap {
         let Some(before) = self.before(at) else {
             return match (self.extent, item.breaks) {
+                _ if item.keeps => Gap::Kept,
                 (TextExtent::Inside, 0) => Gap::Kept,
                 _ => Gap::Level,
             };
@@ -62,10 +61,18 @@ impl LineLayout<'_> {
             StatementStart::Nothing => self.gap_inside(at, item, before),
             StatementStart::Comment => Gap::Level,
             StatementStart::Statement | StatementStart::Label => self.gap_statement(at, item),
-            StatementStart::Body => match item.breaks == 0 && self.ends_here(at) {
-                true => Gap::Line,
-                false => Gap::Level,
-            },
+            StatementStart::Body => {
+                let is_split =
+                    self.split.is_some() && self.split == self.role(at).level.checked_sub(1);
+                let is_header_broken = self.starts.last().is_some_and(|first| {
+                    *first > self.statement && self.item(*first).is_some_and(|i| i.breaks == 0)
+                });
+                let stays = item.breaks == 0 && !is_split && !is_header_broken;
+                match stays && self.ends_here(at) {
+                    true => Gap::Line,
+                    false => Gap::Level,
+                }
+            }
             StatementStart::Tail => self.gap_tail(at, item, before),
             StatementStart::Open => match self.style.brace {
                 Brace::Same => Gap::Line,
@@ -88,16 +95,25 @@ impl LineLayout<'_> {
     }
 
     fn gap_inside(&self, at: usize, item: &FormatItem, before: &FormatItem) -> Gap {
-        let is_else_if = item.is(T::If) && before.is(T::Else);
-        let is_after_block = self.role(at - 1).start == StatementStart::Close;
-        let breaks = item.breaks > 0 && !is_else_if && !is_after_block;
-        match breaks {
+        match item.breaks > 0 && !self.joins(at, item, before) {
             true => Gap::Inside,
             false => Gap::Line,
         }
     }
 
+    /// Whether an item inside a statement always stays on the line of the one before it.
+    pub(super) fn joins(&self, at: usize, item: &FormatItem, before: &FormatItem) -> bool {
+        let is_else_if = item.is(T::If) && before.is(T::Else);
+        is_else_if || self.role(at - 1).start == StatementStart::Close
+    }
+
     fn gap_statement(&self, at: usize, item: &FormatItem) -> Gap {
+        if let Some(last) = self.filled.get(at).copied().filter(|last| *last > 0) {
+            return match self.fits(at, last, self.end + 1) {
+                true => Gap::Line,
+                false => Gap::Level,
+            };
+        }
         let is_after_label = || self.labelled == Some(item.line) && self.line_fits(at, item);
         match item.breaks == 0 && (self.is_in_row(at) || is_after_label()) {
             true => Gap::Line,
@@ -111,7 +127,11 @@ impl LineLayout<'_> {
             .role(at - 1)
             .partner
             .is_some_and(|open| self.placed(open as usize).line == self.placed(at - 1).line);
-        let stays = item.breaks == 0 && self.ends_here(at);
+        // `else` at the end of a line belongs to the `if` on the next one.
+        let is_apart = self
+            .item(at + 1)
+            .is_some_and(|next| next.is(T::If) && next.breaks > 0);
+        let stays = item.breaks == 0 && !is_apart && !self.is_on_tail(at) && self.ends_here(at);
         let is_joined = match (before.is(T::RightBrace), was_inline) {
             (true, false) => self.style.brace == Brace::Same || is_do,
             (true, true) => stays || is_do,
@@ -130,12 +150,19 @@ impl LineLayout<'_> {
             || self.role(self.statement).start == StatementStart::Statement
     }
 
+    /// Whether the current line starts with another tail of the construct of the tail at `at`.
+    fn is_on_tail(&self, at: usize) -> bool {
+        let first = self
+            .starts
+            .last()
+            .map_or(ItemRole::default(), |first| self.role(*first));
+        first.start == StatementStart::Tail && first.level == self.role(at).level
+    }
+
     /// Records what is kept on one line.
     pub(super) fn note(&mut self, at: usize, item: &FormatItem, gap: Gap) {
-        if let Some(end) = self.inline.filter(|end| at > *end) {
+        if self.inline.is_some_and(|end| at > end) {
             self.inline = None;
-            // Code kept on one line is not broken because of what follows it.
-            self.scanned = self.scanned.max(end);
         }
         let start = self.role(at).start;
         let starts_line = gap != Gap::Line && start != StatementStart::Nothing;
@@ -172,29 +199,12 @@ impl LineLayout<'_> {
             return self.lines == Lines::Free || self.item(partner).is_some_and(|p| p.breaks == 0);
         }
         let is_one_line = self.item(partner).is_some_and(|p| p.line == open.line);
-        is_one_line && self.fits(at, partner, column)
-    }
-
-    /// Whether a source line consists of statements that may share a line.
-    pub(super) fn is_row(&self, line: Range<usize>) -> bool {
-        let role = self.role(line.start);
-        let roles = self.roles.get(line.clone()).unwrap_or(&[]);
-        let starts = |r: &&ItemRole| {
-            r.start != StatementStart::Nothing && r.start != StatementStart::Comment
+        let is_plain = |i: &FormatItem| !i.parts_lines() && !i.keeps;
+        let is_row = || {
+            let inner = self.items.get(at..=partner).unwrap_or(&[]);
+            self.is_table_row(at, partner) && inner.iter().all(is_plain)
         };
-        let statements = roles.iter().filter(starts);
-        let are_plain = statements
-            .clone()
-            .all(|r| r.start == StatementStart::Statement && r.level == role.level);
-        let comment = |i: usize| self.item(i).is_some_and(FormatItem::is_comment);
-        let last = line.clone().rev().find(|i| !comment(*i));
-        let column = self.base + role.level * self.style.indent.width();
-        // One more space is put between statements than is counted.
-        let apart = statements.count() as u32;
-        role.start == StatementStart::Statement
-            && are_plain
-            && !columns::goes_on(self.items, self.roles, line.end)
-            && last.is_some_and(|last| self.fits(line.start, last, column + apart))
+        is_one_line && (self.fits(at, partner, column) || is_row())
     }
 
     /// Whether the rest of the source line fits on the current line.
@@ -207,7 +217,7 @@ impl LineLayout<'_> {
 
     /// Whether a range of items fits on one line without line breaks, if the first starts at
     /// `column`.
-    fn fits(&self, from: usize, to: usize, column: u32) -> bool {
+    pub(super) fn fits(&self, from: usize, to: usize, column: u32) -> bool {
         let parts = |i: &FormatItem| i.parts_lines() || i.keeps;
         let items = self.items.get(from..=to).unwrap_or(&[]);
         let end = |i: usize| self.ends.get(i).copied().unwrap_or(0);

@@ -11,7 +11,7 @@ use shaderlint_syntax::TokenKind as T;
 const MAX_EMPTY: u32 = 2;
 
 /// The position of an item.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ItemPlace {
     /// The number of line breaks before it.
     pub breaks: u32,
@@ -37,6 +37,10 @@ pub struct LineLayout<'a> {
     pub base: u32,
     /// By item: whether it starts a statement that stays on the same line as the previous one.
     pub in_rows: Vec<bool>,
+    /// By item: the last item of the statement that starts there, if it fills the line before.
+    pub filled: Vec<usize>,
+    /// By item: whether it is aligned with items of other lines.
+    pub aligned: Vec<bool>,
     pub blanks: Vec<bool>,
     /// By item: the column of its end if all items were on one line.
     pub ends: Vec<u32>,
@@ -55,8 +59,19 @@ pub struct LineLayout<'a> {
     pub inline: Option<usize>,
     /// The source line whose statements stay on the line of their label.
     pub labelled: Option<u32>,
-    /// Lines may only be broken before items after this one.
-    pub scanned: usize,
+    /// By item: the additional indentation of a line that starts with it.
+    pub steps: Vec<u8>,
+    /// Whether lines end with operators, rather than start with them.
+    pub operators_end_lines: bool,
+    /// The item after those of a line that was too long, which have their positions.
+    pub laid: usize,
+    /// Whether there was such a line.
+    pub is_over: bool,
+    /// The indentation level of an `if` whose body did not fit on its line.
+    pub split: Option<u32>,
+    /// While such a line is broken: the item after it, and the width of what must follow.
+    pub last: usize,
+    pub after: u32,
 }
 
 impl LineLayout<'_> {
@@ -102,6 +117,11 @@ impl LineLayout<'_> {
         }
     }
 
+    /// The indentation level of statements outside functions.
+    pub(super) fn base_level(&self) -> u32 {
+        self.base / self.style.indent.width().max(1)
+    }
+
     pub(super) fn line_column(&self) -> u32 {
         let first = self.starts.last().copied();
         first.map_or(0, |first| self.placed(first).column)
@@ -132,7 +152,6 @@ impl LineLayout<'_> {
 
     pub(super) fn new_line(&mut self, at: usize) {
         self.starts.push(at);
-        self.scanned = at;
         if let Some(place) = self.places.get_mut(at) {
             place.line = self.starts.len() as u32 - 1;
         }
@@ -158,8 +177,8 @@ impl LineLayout<'_> {
 
     pub(super) fn go_on(&mut self, at: usize, item: &FormatItem) {
         let blank = self.blanks.get(at).copied().unwrap_or(false);
-        // Statements on one line are separated by an additional space.
-        let apart = u32::from(self.is_in_row(at));
+        // Statements on one line are separated by an additional space if they were.
+        let apart = u32::from(self.is_in_row(at) && item.blanks > 1);
         let column = self.end + u32::from(blank) + apart;
         let line = self.starts.len().saturating_sub(1) as u32;
         self.put(
@@ -185,7 +204,7 @@ impl LineLayout<'_> {
             ItemPlace {
                 breaks,
                 column,
-                level,
+                level: level + self.base_level(),
                 ..ItemPlace::default()
             },
         );

@@ -1,6 +1,6 @@
 //! Formatter requests other than style, and the reason for a refusal.
 
-use shaderlint_text::Span;
+use shaderlint_text::{Edit, Span};
 
 /// What a text is part of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -20,7 +20,16 @@ pub enum Lines {
     Kept,
 }
 
-/// Why a text cannot be formatted.
+/// The result of formatting a text.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct FormattedText {
+    /// The edits in order, with spans relative to the start of the text.
+    pub edits: Vec<Edit>,
+    /// Why functions, or all of the text, are left as they are.
+    pub left: Vec<Unformatted>,
+}
+
+/// Why a text or a function cannot be formatted.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unformatted {
     /// The byte range in the text.

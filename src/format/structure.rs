@@ -4,9 +4,40 @@
 use super::item::{BranchDirective, FormatItem, ItemKind};
 use super::request::Unformatted;
 use shaderlint_syntax::TokenKind as T;
+use shaderlint_syntax::set::TokenSet;
+use std::ops::Range;
 
 /// Maximum nesting of brackets, bodies without braces and preprocessor conditionals.
 const MAX_DEPTH: usize = 200;
+
+/// Words of the header of a function before its parameters.
+const WORDS: TokenSet = TokenSet::of(&[
+    T::Identifier,
+    T::Type,
+    T::Void,
+    T::Highp,
+    T::Mediump,
+    T::Lowp,
+    T::Const,
+]);
+/// Words with which a statement or declaration may start.
+const BEGINS_STATEMENT: TokenSet = TokenSet::of(&[
+    T::Identifier,
+    T::Type,
+    T::Void,
+    T::Const,
+    T::Uniform,
+    T::In,
+    T::Out,
+    T::Struct,
+    T::Highp,
+    T::Mediump,
+    T::Lowp,
+    T::If,
+    T::For,
+    T::While,
+    T::Return,
+]);
 
 /// The role of an item in its statement.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,22 +78,82 @@ pub enum StatementStart {
     Comment,
 }
 
-/// The role of each item.
+/// The role of each item. Functions whose brackets do not match are kept as they are, and why.
+pub fn read(items: &mut [FormatItem]) -> (Vec<ItemRole>, Vec<Unformatted>) {
+    let mut roles = vec![ItemRole::default(); items.len()];
+    let mut left = Vec::new();
+    if read_range(items, &mut roles, 0..items.len()).is_ok() {
+        return (roles, left);
+    }
+    roles.fill(ItemRole::default());
+    let mut starts = functions(items);
+    starts.insert(0, 0);
+    let ends = starts.iter().skip(1).copied().chain([items.len()]);
+    for (from, to) in starts.iter().copied().zip(ends) {
+        if let Err(why) = read_range(items, &mut roles, from..to) {
+            left.push(why);
+            let own = items.iter_mut().zip(&mut roles).skip(from).take(to - from);
+            own.for_each(|(item, role)| {
+                item.keeps = true;
+                *role = ItemRole::default();
+            });
+        }
+    }
+    (roles, left)
+}
+
+/// Maximum number of items of the parameters of a function.
+const MAX_PARAMETERS: usize = 500;
+
+/// The items with which functions start, found without regard to the brackets around them.
+fn functions(items: &[FormatItem]) -> Vec<usize> {
+    let is_word = |i: &FormatItem| i.token().is_some_and(|kind| WORDS.contains(kind));
+    let mut found = Vec::new();
+    let mut word = 0;
+    for (at, item) in items.iter().enumerate() {
+        if is_word(item) {
+            continue;
+        }
+        let words = at - std::mem::replace(&mut word, at + 1);
+        if !item.is(T::LeftParen) || words < 2 {
+            continue;
+        }
+        let rest = items.iter().skip(at).take(MAX_PARAMETERS);
+        let mut tokens = rest.filter_map(FormatItem::token);
+        let mut last = T::LeftParen;
+        let end = tokens.find(|kind| {
+            let is_end = matches!(kind, T::Semicolon | T::LeftBrace);
+            last = if is_end { last } else { *kind };
+            is_end
+        });
+        if (last, end) == (T::RightParen, Some(T::LeftBrace)) {
+            found.push(at - words);
+        }
+    }
+    found
+}
+
+/// Determines the role of each item in a range.
 ///
 /// # Errors
 /// A bracket is unmatched, or brackets nest too deeply.
-pub fn read(items: &[FormatItem]) -> Result<Vec<ItemRole>, Unformatted> {
+fn read_range(
+    items: &[FormatItem],
+    roles: &mut [ItemRole],
+    range: Range<usize>,
+) -> Result<(), Unformatted> {
     let mut reader = StructureReader {
         items,
-        roles: vec![ItemRole::default(); items.len()],
+        roles,
         state: FrameState {
             frames: vec![OpenFrame::Block(OpenBlock::new(None, 0))],
         },
         branches: Vec::new(),
         comments: Vec::new(),
-        last: 0,
+        last: range.start as u32,
+        none: ItemRole::default(),
     };
-    for (at, item) in items.iter().enumerate() {
+    for (at, item) in items.iter().enumerate().take(range.end).skip(range.start) {
         let at = at as u32;
         match item.kind {
             ItemKind::Token(kind) => reader.token(at, kind)?,
@@ -93,6 +184,8 @@ struct OpenBlock {
     level: u32,
     /// Whether a label of this block precedes the current statement.
     is_labelled: bool,
+    /// Whether the current statement consists of macro calls so far.
+    is_call: bool,
     at: StatementPoint,
     /// The enclosing headers without braces: `if (a) for (;;) ...` has two.
     controls: Vec<ConstructKind>,
@@ -146,6 +239,7 @@ impl OpenBlock {
             open,
             level,
             is_labelled: false,
+            is_call: false,
             at: StatementPoint::Between,
             controls: Vec::new(),
         }
@@ -166,12 +260,14 @@ struct Branches {
 
 struct StructureReader<'a> {
     items: &'a [FormatItem],
-    roles: Vec<ItemRole>,
+    roles: &'a mut [ItemRole],
     state: FrameState,
     branches: Vec<Branches>,
     /// Comments between statements, indented like the code that follows.
     comments: Vec<u32>,
     last: u32,
+    /// In place of the role of an item that does not exist.
+    none: ItemRole,
 }
 
 impl StructureReader<'_> {
@@ -184,15 +280,10 @@ impl StructureReader<'_> {
     }
 
     fn role(&mut self, at: u32) -> &mut ItemRole {
-        let at = at as usize;
-        if self.roles.len() <= at {
-            self.roles.resize(at + 1, ItemRole::default());
-        }
-        #[expect(clippy::indexing_slicing, reason = "resized above")]
-        &mut self.roles[at]
+        self.roles.get_mut(at as usize).unwrap_or(&mut self.none)
     }
 
-    fn finish(mut self) -> Result<Vec<ItemRole>, Unformatted> {
+    fn finish(mut self) -> Result<(), Unformatted> {
         let open = self
             .state
             .frames
@@ -207,7 +298,7 @@ impl StructureReader<'_> {
         }
         self.assign_comments(0);
         self.assign(None);
-        Ok(self.roles)
+        Ok(())
     }
 
     fn token(&mut self, at: u32, kind: T) -> Result<(), Unformatted> {
@@ -338,6 +429,9 @@ impl StructureReader<'_> {
 
     /// Continues a statement.
     fn inside(&mut self, at: u32, kind: T, declares: bool) -> Result<(), Unformatted> {
+        if kind == T::Else || self.follows_macro(at, kind) {
+            return self.start(at, kind);
+        }
         match kind {
             T::LeftParen | T::LeftBracket => self.open_bracket(at, kind, None),
             T::LeftBrace if self.is_list() => self.open_bracket(at, kind, None),
@@ -371,6 +465,28 @@ impl StructureReader<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Whether a word starts a statement although no semicolon precedes it: after a statement that
+    /// consists of macro calls.
+    fn follows_macro(&mut self, at: u32, kind: T) -> bool {
+        let (last, items) = (self.last, self.items);
+        let item = |at: u32| items.get(at as usize);
+        let last_is = |kind| item(last).is_some_and(|last| last.is(kind));
+        let is_called = item(at + 1).is_some_and(|next| next.is(T::LeftParen));
+        let starts_line = item(at).is_some_and(|i| i.breaks > 0);
+        let is_first = self.role(last).start == StatementStart::Statement;
+        let Some(block) = self.block() else {
+            return false;
+        };
+        block.is_call &= kind == T::LeftParen || BEGINS_STATEMENT.contains(kind) && !is_first;
+        block.is_call
+            && starts_line
+            && match kind {
+                T::LeftParen => false,
+                T::Identifier if last_is(T::Identifier) => is_called,
+                _ => last_is(T::RightParen),
+            }
     }
 
     /// Whether the current brace opens an initialiser list or the like.
@@ -469,6 +585,7 @@ impl StructureReader<'_> {
             _ => {
                 let declares = matches!(kind, T::Struct | T::Uniform | T::In | T::Out);
                 if let Some(block) = self.block() {
+                    block.is_call = kind == T::Identifier;
                     block.at = StatementPoint::Inside { declares };
                 }
             }

@@ -74,6 +74,16 @@ impl StyleChoice {
     }
 }
 
+impl From<&Style> for StyleChoice {
+    fn from(style: &Style) -> StyleChoice {
+        StyleChoice {
+            indent: Some(style.indent),
+            width: Some(style.width),
+            brace: Some(style.brace),
+        }
+    }
+}
+
 impl Indentation {
     /// The width of a level in columns.
     pub fn width(self) -> u32 {

@@ -6,8 +6,9 @@ use shaderlint_text::apply_edits;
 #[track_caller]
 fn formatted(text: &str, style: &Style) -> String {
     let apply = |text: &str| {
-        let edits = format(text, style, TextExtent::File, Lines::Free).unwrap();
-        apply_edits(text, 0, &edits).unwrap()
+        let formatted = format(text, style, TextExtent::File, Lines::Free);
+        assert_eq!(formatted.left, []);
+        apply_edits(text, 0, &formatted.edits).unwrap()
     };
     let once = apply(text);
     assert_eq!(apply(&once), once, "not stable");
@@ -129,6 +130,23 @@ fn directives_stay_as_they_are() {
 }
 
 #[test]
+fn code_inside_conditionals_may_be_indented() {
+    body(
+        "  #if A\n    a;\n  #else\n    if(b){\nc;}\n  #endif\n  d;",
+        "#if A\n    a;\n#else\n    if (b) {\n        c;\n    }\n#endif\nd;",
+    );
+    check(
+        "#ifdef A\n  #define B\n  float c ;\n#endif",
+        "#ifdef A\n    #define B\n    float c;\n#endif\n",
+    );
+    // Directives around the start of a block are indented like the others.
+    body(
+        "  #if A\n  for(;;){\n  #else\n  b;\n  #endif\n  c;\n  #if A\n  }\n  #endif",
+        "#if A\nfor (;;) {\n#else\nb;\n#endif\n    c;\n#if A\n}\n#endif",
+    );
+}
+
+#[test]
 fn what_is_never_compiled_is_no_code() {
     check(
         "#if 0\n it's  text (\n#endif\nfloat a ;",
@@ -161,6 +179,86 @@ fn tables_stay_tables() {
 }
 
 #[test]
+fn columns_contain_items_of_one_sort() {
+    // A coincidence.
+    body(
+        "a=b+c*(d-e);\nvec2   g=h;",
+        "a = b + c * (d - e);\nvec2 g = h;",
+    );
+    body(
+        "float a  = b;\nvec2  cc = d;",
+        "float a  = b;\nvec2  cc = d;",
+    );
+    body(
+        "m=mat2(cos(a),0,\n       0,     1);",
+        "m = mat2(cos(a), 0,\n         0,      1);",
+    );
+}
+
+#[test]
+fn numbers_in_columns_keep_their_padding() {
+    body(
+        "a=f(vec2( 1.0,  0.0));\nb=f(vec2(-1.0, -1.0));\nc=f(vec2(10.0,  1.0));",
+        "a = f(vec2( 1.0,  0.0));\nb = f(vec2(-1.0, -1.0));\nc = f(vec2(10.0,  1.0));",
+    );
+    body(
+        "x+=x<<10u;\nx^=x>> 6u;\nx+=y;",
+        "x += x << 10u;\nx ^= x >>  6u;\nx += y;",
+    );
+    body("a = vec2( 1.0, 2.0);", "a = vec2(1.0, 2.0);");
+}
+
+#[test]
+fn rows_of_equal_statements_stay() {
+    body("c(1);c(2);c(3);", "c(1); c(2); c(3);");
+    body(
+        "float f=.5*n(p);p=m*p;\nf+=.25*n(p);p=m*p*2.;",
+        "float f = .5 * n(p); p = m * p;\nf += .25 * n(p); p = m * p * 2.;",
+    );
+    body("a=1.;b=2.;\nf(c);d=3.;", "a = 1.;\nb = 2.;\nf(c);\nd = 3.;");
+}
+
+#[test]
+fn lists_of_equal_statements_are_filled_again() {
+    let style = Style {
+        width: 32,
+        ..Style::default()
+    };
+    assert_eq!(
+        formatted(
+            "aa(1); aa(2); aa(3); aa(4); aa(5);\naa(6);\n\nb(1);",
+            &style
+        ),
+        "aa(1); aa(2); aa(3); aa(4);\naa(5); aa(6);\n\nb(1);\n"
+    );
+}
+
+#[test]
+fn rows_of_tables_may_be_too_long() {
+    let style = Style {
+        width: 30,
+        ..Style::default()
+    };
+    let text = "m = mat3(aaaaaaaaaa + b, 0,      c,\n         0,              d + ee, 0);\n";
+    assert_eq!(formatted(text, &style), text);
+    let text =
+        "float a(float b) { return bb  + c  * dd; }\nfloat b(float b) { return ccc + dd * ee; }\n";
+    assert_eq!(formatted(text, &style), text);
+}
+
+#[test]
+fn calls_of_macros_need_no_semicolon() {
+    check(
+        "A(1)\nB(2) c\nD(3)\nvoid f(){}",
+        "A(1)\nB(2) c\nD(3)\nvoid f() {}\n",
+    );
+    check(
+        "int a = b(1)\n+c(2)\n;",
+        "int a = b(1)\n    + c(2)\n    ;\n",
+    );
+}
+
+#[test]
 fn long_lines_are_broken_at_the_outermost_place() {
     let style = Style {
         width: 30,
@@ -178,6 +276,90 @@ fn long_lines_are_broken_at_the_outermost_place() {
     assert_eq!(
         broken("float a = bbbbbb * cccccc + dddddd * eeeeee;"),
         "float a = bbbbbb * cccccc\n    + dddddd * eeeeee;\n"
+    );
+}
+
+#[test]
+fn long_lines_have_one_form() {
+    let style = Style {
+        width: 40,
+        ..Style::default()
+    };
+    let cases = [
+        // The last line has more than one argument.
+        (
+            "a = f(bbbbbbbbb, cccccccc, dddddddd, eee);",
+            "a = f(bbbbbbbbb, cccccccc,\n      dddddddd, eee);\n",
+        ),
+        // Arguments that fit nowhere else start a line.
+        (
+            "col.rgb = mix(cc, g(aaaaa, bbbbbb, dd + ee));",
+            "col.rgb = mix(\n    cc, g(aaaaa, bbbbbb, dd + ee));\n",
+        ),
+        // One line after the assignment, rather than a short last line.
+        (
+            "float aaaaaa = bbbbbb(cccccc, ddddd) * e;",
+            "float aaaaaa =\n    bbbbbb(cccccc, ddddd) * e;\n",
+        ),
+        // Terms fill lines, or each has its own.
+        (
+            "float a = bbbbbbbb + cccccccc + dddddddd + eeee;",
+            "float a = bbbbbbbb + cccccccc\n    + dddddddd + eeee;\n",
+        ),
+        (
+            "float a = bb + cccccc * f(dddddddd, eeeeeeee) * g + hhhhhhhhhhhh;",
+            "float a = bb\n    + cccccc * f(dddddddd, eeeeeeee) * g\n    + hhhhhhhhhhhh;\n",
+        ),
+        // Factors of a term are indented further.
+        (
+            "float a = b + cccccccccccccccc * dddddddddd * eeeeeee;",
+            "float a = b + cccccccccccccccc\n        * dddddddddd * eeeeeee;\n",
+        ),
+        (
+            "a = bbbbbbb < c ? ddddddddd : bbbbbb < e ? ffffff : g;",
+            "a = bbbbbbb < c ? ddddddddd\n    : bbbbbb < e ? ffffff\n    : g;\n",
+        ),
+        (
+            "if (aaaaaaaaaaaaaaaaaa < bbbbbbbbbbbbbb(ccc)) d = 1.;",
+            "if (aaaaaaaaaaaaaaaaaa\n    < bbbbbbbbbbbbbb(ccc))\n    d = 1.;\n",
+        ),
+        // Lines end with operators where the author's do.
+        (
+            "a = b +\nc;\nfloat d = eeeeeeeeeeee * fffffffff + gggggggggg;",
+            "a = b +\n    c;\nfloat d = eeeeeeeeeeee * fffffffff +\n    gggggggggg;\n",
+        ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(formatted(text, &style), expected);
+    }
+}
+
+#[test]
+fn if_and_else_on_one_line_are_broken_together() {
+    let style = Style {
+        width: 40,
+        ..Style::default()
+    };
+    let broken = |text: &str| formatted(&format!("void f(){{\n{text}}}"), &style);
+    assert_eq!(
+        broken("if(aaaaaaa)b=1;else if(ccccccc)d=1;else e=2;\n"),
+        "void f() {\n    if (aaaaaaa) b = 1;\n    else if (ccccccc) d = 1;\n    else e = 2;\n}\n"
+    );
+    assert_eq!(
+        broken("if(aaaaaaa){b;}else if(cccccccccc){d;}else{e;}\n"),
+        "void f() {\n    if (aaaaaaa) { b; }\n    else if (cccccccccc) { d; }\n    else { e; }\n}\n"
+    );
+    assert_eq!(
+        broken("if(a)b;else\nif(c)d;\n"),
+        "void f() {\n    if (a) b;\n    else if (c) d;\n}\n"
+    );
+    assert_eq!(
+        broken("if(a)_1 else if(b)_2\n"),
+        "void f() {\n    if (a) _1 else if (b) _2\n}\n"
+    );
+    assert_eq!(
+        broken("if(aaaaaaa)b=cccccccccccccccccccccc;else e=2;\n"),
+        "void f() {\n    if (aaaaaaa)\n        b = cccccccccccccccccccccc;\n    else\n        e = 2;\n}\n"
     );
 }
 
@@ -226,12 +408,33 @@ fn what_does_not_match_is_refused() {
         "a; #b",
         "a; /* */ #b",
     ] {
-        assert!(
-            format(text, &Style::default(), TextExtent::File, Lines::Free).is_err(),
+        let formatted = format(text, &Style::default(), TextExtent::File, Lines::Free);
+        assert_eq!(
+            (&formatted.edits[..], formatted.left.len()),
+            (&[][..], 1),
             "{text}"
         );
     }
     let deep = "(".repeat(300);
-    let why = format(&deep, &Style::default(), TextExtent::File, Lines::Free).unwrap_err();
+    let formatted = format(&deep, &Style::default(), TextExtent::File, Lines::Free);
+    let [why] = &formatted.left[..] else {
+        panic!("one reason")
+    };
     assert_eq!(why.message, "the code is nested too deeply");
+}
+
+#[test]
+fn functions_whose_brackets_do_not_match_are_left_alone() {
+    let text = "float a( ) {return 1.;}\n#define EACH for (;;) {\nvoid b( ) {\nEACH  c;\n}\n}\n}\n\n\
+                float d( ) {return 2.;}\n";
+    let expected = "float a() { return 1.; }\n#define EACH for (;;) {\nvoid b( ) {\nEACH  c;\n}\n}\n}\n\n\
+                    float d() { return 2.; }\n";
+    let apply = |text: &str| {
+        let formatted = format(text, &Style::default(), TextExtent::File, Lines::Free);
+        let messages: Vec<String> = formatted.left.into_iter().map(|why| why.message).collect();
+        assert_eq!(messages, ["unmatched closing bracket"]);
+        apply_edits(text, 0, &formatted.edits).unwrap()
+    };
+    assert_eq!(apply(text), expected);
+    assert_eq!(apply(expected), expected);
 }

@@ -8,7 +8,7 @@ use super::workspace::{SampleRuns, Workspace};
 use gen_lsp_types::{FormattingOptions, Location, Position, TextDocumentPositionParams, Uri};
 use lsp_server::ErrorCode;
 use shaderlint_engine::{Files, Options};
-use shaderlint_format::{Indentation, Style, StyleChoice};
+use shaderlint_format::{Indentation, StyleChoice};
 use shaderlint_ide::{Document, FileSpan, RunObservations};
 use shaderlint_text::kind::Claim;
 use shaderlint_text::{LineIndex, Span};
@@ -166,7 +166,7 @@ impl Snapshot {
     }
 
     /// The formatting style of a document: from its configuration, and otherwise from the client.
-    pub fn style(&self, buffer: &TextBuffer, options: &FormattingOptions) -> Answer<Style> {
+    pub fn style(&self, buffer: &TextBuffer, options: &FormattingOptions) -> Answer<StyleChoice> {
         let width = options.tab_size.clamp(1, 16);
         let client = StyleChoice {
             indent: Some(match options.insert_spaces {

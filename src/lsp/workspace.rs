@@ -2,7 +2,7 @@
 
 use gen_lsp_types::Uri;
 use shaderlint_engine::{Files, Options};
-use shaderlint_format::{Style, StyleChoice};
+use shaderlint_format::StyleChoice;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ pub trait Workspace: Send + Sync {
     ///
     /// # Errors
     /// A message if the configuration is invalid.
-    fn style(&self, path: &Path, client: StyleChoice) -> Result<Style, Arc<str>>;
+    fn style(&self, path: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>>;
 
     /// Whether the configuration excludes a file.
     fn leaves_out(&self, path: &Path) -> bool;

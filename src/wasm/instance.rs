@@ -142,7 +142,7 @@ fn formatted(request: &FormatRequest) -> RequestResult {
         ..StyleChoice::default()
     };
     let FormatRequest { name, text, .. } = request;
-    let formatted = format(name, text, Claim::None, &choice.style());
+    let formatted = format(name, text, Claim::None, choice);
     let formatted = formatted.map_err(|decision| format!("{name}: skipped: {decision}"))?;
     let new = apply_edits(text, 0, &formatted.edits);
     let new = new.map_err(|_| format!("{name}: internal error: edits overlap"))?;

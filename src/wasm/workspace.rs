@@ -4,7 +4,7 @@ use gen_lsp_types::Uri;
 use shaderlint_diagnostic::ERRORS;
 use shaderlint_engine::config::{Selection, options};
 use shaderlint_engine::{FileType, Files, LoadError, Options};
-use shaderlint_format::{Style, StyleChoice};
+use shaderlint_format::StyleChoice;
 use shaderlint_lsp::{ConfigFinding, SampleRuns, Workspace};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -105,8 +105,8 @@ impl Workspace for OpenWorkspace {
         })
     }
 
-    fn style(&self, _: &Path, client: StyleChoice) -> Result<Style, Arc<str>> {
-        Ok(client.style())
+    fn style(&self, _: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>> {
+        Ok(client)
     }
 
     fn leaves_out(&self, _: &Path) -> bool {

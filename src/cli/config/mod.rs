@@ -7,7 +7,7 @@ mod project;
 
 use crate::engine::config::{Config, Selection, options, style};
 use crate::engine::{FileCache, Options};
-use crate::format::{Style, StyleChoice};
+use crate::format::StyleChoice;
 use crate::host::{Preset, host_named, kept, read as read_host};
 use crate::lint::{Settings, UnknownRule};
 use crate::rules::RULES;
@@ -202,17 +202,17 @@ impl Configs {
     }
 
     /// The formatting style of a file: from its configuration, and otherwise from `.editorconfig`.
-    pub fn style(&self, path: &Path) -> Result<Style, Arc<str>> {
+    pub fn style(&self, path: &Path) -> Result<StyleChoice, Arc<str>> {
         self.style_or(path, StyleChoice::default())
     }
 
     /// The same, with `last` for what neither file sets.
-    pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<Style, Arc<str>> {
+    pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<StyleChoice, Arc<str>> {
         let config = self.config(path)?;
         let path = absolute(path);
         let others = editor::choice(&path).or(last);
         let chosen = config.map(|c| style(&c, &c.layers(&path), others));
-        Ok(chosen.unwrap_or(others).style())
+        Ok(chosen.unwrap_or(others))
     }
 
     /// The outermost folder of the project that contains a file; `None` if nothing marks one.

@@ -85,7 +85,7 @@ fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
         Err(message) => return FormatOutcome::Failed(message),
     };
     let old = content.text;
-    let Formatting { edits, left } = match format(&input.name, &old, input.claim, &style) {
+    let Formatting { edits, left } = match format(&input.name, &old, input.claim, style) {
         Ok(formatting) => formatting,
         Err(decision) => return FormatOutcome::Skipped(decision.to_string(), old),
     };

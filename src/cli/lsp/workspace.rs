@@ -6,7 +6,7 @@ use super::super::input::collect;
 use super::pages::PageFiles;
 use crate::engine::config::Selection;
 use crate::engine::{Files, Options};
-use crate::format::{Style, StyleChoice};
+use crate::format::StyleChoice;
 use crate::lsp::{ConfigFinding, SampleRuns, Workspace};
 use crate::text::kind::is_searched;
 use gen_lsp_types::Uri;
@@ -81,7 +81,7 @@ impl Workspace for DiskWorkspace {
         findings.collect()
     }
 
-    fn style(&self, path: &Path, client: StyleChoice) -> Result<Style, Arc<str>> {
+    fn style(&self, path: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>> {
         self.quick.style_or(path, client)
     }
 

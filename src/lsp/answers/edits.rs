@@ -162,7 +162,7 @@ fn formatted(
 ) -> Answer<Option<Vec<TextEdit>>> {
     let style = snapshot.style(buffer, options)?;
     let claim = snapshot.options(SampleRuns::Off, buffer).claim;
-    let Ok(formatting) = engine::format(&buffer.path, &buffer.text, claim, &style) else {
+    let Ok(formatting) = engine::format(&buffer.path, &buffer.text, claim, style) else {
         return Ok(None);
     };
     let mut edits: Vec<Edit> = formatting.edits;
@@ -171,7 +171,7 @@ fn formatted(
             .iter()
             .filter_map(|edit| clip(&buffer.text, edit, within));
         edits = clipped.collect();
-    } else if let [left, ..] = &formatting.left[..] {
+    } else if let ([], [left, ..]) = (&edits[..], &formatting.left[..]) {
         let line = buffer.lines.line(left.span.start);
         return Err(Failure::refused(format!("line {line}: {}", left.message)));
     }

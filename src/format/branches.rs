@@ -1,0 +1,89 @@
+//! The indentation of code inside preprocessor conditionals, if the author indented it.
+
+use super::item::{BranchDirective, FormatItem, ItemKind};
+use super::structure::ItemRole;
+
+/// A conditional: its directives, and whether the author indented what is inside.
+#[derive(Default)]
+struct Conditional {
+    directives: Vec<usize>,
+    /// None as long as it is empty.
+    is_indented: Option<bool>,
+}
+
+/// Indents the code inside each conditional whose first line is indented further than its `#if`,
+/// unless that is at the margin inside a function. The directives of a conditional are indented
+/// alike, as the outermost of them; code is not indented if it opens or closes blocks around them.
+pub fn indent(items: &[FormatItem], roles: &mut [ItemRole], base: u32) {
+    let mut extra = vec![0i64; items.len() + 1];
+    for conditional in conditionals(items, roles, base) {
+        let [first, .., last] = conditional.directives[..] else {
+            continue;
+        };
+        let level = |at: &usize| roles.get(*at).map_or(0, |role| role.level);
+        let levels = conditional.directives.iter().map(level);
+        let (Some(least), Some(most)) = (levels.clone().min(), levels.max()) else {
+            continue;
+        };
+        for at in &conditional.directives {
+            if let Some(role) = roles.get_mut(*at) {
+                role.level = least;
+            }
+        }
+        if conditional.is_indented != Some(true) || least != most {
+            continue;
+        }
+        let inner = conditional.directives.iter().skip(1);
+        let changes = [(first + 1, 1), (last, -1)].into_iter();
+        let between = inner.filter(|at| **at != last);
+        let changes = changes.chain(between.flat_map(|at| [(*at, -1), (*at + 1, 1)]));
+        for (at, change) in changes {
+            if let Some(extra) = extra.get_mut(at) {
+                *extra += change;
+            }
+        }
+    }
+    let mut depth = 0;
+    for (role, change) in roles.iter_mut().zip(extra) {
+        depth += change;
+        role.level += u32::try_from(depth).unwrap_or(0);
+    }
+}
+
+fn conditionals(items: &[FormatItem], roles: &[ItemRole], base: u32) -> Vec<Conditional> {
+    let (mut open, mut closed): (Vec<Conditional>, Vec<Conditional>) = (Vec::new(), Vec::new());
+    for (at, item) in items.iter().enumerate() {
+        let ItemKind::Directive(directive) = item.kind else {
+            continue;
+        };
+        if directive == BranchDirective::Opens {
+            open.push(Conditional::default());
+        }
+        if directive == BranchDirective::Other {
+            continue;
+        }
+        if let Some(last) = open.last_mut() {
+            last.directives.push(at);
+        }
+        if directive == BranchDirective::Closes {
+            closed.extend(open.pop());
+        } else if let Some(last) = open.last_mut()
+            && last.is_indented.is_none()
+        {
+            last.is_indented = is_indented(items, roles, at, base);
+        }
+    }
+    closed
+}
+
+/// Whether the line after a directive is indented further; `None` if it does not move with it.
+fn is_indented(items: &[FormatItem], roles: &[ItemRole], at: usize, base: u32) -> Option<bool> {
+    let (item, next) = (items.get(at)?, items.get(at + 1)?);
+    let (role, next_role) = (roles.get(at)?, roles.get(at + 1)?);
+    if next.keeps {
+        return None;
+    }
+    let is_placed = item.column > base || role.level == 0;
+    let is_deeper = next.column > item.column + 1 && next_role.level == role.level;
+    Some(is_placed && is_deeper && !item.keeps)
+}
