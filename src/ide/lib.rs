@@ -4,12 +4,15 @@
 
 mod actions;
 mod calls;
+mod candidates;
 mod color;
 mod complete;
 mod document;
+mod expected;
 mod folding;
 mod hints;
 mod hover;
+mod inactive;
 mod index;
 mod lens;
 mod library;
@@ -23,6 +26,7 @@ mod symbol;
 #[cfg(test)]
 mod tests;
 mod tokens;
+mod usage;
 
 pub use actions::{Action, ActionKind, actions, fix_all};
 pub use calls::{CallItem, CallLink, call_item, incoming, outgoing};

@@ -5,7 +5,7 @@ use super::directive_repair::meant;
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::language::Feature;
-use crate::names::Name;
+use crate::names::{Name, Version};
 use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
@@ -24,6 +24,19 @@ const CORE_EXTENSIONS: [&str; 4] = [
     "GL_EXT_frag_depth",
     "GL_EXT_draw_buffers",
 ];
+
+/// The extensions that a shader of a version can enable.
+pub fn extensions(version: Version) -> impl Iterator<Item = &'static str> {
+    let [both, only_300] = KNOWN_EXTENSIONS;
+    let (own, core): (_, &[&str]) = match version {
+        Version::Es100 => (both, &CORE_EXTENSIONS),
+        Version::Es300 => (only_300, &[]),
+    };
+    core.iter().copied().chain([own])
+}
+
+/// What an `#extension` directive may ask for.
+pub const EXTENSION_BEHAVIORS: [&str; 4] = ["enable", "require", "warn", "disable"];
 
 impl Preprocessor<'_> {
     /// Defines the predefined macros of the language.
@@ -434,7 +447,7 @@ impl Preprocessor<'_> {
             "require" if !KNOWN_EXTENSIONS.contains(&text.as_str()) => {
                 format!("WebGL2 has no shader extension `{text}`")
             }
-            "require" | "enable" | "warn" | "disable" => return,
+            how if EXTENSION_BEHAVIORS.contains(&how) => return,
             _ => format!("expected `require`, `enable`, `warn` or `disable`, found `{how}`"),
         };
         let d = error_at(error::UNKNOWN_EXTENSION, span, message);

@@ -16,6 +16,7 @@ mod number;
 mod place;
 mod version;
 
+pub use directive::{EXTENSION_BEHAVIORS, extensions};
 pub use directive_repair::DIRECTIVES;
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
