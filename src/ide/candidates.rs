@@ -28,7 +28,7 @@ struct Candidates<'p> {
 pub(super) fn names(spot: &Spot) -> Vec<Proposal> {
     let program = spot.program();
     let code = spot.document.report.sources.code_at(spot.address);
-    let (text, base) = code.map_or(("", spot.address), |code| (&*code.text, code.base));
+    let (text, base) = code.map_or(("", spot.address), |code| (code.text, code.base));
     let at = hole(program);
     let mut all = Candidates {
         program,
@@ -369,6 +369,7 @@ impl Candidates<'_> {
             if !matches!(classify(word, program.version), WordClass::Plain) {
                 let fit = match self.usage.place {
                     WordPlace::Expression => self.expected.variable(program, Type::BOOL, false),
+                    _ if self.usage.next == Some('=') => Fit::No,
                     _ if self.is_operand() && !matches!(*word, "return" | "case") => Fit::No,
                     _ => Fit::Yes,
                 };

@@ -99,7 +99,7 @@ impl Expected {
 
     /// Whether a call of a function fits, which has these parameters and this type.
     pub fn call(&self, program: &Program, params: &[Type], returns: Type) -> Fit {
-        if self.is_written && matches!(self.suffix, NameSuffix::Nothing) {
+        if self.is_written {
             return Fit::No;
         }
         if let NameSuffix::Call(args) = &self.suffix
@@ -111,7 +111,7 @@ impl Expected {
             true if returns.is_void() => Fit::Yes,
             true => Fit::Part,
             false if returns.is_void() => Fit::No,
-            false => self.value(program, returns),
+            false => self.value(program, returns).min(self.call_before_suffix()),
         }
     }
 
@@ -123,6 +123,14 @@ impl Expected {
         match &self.suffix {
             NameSuffix::Call(args) => self.value(program, ty).min(constructed(ty, args)),
             _ => self.value(program, ty),
+        }
+    }
+
+    /// A member or an index of a call is less usual than of a variable.
+    fn call_before_suffix(&self) -> Fit {
+        match self.suffix {
+            NameSuffix::Member(_) | NameSuffix::Index => Fit::Part,
+            NameSuffix::Nothing | NameSuffix::Call(_) => Fit::Yes,
         }
     }
 
@@ -181,9 +189,7 @@ fn constructed(ty: Type, args: &[Type]) -> Fit {
     let count: u32 = args.iter().map(|arg| arg.components()).sum();
     match args {
         // A conversion, or the same in all components.
-        [arg] if ty.is_scalar() => {
-            [Fit::Part, Fit::Yes][usize::from(arg.is_scalar() && *arg != ty)]
-        }
+        [arg] if ty.is_scalar() && (!arg.is_scalar() || *arg == ty) => Fit::Part,
         [arg] if arg.is_scalar() => Fit::Yes,
         [arg] if *arg == ty => Fit::Part,
         _ if count == ty.components() => Fit::Yes,

@@ -9,6 +9,7 @@ mod color;
 mod complete;
 mod document;
 mod expected;
+mod figure;
 mod folding;
 mod hints;
 mod hover;
