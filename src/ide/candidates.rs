@@ -7,6 +7,7 @@ use super::library::entry;
 use super::signature::builtin_head;
 use super::symbol::{Symbol, SymbolKind, declared_at};
 use super::usage::{Usage, WordPlace};
+use shaderlint_host::Preset;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Dialect, Direction, Pass, Program, Stage, Storage, Type, VariableId};
 use shaderlint_syntax::ast::*;
@@ -16,9 +17,10 @@ use std::collections::BTreeSet;
 /// The candidates of one place.
 struct Candidates<'p> {
     program: &'p Program,
+    /// The host that completes the shader, other than ShaderToy.
+    host: Option<&'static Preset>,
     /// The token of the placeholder.
     at: TokenId,
-    is_inside: bool,
     expected: Expected,
     usage: Usage<'p>,
     found: Vec<(f32, Proposal)>,
@@ -32,17 +34,25 @@ pub(super) fn names(spot: &Spot) -> Vec<Proposal> {
     let at = hole(program);
     let mut all = Candidates {
         program,
+        host: spot
+            .analysis
+            .host
+            .filter(|_| !program.dialect.is_shadertoy()),
         at: at.unwrap_or(TokenId::MAX),
-        is_inside: at.is_some_and(|token| function_around(program, token).is_some()),
         expected: Expected::of(program, program.names.get(PLACEHOLDER)),
         usage: Usage::of(text, spot.address - base),
         found: Vec::new(),
     };
-    all.variables();
-    all.functions();
+    if matches!(
+        all.usage.place,
+        WordPlace::Statement | WordPlace::Expression
+    ) {
+        all.variables();
+        all.functions();
+        all.builtins();
+    }
     all.structs();
     all.macros();
-    all.builtins();
     all.words();
     all.snippets();
     let mut found = all.found;
@@ -67,10 +77,11 @@ pub(super) fn hole(program: &Program) -> Option<TokenId> {
     all.find(|(token, _)| is_hole(token)).map(|(_, id)| id)
 }
 
-fn function_around(program: &Program, token: TokenId) -> Option<&FunctionDecl> {
+/// Whether a token is in the body of a function.
+fn is_in_function(program: &Program, token: TokenId) -> bool {
     let inside = Extent::token(token);
     let mut all = program.tree.functions.iter();
-    all.find(|f| f.body.is_some() && f.extent.contains(inside) && !f.header.contains(inside))
+    all.any(|f| f.body.is_some() && f.extent.contains(inside) && !f.header.contains(inside))
 }
 
 /// The innermost scope around a token (section 4.2.2).
@@ -88,13 +99,6 @@ fn scope(program: &Program, token: TokenId) -> Option<Extent> {
     let around = program.tree.stmts.iter().filter(opens).map(|s| s.extent);
     let around = around.filter(|e| e.contains(inside));
     around.min_by_key(|e| e.last - e.first)
-}
-
-/// Whether a name is meant for users, and not internal to a host.
-fn is_for_people(program: &Program, symbol: Symbol) -> bool {
-    let declared = declared_at(program, symbol);
-    let is_own = declared.is_none_or(|at| program.is_user(at));
-    is_own || entry(symbol.name(program)).is_some()
 }
 
 /// Whether a variable is visible at a token.
@@ -150,6 +154,23 @@ impl Candidates<'_> {
         self.found.push((likelihood, item));
     }
 
+    /// Whether a name is meant for users, and not internal to a host.
+    fn is_for_people(&self, symbol: Symbol) -> bool {
+        let name = symbol.name(self.program);
+        let declared = declared_at(self.program, symbol);
+        let is_own = declared.is_none_or(|at| self.program.is_user(at));
+        // ShaderToy's own code declares names that its documentation does not mention.
+        let is_shown = !self.program.dialect.is_shadertoy() && !name.starts_with('_');
+        is_own || is_shown || entry(name).is_some()
+    }
+
+    /// The documentation of a name that the language or the host declares.
+    fn description(&self, name: &str) -> String {
+        let of_host = self.host.and_then(|host| host.descriptions.get(name));
+        let general = || entry(name).map(|entry| entry.text.clone());
+        of_host.cloned().or_else(general).unwrap_or_default()
+    }
+
     /// Adds a function; arguments that follow are kept.
     fn add_call(&mut self, item: Proposal, fit: Fit, params: Option<&[&str]>) {
         let params = params.filter(|_| self.usage.next != Some('('));
@@ -162,7 +183,7 @@ impl Candidates<'_> {
         for (variable, id) in program.variables.iter().zip(0..) {
             let id = VariableId(id);
             let symbol = Symbol::Variable(id);
-            if !is_visible(program, id, self.at) || !is_for_people(program, symbol) {
+            if !is_visible(program, id, self.at) || !self.is_for_people(symbol) {
                 continue;
             }
             let kind = symbol.kind(program);
@@ -180,7 +201,7 @@ impl Candidates<'_> {
             };
             let item = Proposal::new(name, CompletionKind::Symbol(kind), 0);
             let item = Proposal {
-                text: entry(name).map_or(String::new(), |e| e.text.clone()),
+                text: self.description(name),
                 ..item.detail(program.type_name(variable.ty))
             };
             self.add(item, self.name_fit(fit));
@@ -189,11 +210,9 @@ impl Candidates<'_> {
 
     /// How well a name that is not a type fits.
     fn name_fit(&self, fit: Fit) -> Fit {
-        match self.usage.place {
-            WordPlace::Global | WordPlace::Parameter => Fit::No,
-            // The name of a type precedes another name.
-            _ if self.is_before_name() => Fit::No,
-            _ => fit,
+        match self.is_before_name() {
+            true => Fit::No,
+            false => fit,
         }
     }
 
@@ -232,7 +251,7 @@ impl Candidates<'_> {
             let name = symbol.name(program);
             let is_entry = shaderlint_semantic::starts_a_shader(name);
             let is_later = declared.is_none_or(|d| d.extent.first > self.at);
-            if is_entry || is_later || !is_for_people(program, symbol) {
+            if is_entry || is_later || !self.is_for_people(symbol) {
                 continue;
             }
             let params: Vec<Type> = function.params.iter().map(|p| p.ty).collect();
@@ -249,7 +268,7 @@ impl Candidates<'_> {
         for (record, id) in program.structs.iter().zip(0..) {
             let symbol = Symbol::Struct(id);
             let name = symbol.name(program);
-            if !name.is_empty() && is_for_people(program, symbol) {
+            if !name.is_empty() && self.is_for_people(symbol) {
                 let params: Vec<Type> = record.fields.iter().map(|f| f.ty).collect();
                 let fit = self.type_fit(Some(&params), Type::structure(id));
                 let kind = CompletionKind::Symbol(SymbolKind::Struct);
@@ -261,7 +280,7 @@ impl Candidates<'_> {
     fn macros(&mut self) {
         let program = self.program;
         for defined in program.tokens.macros.iter().filter(|m| !m.predefined) {
-            if !is_for_people(program, Symbol::Macro(defined.name)) {
+            if !self.is_for_people(Symbol::Macro(defined.name)) {
                 continue;
             }
             let name = program.names.text(defined.name);
@@ -280,10 +299,6 @@ impl Candidates<'_> {
     }
 
     fn builtins(&mut self) {
-        // Only a constant expression may call a function outside of functions.
-        if !self.is_inside && self.usage.place != WordPlace::Expression {
-            return;
-        }
         let program = self.program;
         let all = Builtins::of(program.version, program.stage);
         for id in all.functions() {
@@ -422,9 +437,23 @@ impl Candidates<'_> {
         );
     }
 
-    /// The entry functions that a text without one may define: of its host, or of a ShaderToy pass.
+    /// The entry functions that the text lacks: of its host, or of a ShaderToy pass.
     fn entries(&mut self) {
         let program = self.program;
+        let is_defined = |name: &str| {
+            let mut all = program.functions.iter();
+            all.any(|f| f.definition.is_some() && program.names.text(f.name) == name)
+        };
+        if let Some(host) = self.host {
+            let names = host.entries.iter().filter(|name| !is_defined(name));
+            let signed: Vec<_> = names
+                .filter_map(|name| Some((name, signature_of(host, name)?)))
+                .collect();
+            for (name, signature) in signed {
+                self.entry(name, signature);
+            }
+            return;
+        }
         if program.entry().is_some() {
             return;
         }
@@ -437,8 +466,27 @@ impl Candidates<'_> {
         ];
         let entries = hosts.into_iter().flatten().filter_map(|d| d.host().entry);
         for entry in entries {
-            let body = format!("{} {{\n\t$0\n}}", entry.signature);
-            self.snippet(entry.name, entry.signature, &body);
+            self.entry(entry.name, entry.signature);
         }
     }
+
+    fn entry(&mut self, name: &str, signature: &str) {
+        self.snippet(name, signature, &format!("{signature} {{\n\t$0\n}}"));
+    }
+}
+
+/// The declaration of an entry function of a host: its description shows it, unless it is the one
+/// of WebGL or of ShaderToy.
+fn signature_of(host: &'static Preset, name: &str) -> Option<&'static str> {
+    let mut shown = host.about.split('`').skip(1).step_by(2);
+    let is_of = |code: &&str| {
+        let head = code.split_once('(').map_or("", |(head, _)| head);
+        code.ends_with(')')
+            && head.split_whitespace().count() == 2
+            && head.ends_with(&format!(" {name}"))
+    };
+    let usual = [Dialect::WebGl, Dialect::ShaderToy(Pass::Image)];
+    let mut usual = usual.into_iter().filter_map(|d| d.host().entry);
+    let usual = usual.find(|entry| entry.name == name);
+    shown.find(is_of).or(usual.map(|entry| entry.signature))
 }

@@ -242,6 +242,47 @@ fn inactive_code_has_completions() {
     assert_eq!(proposed(field, ""), ["size"]);
 }
 
+#[test]
+fn the_names_of_a_host_are_offered() {
+    let text = "// Author: A\nuniform float size; // = 0.1\n\
+        vec4 both(vec2 uv) { return mix(getFromColor(uv), getToColor(uv), progress * ra|); }\n";
+    let asked = |text: &str, host: Option<&str>| {
+        let at = text.find('|').unwrap();
+        let mut options = Options::default();
+        options.host.preset = host.and_then(shaderlint_host::preset);
+        let plain = text.replacen('|', "", 1);
+        let document = Document::new("/a.glsl", plain.into(), Arc::new(options), &NoFiles);
+        complete(&document, at as u32, &NoFiles).1
+    };
+    let found = asked(
+        &format!("{text}vec4 transition(vec2 uv) {{ return both(uv); }}\n"),
+        None,
+    );
+    let ratio = found.iter().find(|p| p.label == "ratio");
+    assert_eq!(ratio.expect("a name of the host").detail, "float");
+    assert!(!found.iter().any(|p| p.label == "_fromR"));
+    let found = asked(
+        &format!("{}|", text.replace("ra|", "1.0")),
+        Some("gl-transitions"),
+    );
+    let entry = found.iter().find(|p| p.label == "transition");
+    let body = "vec4 transition(vec2 uv) {\n\t$0\n}";
+    assert_eq!(
+        entry.expect("its entry function").snippet.as_deref(),
+        Some(body)
+    );
+    let found = asked(
+        &format!("{text}vec4 transition(vec2 uv) {{ return both(uv); }}\n|")
+            .replacen("ra|", "1.0", 1),
+        Some("gl-transitions"),
+    );
+    assert!(
+        !found
+            .iter()
+            .any(|p| p.label == "transition" || p.label == "ratio")
+    );
+}
+
 /// The hover at the marker.
 fn hovered(text: &str) -> String {
     let (document, at) = marked(text);
