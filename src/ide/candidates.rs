@@ -43,10 +43,13 @@ pub(super) fn names(spot: &Spot) -> Vec<Proposal> {
         usage: Usage::of(text, spot.address - base),
         found: Vec::new(),
     };
-    if matches!(
-        all.usage.place,
-        WordPlace::Statement | WordPlace::Expression
-    ) {
+    // Braces in branches of `#if` need not be balanced.
+    let is_outside = matches!(all.usage.place, WordPlace::Global | WordPlace::Parameter);
+    let is_outside = is_outside && !at.is_some_and(|token| is_in_function(program, token));
+    if !is_outside && all.usage.place != WordPlace::Expression {
+        all.usage.place = WordPlace::Statement;
+    }
+    if !is_outside {
         all.variables();
         all.functions();
         all.builtins();

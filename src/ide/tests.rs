@@ -185,6 +185,8 @@ fn the_most_likely_name_is_first() {
     // What is assigned.
     let written = "void f(out vec2 part, const vec2 params) { pa|.x = params.x * params.y; }\nvoid main() {}\n";
     assert_eq!(first(written), "part");
+    // Braces need not be balanced.
+    assert_eq!(first("} void main() { float wave = 1.0; wa| }\n"), "wave");
     // A name has no value in its own initializer.
     assert_eq!(
         proposed("void main() { float wave = wa|; }\n", "wave"),
