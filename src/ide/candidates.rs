@@ -1,9 +1,9 @@
 //! The names, keywords and snippets that a completion offers, most likely first.
 
-use super::complete::{CompletionKind, PLACEHOLDER, Proposal};
 use super::document::Spot;
 use super::expected::{Expected, Fit};
 use super::library::entry;
+use super::proposal::{CompletionKind, PLACEHOLDER, Proposal};
 use super::signature::builtin_head;
 use super::symbol::{Symbol, SymbolKind, declared_at};
 use super::usage::{Usage, WordPlace};

@@ -248,10 +248,12 @@ fn inactive_code_has_completions() {
 fn the_names_of_a_host_are_offered() {
     let text = "// Author: A\nuniform float size; // = 0.1\n\
         vec4 both(vec2 uv) { return mix(getFromColor(uv), getToColor(uv), progress * ra|); }\n";
+    // The host is the one with this entry function.
     let asked = |text: &str, host: Option<&str>| {
         let at = text.find('|').unwrap();
         let mut options = Options::default();
-        options.host.preset = host.and_then(shaderlint_host::preset);
+        let is_of = |p: &&shaderlint_host::Preset| p.entries.iter().any(|e| Some(&**e) == host);
+        options.host.preset = shaderlint_host::presets().find(is_of);
         let plain = text.replacen('|', "", 1);
         let document = Document::new("/a.glsl", plain.into(), Arc::new(options), &NoFiles);
         complete(&document, at as u32, &NoFiles).1
@@ -265,7 +267,7 @@ fn the_names_of_a_host_are_offered() {
     assert!(!found.iter().any(|p| p.label == "_fromR"));
     let found = asked(
         &format!("{}|", text.replace("ra|", "1.0")),
-        Some("gl-transitions"),
+        Some("transition"),
     );
     let entry = found.iter().find(|p| p.label == "transition");
     let body = "vec4 transition(vec2 uv) {\n\t$0\n}";
@@ -276,7 +278,7 @@ fn the_names_of_a_host_are_offered() {
     let found = asked(
         &format!("{text}vec4 transition(vec2 uv) {{ return both(uv); }}\n|")
             .replacen("ra|", "1.0", 1),
-        Some("gl-transitions"),
+        Some("transition"),
     );
     assert!(
         !found

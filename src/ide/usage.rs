@@ -50,7 +50,7 @@ const LEAST: f32 = 0.05;
 impl<'t> Usage<'t> {
     /// The use of the words of a text around an offset, at which a word starts.
     pub fn of(text: &'t str, offset: u32) -> Usage<'t> {
-        let mut seen: Vec<Seen> = Vec::new();
+        let mut seen: Vec<SeenWord> = Vec::new();
         let mut state = PlaceState::default();
         let mut before = ["", ""];
         // What is at the offset: its place, the tokens before, and the number of words before.
@@ -80,7 +80,7 @@ impl<'t> Usage<'t> {
                 next = next.or(Some(word));
             }
             if is_word && !is_hole {
-                seen.push(Seen {
+                seen.push(SeenWord {
                     word,
                     before,
                     next: "",
@@ -113,7 +113,7 @@ impl<'t> Usage<'t> {
 
 /// The weights of the words for a place of this kind, between these tokens, after `at` words.
 fn weights<'t>(
-    seen: &[Seen<'t>],
+    seen: &[SeenWord<'t>],
     place: WordPlace,
     before: [&str; 2],
     next: &str,
@@ -148,7 +148,7 @@ fn weights<'t>(
 }
 
 /// A word of the text.
-struct Seen<'t> {
+struct SeenWord<'t> {
     word: &'t str,
     /// The two tokens before.
     before: [&'t str; 2],

@@ -2,41 +2,15 @@
 
 use super::condition::{ConditionProblem, evaluate, evaluate_prefix};
 use super::directive_repair::meant;
+use super::extensions::{CORE_EXTENSIONS, EXTENSION_BEHAVIORS, KNOWN_EXTENSIONS};
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::language::Feature;
-use crate::names::{Name, Version};
+use crate::names::Name;
 use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
 use shaderlint_text::{Edit, Role, Span};
-
-/// Extensions that are predefined in a WebGL2 context, measured in Chromium.
-pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [
-    "GL_OES_EGL_image_external",
-    "GL_OES_EGL_image_external_essl3",
-];
-
-/// Extensions of WebGL1 that became part of GLSL ES 3.00.
-const CORE_EXTENSIONS: [&str; 4] = [
-    "GL_OES_standard_derivatives",
-    "GL_EXT_shader_texture_lod",
-    "GL_EXT_frag_depth",
-    "GL_EXT_draw_buffers",
-];
-
-/// The extensions that a shader of a version can enable.
-pub fn extensions(version: Version) -> impl Iterator<Item = &'static str> {
-    let [both, only_300] = KNOWN_EXTENSIONS;
-    let (own, core): (_, &[&str]) = match version {
-        Version::Es100 => (both, &CORE_EXTENSIONS),
-        Version::Es300 => (only_300, &[]),
-    };
-    core.iter().copied().chain([own])
-}
-
-/// What an `#extension` directive may ask for.
-pub const EXTENSION_BEHAVIORS: [&str; 4] = ["enable", "require", "warn", "disable"];
 
 impl Preprocessor<'_> {
     /// Defines the predefined macros of the language.
