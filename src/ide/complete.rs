@@ -1,77 +1,19 @@
 //! Code completion.
 
 use super::document::{Document, Spot};
-use super::library::entry;
-use super::signature::builtin_head;
-use super::symbol::{Symbol, SymbolKind, declared_at};
+use super::expected::LETTERS;
+use super::proposal::{CompletionKind, PLACEHOLDER, Proposal};
+use super::symbol::SymbolKind;
 use shaderlint_engine::Files;
 use shaderlint_lint::Page;
 use shaderlint_rules::RULES;
-use shaderlint_semantic::builtins::Builtins;
-use shaderlint_semantic::{Dialect, Pass, Program, Stage, Type, VariableId};
+use shaderlint_semantic::{Program, Type};
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{DIRECTIVES, RawKind, TokenKind, TypeWord, WordClass, classify, tokenize};
+use shaderlint_syntax::{
+    DIRECTIVES, EXTENSION_BEHAVIORS, RawKind, RawToken, TokenKind, TypeWord, WordClass, classify,
+    extensions, tokenize,
+};
 use shaderlint_text::Span;
-use std::collections::BTreeSet;
-
-/// The kind of a completion.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum CompletionKind {
-    /// A symbol of the shader.
-    Symbol(SymbolKind),
-    /// A built-in type.
-    Type,
-    /// Another keyword.
-    Keyword,
-    /// Components of a vector.
-    Components,
-    /// A snippet with placeholders.
-    Snippet,
-    /// A file or folder.
-    File,
-    /// Name of a rule.
-    Rule,
-}
-
-/// A completion.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Proposal {
-    /// Text in the list.
-    pub label: String,
-    /// Kind of the completion.
-    pub kind: CompletionKind,
-    /// Type or signature.
-    pub detail: String,
-    /// Inserted text if it differs from the label; `${1:name}` are placeholders.
-    pub snippet: Option<String>,
-    /// Documentation in Markdown.
-    pub text: String,
-    /// Order in the list, lower first.
-    pub rank: u8,
-}
-
-impl Proposal {
-    fn new(label: impl Into<String>, kind: CompletionKind, rank: u8) -> Proposal {
-        Proposal {
-            label: label.into(),
-            kind,
-            detail: String::new(),
-            snippet: None,
-            text: String::new(),
-            rank,
-        }
-    }
-
-    fn detail(self, detail: impl Into<String>) -> Proposal {
-        Proposal {
-            detail: detail.into(),
-            ..self
-        }
-    }
-}
-
-/// Identifier that replaces the incomplete word.
-const PLACEHOLDER: &str = "shaderlintHole";
 
 /// The completions at an offset, and the span of the incomplete word. The text is parsed with an
 /// identifier in place of this word, because incomplete code does not parse.
@@ -89,24 +31,41 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
             word = word_before(&document.text, offset, |c| is_of_name(c) || c == '-');
             rules(&description)
         }
-        CompletionPlace::Directive => directives(),
+        CompletionPlace::Directive => keywords(DIRECTIVES.into_iter().chain(["include"])),
+        CompletionPlace::Version(typed) => {
+            word.start = offset - typed.len() as u32;
+            versions(document, offset)
+        }
+        CompletionPlace::Extension => extension_names(document, offset),
+        CompletionPlace::Behavior => keywords(EXTENSION_BEHAVIORS),
+        CompletionPlace::Condition(is_expression) => conditions(document, offset, is_expression),
+        CompletionPlace::Precision => keywords(PRECISIONS),
+        CompletionPlace::PrecisionType => precision_types(document, offset),
+        CompletionPlace::Nothing => return nothing,
         CompletionPlace::Include(path) => {
             word = word_before(&document.text, offset, |c| !matches!(c, '/' | '"' | '<'));
             included(document, &path, files)
         }
-        CompletionPlace::Number => return nothing,
         CompletionPlace::Layout => layout(),
         place @ (CompletionPlace::Member | CompletionPlace::Code) => {
             let Some(text) = with_hole(document, word) else {
                 return nothing;
             };
             let read = document.read_as(text, files);
+            let compiled = match has_hole(&read) {
+                true => Some(&read),
+                false => read
+                    .alternatives(files)
+                    .iter()
+                    .find(|other| has_hole(other)),
+            };
+            let read = compiled.unwrap_or(&read);
             let Some(spot) = read.spot(word.start) else {
                 return nothing;
             };
             match place {
                 CompletionPlace::Member => members(&spot),
-                _ => names(&spot),
+                _ => super::candidates::names(&spot),
             }
         }
     };
@@ -137,6 +96,12 @@ fn with_hole(document: &Document, word: Span) -> Option<String> {
     Some(format!("{before}{PLACEHOLDER}{after}"))
 }
 
+/// Whether the placeholder is in active code of a shader.
+fn has_hole(document: &Document) -> bool {
+    let mut all = document.report.analyses.iter();
+    all.any(|analysis| super::candidates::hole(&analysis.program).is_some())
+}
+
 /// The syntactic context of a completion.
 enum CompletionPlace {
     /// After a dot.
@@ -147,8 +112,20 @@ enum CompletionPlace {
     Directive,
     /// In the path of an `#include` with this beginning.
     Include(String),
-    /// After the decimal point of a number.
-    Number,
+    /// The version in `#version`, with this beginning.
+    Version(String),
+    /// The name in `#extension`.
+    Extension,
+    /// After the name in `#extension`.
+    Behavior,
+    /// The condition of a directive, and whether it is an expression.
+    Condition(bool),
+    /// After `precision`.
+    Precision,
+    /// The type in a `precision` statement.
+    PrecisionType,
+    /// Where nothing is completed: after the decimal point of a number, and in other directives.
+    Nothing,
     /// In `layout(...)`.
     Layout,
     /// Anywhere else in code.
@@ -165,18 +142,17 @@ impl CompletionPlace {
         let before = before.unwrap_or("");
         let tokens = tokenize(before, 0);
         let line = before.rsplit('\n').next().unwrap_or("").trim_start();
-        if let Some(rest) = line.strip_prefix('#') {
-            let rest = rest.trim_start();
-            if let Some(path) = rest.strip_prefix("include") {
-                let path = path.trim_start();
-                let opened = path.strip_prefix(['"', '<']);
-                return opened.map_or(CompletionPlace::Code, |p| {
-                    CompletionPlace::Include(p.to_string())
-                });
-            }
-            if rest.is_empty() {
-                return CompletionPlace::Directive;
-            }
+        let is_comment = |t: &RawToken| {
+            matches!(
+                t.kind,
+                RawKind::LineComment | RawKind::BlockComment | RawKind::OpenComment
+            )
+        };
+        let is_in_comment = tokens.last().is_some_and(is_comment);
+        if let Some(rest) = line.strip_prefix('#').filter(|_| !is_in_comment)
+            && let Some(place) = CompletionPlace::of_directive(rest.trim_start())
+        {
+            return place;
         }
         let Some(last) = tokens.last() else {
             return CompletionPlace::Code;
@@ -187,16 +163,49 @@ impl CompletionPlace {
                 CompletionPlace::Comment(text(last.span).unwrap_or("").to_string())
             }
             RawKind::Operator(TokenKind::Dot) => CompletionPlace::Member,
-            RawKind::Integer | RawKind::Float | RawKind::BadNumber => CompletionPlace::Number,
+            RawKind::Integer | RawKind::Float | RawKind::BadNumber => CompletionPlace::Nothing,
             _ => {
                 let call = super::signature::open_call(spot);
-                match call.is_some_and(|c| c.name == "layout") {
-                    true => CompletionPlace::Layout,
-                    false => CompletionPlace::Code,
+                if call.is_some_and(|c| c.name == "layout") {
+                    return CompletionPlace::Layout;
+                }
+                let mut words = tokens.iter().rev().filter(|t| t.kind == RawKind::Word);
+                let mut word = || words.next().and_then(|t| Some((text(t.span)?, t.span.end)));
+                let last = word();
+                // Only white space is between the last word and the place.
+                let is_last = |end: u32| before.get(end as usize..).is_some_and(is_blank);
+                match (last.filter(|(_, end)| is_last(*end)), word()) {
+                    (Some(("precision", _)), _) => CompletionPlace::Precision,
+                    (Some(_), Some(("precision", _))) => CompletionPlace::PrecisionType,
+                    _ => CompletionPlace::Code,
                 }
             }
         }
     }
+
+    /// The context in a directive, of which this is the text after `#`.
+    fn of_directive(text: &str) -> Option<CompletionPlace> {
+        let name_end = text.find(|c: char| !is_of_name(c)).unwrap_or(text.len());
+        let (name, rest) = text.split_at_checked(name_end)?;
+        let rest = match rest.trim_start() {
+            _ if rest.is_empty() => return Some(CompletionPlace::Directive),
+            rest => rest,
+        };
+        Some(match name {
+            "include" => CompletionPlace::Include(rest.strip_prefix(['"', '<'])?.to_string()),
+            "version" => CompletionPlace::Version(rest.to_string()),
+            "extension" if rest.contains(':') => CompletionPlace::Behavior,
+            "extension" => CompletionPlace::Extension,
+            "if" | "elif" => CompletionPlace::Condition(true),
+            "ifdef" | "ifndef" | "undef" => CompletionPlace::Condition(false),
+            "define" => return None,
+            _ => CompletionPlace::Nothing,
+        })
+    }
+}
+
+fn is_blank(text: &str) -> bool {
+    text.chars().all(char::is_whitespace)
 }
 
 /// The names of rules for a suppression comment.
@@ -217,24 +226,65 @@ fn rules(comment: &str) -> Vec<Proposal> {
     .collect()
 }
 
-fn directives() -> Vec<Proposal> {
-    let all = DIRECTIVES.iter().chain(&["include"]);
-    all.map(|name| Proposal::new(*name, CompletionKind::Keyword, 0))
-        .collect()
+fn keywords<'a>(all: impl IntoIterator<Item = &'a str>) -> Vec<Proposal> {
+    let ranked = all.into_iter().zip(0..);
+    let each = ranked.map(|(name, rank)| Proposal::new(name, CompletionKind::Keyword, rank));
+    each.collect()
+}
+
+const PRECISIONS: [&str; 3] = ["highp", "mediump", "lowp"];
+
+/// The versions that a complete shader may have; others have the version of their host.
+fn versions(document: &Document, offset: u32) -> Vec<Proposal> {
+    let spot = document.spot(offset);
+    match spot.is_some_and(|spot| spot.program().dialect.is_shadertoy()) {
+        true => Vec::new(),
+        false => keywords(["300 es", "100"]),
+    }
+}
+
+fn extension_names(document: &Document, offset: u32) -> Vec<Proposal> {
+    let version = document.spot(offset).map(|spot| spot.program().version);
+    keywords(version.into_iter().flat_map(extensions))
+}
+
+/// The macros that a condition may test.
+fn conditions(document: &Document, offset: u32, is_expression: bool) -> Vec<Proposal> {
+    let Some(spot) = document.spot(offset) else {
+        return Vec::new();
+    };
+    let program = spot.program();
+    let kind = CompletionKind::Symbol(SymbolKind::Macro);
+    let mut names: Vec<&str> = (program.tokens.macros.iter())
+        .map(|defined| program.names.text(defined.name))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    let each = names.into_iter().map(|name| Proposal::new(name, kind, 0));
+    let defined = Proposal::new("defined", CompletionKind::Keyword, 1);
+    each.chain(is_expression.then_some(defined)).collect()
+}
+
+/// The types that have a default precision (section 4.5.4).
+fn precision_types(document: &Document, offset: u32) -> Vec<Proposal> {
+    let version = document.spot(offset).map(|spot| spot.program().version);
+    let is_of = |word: &TypeWord| {
+        let ty = Type::of_word(*word);
+        let is_known = version.is_some_and(|v| classify(word.name(), v) == WordClass::Type(*word));
+        is_known && (ty == Type::FLOAT || ty == Type::INT || ty.is_sampler())
+    };
+    keywords(TypeWord::ALL.iter().filter(|w| is_of(w)).map(|w| w.name()))
 }
 
 fn layout() -> Vec<Proposal> {
-    let all = [
+    keywords([
         "location = ",
         "std140",
         "shared",
         "packed",
         "row_major",
         "column_major",
-    ];
-    all.iter()
-        .map(|name| Proposal::new(*name, CompletionKind::Keyword, 0))
-        .collect()
+    ])
 }
 
 /// The files that an `#include` may refer to, relative to the document.
@@ -249,9 +299,7 @@ fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal>
         let is_own = folder.join(name) == own;
         let is_folder =
             files.entry(&folder.join(name)) == Some(shaderlint_engine::FileType::Folder);
-        let is_shader = shaderlint_text::kind::is_searched(name)
-            && !name.ends_with(".json")
-            && !name.ends_with(".js");
+        let is_shader = shaderlint_text::kind::is_shader(name);
         !name.starts_with('.') && !is_own && (is_folder || is_shader)
     };
     names.retain(is_named);
@@ -299,9 +347,6 @@ fn members(spot: &Spot) -> Vec<Proposal> {
     }
 }
 
-/// The letters of vector components (section 5.5).
-const LETTERS: [&str; 3] = ["xyzw", "rgba", "stpq"];
-
 /// The usual swizzles of a vector: single components, and consecutive ones.
 fn components(program: &Program, ty: Type) -> Vec<Proposal> {
     let count = ty.components() as usize;
@@ -322,7 +367,7 @@ fn components(program: &Program, ty: Type) -> Vec<Proposal> {
                 });
                 let detail = of.map_or(String::new(), |ty| program.type_name(ty));
                 let item =
-                    Proposal::new(run, CompletionKind::Components, rank * 4 + run.len() as u8);
+                    Proposal::new(run, CompletionKind::Components, rank * 4 + run.len() as u16);
                 found.push(item.detail(detail));
             }
         }
@@ -341,272 +386,4 @@ fn components(program: &Program, ty: Type) -> Vec<Proposal> {
         }
     }
     found
-}
-
-/// Names, keywords and snippets.
-fn names(spot: &Spot) -> Vec<Proposal> {
-    let program = spot.program();
-    let at = hole(program);
-    let mut found = Vec::new();
-    let function = at.and_then(|token| function_around(program, token));
-    variables(program, at, &mut found);
-    functions(program, at, &mut found);
-    types(program, &mut found);
-    macros(program, &mut found);
-    builtins(program, function.is_some(), &mut found);
-    words(program, function.is_some(), &mut found);
-    snippets(program, function.is_some(), &mut found);
-    let mut seen = BTreeSet::new();
-    found.retain(|c| {
-        let is_snippet = c.kind == CompletionKind::Snippet;
-        c.label != PLACEHOLDER && seen.insert((c.label.clone(), is_snippet))
-    });
-    found
-}
-
-/// The token of the placeholder.
-fn hole(program: &Program) -> Option<TokenId> {
-    let name = program.names.get(PLACEHOLDER)?;
-    let mut all = program.tokens.tokens.iter().zip(0..);
-    let is_hole =
-        |t: &shaderlint_syntax::Token| t.kind == TokenKind::Identifier && t.value == name.0;
-    all.find(|(token, _)| is_hole(token)).map(|(_, id)| id)
-}
-
-fn function_around(program: &Program, token: TokenId) -> Option<&FunctionDecl> {
-    let inside = Extent::token(token);
-    let mut all = program.tree.functions.iter();
-    all.find(|f| f.body.is_some() && f.extent.contains(inside) && !f.header.contains(inside))
-}
-
-/// The innermost scope around a token (section 4.2.2).
-fn scope(program: &Program, token: TokenId) -> Option<Extent> {
-    let inside = Extent::token(token);
-    let opens = |s: &&Stmt| {
-        matches!(
-            s.kind,
-            StmtKind::Block(_)
-                | StmtKind::For { .. }
-                | StmtKind::While { .. }
-                | StmtKind::Switch { .. }
-        )
-    };
-    let around = program.tree.stmts.iter().filter(opens).map(|s| s.extent);
-    let around = around.filter(|e| e.contains(inside));
-    around.min_by_key(|e| e.last - e.first)
-}
-
-/// Whether a name is meant for users, and not internal to a host.
-fn is_for_people(program: &Program, symbol: Symbol) -> bool {
-    let declared = declared_at(program, symbol);
-    let is_own = declared.is_none_or(|at| program.is_user(at));
-    is_own || entry(symbol.name(program)).is_some()
-}
-
-/// Whether a variable is visible at a token.
-fn is_visible(program: &Program, id: VariableId, at: TokenId) -> bool {
-    let Some(variable) = program.variable(id) else {
-        return false;
-    };
-    let Some(token) = variable.token else {
-        return true;
-    };
-    if token >= at {
-        return false;
-    }
-    let Some(function) = variable.function else {
-        return true;
-    };
-    let function = program.function(function).and_then(|f| f.definition);
-    let function = function.and_then(|f| program.tree.function(f));
-    let here = Extent::token(at);
-    let is_inside = function.is_some_and(|f| f.extent.contains(here));
-    is_inside && scope(program, token).is_none_or(|scope| scope.contains(here))
-}
-
-fn variables(program: &Program, at: Option<TokenId>, found: &mut Vec<Proposal>) {
-    let at = at.unwrap_or(TokenId::MAX);
-    for (variable, id) in program.variables.iter().zip(0..) {
-        let id = VariableId(id);
-        if !is_visible(program, id, at) {
-            continue;
-        }
-        let symbol = Symbol::Variable(id);
-        if !is_for_people(program, symbol) {
-            continue;
-        }
-        let kind = symbol.kind(program);
-        let name = symbol.name(program);
-        let rank = match kind {
-            SymbolKind::Local | SymbolKind::Parameter => 0,
-            _ if name.starts_with("gl_") => 4,
-            _ => 1,
-        };
-        let item = Proposal::new(name, CompletionKind::Symbol(kind), rank);
-        found.push(Proposal {
-            text: entry(name).map_or(String::new(), |e| e.text.clone()),
-            ..item.detail(program.type_name(variable.ty))
-        });
-    }
-}
-
-fn functions(program: &Program, at: Option<TokenId>, found: &mut Vec<Proposal>) {
-    let at = at.unwrap_or(TokenId::MAX);
-    for (function, id) in program.functions.iter().zip(0..) {
-        let symbol = Symbol::Function(shaderlint_semantic::FunctionRef(id));
-        let declared = program.tree.function(function.declaration);
-        let name = symbol.name(program);
-        let is_entry = shaderlint_semantic::starts_a_shader(name);
-        let is_later = declared.is_none_or(|d| d.extent.first > at);
-        if is_entry || is_later || !is_for_people(program, symbol) {
-            continue;
-        }
-        let names = super::symbol::parameter_names(program, function);
-        let item = Proposal::new(name, CompletionKind::Symbol(SymbolKind::Function), 1);
-        found.push(Proposal {
-            snippet: Some(call(name, &names)),
-            ..item.detail(symbol.declaration(program))
-        });
-    }
-}
-
-/// A call snippet with placeholders for its arguments.
-fn call(name: &str, params: &[&str]) -> String {
-    let places = params.iter().zip(1..);
-    let places = places.map(|(param, i)| format!("${{{i}:{param}}}"));
-    format!("{name}({})", places.collect::<Vec<_>>().join(", "))
-}
-
-fn types(program: &Program, found: &mut Vec<Proposal>) {
-    for id in 0..program.structs.len() as u32 {
-        let symbol = Symbol::Struct(id);
-        let name = symbol.name(program);
-        if !name.is_empty() && is_for_people(program, symbol) {
-            found.push(Proposal::new(
-                name,
-                CompletionKind::Symbol(SymbolKind::Struct),
-                1,
-            ));
-        }
-    }
-}
-
-fn macros(program: &Program, found: &mut Vec<Proposal>) {
-    for defined in program.tokens.macros.iter().filter(|m| !m.predefined) {
-        if !is_for_people(program, Symbol::Macro(defined.name)) {
-            continue;
-        }
-        let name = program.names.text(defined.name);
-        let detail = Symbol::Macro(defined.name).declaration(program);
-        let params = defined.params.as_ref();
-        let params = params.map(|p| p.iter().map(|n| program.names.text(*n)).collect::<Vec<_>>());
-        let item = Proposal::new(name, CompletionKind::Symbol(SymbolKind::Macro), 2);
-        found.push(Proposal {
-            snippet: params.map(|p| call(name, &p)),
-            ..item.detail(detail)
-        });
-    }
-}
-
-fn builtins(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
-    let all = Builtins::of(program.version, program.stage);
-    if is_inside {
-        for id in all.functions() {
-            let description = entry(id.name());
-            let (_, overloads) = all.overloads_of(id);
-            let head = description.and_then(|e| e.heads.first());
-            let item = Proposal::new(id.name(), CompletionKind::Symbol(SymbolKind::Function), 3);
-            let form = overloads.first().map_or(String::new(), builtin_head);
-            found.push(Proposal {
-                snippet: head.map(|head| call(id.name(), head)),
-                text: description.map_or(String::new(), |e| e.text.clone()),
-                ..item.detail(form)
-            });
-        }
-    }
-    for name in all.variable_names().filter(|_| is_inside) {
-        let item = Proposal::new(name, CompletionKind::Symbol(SymbolKind::Global), 4);
-        found.push(Proposal {
-            text: entry(name).map_or(String::new(), |e| e.text.clone()),
-            ..item.detail(super::symbol::builtin_variable(program, name).unwrap_or_default())
-        });
-    }
-}
-
-/// The keywords that are valid in the context.
-fn words(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
-    let is_type =
-        |word: &&TypeWord| matches!(classify(word.name(), program.version), WordClass::Type(_));
-    for word in TypeWord::ALL.iter().filter(is_type) {
-        found.push(Proposal::new(word.name(), CompletionKind::Type, 3));
-    }
-    let inside = [
-        "break", "case", "continue", "default", "discard", "do", "else", "false", "for", "if",
-        "return", "switch", "true", "while",
-    ];
-    let outside = [
-        "attribute",
-        "centroid",
-        "flat",
-        "in",
-        "invariant",
-        "layout",
-        "out",
-        "precision",
-        "smooth",
-        "uniform",
-        "varying",
-    ];
-    let both = ["const", "highp", "lowp", "mediump", "struct", "void"];
-    let place: &[&str] = if is_inside { &inside } else { &outside };
-    let known = |word: &&&str| !matches!(classify(word, program.version), WordClass::Plain);
-    let all = both.iter().chain(place).filter(known);
-    found.extend(all.map(|word| Proposal::new(*word, CompletionKind::Keyword, 3)));
-}
-
-/// Snippets of frequent constructs.
-fn snippets(program: &Program, is_inside: bool, found: &mut Vec<Proposal>) {
-    let mut add = |label: &str, detail: &str, snippet: String| {
-        let item = Proposal::new(label, CompletionKind::Snippet, 5);
-        found.push(Proposal {
-            snippet: Some(snippet),
-            ..item.detail(detail)
-        });
-    };
-    if is_inside {
-        add(
-            "for",
-            "counting loop",
-            "for (int ${1:i} = 0; ${1:i} < ${2:8}; ${1:i}++) {\n\t$0\n}".into(),
-        );
-        add(
-            "if",
-            "if statement",
-            "if (${1:condition}) {\n\t$0\n}".into(),
-        );
-        return;
-    }
-    // A text without an entry function may become a shader of its host, or a ShaderToy pass.
-    let version = program.tokens.version_span;
-    let is_open = version.is_none_or(|span| !program.is_user(span));
-    let is_open = is_open && program.stage == Stage::Fragment;
-    let hosts = [
-        Some(program.dialect),
-        is_open.then_some(Dialect::ShaderToy(Pass::Image)),
-    ];
-    let entries = hosts.into_iter().flatten().filter_map(|d| d.host().entry);
-    for entry in entries.filter(|_| program.entry().is_none()) {
-        let body = format!("{} {{\n\t$0\n}}", entry.signature);
-        add(entry.name, entry.signature, body);
-    }
-    add(
-        "function",
-        "function definition",
-        "${1:float} ${2:name}(${3:float x}) {\n\treturn $0;\n}".into(),
-    );
-    add(
-        "struct",
-        "struct declaration",
-        "struct ${1:Name} {\n\t${2:float value};\n};".into(),
-    );
 }

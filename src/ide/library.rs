@@ -1,6 +1,7 @@
 //! Documentation of built-in functions and variables, from `built_ins.txt`; and of ShaderToy's
 //! uniforms, from the file of its host.
 
+use super::figure::plot;
 use rustc_hash::FxHashMap;
 use shaderlint_host::shadertoy;
 use std::sync::OnceLock;
@@ -36,6 +37,11 @@ fn read(text: &'static str) -> FxHashMap<&'static str, LibraryEntry> {
         match line.strip_prefix("    ") {
             Some(description) => {
                 let entry = entries.entry(name).or_default();
+                if let Some(line) = description.strip_prefix("plot: ") {
+                    let plot = plot(line).unwrap_or_default();
+                    entry.text.push_str(&format!("\n\n{plot}"));
+                    continue;
+                }
                 if !entry.text.is_empty() {
                     entry.text.push(' ');
                 }
@@ -83,6 +89,21 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn functions_are_plotted() {
+        let lines = include_str!("built_ins.txt").lines();
+        let plots: Vec<&str> = lines.filter_map(|l| l.strip_prefix("    plot: ")).collect();
+        assert!(plots.len() > 15, "{}", plots.len());
+        for line in plots {
+            assert!(plot(line).is_some(), "{line}");
+        }
+        let step = plot("step(0.5, x), x from 0 to 1").unwrap();
+        let rows: Vec<String> = step.lines().map(|l| l.replace('\u{2800}', " ")).collect();
+        assert_eq!(rows[3], format!("1 {}{}", " ".repeat(15), "⠉".repeat(15)));
+        assert_eq!(rows[7], format!("0 {}{}", "⣀".repeat(15), " ".repeat(15)));
+        assert_eq!(rows[8], format!("  0{:>29}", 1));
     }
 
     #[test]

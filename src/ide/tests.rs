@@ -148,6 +148,145 @@ fn what_may_be_written_depends_on_the_place() {
     );
 }
 
+/// The first completion at the marker that starts with the word before it.
+fn first(text: &str) -> String {
+    let before = text.split('|').next().unwrap_or("");
+    let rest = before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+    let all = proposed(text, &before[rest.len()..]);
+    all.into_iter().next().unwrap_or_default()
+}
+
+#[test]
+fn the_most_likely_name_is_first() {
+    // In general.
+    assert_eq!(first("void main() { float a = ma|; }\n"), "max");
+    assert_eq!(first("void main() { re| }\n"), "return");
+    assert_eq!(first("fl|\nvoid main() {}\n"), "float");
+    // By type.
+    let two = "void main() { vec3 half3 = vec3(1); vec2 half2 = vec2(1); ";
+    assert_eq!(first(&format!("{two} vec3 a = ha|; }}")), "half3");
+    assert_eq!(first(&format!("{two} vec2 a = 2.0 * ha|; }}")), "half2");
+    assert_eq!(
+        first(&format!("{two} color = vec4(cross(half3, ha|), 1); }}")),
+        "half3"
+    );
+    assert_eq!(
+        first(&format!("{two} color = vec4(half2, ha|); }}")),
+        "half2"
+    );
+    assert_eq!(first(&format!("{two} float z = ha|.z; }}")), "half3");
+    let calls = "float wave(float x) { return x; }\nfloat wave2(vec2 x) { return x.x; }\n\
+        void main() { vec2 p = vec2(time); color = vec4(wave(1.0) + wave(2.0)); float a = ";
+    assert_eq!(first(&format!("{calls} wa|(p); }}")), "wave2");
+    assert_eq!(first(&format!("{calls} wa|(time); }}")), "wave");
+    // By use in this text.
+    let used = "void main() { float wave1 = 1.0, wave2 = 2.0; float a = wave2 * wave2;\n";
+    assert_eq!(first(&format!("{used} a += sin(wave1) + wa|; }}")), "wave2");
+    // What is assigned.
+    let written = "void f(out vec2 part, const vec2 params) { pa|.x = params.x * params.y; }\nvoid main() {}\n";
+    assert_eq!(first(written), "part");
+    // Braces need not be balanced.
+    assert_eq!(first("} void main() { float wave = 1.0; wa| }\n"), "wave");
+    // A name has no value in its own initializer.
+    assert_eq!(
+        proposed("void main() { float wave = wa|; }\n", "wave"),
+        Vec::<String>::new()
+    );
+}
+
+#[test]
+fn arguments_that_follow_are_kept() {
+    let snippet = |text: &str| {
+        let (document, at) = marked(text);
+        let (_, found) = complete(&document, at, &NoFiles);
+        found
+            .into_iter()
+            .find(|p| p.label == "mix")
+            .unwrap()
+            .snippet
+    };
+    assert_eq!(
+        snippet("void main() { float a = mi|(1.0, 2.0, 3.0); }\n"),
+        None
+    );
+    let all = Some("mix(${1:x}, ${2:y}, ${3:a})".to_string());
+    assert_eq!(snippet("void main() { float a = mi|;\n(a); }\n"), all);
+}
+
+#[test]
+fn directives_have_their_own_completions() {
+    let rest = "\nvoid main() { color = vec4(1); }\n";
+    let of = |text: &str| proposed(&format!("{text}{rest}"), "");
+    assert_eq!(of("#version |"), ["300 es", "100"]);
+    assert_eq!(of("#version 300 e|"), ["300 es", "100"]);
+    assert_eq!(of("#extension |"), ["GL_OES_EGL_image_external_essl3"]);
+    assert_eq!(
+        of("#extension GL_OES_EGL_image_external_essl3 : |"),
+        ["enable", "require", "warn", "disable"]
+    );
+    assert_eq!(of("precision |"), ["highp", "mediump", "lowp"]);
+    assert_eq!(of("precision lowp |")[..2], ["int", "float"]);
+    assert_eq!(of("#line |"), Vec::<String>::new());
+    let tests = of("#define FAST 1\n#if FA|");
+    assert!(tests.contains(&"FAST".to_string()) && tests.contains(&"defined".to_string()));
+    assert!(!tests.contains(&"time".to_string()), "{tests:?}");
+    assert!(!of("#define FAST 1\n#ifdef FA|").contains(&"defined".to_string()));
+}
+
+#[test]
+fn inactive_code_has_completions() {
+    let text = "#ifdef FAST\nfloat noise(vec2 p) { return p.x; }\n#else\nfloat noise(vec3 p) { return p.x; }\n#endif\n\
+        void main() {\n#ifdef FAST\n    float wave = 1.0;\n    #if 0\n    color = vec4(wa|);\n    #endif\n\
+        #else\n    float water = 1.0;\n#endif\n}\n";
+    assert_eq!(first(text), "wave");
+    assert!(!proposed(text, "wa").contains(&"water".to_string()));
+    let field = "struct S { float size; };\nvoid main() {\n#ifdef FAST\n    S s; color = vec4(s.|);\n#endif\n}\n";
+    assert_eq!(proposed(field, ""), ["size"]);
+}
+
+#[test]
+fn the_names_of_a_host_are_offered() {
+    let text = "// Author: A\nuniform float size; // = 0.1\n\
+        vec4 both(vec2 uv) { return mix(getFromColor(uv), getToColor(uv), progress * ra|); }\n";
+    // The host is the one with this entry function.
+    let asked = |text: &str, host: Option<&str>| {
+        let at = text.find('|').unwrap();
+        let mut options = Options::default();
+        let is_of = |p: &&shaderlint_host::Preset| p.entries.iter().any(|e| Some(&**e) == host);
+        options.host.preset = shaderlint_host::presets().find(is_of);
+        let plain = text.replacen('|', "", 1);
+        let document = Document::new("/a.glsl", plain.into(), Arc::new(options), &NoFiles);
+        complete(&document, at as u32, &NoFiles).1
+    };
+    let found = asked(
+        &format!("{text}vec4 transition(vec2 uv) {{ return both(uv); }}\n"),
+        None,
+    );
+    let ratio = found.iter().find(|p| p.label == "ratio");
+    assert_eq!(ratio.expect("a name of the host").detail, "float");
+    assert!(!found.iter().any(|p| p.label == "_fromR"));
+    let found = asked(
+        &format!("{}|", text.replace("ra|", "1.0")),
+        Some("transition"),
+    );
+    let entry = found.iter().find(|p| p.label == "transition");
+    let body = "vec4 transition(vec2 uv) {\n\t$0\n}";
+    assert_eq!(
+        entry.expect("its entry function").snippet.as_deref(),
+        Some(body)
+    );
+    let found = asked(
+        &format!("{text}vec4 transition(vec2 uv) {{ return both(uv); }}\n|")
+            .replacen("ra|", "1.0", 1),
+        Some("transition"),
+    );
+    assert!(
+        !found
+            .iter()
+            .any(|p| p.label == "transition" || p.label == "ratio")
+    );
+}
+
 /// The hover at the marker.
 fn hovered(text: &str) -> String {
     let (document, at) = marked(text);

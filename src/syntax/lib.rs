@@ -24,8 +24,8 @@ pub use parser::{
     Choice, Correction, Parse, ParseOptions, has_same_letters, keyword_near, parse, parse_corrected,
 };
 pub use preprocessor::{
-    DIRECTIVES, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses,
-    preprocess,
+    DIRECTIVES, EXTENSION_BEHAVIORS, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed,
+    Tokens, extensions, macro_uses, preprocess,
 };
 pub use reduce::{Reduced, reduce};
 pub use search::Search;

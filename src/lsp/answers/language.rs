@@ -159,7 +159,7 @@ fn completion_item(snapshot: &Snapshot, range: Range, found: Proposal) -> Comple
                 value,
             })
         }),
-        sort_text: Some(format!("{:02}{}", found.rank, found.label)),
+        sort_text: Some(format!("{:04}{}", found.rank, found.label)),
         insert_text_format: format,
         text_edit: Some(CompletionItemTextEdit::TextEdit(TextEdit {
             range,

@@ -2,6 +2,7 @@
 
 use super::condition::{ConditionProblem, evaluate, evaluate_prefix};
 use super::directive_repair::meant;
+use super::extensions::{CORE_EXTENSIONS, EXTENSION_BEHAVIORS, KNOWN_EXTENSIONS};
 use super::macros::{Macro, MacroId, Piece};
 use super::{ExtensionUse, Preprocessor, bad, error_at};
 use crate::language::Feature;
@@ -10,20 +11,6 @@ use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
 use shaderlint_text::{Edit, Role, Span};
-
-/// Extensions that are predefined in a WebGL2 context, measured in Chromium.
-pub(super) const KNOWN_EXTENSIONS: [&str; 2] = [
-    "GL_OES_EGL_image_external",
-    "GL_OES_EGL_image_external_essl3",
-];
-
-/// Extensions of WebGL1 that became part of GLSL ES 3.00.
-const CORE_EXTENSIONS: [&str; 4] = [
-    "GL_OES_standard_derivatives",
-    "GL_EXT_shader_texture_lod",
-    "GL_EXT_frag_depth",
-    "GL_EXT_draw_buffers",
-];
 
 impl Preprocessor<'_> {
     /// Defines the predefined macros of the language.
@@ -434,7 +421,7 @@ impl Preprocessor<'_> {
             "require" if !KNOWN_EXTENSIONS.contains(&text.as_str()) => {
                 format!("WebGL2 has no shader extension `{text}`")
             }
-            "require" | "enable" | "warn" | "disable" => return,
+            how if EXTENSION_BEHAVIORS.contains(&how) => return,
             _ => format!("expected `require`, `enable`, `warn` or `disable`, found `{how}`"),
         };
         let d = error_at(error::UNKNOWN_EXTENSION, span, message);

@@ -8,6 +8,7 @@ mod condition;
 mod directive;
 mod directive_repair;
 mod exact;
+mod extensions;
 mod group;
 mod input;
 mod lines;
@@ -17,6 +18,7 @@ mod place;
 mod version;
 
 pub use directive_repair::DIRECTIVES;
+pub use extensions::{EXTENSION_BEHAVIORS, extensions};
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
 use super::language::Feature;

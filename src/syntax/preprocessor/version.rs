@@ -1,6 +1,6 @@
 //! The `#version` directive and its placement (GLSL ES 3.00 section 3.3).
 
-use super::directive::KNOWN_EXTENSIONS;
+use super::extensions::KNOWN_EXTENSIONS;
 use super::macros::Piece;
 use super::{Preprocessor, error_at};
 use crate::names::Version;

@@ -238,6 +238,11 @@ pub fn is_searched(name: &str) -> bool {
     is_known && !is_packed(name) && !is_declarations(name)
 }
 
+/// Whether a file of this name is a shader, and not a file that may contain some.
+pub fn is_shader(name: &str) -> bool {
+    matches!(extension_of(name), Extension::Shader | Extension::Shared)
+}
+
 /// Whether a file of this name is a script.
 pub fn is_script(name: &str) -> bool {
     matches!(
