@@ -136,17 +136,11 @@ fn try_check(
     let mut input = read(name, text, context, decision)?;
     let partner = partner::load(&mut input, name, context);
     let may_link = partner.is_some() || input.embedded.len() > 1;
-    let keep = match kind {
-        FileKind::Holds(DocumentLanguage::Markdown) => context.keep,
-        // Programs are kept for linking, so that they are not checked again.
-        _ if may_link => Keep::Programs,
-        _ => context.keep,
-    };
+    let keep = kept(kind, may_link, context);
     let all = check_shaders(&mut input, name, context, keep);
     let (mut diagnostics, shaders) = (all.found.diagnostics, all.shaders);
-    let may_be_other = kind == FileKind::Shader && diagnostics.is_empty();
-    if may_be_other && is_other(name, text, &shaders, context) {
-        return Err(Unread::NotGlsl);
+    if kind == FileKind::Shader && diagnostics.is_empty() {
+        expect_glsl(name, text, &shaders, context)?;
     }
     diagnostics.extend(all.found.unresolved.report());
     partner::check(
@@ -194,9 +188,24 @@ fn try_check(
     Ok(report)
 }
 
-/// Whether a text that could not be read as a part of a shader shows no GLSL at all: nothing that
-/// only GLSL has, and no statements of a function.
-fn is_other(name: &str, text: &str, shaders: &[Shader], context: CheckContext) -> bool {
+/// What is kept of the shaders of a file. Programs are kept for linking, so that they are not
+/// checked again.
+fn kept(kind: FileKind, may_link: bool, context: CheckContext) -> Keep {
+    match kind {
+        FileKind::Holds(DocumentLanguage::Markdown) => context.keep,
+        _ if may_link => Keep::Programs,
+        _ => context.keep,
+    }
+}
+
+/// Rejects a text that could not be read as a part of a shader and shows no GLSL at all: nothing
+/// that only GLSL has, and no statements of a function.
+fn expect_glsl(
+    name: &str,
+    text: &str,
+    shaders: &[Shader],
+    context: CheckContext,
+) -> Result<(), Unread> {
     let is_lost = |shader: &Shader| {
         let is_everywhere = matches!(shader.skipped, SkippedRules::Everywhere);
         is_everywhere && shader.completeness != Completeness::Complete
@@ -206,14 +215,15 @@ fn is_other(name: &str, text: &str, shaders: &[Shader], context: CheckContext) -
         || text.contains('#')
         || Evidence::of(text).has_glsl()
     {
-        return false;
+        return Ok(());
     }
     let body = format!("void statements() {{\n{text}\n}}\n");
-    let report = try_check(name, &body, Encoding::Utf8, context);
-    report.is_ok_and(|report| {
-        let is_broken = report.diagnostics.iter().any(|d| d.has(Facet::Grammar));
-        is_broken || report.shaders.iter().all(is_lost)
-    })
+    let report = try_check(name, &body, Encoding::Utf8, context)?;
+    let is_broken = report.diagnostics.iter().any(|d| d.has(Facet::Grammar));
+    match is_broken || report.shaders.iter().all(is_lost) {
+        true => Err(Unread::NotGlsl),
+        false => Ok(()),
+    }
 }
 
 /// Notes which fixes of embedded shaders cannot be written.

@@ -50,7 +50,7 @@ pub use file_cache::FileCache;
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use fix::fix_text;
 pub use format::{Formatting, format};
-pub use include::{Absence, MissingInclude, Moves, moved_includes};
+pub use include::{Absence, FileMoves, MissingInclude, moved_includes};
 pub use modernize::modernize;
 pub use offer::Offer;
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};

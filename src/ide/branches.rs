@@ -5,6 +5,7 @@
 
 use super::document::Document;
 use super::index::is_inactive;
+use shaderlint_engine::Files;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{RawKind, RawToken, tokenize};
 use shaderlint_text::Span;
@@ -28,7 +29,7 @@ struct ConditionalGroup {
 #[derive(Default)]
 struct Branch {
     span: Span,
-    condition: Condition,
+    condition: MacroCondition,
     /// Whether the shader compiles it.
     is_active: bool,
     /// Whether it has words that no text so far compiles.
@@ -56,9 +57,33 @@ impl Branch {
     }
 }
 
+impl Document {
+    /// The document with other branches of its conditional groups, so that each branch is compiled
+    /// in one of them. Positions are the same. `files` are those that the document was made with.
+    pub fn alternatives(&self, files: &dyn Files) -> &[Document] {
+        self.alternatives.get_or_init(|| {
+            let texts = other_branches(self).into_iter();
+            texts.map(|text| self.read_as(text, files)).collect()
+        })
+    }
+
+    /// The document, and its alternatives if code that it does not compile contains a word.
+    pub(super) fn readings(&self, word: &str, files: &dyn Files) -> Vec<&Document> {
+        let mut inactive = self.shaders().flat_map(|(program, _)| {
+            let spans = program.tokens.inactive.iter();
+            spans.map(|span| program.sources.text(*span))
+        });
+        let mut found = vec![self];
+        if inactive.any(|code| code.contains(word)) {
+            found.extend(self.alternatives(files));
+        }
+        found
+    }
+}
+
 /// The texts in which every branch of a document's shaders is compiled at least once, apart from
 /// those that are compiled anyway.
-pub fn other_branches(document: &Document) -> Vec<String> {
+fn other_branches(document: &Document) -> Vec<String> {
     let mut codes: Vec<(Span, Vec<ConditionalGroup>)> = Vec::new();
     for (program, _) in document.shaders() {
         let Some(first) = program.tokens.inactive.first() else {
@@ -142,7 +167,7 @@ fn select_others(groups: &mut [ConditionalGroup], chosen: &Choices, blank: &mut 
 /// The condition of a branch, if it compares one macro with a number. A macro that is not defined
 /// is 0.
 #[derive(Clone, Default)]
-struct Condition {
+struct MacroCondition {
     /// Name of the macro; empty for any other condition.
     name: String,
     value: String,
@@ -150,9 +175,9 @@ struct Condition {
     is_equal: bool,
 }
 
-impl Condition {
+impl MacroCondition {
     /// Reads `#ifdef A`, `#if !defined(A)`, `#if A`, `#if A == 1`.
-    fn of(directive: &str, words: &[&str]) -> Condition {
+    fn of(directive: &str, words: &[&str]) -> MacroCondition {
         let words: Vec<&str> = words
             .iter()
             .copied()
@@ -169,7 +194,7 @@ impl Condition {
             _ => none,
         };
         let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        Condition {
+        MacroCondition {
             name: if is_name {
                 name.to_string()
             } else {
@@ -184,14 +209,14 @@ impl Condition {
 /// What the selected branches say about macros.
 #[derive(Default)]
 struct Choices {
-    facts: Vec<Condition>,
+    facts: Vec<MacroCondition>,
     /// Whether contradictions are allowed.
     is_free: bool,
 }
 
 impl Choices {
     /// Whether a condition holds; `None` if both is possible.
-    fn holds(&self, condition: &Condition) -> Option<bool> {
+    fn holds(&self, condition: &MacroCondition) -> Option<bool> {
         let about = self
             .facts
             .iter()
@@ -222,7 +247,7 @@ impl Choices {
     }
 
     fn choose(&mut self, branches: &[Branch], at: usize) {
-        let earlier = branches.iter().take(at).map(|b| Condition {
+        let earlier = branches.iter().take(at).map(|b| MacroCondition {
             is_equal: !b.condition.is_equal,
             ..b.condition.clone()
         });
@@ -314,7 +339,7 @@ fn directive(open: &mut Vec<ConditionalGroup>, words: &[&str], line: Span) -> bo
     };
     let next = Branch {
         span: Span::at(line.end),
-        condition: Condition::of(name, words),
+        condition: MacroCondition::of(name, words),
         ..Branch::default()
     };
     if matches!(*name, "if" | "ifdef" | "ifndef") && open.len() < DEEPEST {

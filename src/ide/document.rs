@@ -1,6 +1,5 @@
 //! An open document and its analyses.
 
-use super::branches::other_branches;
 use super::index::{Index, Occurrence};
 use super::symbol::{Symbol, declared_at};
 use shaderlint_engine::{
@@ -47,7 +46,7 @@ pub struct Document {
     pub report: Report,
     indexes: Vec<OnceLock<Index>>,
     /// The document with other branches of its conditional groups.
-    alternatives: OnceLock<Vec<Document>>,
+    pub(super) alternatives: OnceLock<Vec<Document>>,
 }
 
 /// A position in a shader of a document.
@@ -76,28 +75,6 @@ impl Document {
             indexes,
             alternatives: OnceLock::new(),
         }
-    }
-
-    /// The document with other branches of its conditional groups, so that each branch is compiled
-    /// in one of them. Positions are the same. `files` are those that the document was made with.
-    pub fn alternatives(&self, files: &dyn Files) -> &[Document] {
-        self.alternatives.get_or_init(|| {
-            let texts = other_branches(self).into_iter();
-            texts.map(|text| self.read_as(text, files)).collect()
-        })
-    }
-
-    /// The document, and its alternatives if code that it does not compile contains a word.
-    pub(super) fn readings(&self, word: &str, files: &dyn Files) -> Vec<&Document> {
-        let mut inactive = self.shaders().flat_map(|(program, _)| {
-            let spans = program.tokens.inactive.iter();
-            spans.map(|span| program.sources.text(*span))
-        });
-        let mut found = vec![self];
-        if inactive.any(|code| code.contains(word)) {
-            found.extend(self.alternatives(files));
-        }
-        found
     }
 
     /// The document with another text, checked without rules.

@@ -262,9 +262,9 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
             continue;
         };
         let is_sure = match same.relation(documents, i, role, &family) {
-            Relation::None => continue,
-            Relation::Sure => true,
-            Relation::Possible => false,
+            ScriptRelation::None => continue,
+            ScriptRelation::Sure => true,
+            ScriptRelation::Possible => false,
         };
         for (span, kind) in found {
             let path = document.path.clone();
@@ -295,7 +295,7 @@ fn may_be_used_elsewhere(here: &NameHere) -> bool {
 }
 
 /// Whether a script uses the shaders of a family.
-enum Relation {
+enum ScriptRelation {
     None,
     Possible,
     Sure,
@@ -316,21 +316,21 @@ impl SameWord {
         script: usize,
         role: NameRole,
         family: &NameFamily,
-    ) -> Relation {
+    ) -> ScriptRelation {
         if role == NameRole::Inner {
             let mut declared = family.places.values().map(|(_, document)| *document);
             return match declared.any(|other| uses(documents, script, other)) {
-                true => Relation::Sure,
-                false => Relation::None,
+                true => ScriptRelation::Sure,
+                false => ScriptRelation::None,
             };
         }
         let is_own = |origin: &SymbolOrigin| family.origins.contains(origin);
         match self.set_by(documents, script) {
-            Some(all) if all.iter().any(is_own) => Relation::Sure,
-            Some(_) => Relation::None,
+            Some(all) if all.iter().any(is_own) => ScriptRelation::Sure,
+            Some(_) => ScriptRelation::None,
             // The script names no shader.
-            None if self.inputs.keys().all(is_own) => Relation::Sure,
-            None => Relation::Possible,
+            None if self.inputs.keys().all(is_own) => ScriptRelation::Sure,
+            None => ScriptRelation::Possible,
         }
     }
 }

@@ -212,7 +212,7 @@ fn a_pixel_is_traced_step_by_step() {
     let expected = "\
 m.glsl: pixel 2,1 of 16x9, 0 s, frame 0
   image     0.3125 0 0 1
-  cost      136 operations
+  cost      32 operations
   loop        function   bound      max  mean  p99  exhausted
   m.glsl:3:5  mainImage  at most 8    4   4.0    4        0 %
   m.glsl:7:5  mainImage  exactly 4    4   4.0    4          -

@@ -8,10 +8,10 @@ use std::sync::{Arc, Mutex, MutexGuard};
 
 /// The last valid content of each configuration, and what is wrong with the others.
 #[derive(Default)]
-pub struct LastGood(Mutex<Kept>);
+pub struct LastGood(Mutex<KeptConfigs>);
 
 #[derive(Clone, Default)]
-struct Kept {
+struct KeptConfigs {
     good: HashMap<PathBuf, Arc<Config>>,
     problems: BTreeMap<PathBuf, ConfigProblem>,
 }
@@ -44,13 +44,13 @@ impl LastGood {
 
     /// The same valid configurations, to read all files again.
     pub fn renewed(&self) -> LastGood {
-        LastGood(Mutex::new(Kept {
+        LastGood(Mutex::new(KeptConfigs {
             problems: BTreeMap::new(),
             ..self.lock().clone()
         }))
     }
 
-    fn lock(&self) -> MutexGuard<'_, Kept> {
+    fn lock(&self) -> MutexGuard<'_, KeptConfigs> {
         self.0
             .lock()
             .unwrap_or_else(|poisoned| poisoned.into_inner())

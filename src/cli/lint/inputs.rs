@@ -9,6 +9,7 @@ use super::fix::{AppliedFixes, FixMode, FixOutcome};
 use crate::commands::{self, CheckedText, Recognition};
 use crate::engine::{Files, Options, Unread};
 use crate::text::Content;
+use crate::text::kind::is_searched;
 use std::collections::BTreeSet;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -116,18 +117,28 @@ fn check_input(input: &InputFile, run: &CheckRun) -> Outcome {
     }
     match checked.text.report.unread {
         None => Outcome::Checked(Box::new(checked)),
-        // Whoever pipes a text wants it checked.
-        Some(Unread::Skipped(decision)) if input.path.is_none() => {
+        // Whoever pipes a text as GLSL wants it checked.
+        Some(Unread::Skipped(decision)) if input.path.is_none() && is_asked_for(input, run) => {
             Outcome::Failed(decision.to_string())
         }
         Some(Unread::Skipped(decision)) => {
             Outcome::Skipped(decision.to_string(), checked.fixed.applied)
         }
-        Some(error @ (Unread::Export(_) | Unread::NotGlsl)) if !input.is_explicit => {
+        Some(error @ Unread::NotGlsl) if !is_asked_for(input, run) => {
+            Outcome::Skipped(error.to_string(), checked.fixed.applied)
+        }
+        Some(error @ Unread::Export(_)) if !input.is_explicit => {
             Outcome::Skipped(error.to_string(), checked.fixed.applied)
         }
         Some(error) => Outcome::Failed(error.to_string()),
     }
+}
+
+/// Whether an input that is not checked is an error: it is named or piped as GLSL. When fixing,
+/// standard input is passed on instead.
+fn is_asked_for(input: &InputFile, run: &CheckRun) -> bool {
+    let is_passed_on = input.path.is_none() && run.mode.fix.is_some();
+    input.is_explicit && is_searched(&input.name) && !is_passed_on
 }
 
 /// The result of an earlier run, if nothing has changed since.

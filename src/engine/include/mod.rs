@@ -11,7 +11,7 @@ mod subject;
 
 pub use common::is_common;
 pub use find::Absence;
-pub use moved::{Moves, moved_includes};
+pub use moved::{FileMoves, moved_includes};
 
 use super::check_context::CheckContext;
 use super::path::tidy;

@@ -12,12 +12,12 @@ use shaderlint_text::{Edit, Span};
 use std::path::{Component, Path, PathBuf};
 
 /// Files and folders that are moved.
-pub struct Moves(Vec<(PathBuf, PathBuf)>);
+pub struct FileMoves(Vec<(PathBuf, PathBuf)>);
 
-impl Moves {
+impl FileMoves {
     /// Pairs of an absolute path and the one that replaces it.
-    pub fn new(all: Vec<(PathBuf, PathBuf)>) -> Moves {
-        Moves(all)
+    pub fn new(all: Vec<(PathBuf, PathBuf)>) -> FileMoves {
+        FileMoves(all)
     }
 
     /// The path of a file after the moves.
@@ -40,7 +40,7 @@ pub fn moved_includes(
     text: &str,
     options: &Options,
     files: &dyn Files,
-    moves: &Moves,
+    moves: &FileMoves,
 ) -> Vec<Edit> {
     let file = MovedFile {
         name,
@@ -67,7 +67,7 @@ pub fn moved_includes(
 struct MovedFile<'a> {
     name: &'a str,
     context: CheckContext<'a>,
-    moves: &'a Moves,
+    moves: &'a FileMoves,
 }
 
 impl MovedFile<'_> {

@@ -226,7 +226,7 @@ pub fn move_files(snapshot: &Snapshot, params: RenameFilesParams) -> Answer<Opti
             may_change(&file, &text).then_some((file, text))
         })
         .collect();
-    let moves = engine::Moves::new(pairs);
+    let moves = engine::FileMoves::new(pairs);
     let mut changes = HashMap::new();
     for (file, text) in files {
         let name = file.to_string_lossy().replace('\\', "/");

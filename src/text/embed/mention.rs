@@ -50,7 +50,7 @@ pub fn mentions(
         let content = text.get(script.clone()).unwrap_or("");
         let mut tokens = tokens(content);
         tokens.retain(|t| t.kind != ScriptTokenKind::Comment);
-        let mut reader = Reader {
+        let mut reader = MentionReader {
             text: content,
             tokens: &tokens,
             open: Vec::new(),
@@ -69,7 +69,7 @@ pub fn mentions(
 
 /// What is inside a pair of brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Bracket {
+enum ScriptBracket {
     /// The object of uniforms or attributes, or an index of it.
     Inputs,
     /// Arguments of a function that is about uniforms, attributes or varyings.
@@ -82,16 +82,16 @@ enum Bracket {
     Others,
 }
 
-struct Reader<'t> {
+struct MentionReader<'t> {
     text: &'t str,
     tokens: &'t [ScriptToken],
-    open: Vec<Bracket>,
+    open: Vec<ScriptBracket>,
     name: &'t str,
     role: NameRole,
     found: Vec<Mention>,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> MentionReader<'t> {
     fn word(&self, at: usize) -> &'t str {
         let range = self.tokens.get(at).map_or(0..0, |t| t.range.clone());
         self.text.get(range).unwrap_or("")
@@ -123,28 +123,28 @@ impl<'t> Reader<'t> {
     }
 
     /// The meaning of a bracket, from what precedes it.
-    fn bracket(&self, at: usize, mark: u8) -> Bracket {
+    fn bracket(&self, at: usize, mark: u8) -> ScriptBracket {
         let before = at.checked_sub(1);
         let is_inputs = |at: Option<usize>| at.is_some_and(|at| is_about_inputs(self.word(at)));
         match mark {
             b'{' => {
                 let sets = self.mark(before, b':') || self.mark(before, b'=');
                 match sets && is_inputs(at.checked_sub(2)) {
-                    true => Bracket::Inputs,
-                    false => Bracket::Braces,
+                    true => ScriptBracket::Inputs,
+                    false => ScriptBracket::Braces,
                 }
             }
-            b'[' if is_inputs(before) => Bracket::Inputs,
+            b'[' if is_inputs(before) => ScriptBracket::Inputs,
             // A list of names is like a name.
             b'[' => match self.open.last() {
-                Some(outer @ (Bracket::AboutInputs | Bracket::AboutText)) => *outer,
-                _ => Bracket::Others,
+                Some(outer @ (ScriptBracket::AboutInputs | ScriptBracket::AboutText)) => *outer,
+                _ => ScriptBracket::Others,
             },
-            _ if is_inputs(before) => Bracket::AboutInputs,
+            _ if is_inputs(before) => ScriptBracket::AboutInputs,
             _ => match before.map_or("", |at| self.word(at)) {
                 "replace" | "replaceAll" | "split" | "includes" | "indexOf" | "match"
-                | "RegExp" => Bracket::AboutText,
-                _ => Bracket::Others,
+                | "RegExp" => ScriptBracket::AboutText,
+                _ => ScriptBracket::Others,
             },
         }
     }
@@ -164,8 +164,8 @@ impl<'t> Reader<'t> {
         let (before, after) = (at.checked_sub(1), Some(at + 1));
         let is_property = self.mark(before, b'.');
         let starts = self.mark(before, b'{') || self.mark(before, b',');
-        let of_inputs = self.open.last() == Some(&Bracket::Inputs);
-        let in_braces = of_inputs || self.open.last() == Some(&Bracket::Braces);
+        let of_inputs = self.open.last() == Some(&ScriptBracket::Inputs);
+        let in_braces = of_inputs || self.open.last() == Some(&ScriptBracket::Braces);
         let ends = self.mark(after, b',') || self.mark(after, b'}');
         let kind = if is_property {
             let of = at.checked_sub(2);
@@ -203,15 +203,15 @@ impl<'t> Reader<'t> {
         let rest = text.strip_prefix(self.name);
         // `lights[0].color` refers to `lights`.
         let is_whole = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['[', '.']));
-        let around = self.open.last().copied().unwrap_or(Bracket::Others);
-        if around == Bracket::AboutText || !is_whole {
+        let around = self.open.last().copied().unwrap_or(ScriptBracket::Others);
+        if around == ScriptBracket::AboutText || !is_whole {
             return self.edited(at);
         }
-        if self.role == NameRole::Inner && around != Bracket::AboutInputs {
+        if self.role == NameRole::Inner && around != ScriptBracket::AboutInputs {
             return;
         }
         let kind = match around {
-            Bracket::Inputs | Bracket::AboutInputs => MentionKind::Name,
+            ScriptBracket::Inputs | ScriptBracket::AboutInputs => MentionKind::Name,
             _ => MentionKind::Unclear,
         };
         self.add(token.range.start..token.range.start + self.name.len(), kind);
@@ -223,7 +223,7 @@ impl<'t> Reader<'t> {
             return;
         };
         let text = self.word(at);
-        let is_edited = self.open.contains(&Bracket::AboutText);
+        let is_edited = self.open.contains(&ScriptBracket::AboutText);
         let is_code = text.contains([';', '{', '(', '=']);
         if !is_edited && !is_code {
             return;
