@@ -105,7 +105,7 @@ fn judge(text: &str) -> Option<Report> {
     let report = check("a.glsl", text, &options, &NoFiles);
     match report.unread {
         None => Some(report),
-        Some(Unread::Skipped(_)) => None,
+        Some(Unread::Skipped(_) | Unread::NotGlsl) => None,
         Some(_) => panic!("not recognised as a shader"),
     }
 }

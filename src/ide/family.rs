@@ -220,7 +220,7 @@ fn form(program: &Program, symbol: Symbol) -> Option<String> {
         Symbol::Function(id) => {
             let function = program.function(id)?;
             let types = function.params.iter().map(|p| program.type_name(p.ty));
-            Some(types.collect::<Vec<_>>().join(","))
+            Some(format!("({})", types.collect::<Vec<_>>().join(",")))
         }
         Symbol::Struct(_) => Some("struct".to_string()),
         Symbol::Macro(_) => Some("macro".to_string()),

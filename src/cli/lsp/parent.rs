@@ -11,7 +11,8 @@ const PAUSE: Duration = Duration::from_secs(2);
 /// stays open, because another process holds it, nothing else would tell.
 pub fn watch(params: &Value, ended: impl FnOnce() + Send + 'static) {
     let id = params.get("processId").and_then(Value::as_i64);
-    let Some(id) = id.and_then(|id| i32::try_from(id).ok()) else {
+    let id = id.and_then(|id| i32::try_from(id).ok());
+    let Some(id) = id.filter(|_| cfg!(unix)) else {
         return;
     };
     let watcher = thread::Builder::new().name("parent".to_string());
@@ -33,7 +34,7 @@ pub fn is_alive(id: i32) -> bool {
     Pid::from_raw(id).is_some_and(|id| test_kill_process(id) != Err(Errno::SRCH))
 }
 
-/// Whether a process exists; here, it is unknown.
+/// Whether a process exists; where it is unknown, it counts as alive.
 #[cfg(not(unix))]
 pub fn is_alive(_: i32) -> bool {
     true

@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn the_budget_counts_all_pixels() {
         let cost = StillCost {
-            per_pixel: 1e6,
+            per_pixel: 3.9e5,
             fixed: 1e9,
         };
         let why = "it needs more than 24 billion operations".to_string();
