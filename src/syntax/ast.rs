@@ -218,6 +218,25 @@ impl BinaryOp {
         }
     }
 
+    /// How tightly the operator binds, from 4; a higher number binds more tightly (GLSL ES 3.00
+    /// section 5.1). Comma, assignment and `? :` bind less.
+    pub const fn precedence(self) -> u8 {
+        use BinaryOp::*;
+        match self {
+            Or => 4,
+            Xor => 5,
+            And => 6,
+            BitOr => 7,
+            BitXor => 8,
+            BitAnd => 9,
+            Equal | NotEqual => 10,
+            Less | Greater | LessEqual | GreaterEqual => 11,
+            ShiftLeft | ShiftRight => 12,
+            Add | Sub => 13,
+            Mul | Div | Rem => 14,
+        }
+    }
+
     /// Whether this is a relational or equality operator, with a `bool` result.
     pub const fn compares(self) -> bool {
         use BinaryOp::*;

@@ -339,7 +339,7 @@ impl<'d> RefactorPlace<'d> {
             | ExprKind::Index(..) => true,
             ExprKind::Binary(inner, ..) => match parent {
                 Some(ExprKind::Binary(outer, left, _)) => {
-                    let (inner, outer) = (precedence(inner), precedence(outer));
+                    let (inner, outer) = (inner.precedence(), outer.precedence());
                     inner > outer || inner == outer && left == replaced
                 }
                 _ => false,
@@ -361,23 +361,6 @@ impl<'d> RefactorPlace<'d> {
                 _ => false,
             },
         }
-    }
-}
-
-/// The precedence of an operator, lowest first (GLSL ES 3.00 section 5.1).
-fn precedence(op: BinaryOp) -> u8 {
-    match op {
-        BinaryOp::Or => 0,
-        BinaryOp::Xor => 1,
-        BinaryOp::And => 2,
-        BinaryOp::BitOr => 3,
-        BinaryOp::BitXor => 4,
-        BinaryOp::BitAnd => 5,
-        BinaryOp::Equal | BinaryOp::NotEqual => 6,
-        BinaryOp::Less | BinaryOp::Greater | BinaryOp::LessEqual | BinaryOp::GreaterEqual => 7,
-        BinaryOp::ShiftLeft | BinaryOp::ShiftRight => 8,
-        BinaryOp::Add | BinaryOp::Sub => 9,
-        BinaryOp::Mul | BinaryOp::Div | BinaryOp::Rem => 10,
     }
 }
 

@@ -16,28 +16,29 @@ const TERNARY: Power = 3;
 /// The binary operator of a token.
 fn binary(kind: TokenKind) -> Option<(BinaryOp, Power)> {
     use TokenKind as T;
-    Some(match kind {
-        T::OrOr => (BinaryOp::Or, 4),
-        T::XorXor => (BinaryOp::Xor, 5),
-        T::AndAnd => (BinaryOp::And, 6),
-        T::Or => (BinaryOp::BitOr, 7),
-        T::Xor => (BinaryOp::BitXor, 8),
-        T::And => (BinaryOp::BitAnd, 9),
-        T::EqualEqual => (BinaryOp::Equal, 10),
-        T::NotEqual => (BinaryOp::NotEqual, 10),
-        T::Less => (BinaryOp::Less, 11),
-        T::Greater => (BinaryOp::Greater, 11),
-        T::LessEqual => (BinaryOp::LessEqual, 11),
-        T::GreaterEqual => (BinaryOp::GreaterEqual, 11),
-        T::ShiftLeft => (BinaryOp::ShiftLeft, 12),
-        T::ShiftRight => (BinaryOp::ShiftRight, 12),
-        T::Plus => (BinaryOp::Add, 13),
-        T::Minus => (BinaryOp::Sub, 13),
-        T::Star => (BinaryOp::Mul, 14),
-        T::Slash => (BinaryOp::Div, 14),
-        T::Percent => (BinaryOp::Rem, 14),
+    let operator = match kind {
+        T::OrOr => BinaryOp::Or,
+        T::XorXor => BinaryOp::Xor,
+        T::AndAnd => BinaryOp::And,
+        T::Or => BinaryOp::BitOr,
+        T::Xor => BinaryOp::BitXor,
+        T::And => BinaryOp::BitAnd,
+        T::EqualEqual => BinaryOp::Equal,
+        T::NotEqual => BinaryOp::NotEqual,
+        T::Less => BinaryOp::Less,
+        T::Greater => BinaryOp::Greater,
+        T::LessEqual => BinaryOp::LessEqual,
+        T::GreaterEqual => BinaryOp::GreaterEqual,
+        T::ShiftLeft => BinaryOp::ShiftLeft,
+        T::ShiftRight => BinaryOp::ShiftRight,
+        T::Plus => BinaryOp::Add,
+        T::Minus => BinaryOp::Sub,
+        T::Star => BinaryOp::Mul,
+        T::Slash => BinaryOp::Div,
+        T::Percent => BinaryOp::Rem,
         _ => return None,
-    })
+    };
+    Some((operator, operator.precedence()))
 }
 
 /// The operator of a compound assignment; the inner `None` stands for plain `=`.
