@@ -5,6 +5,7 @@
 
 use super::document::Document;
 use super::index::is_inactive;
+use super::lines::{RawItem, is_blank, raw_items};
 use shaderlint_engine::Files;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{RawKind, RawToken, tokenize};
@@ -288,48 +289,30 @@ fn groups(text: &str, base: u32, program: &Program) -> Vec<ConditionalGroup> {
         let range = (t.span.start - base) as usize..(t.span.end - base) as usize;
         text.get(range).unwrap_or("")
     };
-    let mut at_start = true;
-    let mut rest = tokens.as_slice();
-    while let [first, after @ ..] = rest {
-        rest = after;
-        match first.kind {
-            RawKind::Newline => at_start = true,
-            RawKind::Hash if at_start => {
-                let end = rest.iter().position(|t| t.kind == RawKind::Newline);
-                let (line, after) = rest.split_at(end.unwrap_or(rest.len()));
-                rest = after;
+    for item in raw_items(&tokens) {
+        let first = match item {
+            RawItem::Directive(hash, line) => {
                 let words = line.iter().filter(|t| !is_blank(t.kind)).map(word);
                 let words: Vec<&str> = words.collect();
                 let span = line
                     .last()
-                    .map_or(first.span, |last| first.span.to(last.span));
-                let is_conditional = directive(&mut open, &words, span);
-                let branch = open.last_mut().and_then(|g| g.branches.last_mut());
-                if let Some(branch) = branch.filter(|_| !is_conditional) {
-                    branch.add(program, first.span);
+                    .map_or(hash.span, |last| hash.span.to(last.span));
+                if directive(&mut open, &words, span) {
+                    continue;
                 }
+                hash
             }
-            kind if is_blank(kind) => {}
-            kind => {
-                at_start = false;
-                let branch = open.last_mut().and_then(|g| g.branches.last_mut());
-                if let Some(branch) = branch.filter(|_| kind == RawKind::Word) {
-                    branch.add(program, first.span);
-                }
-            }
+            RawItem::Token(token) if token.kind == RawKind::Word => token,
+            RawItem::Token(_) => continue,
+        };
+        if let Some(branch) = open.last_mut().and_then(|g| g.branches.last_mut()) {
+            branch.add(program, first.span);
         }
     }
     // A group without `#endif` is an error, and left alone.
     open.truncate(1);
     let around = open.pop().and_then(|mut g| g.branches.pop());
     around.map_or(Vec::new(), |branch| branch.inner)
-}
-
-fn is_blank(kind: RawKind) -> bool {
-    matches!(
-        kind,
-        RawKind::Whitespace | RawKind::LineComment | RawKind::BlockComment
-    )
 }
 
 /// Opens, continues or closes a group; returns whether the directive is one that does.

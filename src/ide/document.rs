@@ -214,7 +214,13 @@ impl Files for Overlay<'_> {
     }
 
     fn real(&self, path: &Path) -> Option<PathBuf> {
-        self.files.real(path)
+        // A replaced file need not exist.
+        let created = || {
+            let folder = path.parent().filter(|_| self.texts.contains_key(path))?;
+            let real = self.files.real(folder);
+            Some(real.unwrap_or(folder.to_path_buf()).join(path.file_name()?))
+        };
+        self.files.real(path).or_else(created)
     }
 
     fn version(&self, path: &Path) -> Option<u64> {

@@ -2,7 +2,7 @@
 //! of `#if` and in other files, and in the scripts that use the shader.
 
 use super::document::{Document, FileSpan, Spot, SymbolOrigin};
-use super::index::{NameUse, Occurrence};
+use super::index::{NameUse, Occurrence, is_inactive};
 use super::scripts::{in_scripts, names_file, role};
 use super::symbol::{Symbol, SymbolKind};
 use shaderlint_engine::Files;
@@ -58,10 +58,8 @@ pub fn compiled_name(document: &Document, offset: u32) -> Option<NameHere<'_>> {
 
 /// Whether the code at an offset is in a branch that is not compiled.
 fn is_left_out(document: &Document, offset: u32) -> bool {
-    document.spot(offset).is_some_and(|spot| {
-        let mut inactive = spot.program().tokens.inactive.iter();
-        inactive.any(|span| (span.start..=span.end).contains(&spot.address))
-    })
+    let spot = document.spot(offset);
+    spot.is_some_and(|spot| is_inactive(spot.program(), Span::at(spot.address)))
 }
 
 /// The names that must be the same, in some documents.

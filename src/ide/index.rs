@@ -1,5 +1,6 @@
 //! Index of the names in a shader, with the symbols that they refer to.
 
+use super::lines::{RawItem, raw_items};
 use super::symbol::Symbol;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_semantic::{FunctionRef, Program, Resolution, VariableId};
@@ -337,24 +338,15 @@ impl Builder<'_> {
         let global = Globals::of(self.program);
         for CompiledText { text, base, .. } in user_texts(self.program) {
             let tokens = tokenize(text, base);
-            let mut at_start = true;
-            let mut rest = tokens.as_slice();
-            while let [first, after @ ..] = rest {
-                rest = after;
-                match first.kind {
-                    RawKind::Newline => at_start = true,
-                    RawKind::Hash if at_start => {
-                        let end = rest.iter().position(|t| t.kind == RawKind::Newline);
-                        let (line, after) = rest.split_at(end.unwrap_or(rest.len()));
-                        rest = after;
-                        self.directive(line, &global, seen);
+            for item in raw_items(&tokens) {
+                match item {
+                    RawItem::Directive(_, line) => self.directive(line, &global, seen),
+                    RawItem::Token(token) if token.kind == RawKind::Word => {
+                        if is_inactive(self.program, token.span) {
+                            self.unseen(token.span, &global, seen);
+                        }
                     }
-                    RawKind::Word if is_inactive(self.program, first.span) => {
-                        self.unseen(first.span, &global, seen);
-                        at_start = false;
-                    }
-                    RawKind::Whitespace | RawKind::BlockComment => {}
-                    _ => at_start = false,
+                    RawItem::Token(_) => {}
                 }
             }
         }

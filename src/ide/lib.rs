@@ -18,6 +18,7 @@ mod hover;
 mod index;
 mod lens;
 mod library;
+mod lines;
 mod navigate;
 mod outline;
 mod preview;

@@ -250,7 +250,8 @@ fn verify(
         let before = document.read_as(document.text.to_string(), files);
         let after = document.read_as(text.to_string(), &overlay);
         compare(&before, &after, renaming, new)?;
-        let (old, now) = (before.alternatives(files), after.alternatives(&overlay));
+        // Those of the document were read without rules too, when its names were searched.
+        let (old, now) = (document.alternatives(files), after.alternatives(&overlay));
         if old.len() != now.len() {
             return refused(format!(
                 "renaming to `{new}` changes which code is compiled"

@@ -1,17 +1,16 @@
 //! Checks the text after a refactoring.
 
 use super::place::RefactorPlace;
-use super::proposal::{NewFile, ProposedRefactoring, Refactoring, RequiredProof};
-use crate::document::Document;
+use super::proposal::{ProposedRefactoring, Refactoring, RequiredProof};
+use crate::document::{Document, Overlay};
 use shaderlint_diagnostic::{Origin, Severity};
-use shaderlint_engine::{Analysis, FileType, Files, LoadError, equal};
+use shaderlint_engine::{Analysis, equal};
 use shaderlint_exec::Equality;
 use shaderlint_flow::{ShaderVersion, is_equivalent};
 use shaderlint_lint::Facts;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::{Edit, apply_edits};
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::PathBuf;
 
 /// Number of instructions that may run to compare images.
 const FUEL: u64 = 100_000_000;
@@ -27,10 +26,12 @@ pub(super) fn verified(
     let mut edits: Vec<Edit> = edits.collect::<Option<_>>()?;
     edits.sort_by_key(|edit| edit.span);
     let text = apply_edits(&document.text, 0, &edits).ok()?;
-    let files = WithNewFile {
+    let created = proposal.creates.iter();
+    let files = Overlay {
         files: place.files,
-        beside: Path::new(&document.path),
-        created: proposal.creates.as_ref(),
+        texts: created
+            .map(|file| (PathBuf::from(&file.path), file.text.as_str().into()))
+            .collect(),
     };
     let after = document.read_as(text, &files);
     let has_slider = |name: &String| {
@@ -108,61 +109,5 @@ fn version<'a>(analysis: &'a Analysis, facts: &'a Facts<'a>) -> ShaderVersion<'a
         program: &analysis.program,
         module: facts.module(),
         effects: facts.effects(),
-    }
-}
-
-/// A file system with a new file beside another.
-struct WithNewFile<'f> {
-    files: &'f dyn Files,
-    beside: &'f Path,
-    created: Option<&'f NewFile>,
-}
-
-impl WithNewFile<'_> {
-    fn created(&self, path: &Path) -> Option<&NewFile> {
-        self.created.filter(|file| path == Path::new(&file.path))
-    }
-}
-
-impl Files for WithNewFile<'_> {
-    fn load(&self, path: &Path) -> Result<Arc<str>, LoadError> {
-        match self.created(path) {
-            Some(file) => Ok(file.text.as_str().into()),
-            None => self.files.load(path),
-        }
-    }
-
-    fn entry(&self, path: &Path) -> Option<FileType> {
-        match self.created(path) {
-            Some(_) => Some(FileType::File),
-            None => self.files.entry(path),
-        }
-    }
-
-    fn names(&self, folder: &Path) -> Vec<String> {
-        self.files.names(folder)
-    }
-
-    fn here(&self) -> &Path {
-        self.files.here()
-    }
-
-    fn real(&self, path: &Path) -> Option<PathBuf> {
-        let Some(name) = self.created(path).and_then(|_| path.file_name()) else {
-            return self.files.real(path);
-        };
-        let beside = self.files.real(self.beside);
-        Some(
-            beside
-                .unwrap_or(self.beside.to_path_buf())
-                .with_file_name(name),
-        )
-    }
-
-    fn version(&self, path: &Path) -> Option<u64> {
-        match self.created(path) {
-            Some(_) => None,
-            None => self.files.version(path),
-        }
     }
 }
