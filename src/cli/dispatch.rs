@@ -44,6 +44,8 @@ fn run_command(command: &Command) -> io::Result<u8> {
         Command::Reduce(args) => return reduce::run(args),
         Command::Ir { file } => return ir::run(file),
         #[cfg(feature = "lsp")]
+        Command::References(args) => return lsp::references(args),
+        #[cfg(feature = "lsp")]
         Command::Lsp { .. } => {
             let was_shut_down = lsp::serve()?;
             return Ok(if was_shut_down { CLEAN } else { FINDINGS });

@@ -99,10 +99,15 @@ pub(super) fn error_count(composed: &Composed) -> usize {
     errors(composed).0.len()
 }
 
-/// The number of errors that a repair would fix.
-pub fn repairable(composed: &Composed) -> usize {
-    let has_fix = |d: &&Diagnostic| d.fix.as_ref().is_some_and(|f| Allow::Safe.permits(f));
-    errors(composed).0.iter().filter(has_fix).count()
+/// By how many the errors decrease if the project is repaired: it is tried, because the fix of one error may
+/// cause another.
+pub fn repairable(project: &Project, composed: &Composed, path: &str) -> usize {
+    let mut candidate = project.clone();
+    let done = repair(&mut candidate, composed, path).filter(|repairs| !repairs.is_empty());
+    let after = done.and_then(|_| compose(&candidate, path));
+    after.map_or(0, |after| {
+        error_count(composed).saturating_sub(error_count(&after))
+    })
 }
 
 fn users(composed: &Composed) -> impl Iterator<Item = &SourceFile> {

@@ -21,7 +21,7 @@ mod snapshot;
 mod uri;
 mod workspace;
 
-pub use answers::Lane;
+pub use answers::{Lane, name_uses};
 pub use buffers::TextBuffer;
 pub use pending_request::PendingRequest;
 pub use run::run_buffer;

@@ -101,13 +101,13 @@ async def session():
 
 async def test_tools_are_described(tools):
     listed = (await tools.session.list_tools()).tools
-    assert [tool.name for tool in listed] == ["check", "fix", "format", "run", "explain", "port"], listed
+    assert [tool.name for tool in listed] == ["check", "fix", "format", "run", "explain", "port", "references"], listed
     for tool in listed:
         assert tool.description and tool.annotations.title
         for name, schema in tool.input_schema["properties"].items():
             assert schema["description"], f"{tool.name}: {name}"
         assert tool.input_schema["additionalProperties"] is False
-        assert tool.annotations.read_only_hint == (tool.name in ("check", "run", "explain"))
+        assert tool.annotations.read_only_hint == (tool.name in ("check", "run", "explain", "references"))
     heat = next(tool for tool in listed if tool.name == "run").input_schema["properties"]["heatmap"]
     assert heat["enum"] == ["steps", "cost", "overdraw", "nan"], heat
 
@@ -210,12 +210,28 @@ async def test_run_accepts_options(tools):
     ):
         text, pictures, failed = await tools.call("run", code=ROOT, **options)
         assert not failed and size_of(pictures[0]) == expected, (options, text)
-    _, pictures, _ = await tools.call("run", code=PLAIN, sheet=4, width=64, height=36)
+    text, pictures, _ = await tools.call("run", code=PLAIN, sheet=4, width=64, height=36)
     assert size_of(pictures[0]) > (64, 36)
+    assert text.count("operations per pixel") == 4 and "3 s, frame 180" in text, text
     code = "#version 300 es\nprecision highp float;\nuniform float level;\nout vec4 color;\n" \
         "void main() { color = vec4(level); }\n"
     text = await tools.good("run", code=code, uniforms={"level": 0.25})
     assert "mean 0.250" in text, text
+
+
+async def test_references(tools):
+    (tools.folder / "sdf.glsl").write_text("float disc(vec2 p) { return length(p) - 1.0; }\n")
+    (tools.folder / "main.glsl").write_text(
+        '#include "sdf.glsl"\nfloat disc(float x) { return x; }\n'
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(disc(p) + disc(1.0)); }\n"
+    )
+    text = await tools.good("references", path="main.glsl", name="disc")
+    groups = [[line.rsplit(": ", 1)[0] for line in group.splitlines()] for group in text.split("\n\n")]
+    assert ["main.glsl:2:7: defined", "main.glsl:3:60: read"] in groups, text
+    assert ["main.glsl:3:50: read", "sdf.glsl:1:7: defined"] in groups, text
+    text = await tools.good("references", path="main.glsl", name="disc", line=2)
+    assert "sdf.glsl" not in text, text
+    assert "no symbol is named `disk`" in await tools.bad("references", path="main.glsl", name="disk")
 
 
 async def test_format(tools):

@@ -345,6 +345,21 @@ fn a_sheet_contains_images_at_several_times() {
     let at = |x: usize, y: usize| pixels[y * 76 + x];
     // The second image is drawn at one second, and green increases with time.
     assert_eq!((at(10, 10)[1], at(50, 10)[1]), (0, 255));
+    // The statistics of each frame.
+    let lines: Vec<&str> = ran
+        .out
+        .lines()
+        .filter(|l| l.starts_with("m.glsl:"))
+        .collect();
+    assert_eq!(lines.len(), 4, "{}", ran.out);
+    assert_eq!(lines[1], "m.glsl: 64x32, 1 s, frame 60");
+    assert_eq!(ran.out.matches("operations per pixel").count(), 4);
+    let ran = scratch.run(&[
+        "run", "m.glsl", "--size", "64x32", "--sheet", "2", "--every", "0.5", "--format", "json",
+    ]);
+    let sheet: serde_json::Value = serde_json::from_str(&ran.out).expect("JSON");
+    assert_eq!(sheet["frames"][1]["time"], 0.5);
+    assert!(sheet["frames"][0]["cost"]["operations"].as_u64() > Some(0));
 }
 
 #[test]

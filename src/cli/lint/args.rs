@@ -215,6 +215,9 @@ pub enum Command {
     Test(Box<super::super::test::TestArgs>),
     /// Minimise a shader while keeping a diagnostic
     Reduce(super::reduce::ReduceArgs),
+    /// List where the project of a file uses a name, with one group per symbol of this name
+    #[cfg(feature = "lsp")]
+    References(super::super::lsp::ReferencesArgs),
     /// Print the IR of a shader
     #[command(hide = true)]
     Ir {

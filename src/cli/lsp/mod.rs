@@ -6,10 +6,13 @@
 
 mod pages;
 mod parent;
+mod references;
 mod server;
 mod transport;
 mod workers;
 mod workspace;
+
+pub use references::{ReferencesArgs, references};
 
 use std::io;
 

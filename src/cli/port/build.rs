@@ -3,7 +3,7 @@
 use super::args::PortArgs;
 #[cfg(feature = "naga")]
 use super::complete;
-use super::load::{self, LoadedProject};
+use super::load::{self, LoadedProject, name_of};
 use super::report::{is_colored, report};
 use super::save::OutputPlace;
 use super::still::still;
@@ -81,7 +81,7 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
     let found = analyses.flat_map(|a| &a.diagnostics);
     let summary = report(&composed.sources, found, &made.remarks).map_err(|e| e.to_string())?;
     if summary.errors > 0 && !args.repair {
-        offer_repair(&composed);
+        offer_repair(&project, &composed, &name_of(args));
     }
     // Other languages require code that compiles.
     if target != Target::Glsl && target.is_shaders() && summary.errors > 0 {
@@ -211,8 +211,8 @@ fn print_repairs(repairs: &Repairs) -> io::Result<()> {
 }
 
 /// Suggests `--repair` if it would fix errors.
-fn offer_repair(composed: &Composed) {
-    let help = match repairable(composed) {
+fn offer_repair(project: &Project, composed: &Composed, name: &str) {
+    let help = match repairable(project, composed, name) {
         0 => return,
         1 => "help: `--repair` fixes 1 of these errors; `--diff` shows how".to_string(),
         n => format!("help: `--repair` fixes {n} of these errors; `--diff` shows how"),

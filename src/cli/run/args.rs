@@ -194,8 +194,8 @@ impl RunArgs {
             pass: self.pass.as_deref(),
             show: self.show.as_ref(),
             uniforms,
-            // Comparisons and contact sheets do not print the cost.
-            watch: match self.compare.is_some() || self.sheet.is_some() {
+            // Comparisons do not print the cost.
+            watch: match self.compare.is_some() {
                 true => Watch::Nothing,
                 false if self.report || self.pixel.is_some() => Watch::Numbers,
                 false => Watch::Flow,

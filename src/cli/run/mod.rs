@@ -71,9 +71,13 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         return traced(args, &loaded, &mut own, pixel);
     }
     if let Some(count) = args.sheet {
-        let sheet = sheet::draw(&mut own, args, count)?;
-        let written = write(args, &sheet, &loaded.read)?;
-        return Ok((show(args, &sheet, written.as_deref()), CLEAN));
+        let (sheet, mut facts) = sheet::draw(&loaded.shader, &mut own, args, count)?;
+        facts.output = write(args, &sheet, &loaded.read)?;
+        let text = match args.format {
+            RunFormat::Human => show(args, &sheet, facts.output.as_deref()) + &facts.text(),
+            RunFormat::Json => facts.json(),
+        };
+        return Ok((text, CLEAN));
     }
     let moment = args.moment();
     let progress = Progress::new(1);

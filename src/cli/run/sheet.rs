@@ -2,8 +2,8 @@
 
 use super::args::RunArgs;
 use super::progress::Progress;
-use crate::commands::run::{Bitmap, Shot, font, heat};
-use crate::engine::playback::{Moment, RenderedImage};
+use crate::commands::run::{Bitmap, Loaded, SheetFacts, Shot, font, frame, heat};
+use crate::engine::playback::Moment;
 
 /// Distance between two frames in pixels.
 const GAP: u32 = 4;
@@ -12,7 +12,12 @@ const TEXT: [u8; 3] = [220; 3];
 
 /// Draws a contact sheet of `count` frames. Each is drawn in full size and scaled down, because the
 /// shader may depend on the size of a pixel.
-pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, String> {
+pub fn draw(
+    loaded: &Loaded,
+    shot: &mut Shot,
+    args: &RunArgs,
+    count: u32,
+) -> Result<(Bitmap, SheetFacts), String> {
     let columns = columns(count);
     let small = args.size.map(|side| (side / columns).max(1));
     let scale = (small[0] / 80).clamp(1, 4);
@@ -23,15 +28,17 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
     let mut sheet = Bitmap::filled(size, GROUND);
     let first = args.moment();
     let progress = Progress::new(count);
+    let mut frames = Vec::new();
     for i in 0..count {
         let moment = Moment {
             mouse: first.mouse,
             ..Moment::at(first.time + f64::from(i) * args.every)
         };
-        let drawn = shot.drawn(&moment, &mut |frame| progress.frame(frame, moment.frame))?;
-        let image = Bitmap::of(&RenderedImage::of(shot.code(), &drawn, 0));
+        let mut report = |number| progress.frame(number, moment.frame);
+        let made = frame(loaded, shot, &moment, args.view(), &mut report)?;
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
-        sheet.paste(&image.shrunk(small), left, top);
+        sheet.paste(&made.bitmap.shrunk(small), left, top);
+        frames.push(made.facts);
         let caption = format!("{} S", heat::short(moment.time));
         font::write(
             &mut sheet,
@@ -42,7 +49,12 @@ pub fn draw(shot: &mut Shot, args: &RunArgs, count: u32) -> Result<Bitmap, Strin
         );
         progress.drew(i + 1);
     }
-    Ok(sheet)
+    let facts = SheetFacts {
+        schema: 1,
+        frames,
+        output: None,
+    };
+    Ok((sheet, facts))
 }
 
 /// Number of frames in a row.

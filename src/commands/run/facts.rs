@@ -43,6 +43,17 @@ pub struct RunFacts {
     pub notes: Vec<String>,
 }
 
+/// The result of drawing a contact sheet. The JSON format may gain fields, but never loses any.
+#[derive(Serialize)]
+pub struct SheetFacts {
+    /// Version of the JSON format.
+    pub schema: u32,
+    /// The statistics of each frame, in the order of time.
+    pub frames: Vec<RunFacts>,
+    /// Path of the image that was written.
+    pub output: Option<String>,
+}
+
 /// Position and button of the mouse.
 #[derive(Serialize)]
 pub struct MouseFacts {
@@ -186,17 +197,39 @@ impl RunFacts {
         if let Some(functions) = &self.functions {
             text.push_str(&functions::table(functions));
         }
-        if let Some(output) = &self.output {
-            text.push_str(&format!("  {:9} {output}\n", "written"));
-        }
+        text.push_str(&written(self.output.as_deref()));
         text
     }
 
     /// The JSON object for programs.
     pub fn json(&self) -> String {
-        let text = serde_json::to_string_pretty(self).unwrap_or_default();
-        format!("{text}\n")
+        json(self)
     }
+}
+
+impl SheetFacts {
+    /// The text for people.
+    pub fn text(&self) -> String {
+        let frames: String = self.frames.iter().map(RunFacts::text).collect();
+        frames + &written(self.output.as_deref())
+    }
+
+    /// The JSON object for programs.
+    pub fn json(&self) -> String {
+        json(self)
+    }
+}
+
+/// The line that says which file was written, if one was.
+fn written(output: Option<&str>) -> String {
+    output.map_or(String::new(), |output| {
+        format!("  {:9} {output}\n", "written")
+    })
+}
+
+fn json(facts: &impl Serialize) -> String {
+    let text = serde_json::to_string_pretty(facts).unwrap_or_default();
+    format!("{text}\n")
 }
 
 /// Formats a number with three decimals.

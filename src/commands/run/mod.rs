@@ -21,7 +21,7 @@ mod uniforms;
 pub use bitmap::Bitmap;
 pub use columns::{percent, seconds};
 pub use compare::{Compared, compare, compared_moments};
-pub use facts::RunFacts;
+pub use facts::{RunFacts, SheetFacts};
 pub use frame::{Frame, frame};
 pub use place::position;
 pub use setting::{FrameView, HeatMap, ShotSetting, Show, UniformText};

@@ -14,6 +14,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 
 pub use edits::fix_all;
+pub use navigation::name_uses;
 pub use workspace::diagnostics_of;
 
 /// Where a request is handled.

@@ -102,9 +102,7 @@ pub fn type_definition(
 /// All references to the symbol at a position, in all files of the workspace.
 pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option<Vec<Location>>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
-    let document = snapshot.document(buffer);
-    let related = Related::of(snapshot, &document, offset);
-    let found = ide::references(&related.all(), &document, offset, &snapshot.files);
+    let found = name_uses(snapshot, buffer, offset);
     let with_declaration = params.context.include_declaration;
     let is_listed = |access: NameUse| {
         with_declaration || !matches!(access, NameUse::Declared | NameUse::Defined)
@@ -115,6 +113,17 @@ pub fn references(snapshot: &Snapshot, params: ReferenceParams) -> Answer<Option
             .filter_map(|(place, _)| snapshot.location(place))
             .collect(),
     ))
+}
+
+/// All uses of the symbol at an offset of an open document, in the files of its project.
+pub fn name_uses(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    offset: u32,
+) -> Vec<(FileSpan, NameUse)> {
+    let document = snapshot.document(buffer);
+    let related = Related::of(snapshot, &document, offset);
+    ide::references(&related.all(), &document, offset, &snapshot.files)
 }
 
 /// All references to the symbol at a position in the same document.

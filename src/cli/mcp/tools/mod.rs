@@ -5,6 +5,7 @@ mod explain;
 mod fix;
 mod format;
 mod port;
+mod references;
 mod run;
 mod tool;
 
@@ -15,6 +16,7 @@ use explain::ExplainTool;
 use fix::FixTool;
 use format::FormatTool;
 use port::PortTool;
+use references::ReferencesTool;
 use rmcp::ErrorData;
 use rmcp::handler::server::tool::schema_for_input;
 use rmcp::model::{JsonObject, ToolAnnotations};
@@ -34,6 +36,7 @@ pub fn all() -> Result<Vec<rmcp::model::Tool>, ErrorData> {
         described::<RunTool>()?,
         described::<ExplainTool>()?,
         described::<PortTool>()?,
+        described::<ReferencesTool>()?,
     ])
 }
 
@@ -52,6 +55,7 @@ pub async fn call(
         FormatTool::NAME => called::<FormatTool>(arguments, program).await,
         RunTool::NAME => called::<RunTool>(arguments, program).await,
         ExplainTool::NAME => called::<ExplainTool>(arguments, program).await,
+        ReferencesTool::NAME => called::<ReferencesTool>(arguments, program).await,
         PortTool::NAME => called::<PortTool>(arguments, program).await,
         _ => {
             let message = format!("unknown tool `{name}`");

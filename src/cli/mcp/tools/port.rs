@@ -3,7 +3,7 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, ToolWrites, one_of};
+use super::tool::{Args, Tool, ToolWrites, in_parameters, one_of};
 use crate::cli::command::FAILED;
 use crate::port::{MainChoice, Target};
 use schemars::JsonSchema;
@@ -11,6 +11,19 @@ use serde::Deserialize;
 use std::fs;
 use std::io;
 use std::path::Path;
+
+/// The options of the command that messages name, with their parameters.
+const PARAMETERS: [(&str, &str); 9] = [
+    ("--target", "target"),
+    ("--from", "from"),
+    ("--host", "from"),
+    ("--channel", "channels"),
+    ("--media", "media"),
+    ("--main", "main"),
+    ("--force", "force"),
+    ("--repair", "repair"),
+    ("--verify", "verify"),
+];
 
 /// The arguments of `port`.
 #[derive(Deserialize, JsonSchema)]
@@ -67,7 +80,8 @@ impl Tool for PortTool {
         let inside = format!("{}/", made.display());
         args.option("--output", Some(self.output.as_ref().unwrap_or(&inside)));
         args.0.extend(input.args());
-        let done = program.run(args.0, input.text()).await?;
+        let mut done = program.run(args.0, input.text()).await?;
+        done.err = in_parameters(&done.err, &PARAMETERS);
         let mut answer = match &self.output {
             _ if done.code == i32::from(FAILED) => return Err(done.message()),
             Some(output) if Path::new(output).exists() => {

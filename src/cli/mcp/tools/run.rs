@@ -3,7 +3,7 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, ToolWrites, one_of};
+use super::tool::{Args, Tool, ToolWrites, in_parameters, one_of};
 use crate::cli::command::CLEAN;
 use crate::cli::run::Heat;
 use schemars::JsonSchema;
@@ -15,6 +15,21 @@ use std::fs;
 const MAX_PIXELS: u64 = 512 * 1024;
 /// Default size in pixels.
 const SIZE: (u32, u32) = (480, 270);
+
+/// The options of the command that messages name, with their parameters.
+const PARAMETERS: [(&str, &str); 11] = [
+    ("--channel", "channels"),
+    ("--from", "from"),
+    ("--host", "from"),
+    ("--pass", "pass"),
+    ("--uniforms", "uniforms"),
+    ("--time", "time"),
+    ("--frame", "frame"),
+    ("--mouse", "mouse"),
+    ("--show", "show"),
+    ("--heatmap", "heatmap"),
+    ("--report", "report"),
+];
 
 /// The arguments of `run`.
 #[derive(Deserialize, JsonSchema)]
@@ -86,7 +101,8 @@ impl Tool for RunTool {
             args.option("--output", Some(image.to_string_lossy()));
         }
         args.0.extend(input.args());
-        let done = program.run(args.0, input.text()).await?;
+        let mut done = program.run(args.0, input.text()).await?;
+        done.err = in_parameters(&done.err, &PARAMETERS);
         if done.code != i32::from(CLEAN) {
             return Err(done.message());
         }

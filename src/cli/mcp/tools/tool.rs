@@ -64,9 +64,51 @@ impl Args {
     }
 }
 
+/// A message of a command in the words of a tool: options of the command line as `parameters`, pairs of both
+/// names. `--channel 0=FILE` becomes `0=FILE` in `channels`.
+pub fn in_parameters(message: &str, parameters: &[(&str, &str)]) -> String {
+    let quoted = message.split('`').zip((0..).map(|n| n % 2 == 1));
+    let parts = quoted.map(|(part, is_quoted)| {
+        let (option, value) = part.split_once(' ').unwrap_or((part, ""));
+        let known = parameters
+            .iter()
+            .find(|(own, _)| is_quoted && *own == option);
+        match known {
+            None => part.to_string(),
+            Some((_, parameter)) if value.is_empty() => (*parameter).to_string(),
+            Some((_, parameter)) => format!("{value}` in `{parameter}"),
+        }
+    });
+    parts.collect::<Vec<_>>().join("`")
+}
+
 /// The schema of a string with the values that a command-line option accepts.
 pub fn one_of<T: ValueEnum>(_: &mut schemars::SchemaGenerator) -> Schema {
     let values = T::value_variants().iter();
     let names = values.filter_map(|v| Some(v.to_possible_value()?.get_name().to_string()));
     json_schema!({ "type": "string", "enum": names.collect::<Vec<_>>() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_name_the_parameters_of_the_tool() {
+        let reported = |message| {
+            in_parameters(
+                message,
+                &[("--repair", "repair"), ("--channel", "channels")],
+            )
+        };
+        assert_eq!(
+            reported("`--repair` fixes 1 of these errors; `--diff` shows how"),
+            "`repair` fixes 1 of these errors; `--diff` shows how"
+        );
+        assert_eq!(
+            reported("use `--channel 0=FILE`, or drop a file"),
+            "use `0=FILE` in `channels`, or drop a file"
+        );
+        assert_eq!(reported("`x` --repair `y"), "`x` --repair `y");
+    }
 }
