@@ -87,16 +87,17 @@ impl Document {
 fn other_branches(document: &Document) -> Vec<String> {
     let mut codes: Vec<(Span, Vec<ConditionalGroup>)> = Vec::new();
     for (program, _) in document.shaders() {
-        let Some(first) = program.tokens.inactive.first() else {
-            continue;
-        };
-        let Some(code) = document.report.sources.code_at(first.start) else {
-            continue;
-        };
-        let span = Span::new(code.base, code.base + code.text.len() as u32);
-        let is_own = document.report.in_input(Span::at(first.start)).is_some();
-        if is_own && codes.iter().all(|(known, _)| *known != span) {
-            codes.push((span, groups(code.text, code.base, program)));
+        // The first inactive code may be that of an included file.
+        let inactive = program.tokens.inactive.iter();
+        let own = inactive.filter(|span| document.report.in_input(Span::at(span.start)).is_some());
+        for span in own {
+            if codes.iter().any(|(known, _)| known.contains(*span)) {
+                continue;
+            }
+            if let Some(code) = document.report.sources.code_at(span.start) {
+                let span = Span::new(code.base, code.base + code.text.len() as u32);
+                codes.push((span, groups(code.text, code.base, program)));
+            }
         }
     }
     let mut texts = Vec::new();

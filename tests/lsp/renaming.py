@@ -156,6 +156,44 @@ def renaming_covers_includes(case):
 
 
 @test
+def renaming_reaches_branches_after_includes_with_branches(case):
+    """The included files have branches that are not compiled, too, before those of the text."""
+    client = case.client()
+    guard = "#ifdef %s\nfloat %s(float x) { return x; }\n#endif\n"
+    case.write("one.glsl", guard % ("ONE", "one"))
+    lights = case.write("lights.glsl", "struct Sun { vec3 way; float «def»power; };\n"
+                        "struct Lamp { vec3 place; float power; };\n" + guard % ("TWO", "two"))
+    user = case.write("user.glsl", """#include "one.glsl"
+#include "lights.glsl"
+float read(Sun sun) { return sun.«use»power; }
+float shade() {
+    #if defined(DAY)
+    Sun light;
+    #else
+    Lamp light;
+    #endif
+    #if defined(SOFT)
+    #if defined(DAY)
+    light.«day»power *= 0.5;
+    #else
+    light.«night»power *= 0.5;
+    #endif
+    #endif
+    return light.place.x;
+}
+""").open(client)
+    for place in ("use", "day"):
+        after = renamed(client, user, user[place], "strength")
+        text = user.text.replace("sun.power", "sun.strength")
+        text = text.replace("light.power", "light.strength", 1)
+        same(after[user.uri], text, "the text")
+        same(after[lights.uri], lights.text.replace("power", "strength", 1), "the included text")
+        client.write_all(user.uri, user.text)
+        case.write("lights.glsl", lights.text)
+        client.watched((lights.uri, CHANGED))
+
+
+@test
 def renaming_covers_the_passes_of_a_folder(case):
     client = case.client()
     body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(«%s»wave(p.x)); }\n"

@@ -184,7 +184,7 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  No errors, and no findings of rules with `fail = true`
   1  Errors, findings of rules with `fail = true`, or too many warnings
-  2  Wrong usage, or a file cannot be read or written";
+  2  Wrong usage, a file cannot be read or written, or a text is not GLSL";
 
 /// The commands besides checking.
 #[derive(Subcommand, Debug)]

@@ -55,14 +55,15 @@ pub struct Tokens {
     /// Spans of all comments.
     pub comments: Vec<Span>,
     /// Spans skipped by conditional directives, from the end of one directive to the start of the
-    /// next.
+    /// next, in the order of addresses.
     pub inactive: Vec<Span>,
     /// Groups from `#if` to `#endif` whose condition tests an undefined name, in source order, without
     /// those inside another one. Include guards are not listed.
     pub undecided: Vec<Span>,
     /// Where each such group starts and ends, also those inside another one.
     pub forks: Vec<u32>,
-    /// The inactive code of such groups, without what other conditions inside them make inactive.
+    /// The inactive code of such groups, without what other conditions inside them make
+    /// inactive, in the order of addresses.
     pub alternatives: Vec<Span>,
     /// All `#extension` directives, in source order.
     pub extensions: Vec<ExtensionUse>,
@@ -114,11 +115,19 @@ pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Pre
         tokens: Tokens {
             macros: pp.macros,
             undecided: outermost(std::mem::take(&mut pp.out.undecided)),
+            // Included files are read in the middle of others.
+            inactive: sorted(std::mem::take(&mut pp.out.inactive)),
+            alternatives: sorted(std::mem::take(&mut pp.out.alternatives)),
             ..pp.out
         },
         names: pp.names,
         diagnostics: pp.diagnostics,
     }
+}
+
+fn sorted(mut spans: Vec<Span>) -> Vec<Span> {
+    spans.sort_unstable();
+    spans
 }
 
 /// The groups that are not inside other groups, in source order.
