@@ -1,8 +1,9 @@
-// Bundles the extension, and writes the licences of its dependencies beside it: `extension.js` for Node, and
-// `browser.js` with its worker.
+// Bundles the extension into a folder, and writes the licences of its dependencies beside it: `extension.js` for
+// Node, and `browser.js` with its worker.
 import { build } from 'esbuild';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 
+const out = process.argv[2] ?? 'dist';
 const common = {
     bundle: true,
     external: ['vscode'],
@@ -16,9 +17,9 @@ const common = {
 // A module reads its own file only in Node.
 const browser = { platform: 'browser', target: 'es2022', external: ['vscode', 'node:fs/promises'] };
 const bundles = await Promise.all([
-    build({ ...common, entryPoints: ['src/node.ts'], outfile: 'dist/extension.js', platform: 'node', target: 'node18' }),
-    build({ ...common, ...browser, entryPoints: ['src/browser.ts'], outfile: 'dist/browser.js' }),
-    build({ ...common, ...browser, entryPoints: ['../../src/wasm/js/worker.js'], outfile: 'dist/worker.js', format: 'iife' }),
+    build({ ...common, entryPoints: ['src/node.ts'], outfile: `${out}/extension.js`, platform: 'node', target: 'node18' }),
+    build({ ...common, ...browser, entryPoints: ['src/browser.ts'], outfile: `${out}/browser.js` }),
+    build({ ...common, ...browser, entryPoints: ['../../src/wasm/js/worker.js'], outfile: `${out}/worker.js`, format: 'iife' }),
 ]);
 
 const folders = new Set(
@@ -32,4 +33,4 @@ const notices = [...folders].sort().map((folder) => {
     if (!file) throw new Error(`${name} has no licence`);
     return `${name} ${version}\n\n${readFileSync(`${folder}/${file}`, 'utf8').trim()}\n`;
 });
-writeFileSync('dist/licenses.txt', notices.join(`\n${'-'.repeat(79)}\n\n`));
+writeFileSync(`${out}/licenses.txt`, notices.join(`\n${'-'.repeat(79)}\n\n`));

@@ -50,16 +50,19 @@ class ServerPort {
 }
 
 export function activate(context: vscode.ExtensionContext): Promise<void> {
-    const inside = (name: string): vscode.Uri => vscode.Uri.joinPath(context.extensionUri, 'dist', name);
+    const read = async (name: string): Promise<Uint8Array<ArrayBuffer>> => {
+        const bytes = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(context.extensionUri, 'dist', name));
+        return bytes as Uint8Array<ArrayBuffer>;
+    };
     const files = new WorkspaceFiles();
     return activateIn({
         async createClient(options) {
-            const source = vscode.workspace.fs.readFile(inside('shaderport.wasm'));
-            const [bytes, sent] = await Promise.all([source, files.read()]);
-            const server = await startServer({
-                source: bytes as Uint8Array<ArrayBuffer>,
-                worker: () => new Worker(inside('worker.js').toString(true)),
-            });
+            const [bytes, script, sent] = await Promise.all([
+                read('shaderport.wasm'), read('worker.js'), files.read(),
+            ]);
+            // Not every host can start a worker from a file of an extension.
+            const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+            const server = await startServer({ source: bytes, worker: () => new Worker(address) });
             const initial = options.initializationOptions as object;
             const client = new QuietClient({
                 ...options,
