@@ -1,7 +1,9 @@
 // Starts the language server, and adds the views that the protocol does not have. `node.ts` and `browser.ts`
 // say what the server is.
 import * as vscode from 'vscode';
-import { type BaseLanguageClient, CloseAction, ErrorAction, type LanguageClientOptions } from 'vscode-languageclient';
+import {
+    type BaseLanguageClient, CloseAction, ErrorAction, type LanguageClientOptions, type Position, type Range,
+} from 'vscode-languageclient';
 import { Previews } from './preview';
 import { renameAt } from './rename';
 import { documentSelector, PREVIEW_COMMAND, RENAME_COMMAND, SECTION, serverSettings } from './settings';
@@ -41,9 +43,11 @@ export async function activateIn(host: Host, context: vscode.ExtensionContext): 
         previews,
         ...host.extend(previews),
         vscode.commands.registerCommand('shaderlint.restart', restart),
-        vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) => previews.open(place, shader)),
-        vscode.commands.registerCommand('shaderlint.tune', tune),
-        vscode.commands.registerCommand(RENAME_COMMAND, renameAt),
+        vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) =>
+            previews.open(typeof place === 'string' ? addressOf(place) : place, shader)),
+        vscode.commands.registerCommand('shaderlint.tune', (uri: string, range: Range, value: number, min: number, max: number) =>
+            tune(addressOf(uri), range, value, min, max)),
+        vscode.commands.registerCommand(RENAME_COMMAND, (uri: string, at: Position) => renameAt(addressOf(uri), at)),
         vscode.workspace.onDidChangeConfiguration((change) => {
             const restarts = host.startSettings.some((name) => change.affectsConfiguration(`${SECTION}.${name}`));
             if (restarts) void restart();
@@ -57,6 +61,11 @@ export async function activateIn(host: Host, context: vscode.ExtensionContext): 
 export async function deactivate(): Promise<void> {
     await last;
     await stop();
+}
+
+/** The address of a document that the server names in the arguments of a command. */
+function addressOf(uri: string): vscode.Uri {
+    return client ? client.protocol2CodeConverter.asUri(uri) : vscode.Uri.parse(uri);
 }
 
 async function start(host: Host, output: vscode.OutputChannel): Promise<void> {
