@@ -18,7 +18,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
-from project import ROOT, timestamp
+from project import ROOT, project, timestamp
 from targets import find, host
 
 SOURCES = ROOT / "editors/vscode"
@@ -64,7 +64,7 @@ def read_manifest():
     manifest = json.loads((SOURCES / "package.json").read_text())
     for name in ("scripts", "dependencies", "devDependencies"):
         del manifest[name]
-    return manifest
+    return manifest | {"version": project().version}
 
 
 def pack(manifest, files, bundles, target, out):

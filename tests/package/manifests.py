@@ -201,6 +201,9 @@ def check_others(npm):
     assert mason["name"] == "shaderlint" and mason["homepage"] == REPOSITORY
     assert mason["source"]["id"] == f"pkg:npm/shaderlint@{VERSION}"
     assert mason["bin"] == {name: f"npm:{name}" for name in npm["bin"]}
+    # Zed builds its extension from the repository.
+    zed = dict(re.findall('^(version|repository) = "(.*)"$', (ROOT / "editors/zed/extension.toml").read_text(), re.M))
+    assert zed == {"version": VERSION, "repository": REPOSITORY}
     # What `docker build` copies.
     docker = (OUT / "docker/Dockerfile").read_text()
     assert "\nFROM scratch\n" in docker and "COPY linux/${TARGETARCH}/ " in docker
