@@ -1,6 +1,6 @@
 //! The configurations among the files that the host sent.
 
-use super::workspace::MemoryFiles;
+use super::files::MemoryFiles;
 use shaderlint_engine::config::{Config, Selection, options, style};
 use shaderlint_engine::{Files, Options};
 use shaderlint_format::StyleChoice;

@@ -6,6 +6,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod configs;
+mod files;
 mod instance;
 #[cfg(feature = "port")]
 mod port;

@@ -1,7 +1,8 @@
 //! The language server, one message after the other.
 
+use super::files::MemoryFiles;
 use super::result::RequestResult;
-use super::workspace::{MemoryFiles, SentWorkspace};
+use super::workspace::SentWorkspace;
 use gen_lsp_types::Uri;
 use lsp_server::{ErrorCode, Message, Notification, Response};
 use serde::Deserialize;
