@@ -50,6 +50,7 @@ def write(checksums, out):
         f"winget/{identifier}.yaml": fill("winget.yaml", filled),
         f"winget/{identifier}.installer.yaml": fill("winget.installer.yaml", filled),
         f"winget/{identifier}.locale.en-US.yaml": fill("winget.locale.en-US.yaml", filled),
+        "mason/packages/shaderlint/package.yaml": fill("mason.yaml", filled),
         "mcp/server.json": as_json(server()),
     }
     put(files, out)

@@ -56,6 +56,12 @@ class Target:
         libc = {"": "", "glibc": "-gnu", "musl": "-musl"}[libc]
         return f"@shaderlint/{system}-{cpu}{libc}"
 
+    @property
+    def vscode(self):
+        """What VS Code calls it; for musl, after the one system that uses it."""
+        system, cpu, libc = self.npm
+        return f"{'alpine' if libc == 'musl' else system}-{cpu}"
+
     def runner(self):
         """The command before a program to run it here; `None` if that is not possible."""
         if not self.is_linux or platform.system() != "Linux":

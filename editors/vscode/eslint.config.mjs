@@ -19,7 +19,7 @@ export default defineConfig(
             '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true }],
         },
     },
-    { files: ['*.mjs'], languageOptions: { globals: { Object: 'readonly', URL: 'readonly' } } },
+    { files: ['*.mjs'], languageOptions: { globals: { Object: 'readonly', process: 'readonly', Promise: 'readonly', URL: 'readonly' } } },
     {
         // The shell of the preview runs in the webview, as it is.
         files: ['media/*.js'],

@@ -1,11 +1,11 @@
 //! Answers requests.
 
+use super::files::MemoryFiles;
 use super::requests::{
     CheckRequest, FixRequest, FormatRequest, ModuleRequest, OutputFormat, TextInput,
 };
 use super::result::RequestResult;
 use super::server::InstantServer;
-use super::workspace::MemoryFiles;
 use serde_json::{Value, json};
 use shaderlint_commands::{Recognition, explain, print, rule_list, rule_page};
 use shaderlint_engine::config::{Selection, options};

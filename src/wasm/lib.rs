@@ -5,6 +5,8 @@
 //! `js/index.js` does that. A panic ends the instance; the host then starts another one.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
+mod configs;
+mod files;
 mod instance;
 #[cfg(feature = "port")]
 mod port;

@@ -1,8 +1,8 @@
 //! The requests about ports.
 
+use super::files::MemoryFiles;
 use super::project::{ShaderText, load};
 use super::result::RequestResult;
-use super::workspace::MemoryFiles;
 use serde::Deserialize;
 use serde_json::json;
 use shaderlint_diagnostic::Severity;

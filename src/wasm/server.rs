@@ -1,20 +1,36 @@
 //! The language server, one message after the other.
 
+use super::files::MemoryFiles;
 use super::result::RequestResult;
-use super::workspace::OpenWorkspace;
-use lsp_server::{ErrorCode, Message, Response};
-use serde_json::Value;
-use shaderlint_lsp::{Session, initialized, run_buffer};
+use super::workspace::SentWorkspace;
+use gen_lsp_types::Uri;
+use lsp_server::{ErrorCode, Message, Notification, Response};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use shaderlint_lsp::{Session, initialized, path_of, run_buffer};
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// The notification that hands over files of the workspace.
+const FILES: &str = "shaderlint/files";
 
 /// A language server that answers at once. Shaders are run when the host asks for it.
 #[derive(Default)]
 pub struct InstantServer {
+    /// The files of the workspace that are not open.
+    files: Arc<MemoryFiles>,
     /// The conversation, after the request `initialize`.
     session: Option<Session>,
     /// Documents that changed since their shaders ran.
     changed: Vec<PathBuf>,
+}
+
+/// A file of the workspace that was read, changed or removed.
+#[derive(Deserialize)]
+struct SentFile {
+    uri: Uri,
+    /// `None` if it was removed.
+    text: Option<String>,
 }
 
 impl InstantServer {
@@ -34,6 +50,11 @@ impl InstantServer {
                 }
             }
             Message::Notification(sent) if sent.method == "exit" => self.session = None,
+            Message::Notification(sent) if sent.method == FILES => {
+                let changes = take_files(&self.files, &sent.params)?;
+                let method = "workspace/didChangeWatchedFiles".to_string();
+                session.notification(Notification::new(method, json!({ "changes": changes })));
+            }
             Message::Notification(sent) => session.notification(sent),
             Message::Response(response) => session.response(response),
         }
@@ -51,7 +72,13 @@ impl InstantServer {
             "initialize" => {
                 let site = params.pointer("/initializationOptions/site");
                 let site = site.and_then(Value::as_str).map(str::to_string);
-                let workspace = |_: &[PathBuf]| Arc::new(OpenWorkspace::new(site)) as _;
+                self.files = Arc::default();
+                if let Some(options) = params.get("initializationOptions") {
+                    take_files(&self.files, options)?;
+                }
+                let files = self.files.clone();
+                let workspace =
+                    |folders: &[PathBuf]| Arc::new(SentWorkspace::new(files, folders, site)) as _;
                 self.session = Some(Session::new(&params, workspace));
                 Response::new_ok(id, initialized(&params))
             }
@@ -94,6 +121,24 @@ impl InstantServer {
     }
 }
 
+/// Takes the field `files` of an object. Returns the changes, as watchers report them.
+fn take_files(files: &MemoryFiles, object: &Value) -> Result<Vec<Value>, String> {
+    let Some(sent) = object.get("files") else {
+        return Ok(Vec::new());
+    };
+    let sent = Vec::<SentFile>::deserialize(sent).map_err(|e| format!("files: {e}"))?;
+    let changes = sent.into_iter().filter_map(|SentFile { uri, text }| {
+        let was_there = files.put(path_of(&uri)?, text.as_deref());
+        let kind = match (was_there, text) {
+            (_, None) => 3,
+            (false, Some(_)) => 1,
+            (true, Some(_)) => 2,
+        };
+        Some(json!({ "uri": uri, "type": kind }))
+    });
+    Ok(changes.collect())
+}
+
 fn listed(messages: &[Message]) -> RequestResult {
     let all = messages.iter().map(|message| {
         let mut value = serde_json::to_value(message).map_err(|e| e.to_string())?;
@@ -133,31 +178,85 @@ mod tests {
         found.collect()
     }
 
-    #[test]
-    fn open_documents_are_the_passes_of_a_folder() {
+    fn start(options: &Value) -> InstantServer {
         let mut server = InstantServer::default();
         let start = lsp_server::Request {
             id: 1.into(),
             method: "initialize".to_string(),
-            params: json!({ "capabilities": {} }),
+            params: json!({
+                "capabilities": {},
+                "initializationOptions": options,
+                "workspaceFolders": [{ "uri": "file:///", "name": "all" }],
+            }),
         };
         server.message(start.into()).unwrap();
-        let image = "void mainImage(out vec4 c, in vec2 p) {\n    c = tint(p);\n}\n";
-        let of = |name: &str, found: &[&str]| {
-            let found = found.iter().map(ToString::to_string);
-            (name.to_string(), found.collect::<Vec<_>>())
-        };
+        server
+    }
+
+    fn of(name: &str, found: &[&str]) -> (String, Vec<String>) {
+        let found = found.iter().map(ToString::to_string);
+        (name.to_string(), found.collect())
+    }
+
+    const IMAGE: &str = "void mainImage(out vec4 c, in vec2 p) {\n    c = tint(p);\n}\n";
+    const COMMON: &str = "vec4 tint(vec2 p) {\n    return vec4(p, 0.0, 1.0);\n}\n";
+
+    #[test]
+    fn files_that_were_sent_are_used_until_they_are_opened() {
+        let file = |text: Option<&str>| json!({ "uri": "file:///a/common.glsl", "text": text });
+        let mut server = start(&json!({ "files": [file(Some(COMMON))] }));
+        assert_eq!(
+            open(&mut server, "a/image.glsl", IMAGE),
+            [of("a/image.glsl", &[])]
+        );
+        let mut put = |text| send(&mut server, FILES, json!({ "files": [file(text)] }));
+        let wrong = COMMON.replace("vec2 p", "float p");
+        assert_eq!(
+            put(Some(&wrong)),
+            [of(
+                "a/image.glsl",
+                &["constructor-arguments", "vector-size"]
+            )]
+        );
+        assert_eq!(put(None), [of("a/image.glsl", &["undeclared-name"])]);
+        assert_eq!(
+            open(&mut server, "a/common.glsl", COMMON),
+            [of("a/common.glsl", &[]), of("a/image.glsl", &[])]
+        );
+        // The open document counts.
+        let file = json!({ "files": [file(Some(&wrong))] });
+        let sent = send(&mut server, FILES, file);
+        assert!(sent.iter().all(|(_, found)| found.is_empty()), "{sent:?}");
+    }
+
+    #[test]
+    #[cfg(feature = "port")]
+    fn configurations_among_the_files_apply() {
+        let config =
+            |text: &str| json!({ "files": [{ "uri": "file:///a/shaderlint.toml", "text": text }] });
+        let mut server = start(&config("exclude = [\"image.glsl\"]"));
+        assert_eq!(
+            open(&mut server, "a/image.glsl", IMAGE),
+            [of("a/image.glsl", &[])]
+        );
+        let image = of("a/image.glsl", &["undeclared-name"]);
+        let changed = send(&mut server, FILES, config("exclude = [\"other.glsl\"]"));
+        assert_eq!(changed, std::slice::from_ref(&image));
+    }
+
+    #[test]
+    fn open_documents_are_the_passes_of_a_folder() {
+        let mut server = start(&json!({}));
         let unknown = of("image.glsl", &["undeclared-name"]);
         assert_eq!(
-            open(&mut server, "image.glsl", image),
+            open(&mut server, "image.glsl", IMAGE),
             std::slice::from_ref(&unknown)
         );
-        let common = "vec4 tint(vec2 p) {\n    return vec4(p, 0.0, 1.0);\n}\n";
-        let both = open(&mut server, "common.glsl", common);
+        let both = open(&mut server, "common.glsl", COMMON);
         assert_eq!(both, [of("common.glsl", &[]), of("image.glsl", &[])]);
         let change = json!({
             "textDocument": { "uri": "file:///common.glsl", "version": 2 },
-            "contentChanges": [{ "text": common.replace("vec2 p", "vec3 p").replace("(p, 0.0", "(p") }],
+            "contentChanges": [{ "text": COMMON.replace("vec2 p", "vec3 p").replace("(p, 0.0", "(p") }],
         });
         let changed = send(&mut server, "textDocument/didChange", change);
         let wrong = of("image.glsl", &["vector-size"]);

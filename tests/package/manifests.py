@@ -160,8 +160,23 @@ def check_server(npm):
     assert f"mcp-name: {server['name']} " in metadata
 
 
-def check_others():
-    """Homebrew, Scoop and winget."""
+def check_vscode():
+    """The packages for VS Code name their platform, and the one for browsers has no program."""
+    packages = sorted(OUT.glob("*.vsix"))
+    # One for each target that was built.
+    assert len(packages) == 1 + len(list(OUT.glob("shaderlint-*-*-*.tar.gz")) + list(OUT.glob("shaderlint-*.zip")))
+    for path in packages:
+        with zipfile.ZipFile(path) as package:
+            manifest = json.loads(package.read("extension/package.json"))
+            platform = re.search('TargetPlatform="(.*?)"', package.read("extension.vsixmanifest").decode())[1]
+            programs = [entry for entry in package.infolist() if entry.filename.startswith("extension/bin/")]
+        assert path.name == f"shaderlint-{platform}-{VERSION}.vsix" and manifest["version"] == VERSION
+        assert ("main" in manifest, "browser" in manifest) == ((False, True) if platform == "web" else (True, False))
+        assert all(entry.external_attr >> 16 & 0o111 for entry in programs) and bool(programs) == ("main" in manifest)
+
+
+def check_others(npm):
+    """Homebrew, Scoop, winget and mason."""
     formula = text("homebrew/shaderlint.rb")
     found = re.findall(r'url "(.*)"\n\s*sha256 "(.*)"', formula)
     found = {u.replace("#{homepage}", REPOSITORY).replace("#{version}", VERSION): c for u, c in found}
@@ -182,6 +197,13 @@ def check_others():
         for installer in manifest.get("Installers", []):
             assert installer["InstallerUrl"] == scoop["url"]
             assert installer["InstallerSha256"] == scoop["hash"].upper()
+    mason = yaml.safe_load(text("mason/packages/shaderlint/package.yaml"))
+    assert mason["name"] == "shaderlint" and mason["homepage"] == REPOSITORY
+    assert mason["source"]["id"] == f"pkg:npm/shaderlint@{VERSION}"
+    assert mason["bin"] == {name: f"npm:{name}" for name in npm["bin"]}
+    # Zed builds its extension from the repository.
+    zed = dict(re.findall('^(version|repository) = "(.*)"$', (ROOT / "editors/zed/extension.toml").read_text(), re.M))
+    assert zed == {"version": VERSION, "repository": REPOSITORY}
     # What `docker build` copies.
     docker = (OUT / "docker/Dockerfile").read_text()
     assert "\nFROM scratch\n" in docker and "COPY linux/${TARGETARCH}/ " in docker
@@ -194,7 +216,8 @@ def check_all():
     check_fallbacks()
     check_binstall()
     check_server(npm)
-    check_others()
+    check_vscode()
+    check_others(npm)
     for name, expected in SUMS.items():
         assert hashlib.sha256((OUT / name).read_bytes()).hexdigest() == expected, name
     for path in OUT.rglob("*"):

@@ -1,14 +1,18 @@
 // Tests the extension in an editor in a headless browser: diagnostics of a broken shader, and the
 // preview, which follows edits.
 //
-//   node editor.js FOLDER    FOLDER contains shaderlint.vsix; the editor writes its files there
+//   node editor.js FOLDER program    with the package for this platform, which is in FOLDER; the editor
+//                                    writes its files there
+//   node editor.js FOLDER web        with the package for browsers
 import { chromium } from 'playwright-core';
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 
-const work = process.argv[2];
+const isWeb = process.argv[3] === 'web';
+const packages = process.argv[2];
+const work = path.join(packages, process.argv[3]);
 const program = process.env.CODE_SERVER;
 /** Time limit in minutes. Each step waits for its own condition, however slow the machine is. */
 const MINUTES = Number(process.env.MINUTES ?? 60);
@@ -56,12 +60,13 @@ void main() {
 }
 \`;
 `;
-// A setting that names a program is machine-scoped, and applies to the machine of the extension host,
-// not to the browser.
-const MACHINE_SETTINGS = {
-  // The editor takes PATH from the user's shell.
-  'shaderlint.path': process.env.SHADERLINT,
-};
+// A file that is not open, and one that includes it.
+const TINT = 'vec3 tint(float x) {\n    return vec3(x, 0.5, 1.0 - x);\n}\n';
+const TINTED = `#include "tint.glsl"
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(tint(fragCoord.x / iResolution.x), 1.0);
+}
+`;
 const SETTINGS = {
   'workbench.startupEditor': 'none',
   'workbench.tips.enabled': false,
@@ -87,11 +92,13 @@ function prepare() {
   fs.writeFileSync(path.join(shaders, 'waves.glsl'), WAVES);
   fs.writeFileSync(path.join(shaders, 'glow.glsl'), GLOW);
   fs.writeFileSync(path.join(shaders, 'scene.js'), PAGE);
-  for (const [folder, settings] of [['User', SETTINGS], ['Machine', MACHINE_SETTINGS]]) {
-    fs.mkdirSync(path.join(work, 'user', folder), { recursive: true });
-    fs.writeFileSync(path.join(work, 'user', folder, 'settings.json'), JSON.stringify(settings));
-  }
-  execFileSync(program, args('--install-extension', path.join(work, 'shaderlint.vsix')), { stdio: 'pipe' });
+  fs.writeFileSync(path.join(shaders, 'tint.glsl'), TINT);
+  fs.writeFileSync(path.join(shaders, 'useit.glsl'), TINTED);
+  fs.mkdirSync(path.join(work, 'user/User'), { recursive: true });
+  fs.writeFileSync(path.join(work, 'user/User/settings.json'), JSON.stringify(SETTINGS));
+  const isWanted = (name) => name.endsWith('.vsix') && name.includes('-web-') === isWeb;
+  const [extension] = fs.readdirSync(packages).filter(isWanted);
+  execFileSync(program, args('--install-extension', path.join(packages, extension)), { stdio: 'pipe' });
   return shaders;
 }
 
@@ -116,7 +123,7 @@ async function start(shaders) {
 async function picture(page, name) {
   if (!process.env.SCREENSHOTS) return;
   await page.waitForTimeout(1000);
-  await page.screenshot({ path: path.join(process.env.SCREENSHOTS, `${name}.png`) });
+  await page.screenshot({ path: path.join(process.env.SCREENSHOTS, `${process.argv[3]}-${name}.png`) });
 }
 
 /** Opens a file and waits for a line with the text, because the tab appears before its content. */
@@ -337,6 +344,29 @@ async function costMap(page) {
   await picture(page, 'cost-map');
 }
 
+/** A file that is included and not open. */
+async function included(page) {
+  await openFile(page, 'useit.glsl', 'tint.glsl');
+  await until('the definition in another file', async (timeout) => {
+    await word(page, 'fragColor = vec4', 'tint').click({ timeout });
+    await page.keyboard.press('F12');
+    await page.locator('.tab.active', { hasText: 'tint.glsl' }).waitFor({ timeout });
+    return true;
+  });
+  await picture(page, 'included');
+}
+
+/** In the browser there is no command that needs the program. */
+async function commands(page) {
+  await page.keyboard.press('F1');
+  await page.locator('.quick-input-widget input[type=text]').fill('>Shaderlint: ');
+  const rows = page.locator('.quick-input-list .monaco-list-row');
+  await rows.filter({ hasText: 'Restart Language Server' }).waitFor();
+  assert.equal(await rows.filter({ hasText: 'Cost Map' }).count(), 0);
+  await picture(page, 'commands');
+  await page.keyboard.press('Escape');
+}
+
 const { server, address } = await start(prepare());
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM,
@@ -353,7 +383,8 @@ const limit = setTimeout(() => {
 }, MINUTES * 60_000);
 try {
   await connect(page, address);
-  for (const step of [findings, preview, editing, costMap, hopeless]) {
+  const steps = [findings, preview, editing, included, isWeb ? commands : costMap, hopeless];
+  for (const step of steps) {
     current = step.name;
     await step(page);
     console.log(`${step.name}: ok`);
@@ -367,4 +398,4 @@ try {
   // A graceful shutdown would wait half a minute for the browser to reconnect.
   process.kill(-server.pid, 'SIGKILL');
 }
-console.log('5 passed, 0 failed');
+console.log('6 passed, 0 failed');

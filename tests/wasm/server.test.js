@@ -123,12 +123,20 @@ test("a worker that is busy with a run is replaced", async (t) => {
   const client = await Client.start({ worker, pause: 1 });
   t.after(() => client.close());
   await client.open(URI, DARK);
+  const other = (text) => ({ files: [{ uri: "file:///lib.glsl", text }] });
+  client.notify("shaderlint/files", other("float lost;\n"));
+  client.notify("shaderlint/files", other("float kept;\n"));
   await isBusy;
   const ran = client.next((m) => m.params?.diagnostics?.length > 0);
   const position = { line: 1, character: 9 };
   const hover = await client.request("textDocument/hover", { textDocument: { uri: URI }, position });
   assert.match(JSON.stringify(hover.result), /vec2 uv/);
   assert.deepEqual(rules(await ran), ["dark-frame"]);
+  // The other worker has the files too.
+  await client.open("file:///user.glsl", '#include "lib.glsl"\nfloat f() { return kept; }\n');
+  const use = { textDocument: { uri: "file:///user.glsl" }, position: { line: 1, character: 20 } };
+  const found = await client.request("textDocument/definition", use);
+  assert.match(JSON.stringify(found.result), /lib\.glsl/);
 });
 
 test("a request that crashes the module gets an answer", async (t) => {

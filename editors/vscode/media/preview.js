@@ -105,8 +105,10 @@ function carry(from, to) {
 /** Frees the graphics memory now instead of at the next garbage collection. */
 function forget(frame) {
     const player = faceOf(frame)?.player;
+    // A player without its resources has no context any more.
+    const gl = player?.gl;
     player?.dispose?.();
-    player?.gl.getExtension('WEBGL_lose_context')?.loseContext();
+    gl?.getExtension('WEBGL_lose_context')?.loseContext();
     frame?.remove();
 }
 

@@ -1,49 +1,55 @@
-// Starts the language server, and adds the views that the protocol does not have.
+// Starts the language server, and adds the views that the protocol does not have. `node.ts` and `browser.ts`
+// say what the server is.
 import * as vscode from 'vscode';
-import { CloseAction, ErrorAction, LanguageClient, type LanguageClientOptions } from 'vscode-languageclient/node';
-import { binary } from './binary';
-import { CostMaps } from './costMap';
+import {
+    type BaseLanguageClient, CloseAction, ErrorAction, type LanguageClientOptions, type Position, type Range,
+} from 'vscode-languageclient';
 import { Previews } from './preview';
 import { renameAt } from './rename';
 import { documentSelector, PREVIEW_COMMAND, RENAME_COMMAND, SECTION, serverSettings } from './settings';
 import { tune } from './tune';
 
-/** A client that only logs its errors: the messages below tell the user, once. */
-class QuietClient extends LanguageClient {
-    override error(message: string, data?: unknown): void {
-        super.error(message, data, false);
-    }
+/** Where the extension runs. */
+export interface Host {
+    /** Creates a client of a server that has not started yet. */
+    createClient(options: LanguageClientOptions): Promise<BaseLanguageClient>;
+    /** What may be wrong with a server that does not answer. */
+    doubt(): string;
+    /** Adds what only this host can do. */
+    extend(previews: Previews): { dispose(): unknown }[];
+    /** Names of the settings that are read when the server starts. */
+    readonly startSettings: readonly string[];
 }
 
-let client: LanguageClient | undefined;
+let client: BaseLanguageClient | undefined;
 /** Whether the server has ever answered: one that has not is not restarted. */
 let hasStarted = false;
 /** The last start or stop: each one waits for the one before it. */
 let last: Promise<void> = Promise.resolve();
 
-export async function activate(context: vscode.ExtensionContext): Promise<void> {
+export async function activateIn(host: Host, context: vscode.ExtensionContext): Promise<void> {
     const output = vscode.window.createOutputChannel('shaderlint');
     const restart = (): Promise<void> => {
         last = last.then(async () => {
             await stop();
-            await start(context, output);
+            await start(host, output);
             previews.renew();
         });
         return last;
     };
     const previews = new Previews(context, () => client);
-    const maps = new CostMaps(() => binary(context), previews);
     context.subscriptions.push(
         output,
         previews,
-        maps,
+        ...host.extend(previews),
         vscode.commands.registerCommand('shaderlint.restart', restart),
-        vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) => previews.open(place, shader)),
-        vscode.commands.registerCommand('shaderlint.costMap', (place?: unknown) => maps.show(place)),
-        vscode.commands.registerCommand('shaderlint.tune', tune),
-        vscode.commands.registerCommand(RENAME_COMMAND, renameAt),
+        vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) =>
+            previews.open(typeof place === 'string' ? addressOf(place) : place, shader)),
+        vscode.commands.registerCommand('shaderlint.tune', (uri: string, range: Range, value: number, min: number, max: number) =>
+            tune(addressOf(uri), range, value, min, max)),
+        vscode.commands.registerCommand(RENAME_COMMAND, (uri: string, at: Position) => renameAt(addressOf(uri), at)),
         vscode.workspace.onDidChangeConfiguration((change) => {
-            const restarts = ['path', 'exports'].some((name) => change.affectsConfiguration(`${SECTION}.${name}`));
+            const restarts = host.startSettings.some((name) => change.affectsConfiguration(`${SECTION}.${name}`));
             if (restarts) void restart();
             else if (change.affectsConfiguration(SECTION)) tellSettings();
         }),
@@ -57,24 +63,28 @@ export async function deactivate(): Promise<void> {
     await stop();
 }
 
-async function start(context: vscode.ExtensionContext, output: vscode.OutputChannel): Promise<void> {
+/** The address of a document that the server names in the arguments of a command. */
+function addressOf(uri: string): vscode.Uri {
+    return client ? client.protocol2CodeConverter.asUri(uri) : vscode.Uri.parse(uri);
+}
+
+async function start(host: Host, output: vscode.OutputChannel): Promise<void> {
     hasStarted = false;
     try {
-        const command = binary(context);
-        client = createClient(command, output);
+        client = await host.createClient(clientOptions(output));
         await client.start().catch((error: unknown) => {
-            throw new Error(`\`${command} lsp\` does not respond. The program may be damaged or too old. (${String(error)})`);
+            throw new Error(`${host.doubt()} (${String(error)})`);
         });
         hasStarted = true;
     } catch (error) {
         client = undefined;
         output.appendLine(String(error));
-        void offerSetting(error instanceof Error ? error.message : String(error));
+        void offerSetting(error instanceof Error ? error.message : String(error), host);
     }
 }
 
-function createClient(command: string, output: vscode.OutputChannel): LanguageClient {
-    const options: LanguageClientOptions = {
+function clientOptions(output: vscode.OutputChannel): LanguageClientOptions {
+    return {
         documentSelector: documentSelector(),
         initializationOptions: serverSettings(),
         outputChannel: output,
@@ -97,8 +107,6 @@ function createClient(command: string, output: vscode.OutputChannel): LanguageCl
             closed: restartsWhileItHelps(output),
         },
     };
-    const server = { command, args: ['lsp'] };
-    return new QuietClient(SECTION, 'shaderlint', { run: server, debug: server }, options);
 }
 
 async function stop(): Promise<void> {
@@ -133,8 +141,9 @@ async function offerRestart(output: vscode.OutputChannel): Promise<void> {
     else if (chosen) output.show();
 }
 
-async function offerSetting(why: string): Promise<void> {
-    const chosen = await vscode.window.showErrorMessage(`Could not start the shaderlint language server: ${why}`, 'Open Settings');
+async function offerSetting(why: string, host: Host): Promise<void> {
+    const settings = host.startSettings.includes('path') ? ['Open Settings'] : [];
+    const chosen = await vscode.window.showErrorMessage(`Could not start the shaderlint language server: ${why}`, ...settings);
     if (chosen) await vscode.commands.executeCommand('workbench.action.openSettings', 'shaderlint.path');
 }
 

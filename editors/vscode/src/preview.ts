@@ -1,7 +1,7 @@
 // The preview of a shader next to its editor. The server creates the page; `media/preview.js` shows it,
 // and transfers the state of the player from one page to the next.
 import * as vscode from 'vscode';
-import { ErrorCodes, type LanguageClient, RequestType, ResponseError } from 'vscode-languageclient/node';
+import { type BaseLanguageClient, ErrorCodes, RequestType, ResponseError } from 'vscode-languageclient';
 
 const VIEW = 'shaderlint.preview';
 /** The delay between the last change and the request for a new page, in milliseconds. */
@@ -30,7 +30,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
 
     constructor(
         private readonly context: vscode.ExtensionContext,
-        private readonly client: () => LanguageClient | undefined,
+        private readonly client: () => BaseLanguageClient | undefined,
     ) {
         this.subscriptions = [
             vscode.window.registerWebviewPanelSerializer(VIEW, this),
@@ -104,7 +104,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
 
 class Preview {
     time = 0;
-    private timer: NodeJS.Timeout | undefined;
+    private timer: ReturnType<typeof setTimeout> | undefined;
     private asked: vscode.CancellationTokenSource | undefined;
     private isReady = false;
     private isStale = true;
@@ -113,7 +113,7 @@ class Preview {
         readonly panel: vscode.WebviewPanel,
         private readonly uri: vscode.Uri,
         private shown: Shown,
-        private readonly client: () => LanguageClient | undefined,
+        private readonly client: () => BaseLanguageClient | undefined,
     ) {
         panel.webview.onDidReceiveMessage((told: Told) => { this.hear(told); });
         panel.onDidChangeViewState(() => {

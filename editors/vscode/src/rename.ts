@@ -3,9 +3,9 @@ import * as vscode from 'vscode';
 import type { Position } from 'vscode-languageclient';
 
 /** Puts the cursor on the name at a position, and starts a rename. */
-export async function renameAt(uri: string, at: Position): Promise<void> {
+export async function renameAt(uri: vscode.Uri, at: Position): Promise<void> {
     const editor = vscode.window.activeTextEditor;
-    if (editor?.document.uri.toString() !== vscode.Uri.parse(uri).toString()) return;
+    if (editor?.document.uri.toString() !== uri.toString()) return;
     const place = new vscode.Position(at.line, at.character);
     editor.selection = new vscode.Selection(place, place);
     await vscode.commands.executeCommand('editor.action.rename');

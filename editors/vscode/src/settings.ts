@@ -34,12 +34,13 @@ export function documentSelector(): { scheme: string; language?: string; pattern
         'glsl', 'html', 'javascript', 'javascriptreact', 'typescript', 'typescriptreact', 'vue', 'svelte', 'astro',
         'markdown', 'mdx',
     ];
-    const selector: { scheme: string; language?: string; pattern?: string }[] = languages.flatMap((language) => [
-        { scheme: 'file', language },
-        { scheme: 'untitled', language },
-    ]);
+    // In a virtual workspace, files have another scheme.
+    const folders = (vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.scheme);
+    const schemes = [...new Set(['file', ...folders])];
+    const selector: { scheme: string; language?: string; pattern?: string }[] = languages.flatMap((language) =>
+        [...schemes, 'untitled'].map((scheme) => ({ scheme, language })));
     if (vscode.workspace.getConfiguration(SECTION).get<boolean>('exports', true)) {
-        selector.push({ scheme: 'file', language: 'json', pattern: '**/*.{json,shadertoy}' });
+        selector.push(...schemes.map((scheme) => ({ scheme, language: 'json', pattern: '**/*.{json,shadertoy}' })));
     }
     return selector;
 }

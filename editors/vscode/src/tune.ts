@@ -6,8 +6,8 @@ import type { Range } from 'vscode-languageclient';
 const STEPS = 4;
 
 /** Asks for a new value for the number at `range`, and writes it. */
-export async function tune(uri: string, range: Range, value: number, min: number, max: number): Promise<void> {
-    const document = await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
+export async function tune(uri: vscode.Uri, range: Range, value: number, min: number, max: number): Promise<void> {
+    const document = await vscode.workspace.openTextDocument(uri);
     const { start, end } = range;
     const place = new vscode.Range(start.line, start.character, end.line, end.character);
     const before = document.getText(place);

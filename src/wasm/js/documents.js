@@ -16,6 +16,8 @@ function offset(text, { line, character }) {
 export class Documents {
   #initialize;
   #settings;
+  /** What changed in the files of the workspace since `initialize`. */
+  #files = new Map();
   #open = new Map();
 
   /** Takes a message of the client. Returns whether a text changed. */
@@ -26,6 +28,9 @@ export class Documents {
         return false;
       case "workspace/didChangeConfiguration":
         this.#settings = params;
+        return true;
+      case "shaderlint/files":
+        for (const file of params.files) this.#files.set(file.uri, file);
         return true;
       case "textDocument/didOpen":
         this.#open.set(params.textDocument.uri, { ...params.textDocument });
@@ -57,6 +62,7 @@ export class Documents {
     yield { ...of("initialize", this.#initialize.params), id: this.#initialize.id };
     yield of("initialized", {});
     if (this.#settings) yield of("workspace/didChangeConfiguration", this.#settings);
+    if (this.#files.size > 0) yield of("shaderlint/files", { files: [...this.#files.values()] });
     for (const textDocument of this.#open.values()) {
       yield of("textDocument/didOpen", { textDocument: { ...textDocument } });
     }
