@@ -16,7 +16,7 @@ const MOST_NEEDS: usize = 128;
 
 /// What is assumed about a macro.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum AssumedMacro {
+enum AssumedValue {
     Undefined,
     Defined,
     Value(i64),
@@ -24,22 +24,22 @@ enum AssumedMacro {
 
 /// What is assumed about macros that a text does not define itself, by name.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct Assumptions(BTreeMap<String, AssumedMacro>);
+pub struct AssumedMacros(BTreeMap<String, AssumedValue>);
 
-impl Assumptions {
+impl AssumedMacros {
     /// Whether no macro is assumed to be defined.
     pub fn is_empty(&self) -> bool {
-        self.0.values().all(|a| *a == AssumedMacro::Undefined)
+        self.0.values().all(|a| *a == AssumedValue::Undefined)
     }
 
     /// Whether a name is that of a macro whose value is assumed, or of any assumed macro.
     pub fn replaces(&self, name: &str, is_any: bool) -> bool {
         let assumed = self.0.get(name);
-        assumed.is_some_and(|a| is_any || matches!(a, AssumedMacro::Value(_)))
+        assumed.is_some_and(|a| is_any || matches!(a, AssumedValue::Value(_)))
     }
 
     /// Adds other assumptions, unless they contradict these; returns whether it did.
-    pub fn join(&mut self, others: &Assumptions) -> bool {
+    pub fn join(&mut self, others: &AssumedMacros) -> bool {
         let mut all = self.clone();
         let is_joined = others
             .0
@@ -52,8 +52,8 @@ impl Assumptions {
     }
 
     /// Adds an assumption, unless it contradicts what is known; returns whether it did.
-    fn add(&mut self, name: &str, assumed: AssumedMacro) -> bool {
-        use AssumedMacro::{Defined, Value};
+    fn add(&mut self, name: &str, assumed: AssumedValue) -> bool {
+        use AssumedValue::{Defined, Value};
         match (self.0.get(name).copied(), assumed) {
             (None, _) | (Some(Defined), Value(_)) => {
                 self.0.insert(name.to_string(), assumed);
@@ -68,20 +68,20 @@ impl Assumptions {
     /// an unknown name elsewhere.
     pub fn definitions(&self) -> String {
         let each = self.0.iter().map(|(name, assumed)| match assumed {
-            AssumedMacro::Undefined => String::new(),
-            AssumedMacro::Defined => format!("#define {name} {name}\n"),
-            AssumedMacro::Value(value) => format!("#define {name} {value}\n"),
+            AssumedValue::Undefined => String::new(),
+            AssumedValue::Defined => format!("#define {name} {name}\n"),
+            AssumedValue::Value(value) => format!("#define {name} {value}\n"),
         });
         each.collect()
     }
 }
 
-impl fmt::Display for Assumptions {
+impl fmt::Display for AssumedMacros {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let defined = self.0.iter().filter_map(|(name, assumed)| match assumed {
-            AssumedMacro::Undefined => None,
-            AssumedMacro::Defined => Some(format!("`{name}` is defined")),
-            AssumedMacro::Value(value) => Some(format!("`{name}` is {value}")),
+            AssumedValue::Undefined => None,
+            AssumedValue::Defined => Some(format!("`{name}` is defined")),
+            AssumedValue::Value(value) => Some(format!("`{name}` is {value}")),
         });
         f.write_str(&defined.collect::<Vec<_>>().join(" and "))
     }
@@ -91,7 +91,7 @@ impl fmt::Display for Assumptions {
 pub struct BranchNeeds {
     /// By the address from which on they apply: the assumptions; `None` where no macro selects the
     /// branch.
-    marks: BTreeMap<u32, Option<Assumptions>>,
+    marks: BTreeMap<u32, Option<AssumedMacros>>,
     /// The addresses of branches that are not compiled, in source order.
     excluded: Vec<u32>,
 }
@@ -120,8 +120,8 @@ impl BranchNeeds {
     }
 
     /// What the branches need that are not compiled, as far as macros select them.
-    pub fn excluded(&self) -> Vec<&Assumptions> {
-        let mut found: Vec<&Assumptions> = Vec::new();
+    pub fn excluded(&self) -> Vec<&AssumedMacros> {
+        let mut found: Vec<&AssumedMacros> = Vec::new();
         for needs in self.excluded.iter().filter_map(|at| self.at(*at)) {
             if found.len() < MOST_NEEDS && !found.contains(&needs) {
                 found.push(needs);
@@ -131,7 +131,7 @@ impl BranchNeeds {
     }
 
     /// What the branch at an address needs.
-    pub fn at(&self, address: u32) -> Option<&Assumptions> {
+    pub fn at(&self, address: u32) -> Option<&AssumedMacros> {
         let (_, needs) = self.marks.range(..=address).next_back()?;
         needs.as_ref().filter(|needs| !needs.is_empty())
     }
@@ -151,14 +151,14 @@ fn fixed_names(program: &Program) -> FxHashSet<String> {
 /// A group under construction.
 struct OpenGroup<'t> {
     /// What the code around the group needs.
-    around: Option<Assumptions>,
+    around: Option<AssumedMacros>,
     /// The conditions of the branches so far.
-    conditions: Vec<Condition<'t>>,
+    conditions: Vec<BranchCondition<'t>>,
 }
 
 /// The words of a condition.
 #[derive(Clone)]
-struct Condition<'t> {
+struct BranchCondition<'t> {
     directive: &'t str,
     words: Vec<&'t str>,
 }
@@ -166,7 +166,7 @@ struct Condition<'t> {
 struct GroupReader<'t> {
     is_fixed: FxHashSet<String>,
     open: Vec<OpenGroup<'t>>,
-    marks: BTreeMap<u32, Option<Assumptions>>,
+    marks: BTreeMap<u32, Option<AssumedMacros>>,
 }
 
 impl<'t> GroupReader<'t> {
@@ -184,7 +184,7 @@ impl<'t> GroupReader<'t> {
             };
             let mut words = line.iter().filter(|t| !is_blank(t.kind)).map(word);
             let directive = words.next().unwrap_or("");
-            let condition = Condition {
+            let condition = BranchCondition {
                 directive,
                 words: words.collect(),
             };
@@ -200,7 +200,7 @@ impl<'t> GroupReader<'t> {
         }
     }
 
-    fn directive(&mut self, condition: Condition<'t>) {
+    fn directive(&mut self, condition: BranchCondition<'t>) {
         match condition.directive {
             "if" | "ifdef" | "ifndef" if self.open.len() < DEEPEST => {
                 let around = self.needs();
@@ -222,9 +222,9 @@ impl<'t> GroupReader<'t> {
     }
 
     /// What the code after the last directive needs.
-    fn needs(&self) -> Option<Assumptions> {
+    fn needs(&self) -> Option<AssumedMacros> {
         let Some(group) = self.open.last() else {
-            return Some(Assumptions::default());
+            return Some(AssumedMacros::default());
         };
         let (own, earlier) = group.conditions.split_last()?;
         if earlier.len() >= MOST_BRANCHES {
@@ -237,14 +237,14 @@ impl<'t> GroupReader<'t> {
             }
         }
         // The largest value that no earlier branch tests.
-        let mut others: FxHashMap<&str, AssumedMacro> = FxHashMap::default();
+        let mut others: FxHashMap<&str, AssumedValue> = FxHashMap::default();
         for (name, assumed) in earlier.iter().flat_map(|c| self.wanted(c, false)) {
             let Some(assumed) = assumed else {
                 continue;
             };
             let known = others.entry(name).or_insert(assumed);
-            if let (AssumedMacro::Value(a), AssumedMacro::Value(b)) = (*known, assumed) {
-                *known = AssumedMacro::Value(a.max(b));
+            if let (AssumedValue::Value(a), AssumedValue::Value(b)) = (*known, assumed) {
+                *known = AssumedValue::Value(a.max(b));
             }
         }
         for (name, assumed) in others {
@@ -258,9 +258,9 @@ impl<'t> GroupReader<'t> {
     /// What makes the tests of a condition true, or false; `None` if it is unknown.
     fn wanted(
         &self,
-        condition: &Condition<'t>,
+        condition: &BranchCondition<'t>,
         truth: bool,
-    ) -> Vec<(&'t str, Option<AssumedMacro>)> {
+    ) -> Vec<(&'t str, Option<AssumedValue>)> {
         let words: Vec<&'t str> = condition
             .words
             .iter()
@@ -280,8 +280,8 @@ impl<'t> GroupReader<'t> {
             let assumed = if is_test(i) {
                 let is_negated = i > 1 && word(i - 2) == "!" || condition.directive == "ifndef";
                 match is_negated == truth {
-                    true => Some(AssumedMacro::Undefined),
-                    false => Some(AssumedMacro::Defined),
+                    true => Some(AssumedValue::Undefined),
+                    false => Some(AssumedValue::Defined),
                 }
             } else {
                 let is_negated = i > 0 && word(i - 1) == "!";
@@ -302,7 +302,7 @@ impl<'t> GroupReader<'t> {
 }
 
 /// A value for which a test of a macro is true, or false.
-fn value(operator: &str, with: &str, truth: bool) -> Option<AssumedMacro> {
+fn value(operator: &str, with: &str, truth: bool) -> Option<AssumedValue> {
     let with: Option<i64> = with.parse().ok();
     let value = match (operator, with) {
         ("==" | ">=" | "<=", Some(n)) if truth => n,
@@ -314,5 +314,5 @@ fn value(operator: &str, with: &str, truth: bool) -> Option<AssumedMacro> {
         ("" | "&&" | "||", _) => i64::from(truth),
         _ => return None,
     };
-    Some(AssumedMacro::Value(value))
+    Some(AssumedValue::Value(value))
 }

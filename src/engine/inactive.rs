@@ -5,11 +5,10 @@
 //! with all macros that can be defined together and with only those that its branch needs, whatever
 //! other groups select.
 
-use super::assumption::{Assumptions, BranchNeeds};
-use super::check::ask_first;
+use super::assumption::{AssumedMacros, BranchNeeds};
 use super::shader_input::ShaderInput;
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Certainty, Diagnostic, Severity};
+use shaderlint_diagnostic::{Applicability, Certainty, Diagnostic, Severity};
 use shaderlint_semantic::{Checked, Program};
 use shaderlint_syntax::ast::TokenId;
 use shaderlint_syntax::{RawItem, RawKind, raw_items, tokenize};
@@ -31,7 +30,7 @@ pub fn report(sources: &Arc<Sources>, part: &ShaderInput, checked: &mut Checked)
     let mut left = branches.excluded();
     let mut found: Vec<Diagnostic> = Vec::new();
     for _ in 0..MOST_CHECKS {
-        let mut together = Assumptions::default();
+        let mut together = AssumedMacros::default();
         left.retain(|needs| !together.join(needs));
         if together.is_empty() {
             break;
@@ -40,7 +39,7 @@ pub fn report(sources: &Arc<Sources>, part: &ShaderInput, checked: &mut Checked)
     }
     let mut reported: FxHashSet<Span> = FxHashSet::default();
     found.retain(|d| reported.insert(d.span));
-    let mut confirmed: Vec<(&Assumptions, Vec<Diagnostic>)> = Vec::new();
+    let mut confirmed: Vec<(&AssumedMacros, Vec<Diagnostic>)> = Vec::new();
     for mut d in found {
         let Some(needs) = branches.at(d.span.start) else {
             continue;
@@ -55,7 +54,10 @@ pub fn report(sources: &Arc<Sources>, part: &ShaderInput, checked: &mut Checked)
         if again.is_some_and(|(_, all)| all.iter().any(is_again)) {
             d.severity = Severity::Warning;
             d.notes.push(format!("an error if {needs}"));
-            ask_first(std::slice::from_mut(&mut d));
+            // Fixes there are not verified.
+            if let Some(fix) = &mut d.fix {
+                fix.applicability = Applicability::Unsafe;
+            }
             checked.diagnostics.push(d);
         }
     }
@@ -68,7 +70,7 @@ fn mistakes(
     sources: &Arc<Sources>,
     part: &ShaderInput,
     program: &Program,
-    assumed: &Assumptions,
+    assumed: &AssumedMacros,
 ) -> Vec<Diagnostic> {
     let mut sources = Sources::clone(sources);
     let Some(readings) = part
