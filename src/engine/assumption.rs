@@ -231,14 +231,14 @@ impl<'t> GroupReader<'t> {
             return None;
         }
         let mut needs = group.around.clone()?;
-        for (name, assumed) in self.wanted(own, true) {
+        for (name, assumed) in self.needed(own, true) {
             if !needs.add(name, assumed?) {
                 return None;
             }
         }
         // The largest value that no earlier branch tests.
         let mut others: FxHashMap<&str, AssumedValue> = FxHashMap::default();
-        for (name, assumed) in earlier.iter().flat_map(|c| self.wanted(c, false)) {
+        for (name, assumed) in earlier.iter().flat_map(|c| self.needed(c, false)) {
             let Some(assumed) = assumed else {
                 continue;
             };
@@ -256,7 +256,7 @@ impl<'t> GroupReader<'t> {
     }
 
     /// What makes the tests of a condition true, or false; `None` if it is unknown.
-    fn wanted(
+    fn needed(
         &self,
         condition: &BranchCondition<'t>,
         truth: bool,
