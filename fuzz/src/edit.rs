@@ -98,7 +98,7 @@ fn in_outline(document: &Document, item: &OutlineItem) {
 }
 
 fn at_place(document: &Document, at: u32) {
-    if let Some(hover) = hover(document, at, None) {
+    if let Some(hover) = hover(document, at, None, &NoFiles) {
         assert!(is_inside(document, hover.span), "{hover:?}");
     }
     let (word, _) = complete(document, at, &NoFiles);
@@ -114,7 +114,7 @@ fn at_place(document: &Document, at: u32) {
     for (place, _) in references(&[document], document, at, &NoFiles) {
         assert!(is_inside(document, place.span), "{place:?}");
     }
-    signature_help(document, at);
+    signature_help(document, at, &NoFiles);
     if call_item(document, at).is_some() {
         incoming(&[document], document, at);
         outgoing(document, at);

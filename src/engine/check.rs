@@ -4,6 +4,7 @@ use super::analysis::Analysis;
 use super::check_context::Keep;
 use super::host::Hosts;
 use super::hosted;
+use super::inactive;
 use super::options::{DialectChoice, Options};
 use super::playback::Supply;
 use super::reading::{Readings, lacking};
@@ -57,6 +58,9 @@ pub fn check_shader(
     let missing = version::missing(sources, part, &checked, hosts);
     checked.diagnostics.extend(missing);
     version::lower_reserved_words(sources, part, &mut checked);
+    if !part.readings.is_shown() {
+        inactive::report(sources, part, &mut checked);
+    }
     let reported = report_shader(
         sources,
         part,

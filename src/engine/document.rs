@@ -64,6 +64,11 @@ impl Report {
         self.holds_others
     }
 
+    /// The embedded shaders of a page, script or document.
+    pub fn embedded(&self) -> &[Embedded] {
+        &self.embedded
+    }
+
     /// Whether the fix of a finding can be written to the file.
     pub fn can_apply(&self, diagnostic: &Diagnostic) -> bool {
         let fix = diagnostic.fix.as_ref();

@@ -6,6 +6,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod analysis;
+mod assumption;
 mod check;
 mod check_context;
 pub mod config;
@@ -20,6 +21,7 @@ mod format;
 mod group;
 mod host;
 mod hosted;
+mod inactive;
 mod include;
 mod input;
 mod leading_blanks;

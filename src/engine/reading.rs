@@ -397,6 +397,26 @@ impl Readings {
         Some(())
     }
 
+    /// The readings as parts of a shader that defines these macros before.
+    pub fn with_macros(&self, sources: &mut Sources, definitions: &str) -> Option<Readings> {
+        let mut found = self.clone();
+        if found.presumed != PresumedCompleteness::Excerpt {
+            found.presumed = PresumedCompleteness::Chunk;
+        }
+        for reading in &mut found.all {
+            let prelude = sources.add("", None, Role::Prelude, definitions)?;
+            let first = reading.files.first().and_then(|id| sources.code(*id))?;
+            match first.role == Role::Prelude {
+                true => reading.files.insert(1, prelude),
+                false => {
+                    let files = std::mem::take(&mut reading.files);
+                    reading.files = after_version(sources, files, prelude)?;
+                }
+            }
+        }
+        Some(found)
+    }
+
     /// Checks the text in all readings, and returns the best result.
     pub fn check<'u>(&'u self, sources: &'u Arc<Sources>, infer_channels: bool) -> Option<Checked> {
         let completeness = match self.presumed {

@@ -5,10 +5,9 @@
 
 use super::document::Document;
 use super::index::is_inactive;
-use super::lines::{RawItem, is_blank, raw_items};
 use shaderlint_engine::Files;
 use shaderlint_semantic::Program;
-use shaderlint_syntax::{RawKind, RawToken, tokenize};
+use shaderlint_syntax::{RawItem, RawKind, RawToken, is_blank, raw_items, tokenize};
 use shaderlint_text::Span;
 
 /// Maximum number of texts.
@@ -66,6 +65,24 @@ impl Document {
             let texts = other_branches(self).into_iter();
             texts.map(|text| self.read_as(text, files)).collect()
         })
+    }
+
+    /// The alternative that compiles the code at an offset, if the document itself does not.
+    pub(super) fn compiled_at(&self, offset: u32, files: &dyn Files) -> &Document {
+        let spot = self.spot(offset);
+        if !spot.is_some_and(|spot| is_inactive(spot.program(), Span::at(spot.address))) {
+            return self;
+        }
+        let around = offset.saturating_sub(1) as usize..offset as usize + 1;
+        let own = self.text.get(around.clone());
+        let is_blank = own.is_none_or(|code| code.trim().is_empty());
+        let mut others = match is_blank {
+            true => [].iter(),
+            false => self.alternatives(files).iter(),
+        };
+        // Where an alternative does not compile the code, it is blank.
+        let other = others.find(|other| other.text.get(around.clone()) == own);
+        other.unwrap_or(self)
     }
 
     /// The document, and its alternatives if code that it does not compile contains a word.

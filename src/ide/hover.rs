@@ -6,6 +6,7 @@ use super::library::entry;
 use super::run::RunObservations;
 use super::symbol::{Symbol, builtin_variable, declared_at};
 use shaderlint_diagnostic::count;
+use shaderlint_engine::Files;
 use shaderlint_flow::Bound;
 use shaderlint_flow::ranges::Interval;
 use shaderlint_host::Feed;
@@ -25,8 +26,17 @@ pub struct Hover {
     pub text: String,
 }
 
-/// The hover at an offset; `seen` holds the results of sample runs.
-pub fn hover(document: &Document, offset: u32, seen: Option<&RunObservations>) -> Option<Hover> {
+/// The hover at an offset, also in code that is not compiled; `seen` holds the results of sample
+/// runs.
+pub fn hover(
+    document: &Document,
+    offset: u32,
+    seen: Option<&RunObservations>,
+    files: &dyn Files,
+) -> Option<Hover> {
+    let compiled = document.compiled_at(offset, files);
+    let seen = seen.filter(|_| std::ptr::eq(compiled, document));
+    let document = compiled;
     let spot = document.spot(offset)?;
     let facts = spot.analysis.facts();
     let (span, text) = match spot.name() {

@@ -1,11 +1,10 @@
 //! Index of the names in a shader, with the symbols that they refer to.
 
-use super::lines::{RawItem, raw_items};
 use super::symbol::Symbol;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_semantic::{FunctionRef, Program, Resolution, VariableId};
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Name, RawKind, RawToken, TokenKind, tokenize};
+use shaderlint_syntax::{Name, RawItem, RawKind, RawToken, TokenKind, raw_items, tokenize};
 use shaderlint_text::{CompiledText, Span};
 
 /// How a symbol is used by an occurrence of its name.

@@ -18,7 +18,6 @@ mod hover;
 mod index;
 mod lens;
 mod library;
-mod lines;
 mod navigate;
 mod outline;
 mod preview;
@@ -55,4 +54,4 @@ pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_
 pub use selection::selection;
 pub use signature::{Signature, SignatureHelp, signature_help};
 pub use symbol::{Symbol, SymbolKind};
-pub use tokens::{SemanticKind, SemanticToken, TokenClass, semantic_tokens};
+pub use tokens::{PlainClass, SemanticKind, SemanticToken, TokenClass, semantic_tokens};

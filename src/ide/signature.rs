@@ -3,6 +3,7 @@
 use super::document::{Document, Spot};
 use super::library::entry;
 use super::symbol::{parameters, typed};
+use shaderlint_engine::Files;
 use shaderlint_semantic::builtins::{Builtins, Overload};
 use shaderlint_semantic::{Program, Type};
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};
@@ -39,9 +40,13 @@ pub(super) struct OpenCall {
 /// Maximum length in bytes of the searched code before the position.
 const MOST: usize = 4_000;
 
-/// The signature help at an offset.
-pub fn signature_help(document: &Document, offset: u32) -> Option<SignatureHelp> {
-    let spot = document.spot(offset)?;
+/// The signature help at an offset, also in code that is not compiled.
+pub fn signature_help(
+    document: &Document,
+    offset: u32,
+    files: &dyn Files,
+) -> Option<SignatureHelp> {
+    let spot = document.compiled_at(offset, files).spot(offset)?;
     let call = open_call(&spot)?;
     let program = spot.program();
     let mut signatures = of_function(program, &call.name);

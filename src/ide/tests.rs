@@ -290,7 +290,24 @@ fn the_names_of_a_host_are_offered() {
 /// The hover at the marker.
 fn hovered(text: &str) -> String {
     let (document, at) = marked(text);
-    hover(&document, at, None).map_or(String::new(), |h| h.text)
+    hover(&document, at, None, &NoFiles).map_or(String::new(), |h| h.text)
+}
+
+#[test]
+fn hovers_and_signatures_in_code_that_is_not_compiled() {
+    let text = "#ifdef HIGH\nfloat f(vec2 at, float k) { return |at.x * k; }\n\
+        #elif defined(LOW)\nfloat f(float at) { return at; }\n#endif\n\
+        void main() { color = vec4(1); }\n";
+    assert!(hovered(text).contains("vec2 at"));
+    let text = text.replace('|', "").replace("return at;", "return |at;");
+    assert!(hovered(&text).contains("float at"));
+    let (document, at) = marked(
+        "#ifdef HIGH\nfloat f(vec2 at, float k) { return at.x * k; }\n\
+        float g() { return f(vec2(1), |2.0); }\n#endif\nvoid main() { color = vec4(1); }\n",
+    );
+    let help = signature_help(&document, at, &NoFiles).unwrap();
+    assert_eq!(help.signatures[0].label, "float f(vec2 at, float k)");
+    assert_eq!(help.argument, 1);
 }
 
 #[test]
@@ -326,7 +343,7 @@ fn what_a_host_of_the_users_gives_is_shown() {
     let text = "void main() { gl_FragColor = vec4(beat); }\n";
     let document = Document::new("/a.glsl", text.into(), Arc::new(options), &NoFiles);
     let at = text.find("beat").unwrap() as u32;
-    let description = hover(&document, at, None).unwrap().text;
+    let description = hover(&document, at, None, &NoFiles).unwrap().text;
     assert!(
         description.contains(shaderlint_host::Feed::Time.description()),
         "{description}"
@@ -353,7 +370,7 @@ fn what_was_found_out_is_kept() {
     };
     let ask = |question: usize| {
         match question {
-            0 => assert!(hover(&document, at("x); }"), None).is_some()),
+            0 => assert!(hover(&document, at("x); }"), None, &NoFiles).is_some()),
             1 => assert!(!lenses(&document, &[]).is_empty()),
             2 => assert!(!hints(&document, all, iterations, &[]).is_empty()),
             3 => assert!(call_item(&document, at("f(float")).is_some()),
@@ -393,7 +410,7 @@ fn a_call_that_is_open_shows_its_argument() {
     let (document, at) = marked(
         "float f(vec2 p, float k) { return p.x * k; }\nvoid main() { color = vec4(f(vec2(1, 2), |)); }\n",
     );
-    let help = signature_help(&document, at).unwrap();
+    let help = signature_help(&document, at, &NoFiles).unwrap();
     assert_eq!(
         (help.signatures[0].label.as_str(), help.argument),
         ("float f(vec2 p, float k)", 1)
@@ -442,5 +459,52 @@ fn estimates_and_runs_count_the_same() {
         assert!(most <= estimate, "{code}: {most} of {estimate}");
         // All code runs except one side of `?:`.
         assert!(estimate - most <= 1.0, "{code}: {most} of {estimate}");
+    }
+}
+
+/// The tokens of a script, with their kinds.
+fn script_tokens(text: &str) -> Vec<(String, SemanticKind)> {
+    let options = Arc::new(Options::default());
+    let document = Document::new("/a.js", text.into(), options, &NoFiles);
+    let all = semantic_tokens(&document).into_iter();
+    let shown = |span: Span| document.text[span.start as usize..span.end as usize].to_string();
+    all.map(|token| (shown(token.span), token.kind)).collect()
+}
+
+#[test]
+fn strings_without_a_grammar_have_all_tokens() {
+    let code = "precision highp float;\n// Sums\nuniform float time;\n#define A 2.0\n\
+        void main() { gl_FragColor = vec4(time * A + ${more}); }\n";
+    let found = script_tokens(&format!("const shader = `{code}`;\n"));
+    let kind = |word: &str| {
+        let mut all = found.iter().filter(|(text, _)| text == word);
+        all.next().map(|(_, kind)| *kind)
+    };
+    for (word, expected) in [
+        ("precision", SemanticKind::Plain(PlainClass::Keyword)),
+        ("float", SemanticKind::Plain(PlainClass::Type)),
+        ("// Sums", SemanticKind::Plain(PlainClass::Comment)),
+        ("#", SemanticKind::Plain(PlainClass::Keyword)),
+        ("define", SemanticKind::Plain(PlainClass::Keyword)),
+        ("2.0", SemanticKind::Plain(PlainClass::Number)),
+        ("*", SemanticKind::Plain(PlainClass::Operator)),
+        ("vec4", SemanticKind::Plain(PlainClass::Type)),
+        ("time", SemanticKind::Symbol(TokenClass::Variable)),
+        ("A", SemanticKind::Symbol(TokenClass::Macro)),
+    ] {
+        assert_eq!(kind(word), Some(expected), "{word}: {found:?}");
+    }
+    assert!(
+        found
+            .iter()
+            .all(|(text, _)| !text.contains("more") && text != "const")
+    );
+    for tag in ["glsl", "/* glsl */ "] {
+        let found = script_tokens(&format!("const shader = {tag}`{code}`;\n"));
+        let is_plain = |(_, kind): &(String, SemanticKind)| matches!(kind, SemanticKind::Plain(_));
+        assert!(
+            !found.is_empty() && !found.iter().any(is_plain),
+            "{found:?}"
+        );
     }
 }

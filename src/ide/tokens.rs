@@ -1,11 +1,13 @@
-//! Semantic tokens: the kind of each name, and inactive code.
+//! Semantic tokens: the kind of each name, and inactive code; in strings that no grammar of an
+//! editor highlights, also all other tokens.
 
 use super::document::Document;
 use super::index::NameUse;
 use super::symbol::{Symbol, SymbolKind};
 use shaderlint_semantic::Program;
-use shaderlint_syntax::{RawKind, tokenize};
+use shaderlint_syntax::{RawKind, RawToken, TokenKind, WordClass, classify, tokenize};
 use shaderlint_text::Span;
+use shaderlint_text::embed::{Embedded, Wrapping};
 
 /// The kind of a semantic token.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -14,6 +16,21 @@ pub enum SemanticKind {
     Symbol(TokenClass),
     /// Inactive code.
     Inactive,
+    /// Any other token.
+    Plain(PlainClass),
+}
+
+/// Classes of tokens by their spelling.
+#[expect(missing_docs, reason = "variants are named as in the protocol")]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum PlainClass {
+    Comment,
+    Function,
+    Keyword,
+    Number,
+    Operator,
+    Type,
+    Variable,
 }
 
 /// Classes of names for highlighting.
@@ -59,6 +76,11 @@ pub fn semantic_tokens(document: &Document) -> Vec<SemanticToken> {
             unseen(document, *span, &mut found);
         }
     }
+    for embedded in document.report.embedded() {
+        if !is_highlighted(&document.text, embedded) {
+            plain_tokens(document, embedded, &mut found);
+        }
+    }
     found.sort_unstable();
     let mut end = 0;
     // Several passes may contain the same text: the first determines its tokens.
@@ -97,28 +119,92 @@ fn token(program: &Program, symbol: Symbol, access: NameUse, span: Span) -> Sema
     }
 }
 
+/// A token without modifiers.
+fn unmodified(span: Span, kind: SemanticKind) -> SemanticToken {
+    SemanticToken {
+        span,
+        kind,
+        is_declaration: false,
+        is_readonly: false,
+        is_modification: false,
+        is_library: false,
+    }
+}
+
+/// The lines of a text that starts at an address, without line breaks; a comment may have several.
+fn lines(text: &str, mut start: u32) -> impl Iterator<Item = Span> {
+    text.split_inclusive('\n').map(move |line| {
+        let shown = line.trim_end_matches(['\n', '\r']).len() as u32;
+        let span = Span::new(start, start + shown);
+        start += line.len() as u32;
+        span
+    })
+}
+
 /// The lines of an inactive group.
 fn unseen(document: &Document, span: Span, found: &mut Vec<SemanticToken>) {
-    let text = document.report.sources.text(span);
-    for raw in tokenize(text, span.start) {
+    let sources = &document.report.sources;
+    for raw in tokenize(sources.text(span), span.start) {
         if matches!(raw.kind, RawKind::Whitespace | RawKind::Newline) {
             continue;
         }
-        // A comment may span several lines.
-        let mut start = raw.span.start;
-        for line in document.report.sources.text(raw.span).split_inclusive('\n') {
-            let shown = line.trim_end_matches(['\n', '\r']).len() as u32;
-            if let Some(span) = document.report.in_input(Span::new(start, start + shown)) {
-                found.push(SemanticToken {
-                    span,
-                    kind: SemanticKind::Inactive,
-                    is_declaration: false,
-                    is_readonly: false,
-                    is_modification: false,
-                    is_library: false,
-                });
-            }
-            start += line.len() as u32;
+        let all = lines(sources.text(raw.span), raw.span.start);
+        let own = all.filter_map(|line| document.report.in_input(line));
+        found.extend(own.map(|span| unmodified(span, SemanticKind::Inactive)));
+    }
+}
+
+/// Whether the grammar of an editor highlights a shader: it is no string, or one with a tag, with a
+/// comment that names the language, or with `#version` at its start.
+fn is_highlighted(text: &str, embedded: &Embedded) -> bool {
+    let before = text.get(..embedded.start).unwrap_or("");
+    match embedded.wrapping {
+        Wrapping::Quotes => false,
+        Wrapping::Template => {
+            let before = before.trim_end().trim_end_matches('`').trim_end();
+            let is_tag = before.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+            let has_comment = before.ends_with("*/");
+            let code = embedded.code.trim_start();
+            is_tag && !before.ends_with("return") || has_comment || code.starts_with("#version")
         }
+        Wrapping::Element | Wrapping::Fence | Wrapping::Listing => true,
+    }
+}
+
+/// All tokens of a shader in a string; what the string's language inserts is left out.
+fn plain_tokens(document: &Document, embedded: &Embedded, found: &mut Vec<SemanticToken>) {
+    let base = embedded.start as u32;
+    let Some(spot) = document.spot(base) else {
+        return;
+    };
+    let tokens = tokenize(&embedded.code, base);
+    let word = |raw: &RawToken| {
+        let range = (raw.span.start - base) as usize..(raw.span.end - base) as usize;
+        embedded.code.get(range).unwrap_or("")
+    };
+    let mut is_directive = false;
+    for (i, raw) in tokens.iter().enumerate() {
+        let is_name = std::mem::replace(&mut is_directive, raw.kind == RawKind::Hash);
+        let class = match raw.kind {
+            RawKind::LineComment | RawKind::BlockComment | RawKind::OpenComment => {
+                PlainClass::Comment
+            }
+            RawKind::Integer | RawKind::Float => PlainClass::Number,
+            RawKind::Operator(_) => PlainClass::Operator,
+            RawKind::Hash => PlainClass::Keyword,
+            RawKind::Word if is_name => PlainClass::Keyword,
+            RawKind::Word => match classify(word(raw), spot.program().version) {
+                WordClass::Keyword(_) => PlainClass::Keyword,
+                WordClass::Type(_) => PlainClass::Type,
+                _ => match tokens.get(i + 1).map(|next| next.kind) {
+                    Some(RawKind::Operator(TokenKind::LeftParen)) => PlainClass::Function,
+                    _ => PlainClass::Variable,
+                },
+            },
+            _ => continue,
+        };
+        let spans = lines(word(raw), raw.span.start);
+        let own = spans.filter(|span| embedded.is_verbatim(&document.text, *span));
+        found.extend(own.map(|span| unmodified(span, SemanticKind::Plain(class))));
     }
 }

@@ -38,6 +38,10 @@ const ELSEWHERE: f32 = 0.3;
 const AFTER: f32 = 4.0;
 /// Additional weight of a use after the same two tokens.
 const AFTER_TWO: f32 = 20.0;
+/// Additional weight of a use after the same word, whatever is between.
+const AFTER_WORD: f32 = 5.0;
+/// Additional weight of a use after the same two words.
+const AFTER_TWO_WORDS: f32 = 20.0;
 /// Additional weight of a use before the same token.
 const BEFORE: f32 = 6.0;
 /// Additional weight of a name that is declared before the place and not used yet.
@@ -52,7 +56,7 @@ impl<'t> Usage<'t> {
     pub fn of(text: &'t str, offset: u32) -> Usage<'t> {
         let mut seen: Vec<SeenWord> = Vec::new();
         let mut state = PlaceState::default();
-        let mut before = ["", ""];
+        let mut before = WordContext::default();
         // What is at the offset: its place, the tokens before, and the number of words before.
         let mut here = None;
         let mut next: Option<&str> = None;
@@ -88,7 +92,10 @@ impl<'t> Usage<'t> {
                 });
             }
             state.pass(token.kind, word);
-            before = [before[1], word];
+            before.tokens = [before.tokens[1], word];
+            if is_word && !is_hole {
+                before.words = [before.words[1], word];
+            }
         }
         let (place, before, at) = here.unwrap_or((state.place(), before, seen.len()));
         let next = next.unwrap_or("");
@@ -115,7 +122,7 @@ impl<'t> Usage<'t> {
 fn weights<'t>(
     seen: &[SeenWord<'t>],
     place: WordPlace,
-    before: [&str; 2],
+    before: WordContext,
     next: &str,
     at: usize,
 ) -> FxHashMap<&'t str, f32> {
@@ -130,10 +137,16 @@ fn weights<'t>(
         if used.place != place {
             weight *= ELSEWHERE;
         }
-        if used.before[1] == before[1] {
+        if used.before.tokens[1] == before.tokens[1] {
             weight += AFTER;
-            if used.before[0] == before[0] {
+            if used.before.tokens[0] == before.tokens[0] {
                 weight += AFTER_TWO;
+            }
+        }
+        if used.before.words[1] == before.words[1] {
+            weight += AFTER_WORD;
+            if used.before.words[0] == before.words[0] {
+                weight += AFTER_TWO_WORDS;
             }
         }
         if !next.is_empty() && used.next == next {
@@ -147,11 +160,19 @@ fn weights<'t>(
     weights
 }
 
+/// What precedes a word.
+#[derive(Clone, Copy, Default)]
+struct WordContext<'t> {
+    /// The last two tokens.
+    tokens: [&'t str; 2],
+    /// The last two words.
+    words: [&'t str; 2],
+}
+
 /// A word of the text.
 struct SeenWord<'t> {
     word: &'t str,
-    /// The two tokens before.
-    before: [&'t str; 2],
+    before: WordContext<'t>,
     /// The token after.
     next: &'t str,
     place: WordPlace,

@@ -3,11 +3,11 @@
 use super::client::Client;
 use gen_lsp_types::{CodeActionKind, SymbolKind};
 use serde_json::{Value, json};
-use shaderlint_ide::{RefactorKind, SymbolKind as Kind, TokenClass};
+use shaderlint_ide::{PlainClass, RefactorKind, SymbolKind as Kind, TokenClass};
 use std::borrow::Cow;
 
 /// Semantic token types, indexed by number.
-pub const TOKEN_TYPES: [&str; 7] = [
+pub const TOKEN_TYPES: [&str; 11] = [
     "variable",
     "parameter",
     "property",
@@ -15,6 +15,10 @@ pub const TOKEN_TYPES: [&str; 7] = [
     "struct",
     "macro",
     "comment",
+    "keyword",
+    "number",
+    "operator",
+    "type",
 ];
 /// Semantic token modifiers, indexed by bit.
 pub const TOKEN_MODIFIERS: [&str; 4] =
@@ -34,6 +38,19 @@ pub const fn token_type(class: TokenClass) -> u32 {
 
 /// The token type of code that the preprocessor removes.
 pub const INACTIVE: u32 = 6;
+
+/// The index of a class of tokens by their spelling in [`TOKEN_TYPES`].
+pub const fn plain_type(class: PlainClass) -> u32 {
+    match class {
+        PlainClass::Variable => 0,
+        PlainClass::Function => 3,
+        PlainClass::Comment => 6,
+        PlainClass::Keyword => 7,
+        PlainClass::Number => 8,
+        PlainClass::Operator => 9,
+        PlainClass::Type => 10,
+    }
+}
 
 /// Changes of documents are sent as changes, not as full texts.
 const INCREMENTAL: u32 = 2;

@@ -7,6 +7,7 @@ pub mod ast;
 mod foreign;
 mod language;
 mod lexer;
+mod lines;
 mod names;
 mod parser;
 mod preprocessor;
@@ -19,6 +20,7 @@ mod translation;
 pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use language::{ES_100, ES_300, Feature, LanguageProfile};
 pub use lexer::{Lexer, tokenize, unsplice};
+pub use lines::{RawItem, is_blank, raw_items};
 pub use names::{Name, Names, TypeWord, Version, WordClass, classify};
 pub use parser::{
     Choice, Correction, Parse, ParseOptions, has_same_letters, keyword_near, parse, parse_corrected,

@@ -3,7 +3,7 @@
 use crate::buffers::TextBuffer;
 #[cfg(feature = "preview")]
 use crate::capabilities::PREVIEW;
-use crate::capabilities::{INACTIVE, token_type};
+use crate::capabilities::{INACTIVE, plain_type, token_type};
 use crate::position::text_edits;
 use crate::snapshot::{Answer, Snapshot};
 use gen_lsp_types::*;
@@ -26,6 +26,7 @@ fn colored(snapshot: &Snapshot, buffer: &TextBuffer, within: Option<Span>) -> Ve
         let kind = match token.kind {
             SemanticKind::Symbol(class) => token_type(class),
             SemanticKind::Inactive => INACTIVE,
+            SemanticKind::Plain(class) => plain_type(class),
         };
         let bits = [
             token.is_declaration,

@@ -25,7 +25,7 @@ pub fn hover(snapshot: &Snapshot, params: HoverParams) -> Answer<Option<Hover>> 
     let seen = snapshot.seen(buffer);
     let shader = document.spot(offset).map(|spot| spot.shader);
     let seen = shader.and_then(|at| seen.get(at)).and_then(Option::as_ref);
-    let Some(found) = ide::hover(&document, offset, seen) else {
+    let Some(found) = ide::hover(&document, offset, seen, &snapshot.files) else {
         return Ok(None);
     };
     let mut text = found.text;
@@ -195,7 +195,7 @@ pub fn signature_help(
 ) -> Answer<Option<SignatureHelp>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
-    let Some(found) = ide::signature_help(&document, offset) else {
+    let Some(found) = ide::signature_help(&document, offset, &snapshot.files) else {
         return Ok(None);
     };
     let signatures = found.signatures.into_iter().map(|signature| {

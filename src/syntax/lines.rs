@@ -1,6 +1,6 @@
 //! Raw tokens, with each directive as one item.
 
-use shaderlint_syntax::{RawKind, RawToken};
+use crate::token::{RawKind, RawToken};
 
 /// A directive, or a token outside of directives.
 pub enum RawItem<'t> {
