@@ -31,7 +31,7 @@ impl LineLayout<'_> {
     fn hanging_in_bracket(&self, at: usize) -> (u32, Option<u32>) {
         let indent = self.style.indent.width();
         let Some(open) = self.role(at).bracket.map(|b| b as usize) else {
-            return (self.statement_column + indent, None);
+            return (self.point.statement_column + indent, None);
         };
         let bracket = self.placed(open);
         let line = self.starts.get(bracket.line as usize).copied().unwrap_or(0);
@@ -51,6 +51,7 @@ impl LineLayout<'_> {
     /// last line of the same kind.
     fn lined_up(&mut self, at: usize, item: &FormatItem) -> Option<usize> {
         if let Some(sibling) = self.sibling(at).and_then(|s| *s)
+            && let sibling = sibling as usize
             && self
                 .item(sibling)
                 .is_some_and(|i| i.column == item.column && i.breaks > 0)
@@ -58,9 +59,9 @@ impl LineLayout<'_> {
             return Some(sibling);
         }
         let line = self.before(at)?.line;
-        let above = self.items.iter().enumerate().take(at).skip(self.statement);
+        let above = self.items.iter().enumerate().take(at).skip(self.point.statement);
         let above = above.rev().take_while(|(_, i)| i.line == line);
-        let mut above = above.filter(|(i, _)| *i != self.statement);
+        let mut above = above.filter(|(i, _)| *i != self.point.statement);
         let found = above.find(|(_, i)| i.column == item.column && !i.is_comment());
         // If the line above was broken, that item may be further up now.
         let last = self.starts.len().saturating_sub(1) as u32;

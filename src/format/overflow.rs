@@ -39,7 +39,7 @@ struct LevelBreaks {
 impl LineLayout<'_> {
     /// Assigns positions to the items after `at` on its line if the line is too long.
     pub(super) fn fit(&mut self, at: usize) {
-        if self.lines == Lines::Kept || self.inline.is_some() {
+        if self.lines == Lines::Kept || self.point.inline.is_some() {
             return;
         }
         let to = self.line_end(at);
@@ -49,13 +49,13 @@ impl LineLayout<'_> {
         if to <= at + 1 || column + self.flat(at, to) + after <= self.style.width {
             return;
         }
-        self.is_over = true;
+        self.point.is_over = true;
         if self.is_table_row(at, to) {
             return;
         }
-        self.laid = to;
-        self.after = after;
-        self.last = to;
+        self.point.laid = to;
+        self.point.after = after;
+        self.point.last = to;
         self.lay(LinePart { from: at, to });
     }
 
@@ -102,7 +102,7 @@ impl LineLayout<'_> {
 
     /// Whether items fit on a line that starts at `column`.
     fn fits_at(&self, column: u32, from: usize, to: usize) -> bool {
-        let after = if to == self.last { self.after } else { 0 };
+        let after = if to == self.point.last { self.point.after } else { 0 };
         column + self.flat(from, to) + after <= self.style.width
     }
 
@@ -121,8 +121,8 @@ impl LineLayout<'_> {
 
     fn lay_flat(&mut self, from: usize, to: usize) {
         for i in from..to {
-            if let Some(item) = self.items.get(i) {
-                self.go_on(i, item);
+            if let Some(item) = self.items.get(i).copied() {
+                self.go_on(i, &item);
             }
         }
     }
@@ -130,7 +130,7 @@ impl LineLayout<'_> {
     /// The possible breaks of a part that cost the least.
     fn level_breaks(&self, part: LinePart) -> Option<(u32, LevelBreaks)> {
         // An operator at the end of the line stays there.
-        let to = part.to.min(self.laid.saturating_sub(1));
+        let to = part.to.min(self.point.laid.saturating_sub(1));
         let candidates = (part.from + 1..to).filter_map(|i| Some((self.cost(i)?, i)));
         let mut least = u32::MAX;
         let mut at = Vec::new();
@@ -229,7 +229,7 @@ impl LineLayout<'_> {
         let Some(at) = before.find(is_assigned).map(|i| i + 1) else {
             return false;
         };
-        let column = self.statement_column + self.style.indent.width();
+        let column = self.point.statement_column + self.style.indent.width();
         let is_short = self.flat(*last, part.to) <= 2 * STUB;
         if !(is_outer(first) && is_short && self.fits_at(column, at, part.to)) {
             return false;
@@ -263,7 +263,7 @@ impl LineLayout<'_> {
         let mut was_broken = is_split || !first_fits;
         for (n, &(a, b)) in parts.iter().enumerate().skip(1) {
             let blank = u32::from(self.blanks.get(a) == Some(&true));
-            if !was_broken && self.ends_before(width, self.end + blank, a, b) {
+            if !was_broken && self.ends_before(width, self.point.end + blank, a, b) {
                 self.lay_flat(a, b);
                 continue;
             }
@@ -286,11 +286,11 @@ impl LineLayout<'_> {
     /// Assigns positions to a part and to the items after it up to `end`, which stay on its last
     /// line.
     fn lay_with(&mut self, part: LinePart, end: usize) {
-        let (last, after) = (self.last, self.after);
-        self.after = 1 + self.flat(part.to, end) + if end == last { after } else { 0 };
-        self.last = part.to;
+        let (last, after) = (self.point.last, self.point.after);
+        self.point.after = 1 + self.flat(part.to, end) + if end == last { after } else { 0 };
+        self.point.last = part.to;
         self.lay(part);
-        (self.last, self.after) = (last, after);
+        (self.point.last, self.point.after) = (last, after);
         self.lay_flat(part.to, end);
     }
 
@@ -370,7 +370,7 @@ impl LineLayout<'_> {
 
     /// Starts a new line before an item, although the source does not.
     fn break_before(&mut self, at: usize) {
-        let Some(item) = self.items.get(at) else {
+        let Some(item) = self.items.get(at).copied() else {
             return;
         };
         let (column, depends_on) = self.hanging(at);
@@ -384,7 +384,7 @@ impl LineLayout<'_> {
         };
         self.put(at, place);
         self.new_line(at);
-        self.finish(item, column);
+        self.finish(&item, column);
     }
 
     /// The cost of a line break before an item; `None` where it is not allowed.
@@ -411,7 +411,7 @@ impl LineLayout<'_> {
 
     /// Whether an item belongs to a label.
     fn labels(&self, at: usize) -> bool {
-        self.role(at).is_label || self.role(self.statement).start == StatementStart::Label
+        self.role(at).is_label || self.role(self.point.statement).start == StatementStart::Label
     }
 }
 
