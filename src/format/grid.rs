@@ -2,8 +2,10 @@
 
 use super::item::{FormatItem, ItemKind};
 use super::structure::ItemRole;
+use super::style::Style;
 use shaderlint_syntax::TokenKind as T;
 use shaderlint_syntax::set::TokenSet;
+use std::ops::Range;
 
 /// Tokens that a table may contain, besides constructor calls.
 const IN_TABLE: TokenSet = TokenSet::of(&[
@@ -20,11 +22,12 @@ const IN_TABLE: TokenSet = TokenSet::of(&[
 /// Tokens by which the last row may differ from the others.
 const ENDS_ROW: TokenSet = TokenSet::of(&[T::Comma, T::RightParen, T::RightBrace]);
 
-/// Keeps the white space inside tables; their rows move with the bracket.
-pub fn keep(items: &mut [FormatItem], roles: &[ItemRole]) {
+/// Keeps the white space inside tables that fit on their lines; their rows move with the bracket.
+pub fn keep(items: &mut [FormatItem], roles: &[ItemRole], blanks: &[bool], style: &Style) {
     let mut at = 0;
     while at < items.len() {
-        match table(items, roles, at) {
+        let table = table(items, roles, at);
+        match table.filter(|close| fits(items, roles, blanks, at..*close, style)) {
             Some(close) => {
                 keep_table(items, at, close);
                 at = close;
@@ -55,6 +58,34 @@ fn table(items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize>
         ItemKind::Directive(_) | ItemKind::Idle => false,
     };
     (pairs.into_iter().all(fits) && has_rows(inner)).then_some(close)
+}
+
+/// Whether the rows of a table fit on their lines; one with comments is kept in any case.
+fn fits(
+    items: &[FormatItem],
+    roles: &[ItemRole],
+    blanks: &[bool],
+    table: Range<usize>,
+    style: &Style,
+) -> bool {
+    let inner = items.get(table.start + 1..table.end).unwrap_or(&[]);
+    let level = roles.get(table.start).map_or(0, |role| role.level) * style.indent.width();
+    let line = items.get(table.start).map(|open| open.line);
+    let before = items.iter().zip(blanks).take(table.start + 1).rev();
+    let before = before.take_while(|(item, _)| Some(item.line) == line);
+    let before: u32 = before
+        .map(|(item, blank)| item.width + u32::from(*blank))
+        .sum();
+    let mut rows = inner.chunk_by(|a, b| a.line == b.line);
+    let is_over = rows.any(|row| {
+        let (Some(first), Some(last)) = (row.first(), row.last()) else {
+            return false;
+        };
+        let width = last.column + last.width - first.column;
+        let before = if Some(first.line) == line { before } else { 0 };
+        level + before + width > style.width
+    });
+    !is_over || inner.iter().any(FormatItem::is_comment)
 }
 
 /// Whether items form rows: each consists of numbers only, or has the same tokens as the previous

@@ -3,6 +3,9 @@
 use super::item::FormatItem;
 use super::place::LineLayout;
 
+/// The width of a `:` and the space after it.
+const COLON: u32 = 2;
+
 impl LineLayout<'_> {
     /// The column of a continuation line, and the item with which it is aligned.
     pub(super) fn continuation(&mut self, at: usize, item: &FormatItem) -> (u32, Option<u32>) {
@@ -20,6 +23,16 @@ impl LineLayout<'_> {
 
     /// The column of a continuation line as determined by the brackets and operators around it.
     pub(super) fn hanging(&self, at: usize) -> (u32, Option<u32>) {
+        if let Some(head) = self.chain(at) {
+            let condition = self.placed(head);
+            let is_far = condition.column > self.style.width * 2 / 5;
+            if !is_far
+                && condition.breaks == 0
+                && condition.column >= self.point.statement_column + COLON
+            {
+                return (condition.column - COLON, Some(head as u32));
+            }
+        }
         let (column, depends_on) = self.hanging_in_bracket(at);
         let steps = self.steps.get(at).copied().unwrap_or(0);
         (
@@ -59,7 +72,12 @@ impl LineLayout<'_> {
             return Some(sibling);
         }
         let line = self.before(at)?.line;
-        let above = self.items.iter().enumerate().take(at).skip(self.point.statement);
+        let above = self
+            .items
+            .iter()
+            .enumerate()
+            .take(at)
+            .skip(self.point.statement);
         let above = above.rev().take_while(|(_, i)| i.line == line);
         let mut above = above.filter(|(i, _)| *i != self.point.statement);
         let found = above.find(|(_, i)| i.column == item.column && !i.is_comment());

@@ -6,7 +6,6 @@ use super::lines::Gap;
 use super::operators;
 use super::place::{ItemPlace, LayoutPoint, LineLayout};
 use super::request::{Lines, TextExtent};
-use super::spacing::has_blank;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
 use std::ops::Range;
@@ -21,18 +20,19 @@ pub struct LayoutSettings<'a> {
 }
 
 /// Maximum number of layouts of a block.
-const MAX_ROUNDS: usize = 4;
+const MAX_ROUNDS: usize = 6;
 
 /// Assigns a position to every item.
 pub fn place(
     text: &str,
     items: &mut [FormatItem],
     roles: &[ItemRole],
+    blanks: Vec<bool>,
     settings: &LayoutSettings,
 ) -> Vec<ItemPlace> {
     let count = items.len();
-    let blanks = blanks(text, items, roles);
     let mut layout = LineLayout {
+        text,
         roles,
         style: settings.style,
         extent: settings.extent,
@@ -47,6 +47,10 @@ pub fn place(
         starts: Vec::new(),
         siblings: vec![[None; 3]; count + 1],
         steps: operators::steps(items, roles),
+        chains: operators::chains(items, roles),
+        lists: vec![None; count],
+        joined: vec![false; count],
+        found_list: false,
         operators_end_lines: operators::end_lines(items, roles),
         items,
         block_end: 0,
@@ -57,7 +61,7 @@ pub fn place(
     while from < count {
         let starts_block = |at: &usize| layout.starts_block(*at);
         let to = (from + 1..count).find(starts_block).unwrap_or(count);
-        layout.place_block(text, from..to, &mut cells);
+        layout.place_block(from..to, &mut cells);
         from = to;
     }
     layout.places
@@ -76,16 +80,6 @@ pub fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32
             outer.map_or(0, |(item, _)| item.column)
         }
     }
-}
-
-/// By item: whether there is a space before it if it is on the same line.
-fn blanks(text: &str, items: &[FormatItem], roles: &[ItemRole]) -> Vec<bool> {
-    let pairs = items.iter().zip(items.iter().skip(1));
-    let pairs = pairs.zip(roles.iter().skip(1));
-    let blank = pairs.map(|((before, item), role)| has_blank(text, before, item, role));
-    let mut blanks = Vec::with_capacity(items.len());
-    blanks.extend(std::iter::once(false).chain(blank));
-    blanks
 }
 
 /// By item: the column of its end if all items were on one line.
@@ -128,7 +122,7 @@ impl LineLayout<'_> {
 
     /// Assigns positions to the items of a block. If lines were too long, it is laid out again from
     /// where its items are now, so that formatting the result would not change it.
-    fn place_block(&mut self, text: &str, block: Range<usize>, cells: &mut Cells) {
+    fn place_block(&mut self, block: Range<usize>, cells: &mut Cells) {
         let (before, lines) = (self.point, self.starts.len());
         let outer = self.siblings.first().copied().unwrap_or_default();
         let mut last: Option<Vec<ItemPlace>> = None;
@@ -136,16 +130,22 @@ impl LineLayout<'_> {
             if let Some(brackets) = self.siblings.get_mut(block.start + 1..=block.end) {
                 brackets.fill([None; 3]);
             }
-            self.siblings.first_mut().into_iter().for_each(|first| *first = outer);
+            self.siblings
+                .first_mut()
+                .into_iter()
+                .for_each(|first| *first = outer);
             self.starts.truncate(lines);
             self.point = before;
             self.place_once(block.clone(), cells);
+            if std::mem::take(&mut self.found_list) {
+                continue;
+            }
             let places = self.places.get(block.clone()).unwrap_or(&[]);
             if !self.point.is_over || last.as_deref() == Some(places) {
                 break;
             }
             last = Some(places.to_vec());
-            self.move_items(text, block.clone());
+            self.move_items(block.clone());
         }
         self.point.is_over = false;
     }
@@ -158,6 +158,9 @@ impl LineLayout<'_> {
             cells.remove(refilled);
         }
         for at in block.clone() {
+            if self.joined.get(at) == Some(&true) {
+                cells.remove(at..at + 1);
+            }
             if let Some(aligned) = self.aligned.get_mut(at) {
                 *aligned = cells.contain(at);
             }
@@ -170,7 +173,7 @@ impl LineLayout<'_> {
     }
 
     /// Moves the items of a block to their positions.
-    fn move_items(&mut self, text: &str, block: Range<usize>) {
+    fn move_items(&mut self, block: Range<usize>) {
         let mut line = self.item(block.start).map_or(0, |first| first.line);
         let mut end = 0;
         let items = self.items.iter_mut().zip(&self.places).enumerate();
@@ -191,7 +194,7 @@ impl LineLayout<'_> {
             };
             if item.is_tall {
                 let span = item.span.start as usize..item.span.end as usize;
-                line += line_breaks(text.get(span).unwrap_or(""));
+                line += line_breaks(self.text.get(span).unwrap_or(""));
             }
         }
     }

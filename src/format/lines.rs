@@ -62,10 +62,11 @@ impl LineLayout<'_> {
             StatementStart::Comment => Gap::Level,
             StatementStart::Statement | StatementStart::Label => self.gap_statement(at, item),
             StatementStart::Body => {
-                let is_split =
-                    self.point.split.is_some() && self.point.split == self.role(at).level.checked_sub(1);
+                let is_split = self.point.split.is_some()
+                    && self.point.split == self.role(at).level.checked_sub(1);
                 let is_header_broken = self.starts.last().is_some_and(|first| {
-                    *first > self.point.statement && self.item(*first).is_some_and(|i| i.breaks == 0)
+                    *first > self.point.statement
+                        && self.item(*first).is_some_and(|i| i.breaks == 0)
                 });
                 let stays = item.breaks == 0 && !is_split && !is_header_broken;
                 match stays && self.ends_here(at) {
@@ -104,7 +105,9 @@ impl LineLayout<'_> {
     /// Whether an item inside a statement always stays on the line of the one before it.
     pub(super) fn joins(&self, at: usize, item: &FormatItem, before: &FormatItem) -> bool {
         let is_else_if = item.is(T::If) && before.is(T::Else);
-        is_else_if || self.role(at - 1).start == StatementStart::Close
+        is_else_if
+            || self.role(at - 1).start == StatementStart::Close
+            || self.joined.get(at) == Some(&true)
     }
 
     fn gap_statement(&self, at: usize, item: &FormatItem) -> Gap {
@@ -114,8 +117,9 @@ impl LineLayout<'_> {
                 false => Gap::Level,
             };
         }
+        let is_empty = item.is(T::Semicolon) && self.before(at).is_some_and(|b| b.is(T::Semicolon));
         let is_after_label = || self.point.labelled == Some(item.line) && self.line_fits(at, item);
-        match item.breaks == 0 && (self.is_in_row(at) || is_after_label()) {
+        match item.breaks == 0 && (is_empty || self.is_in_row(at) || is_after_label()) {
             true => Gap::Line,
             false => Gap::Level,
         }

@@ -5,6 +5,7 @@
 //! are broken at the next level.
 
 use super::item::FormatItem;
+use super::lists::ElementKind;
 use super::place::{ItemPlace, LineLayout};
 use super::request::Lines;
 use super::spacing::{is_assignment, precedence};
@@ -32,7 +33,7 @@ struct LevelBreaks {
     /// The first item of each line that may start here.
     at: Vec<usize>,
     is_operator: bool,
-    /// Whether they are before the `:` of `? :`.
+    /// Whether they are before the `?` or `:` of `? :`.
     is_ternary: bool,
 }
 
@@ -50,6 +51,7 @@ impl LineLayout<'_> {
             return;
         }
         self.point.is_over = true;
+        self.find_lists(at, to);
         if self.is_table_row(at, to) {
             return;
         }
@@ -102,7 +104,11 @@ impl LineLayout<'_> {
 
     /// Whether items fit on a line that starts at `column`.
     fn fits_at(&self, column: u32, from: usize, to: usize) -> bool {
-        let after = if to == self.point.last { self.point.after } else { 0 };
+        let after = if to == self.point.last {
+            self.point.after
+        } else {
+            0
+        };
         column + self.flat(from, to) + after <= self.style.width
     }
 
@@ -130,7 +136,10 @@ impl LineLayout<'_> {
     /// The possible breaks of a part that cost the least.
     fn level_breaks(&self, part: LinePart) -> Option<(u32, LevelBreaks)> {
         // An operator at the end of the line stays there.
-        let to = part.to.min(self.point.laid.saturating_sub(1));
+        let last = self.point.laid.saturating_sub(1);
+        let kind = self.item(last).and_then(FormatItem::token);
+        let is_operator = kind.is_some_and(|kind| precedence(kind).is_some());
+        let to = part.to.min(last + usize::from(!is_operator));
         let candidates = (part.from + 1..to).filter_map(|i| Some((self.cost(i)?, i)));
         let mut least = u32::MAX;
         let mut at = Vec::new();
@@ -150,7 +159,7 @@ impl LineLayout<'_> {
         let breaks = LevelBreaks {
             at,
             is_operator: operator.is_some(),
-            is_ternary: operator == Some(T::Colon),
+            is_ternary: matches!(operator, Some(T::Question | T::Colon)),
         };
         Some((least, breaks))
     }
@@ -257,13 +266,18 @@ impl LineLayout<'_> {
             false => self.joined(parts, columns, breaks),
         };
         let width = self.balanced(parts, columns);
+        let per_line = self.per_line(parts, columns, breaks);
         let first_fits = parts
             .first()
             .is_none_or(|(a, b)| self.fits_at(columns.0, *a, *b));
         let mut was_broken = is_split || !first_fits;
         for (n, &(a, b)) in parts.iter().enumerate().skip(1) {
             let blank = u32::from(self.blanks.get(a) == Some(&true));
-            if !was_broken && self.ends_before(width, self.point.end + blank, a, b) {
+            let goes_on = match per_line {
+                Some(count) => n % count > 0,
+                None => self.ends_before(width, self.point.end + blank, a, b),
+            };
+            if !was_broken && goes_on {
                 self.lay_flat(a, b);
                 continue;
             }
@@ -327,6 +341,50 @@ impl LineLayout<'_> {
             breaks.is_operator && !breaks.is_ternary && first && is_long(1),
             last && before > 0 && is_long(before) && !breaks.is_ternary,
         )
+    }
+
+    /// The number of parts on each line, if they are the elements of a list that has columns.
+    fn per_line(
+        &self,
+        parts: &[(usize, usize)],
+        columns: (u32, u32),
+        breaks: &LevelBreaks,
+    ) -> Option<usize> {
+        let open = self.role(*breaks.at.first()?).bracket? as usize;
+        let kind = self.list(open).filter(|_| !breaks.is_operator)?;
+        let has_columns = matches!(kind, ElementKind::Number | ElementKind::Call(_));
+        let mut elements = parts.to_vec();
+        let first = elements.first_mut()?;
+        let column = match first.0 > open {
+            true => columns.0,
+            false => self.placed(open).column + 1,
+        };
+        first.0 = first.0.max(open + 1);
+        if !has_columns || column != columns.1 {
+            return None;
+        }
+        let fit = |count: usize| {
+            let mut rows = elements.chunks(count);
+            rows.all(|row| match (row.first(), row.last()) {
+                (Some((a, _)), Some((_, b))) => self.fits_at(column, *a, *b),
+                _ => true,
+            })
+        };
+        let least = elements.iter().map(|(a, b)| self.flat(*a, *b)).min()?;
+        let limit = (self.style.width / least.max(1)) as usize;
+        let most = (1..=limit.min(parts.len()))
+            .rev()
+            .find(|count| fit(*count))?;
+        if let Some(rows) = self.matrix_rows(open, kind).filter(|rows| *rows <= most) {
+            return Some(rows);
+        }
+        let parts = parts.len();
+        let mut equal = (most.div_ceil(2)..=most).rev();
+        let equal = equal.find(|count| parts % count == 0);
+        // Without lines of equal length, they are about equal.
+        let count = equal.unwrap_or_else(|| parts.div_ceil(parts.div_ceil(most)));
+        let (lines, _) = self.filled(&elements, (column, column), self.style.width);
+        (parts.div_ceil(count) <= lines + 1).then_some(count)
     }
 
     fn ends_before(&self, width: u32, column: u32, from: usize, to: usize) -> bool {
@@ -401,8 +459,8 @@ impl LineLayout<'_> {
             before if is_assignment(before) => LAST,
             T::LeftParen if kind != T::RightParen => return Some(2 * LAST + role.depth),
             _ => match self.operator_of_line(at)? {
-                T::Colon => 8,
-                T::Question => 9,
+                T::Question if self.is_in_chain(at) => 7,
+                T::Colon | T::Question => 6,
                 operator => 2 * precedence(operator)?,
             },
         };

@@ -52,6 +52,7 @@ pub struct LayoutPoint {
 
 /// The items placed so far.
 pub struct LineLayout<'a> {
+    pub text: &'a str,
     pub items: &'a mut [FormatItem],
     pub roles: &'a [ItemRole],
     pub style: &'a Style,
@@ -75,6 +76,14 @@ pub struct LineLayout<'a> {
     pub siblings: Vec<[Option<u32>; 3]>,
     /// By item: the additional indentation of a line that starts with it.
     pub steps: Vec<u8>,
+    /// Of chains of `? :`: each `:`, and the first item of the first condition.
+    pub chains: Vec<(u32, u32)>,
+    /// By opening bracket: whether its list is filled again, once that is known.
+    pub lists: Vec<Option<bool>>,
+    /// By item: whether it is in such a list, so that the line break before it is not kept.
+    pub joined: Vec<bool>,
+    /// Whether such a list was found since the last layout of the block.
+    pub found_list: bool,
     /// Whether lines end with operators, rather than start with them.
     pub operators_end_lines: bool,
     /// The item after the last one of the current block.

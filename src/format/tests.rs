@@ -43,7 +43,7 @@ fn blanks_stand_around_operators() {
         "float[2] a = float[](1., 2.);",
     );
     body("a = !b && ~c==d;", "a = !b && ~c == d;");
-    body("a = vec2( 1 ) ;;", "a = vec2(1);\n;");
+    body("a = vec2( 1 ) ;;", "a = vec2(1);;");
 }
 
 #[test]
@@ -317,7 +317,11 @@ fn long_lines_have_one_form() {
         ),
         (
             "a = bbbbbbb < c ? ddddddddd : bbbbbb < e ? ffffff : g;",
-            "a = bbbbbbb < c ? ddddddddd\n    : bbbbbb < e ? ffffff\n    : g;\n",
+            "a = bbbbbbb < c ? ddddddddd\n  : bbbbbb < e ? ffffff\n  : g;\n",
+        ),
+        (
+            "float a = bbbbbbb < ccccccc ? ddddddddd : eeeeee;",
+            "float a = bbbbbbb < ccccccc\n    ? ddddddddd\n    : eeeeee;\n",
         ),
         (
             "if (aaaaaaaaaaaaaaaaaa < bbbbbbbbbbbbbb(ccc)) d = 1.;",
@@ -328,6 +332,45 @@ fn long_lines_have_one_form() {
             "a = b +\nc;\nfloat d = eeeeeeeeeeee * fffffffff + gggggggggg;",
             "a = b +\n    c;\nfloat d = eeeeeeeeeeee * fffffffff +\n    gggggggggg;\n",
         ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(formatted(text, &style), expected);
+    }
+}
+
+#[test]
+fn lists_of_equal_elements_are_filled_again() {
+    let style = Style {
+        width: 40,
+        ..Style::default()
+    };
+    let cases = [
+        // Lines of equal length, if that takes no more than one line more.
+        (
+            "int a[] = int[](111, 222, 333, 444, 555, 666,\n777, 888);",
+            "int a[] = int[](111, 222, 333, 444,\n                555, 666, 777, 888);\n",
+        ),
+        (
+            "int a[] = int[](\n111, 222, 333, 444, 555, 666, 777, 888, 999,\n0, 1\n);",
+            "int a[] = int[](\n    111, 222, 333, 444, 555, 666,\n    777, 888, 999, 0, 1\n);\n",
+        ),
+        // Lines that are columns of a matrix.
+        (
+            "m = mat2x3(1.25, 2.5, 3.75, 4.25, 5.5, 6.75);",
+            "m = mat2x3(1.25, 2.5, 3.75,\n           4.25, 5.5, 6.75);\n",
+        ),
+        // Names and parameters.
+        (
+            "void f(float aaaaaaa, float bbbbbbbb, float c,\nfloat d) {}",
+            "void f(float aaaaaaa, float bbbbbbbb,\n       float c, float d) {}\n",
+        ),
+        // Elements of several kinds stay in the author's lines.
+        (
+            "f(aaaaaaaaaaaa, bbbbbbbbbbbb + 1, c * dddddd,\ne, f);",
+            "f(aaaaaaaaaaaa,\n  bbbbbbbbbbbb + 1, c * dddddd,\n  e, f);\n",
+        ),
+        // So do rows that are short enough.
+        ("f(aaaa,\nbbbb, cccc);", "f(aaaa,\n  bbbb, cccc);\n"),
     ];
     for (text, expected) in cases {
         assert_eq!(formatted(text, &style), expected);
