@@ -107,9 +107,13 @@ impl CellFinder<'_> {
             Some(StatementStart::Nothing | StatementStart::Comment) => {
                 self.blanks.get(at) == Some(&true)
             }
+            // A body on the line of its header.
+            Some(StatementStart::Body | StatementStart::Open) => self.blanks.get(at) == Some(&true),
             Some(StatementStart::Statement) => {
                 let before = at.checked_sub(1).and_then(|at| self.items.get(at));
+                let is_labelled = at.checked_sub(1).and_then(|at| self.roles.get(at));
                 are_rows && before.is_some_and(|before| before.is(T::Semicolon))
+                    || is_labelled.is_some_and(|label| label.is_label)
             }
             _ => false,
         }
@@ -330,7 +334,8 @@ fn are_alike(items: &[FormatItem], roles: &[ItemRole], pair: &CellPair) -> bool 
     let is_inside = |r: &ItemRole| (r.start, r.level);
     may(upper)
         && may(lower)
-        && sort(items, pair.above) == sort(items, pair.below)
+        && (matches!(role.start, StatementStart::Body | StatementStart::Open)
+            || sort(items, pair.above) == sort(items, pair.below))
         && (upper.is_comment() || is_inside(role) == is_inside(other))
 }
 
@@ -475,7 +480,11 @@ impl Cells {
             let line = lines.of_place(place);
             let is_comment = items.get(at).is_some_and(FormatItem::is_comment);
             let is_held = held.get(line).is_some_and(|held| at <= *held);
-            if place.breaks > 0 || (is_held && !is_comment) {
+            // The brace of a block of several lines.
+            let opens = roles.get(at).filter(|r| r.start == StatementStart::Open);
+            let close = opens.and_then(|role| places.get(role.partner? as usize));
+            let is_open = close.is_some_and(|close| close.line != place.line);
+            if place.breaks > 0 || is_open || (is_held && !is_comment) {
                 continue;
             }
             let last = cells.last().and_then(|i| places.get(*i));

@@ -23,10 +23,16 @@ const IN_TABLE: TokenSet = TokenSet::of(&[
 const ENDS_ROW: TokenSet = TokenSet::of(&[T::Comma, T::RightParen, T::RightBrace]);
 
 /// Keeps the white space inside tables that fit on their lines; their rows move with the bracket.
-pub fn keep(items: &mut [FormatItem], roles: &[ItemRole], blanks: &[bool], style: &Style) {
+pub fn keep(
+    text: &str,
+    items: &mut [FormatItem],
+    roles: &[ItemRole],
+    blanks: &[bool],
+    style: &Style,
+) {
     let mut at = 0;
     while at < items.len() {
-        let table = table(items, roles, at);
+        let table = table(text, items, roles, at);
         match table.filter(|close| fits(items, roles, blanks, at..*close, style)) {
             Some(close) => {
                 keep_table(items, at, close);
@@ -38,7 +44,7 @@ pub fn keep(items: &mut [FormatItem], roles: &[ItemRole], blanks: &[bool], style
 }
 
 /// The closing bracket of a table, given the opening one; `None` if it is not a table.
-fn table(items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize> {
+fn table(text: &str, items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize> {
     let role = roles.get(open)?;
     let close = role.partner? as usize;
     let first = items.get(open)?;
@@ -50,14 +56,20 @@ fn table(items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize>
     }
     let inner = items.get(open + 1..close)?;
     let pairs = inner.iter().zip(items.get(open + 2..=close)?);
+    let mut has_names = false;
     let fits = |(item, next): (&FormatItem, &FormatItem)| match item.kind {
         ItemKind::LineComment | ItemKind::BlockComment => true,
         ItemKind::Token(T::Plus | T::Minus) => item.is_prefix,
-        ItemKind::Token(T::Identifier | T::Type) => next.is(T::LeftParen),
+        ItemKind::Token(T::Identifier | T::Type | T::Dot) => {
+            has_names |= !next.is(T::LeftParen);
+            true
+        }
         ItemKind::Token(kind) => IN_TABLE.contains(kind),
         ItemKind::Directive(_) | ItemKind::Idle => false,
     };
-    (pairs.into_iter().all(fits) && has_rows(inner)).then_some(close)
+    let may_be_table = pairs.into_iter().all(fits);
+    let is_table = !has_names && has_rows(inner) || are_lined_up(text, inner);
+    (may_be_table && is_table).then_some(close)
 }
 
 /// Whether the rows of a table fit on their lines; one with comments is kept in any case.
@@ -99,8 +111,41 @@ fn has_rows(items: &[FormatItem]) -> bool {
         .iter()
         .flatten()
         .all(|k| is_number(k) || *k == T::Comma);
-    let are_alike = rows.windows(2).all(|pair| pair.first() == pair.last());
+    // The last row may be shorter.
+    let full = rows.len().saturating_sub(1).max(1);
+    let pairs = rows.get(..full).unwrap_or(&[]).windows(2);
+    let last = rows.first().zip(rows.last());
+    let are_alike = pairs.into_iter().all(|pair| pair.first() == pair.last())
+        && last.is_some_and(|(first, last)| first.starts_with(last));
     rows.iter().filter(|row| has_numbers(row)).count() >= 2 && (is_plain || are_alike)
+}
+
+/// Whether the commas of all rows are below one another, with more space than usual somewhere.
+fn are_lined_up(text: &str, items: &[FormatItem]) -> bool {
+    let commas = |row: &[FormatItem]| -> Vec<u32> {
+        let commas = row.iter().filter(|item| item.is(T::Comma));
+        commas.map(|comma| comma.column).collect()
+    };
+    let rows = items.chunk_by(|a, b| a.line == b.line);
+    let rows: Vec<Vec<u32>> = rows.map(commas).collect();
+    let Some((last, rows)) = rows.split_last() else {
+        return false;
+    };
+    let Some(first) = rows.first().filter(|first| first.len() > 1) else {
+        return false;
+    };
+    let is_wide = |item: &FormatItem| item.breaks == 0 && item.blanks > 1;
+    let is_short = last.len() + 1 >= first.len() && first.starts_with(last);
+    // The width of a tab depends on its column.
+    let has_tab = |item: &FormatItem| {
+        let before = item.span.start.checked_sub(1);
+        let before = before.and_then(|at| text.as_bytes().get(at as usize));
+        item.breaks == 0 && before == Some(&b'\t')
+    };
+    is_short
+        && rows.iter().all(|row| row == first)
+        && items.iter().any(is_wide)
+        && !items.iter().any(has_tab)
 }
 
 /// The tokens of a row that distinguish it from others.

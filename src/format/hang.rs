@@ -2,7 +2,11 @@
 
 use super::item::FormatItem;
 use super::place::LineLayout;
+use super::spacing::is_assignment;
+use shaderlint_syntax::TokenKind as T;
 
+/// Maximum number of items before the value that a statement assigns.
+const HEAD: usize = 16;
 /// The width of a `:` and the space after it.
 const COLON: u32 = 2;
 
@@ -44,6 +48,16 @@ impl LineLayout<'_> {
     fn hanging_in_bracket(&self, at: usize) -> (u32, Option<u32>) {
         let indent = self.style.indent.width();
         let Some(open) = self.role(at).bracket.map(|b| b as usize) else {
+            // The bracket of a list that starts a line is not indented, like that of a block.
+            let is_list = |open: &FormatItem| open.is(T::LeftParen) || open.is(T::LeftBrace);
+            let next = self.item(at + 1).is_some_and(|next| next.breaks > 0);
+            let is_close = self
+                .role(at)
+                .partner
+                .is_some_and(|open| (open as usize) < at);
+            if self.item(at).is_some_and(is_list) && next || is_close {
+                return (self.point.statement_column, None);
+            }
             return (self.point.statement_column + indent, None);
         };
         let bracket = self.placed(open);
@@ -83,8 +97,23 @@ impl LineLayout<'_> {
         let found = above.find(|(_, i)| i.column == item.column && !i.is_comment());
         // If the line above was broken, that item may be further up now.
         let last = self.starts.len().saturating_sub(1) as u32;
-        found
-            .map(|(i, _)| i)
-            .filter(|i| self.placed(*i).line == last)
+        let found = found.map(|(i, _)| i);
+        found.filter(|i| self.placed(*i).line == last).or_else(|| {
+            self.value(at)
+                .filter(|i| self.item(*i).is_some_and(|i| i.column == item.column))
+        })
+    }
+
+    /// The first item of the value that a statement assigns or returns, for a line outside brackets.
+    fn value(&self, at: usize) -> Option<usize> {
+        if self.role(at).bracket.is_some() {
+            return None;
+        }
+        let start = self.point.statement;
+        let items = self.items.iter().enumerate().take(at).skip(start);
+        let mut tokens = items.take(HEAD).map(|(i, item)| (i, item.token()));
+        let is_head = |kind: T| kind == T::Return || is_assignment(kind);
+        let (head, _) = tokens.find(|(_, kind)| kind.is_some_and(is_head))?;
+        (head + 1 < at).then_some(head + 1)
     }
 }

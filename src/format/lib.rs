@@ -67,7 +67,7 @@ pub fn format(text: &str, style: &Style, extent: TextExtent, lines: Lines) -> Fo
     let base = layout::base(&items, &roles, extent);
     branches::indent(&items, &mut roles, base);
     let blanks = spacing::blanks(text, &items, &roles);
-    grid::keep(&mut items, &roles, &blanks, style);
+    grid::keep(text, &mut items, &roles, &blanks, style);
     let settings = LayoutSettings {
         style,
         extent,

@@ -191,27 +191,26 @@ impl LineLayout<'_> {
         }
         let column = self.placed(from).column;
         let fits = self.fits_at(column, from, first);
-        if fits {
-            self.lay_flat(from + 1, first);
-        }
+        // The column of the bracket determines that of the other lines.
+        let flat = match (fits, open) {
+            (true, _) => first,
+            (false, Some(open)) if self.fits_at(column, from, open + 1) => open + 1,
+            _ => from + 1,
+        };
+        self.lay_flat(from + 1, flat);
         let parts = breaks.parts(from, to);
         let hang = self.hanging(first).0;
-        if let Some(open) = open
-            && !breaks.is_operator
-            && (!(fits && self.all_fit(&parts, (column, hang)))
-                || hang <= self.placed(open).column && parts.len() > 2)
-            && self.fits_at(column, from, open + 1)
-        {
-            let column = self.line_column() + self.style.indent.width();
-            let parts = breaks.parts(open + 1, to);
-            if self.all_fit(&parts, (column, column)) {
-                if !fits {
-                    self.lay_flat(from + 1, open + 1);
-                }
-                self.break_before(open + 1);
-                self.lay_flat(open + 2, first);
-                return self.fill(&parts, (column, column), breaks);
+        if let Some(open) = open.filter(|_| !breaks.is_operator) {
+            if let Some(last) = self.hugged(open, &parts, (column, hang)).filter(|_| fits) {
+                self.lay_flat(first, last + 1);
+                return self.lay(LinePart { from: last, to });
             }
+            if self.lay_below(open, part, breaks, (fits, hang)) {
+                return;
+            }
+        }
+        if !fits && let Some(item) = self.items.get(from).copied() {
+            self.finish(&item, column);
         }
         if !fits && parts.len() == 2 && !breaks.is_ternary && self.flat(first, to) <= STUB {
             return self.lay_with(LinePart { from, to: first }, to);
@@ -221,6 +220,82 @@ impl LineLayout<'_> {
         }
         let hang = self.hanging(first).0;
         self.fill(&parts, (column, hang), breaks);
+    }
+
+    /// Breaks after the bracket of a list if its elements do not fit on lines after the bracket, and
+    /// have much more space below it. `fits` says whether the first one fits after the bracket, and
+    /// `hang` is the column of the others.
+    fn lay_below(
+        &mut self,
+        open: usize,
+        part: LinePart,
+        breaks: &LevelBreaks,
+        (fits, hang): (bool, u32),
+    ) -> bool {
+        let LinePart { from, to } = part;
+        let Some(first) = breaks.at.first().copied() else {
+            return false;
+        };
+        let start = self.placed(from).column;
+        let parts = breaks.parts(from, to);
+        let fit = fits && self.all_fit(&parts, (start, hang));
+        let is_far = hang <= self.placed(open).column;
+        let has_several = parts.len() > 2;
+        if fit && !(is_far && has_several) || !self.fits_at(start, from, open + 1) {
+            return false;
+        }
+        let indent = self.style.indent.width();
+        let column = self.line_column() + indent;
+        let parts = breaks.parts(open + 1, to);
+        let is_stub = parts.len() == 2 && self.flat(first, to) <= STUB;
+        let is_deep = !fit && (hang > column + 2 * indent || is_far && !fits && !is_stub);
+        if !is_deep && !self.all_fit(&parts, (column, column)) {
+            return false;
+        }
+        self.break_before(open + 1);
+        self.lay(LinePart {
+            from: open + 1,
+            to: first,
+        });
+        self.fill(&parts, (column, column), breaks);
+        true
+    }
+
+    /// The first item of the last element of a list, if it is a call that is broken at its commas
+    /// while the elements before it stay on one line: `d = min(d, f(a,` is not broken before `f`.
+    fn hugged(&self, open: usize, parts: &[(usize, usize)], columns: (u32, u32)) -> Option<usize> {
+        let (from, _) = *parts.first()?;
+        let (last, to) = *parts.last()?;
+        if self.fits_at(columns.1, last, to) {
+            return None;
+        }
+        let is_prefix = self.item(last)?.is_prefix;
+        let call = last + 1 + usize::from(is_prefix);
+        let close = self.role(call).partner.filter(|_| self.is_call(call))? as usize;
+        let column = columns.0 + self.flat(from, call + 1);
+        let is_far = column > self.style.width * 2 / 5;
+        if is_far || self.role(close + 1).partner != Some(open as u32) {
+            return None;
+        }
+        let is_comma = |at: &usize| {
+            let is_inner = self.role(*at).bracket == Some(call as u32);
+            is_inner && self.before(*at).is_some_and(|before| before.is(T::Comma))
+        };
+        let at: Vec<usize> = (call + 1..close).filter(is_comma).collect();
+        let breaks = LevelBreaks {
+            at,
+            is_operator: false,
+            is_ternary: false,
+        };
+        let parts = breaks.parts(call + 1, to);
+        let is_stub = parts.last().is_some_and(|(a, b)| self.flat(*a, *b) <= STUB);
+        (parts.len() > 1 && !is_stub && self.all_fit(&parts, (column, column))).then_some(last)
+    }
+
+    fn is_call(&self, open: usize) -> bool {
+        let is_word = |item: &FormatItem| item.is(T::Identifier) || item.is(T::Type);
+        self.item(open).is_some_and(|item| item.is(T::LeftParen))
+            && self.before(open).is_some_and(is_word)
     }
 
     /// Breaks after an assignment if that leaves one line and the alternative a short last one.
@@ -398,16 +473,22 @@ impl LineLayout<'_> {
         if last > 1 || !(2..=BALANCED).contains(&lines) || lines == parts.len() {
             return full;
         }
-        let (mut low, mut high) = (0, full);
-        while low + 1 < high {
-            let width = low.midpoint(high);
-            match self.filled(parts, columns, width).0 <= lines {
-                true => high = width,
-                false => low = width,
+        let find = |is_less: &dyn Fn((usize, usize)) -> bool| {
+            let (mut low, mut high) = (0, full);
+            while low + 1 < high {
+                let width = low.midpoint(high);
+                match is_less(self.filled(parts, columns, width)) {
+                    true => low = width,
+                    false => high = width,
+                }
             }
-        }
-        match self.filled(parts, columns, high).1 > 1 {
-            true => high,
+            (low, high)
+        };
+        // The least width of so many lines, and the greatest that has several parts on the last.
+        let (_, least) = find(&|(count, _)| count > lines);
+        let (most, _) = find(&|(count, last)| count > lines || last > 1);
+        match self.filled(parts, columns, least).1 > 1 {
+            true => most.max(least),
             false => full,
         }
     }
