@@ -33,18 +33,30 @@ pub fn keep(
     let mut at = 0;
     while at < items.len() {
         let table = table(text, items, roles, at);
-        match table.filter(|close| fits(items, roles, blanks, at..*close, style)) {
-            Some(close) => {
-                keep_table(items, at, close);
-                at = close;
+        match table.filter(|table| fits(items, roles, blanks, at..table.close, style)) {
+            Some(table) => {
+                keep_table(items, at, &table);
+                at = table.close;
             }
             None => at += 1,
         }
     }
 }
 
-/// The closing bracket of a table, given the opening one; `None` if it is not a table.
-fn table(text: &str, items: &[FormatItem], roles: &[ItemRole], open: usize) -> Option<usize> {
+/// A table inside brackets.
+struct BracketTable {
+    close: usize,
+    /// Whether its rows start at the column of the first one, rather than where they were.
+    starts_alike: bool,
+}
+
+/// The table inside a bracket, if there is one.
+fn table(
+    text: &str,
+    items: &[FormatItem],
+    roles: &[ItemRole],
+    open: usize,
+) -> Option<BracketTable> {
     let role = roles.get(open)?;
     let close = role.partner? as usize;
     let first = items.get(open)?;
@@ -56,20 +68,29 @@ fn table(text: &str, items: &[FormatItem], roles: &[ItemRole], open: usize) -> O
     }
     let inner = items.get(open + 1..close)?;
     let pairs = inner.iter().zip(items.get(open + 2..=close)?);
-    let mut has_names = false;
+    let mut is_plain = true;
     let fits = |(item, next): (&FormatItem, &FormatItem)| match item.kind {
         ItemKind::LineComment | ItemKind::BlockComment => true,
-        ItemKind::Token(T::Plus | T::Minus) => item.is_prefix,
-        ItemKind::Token(T::Identifier | T::Type | T::Dot) => {
-            has_names |= !next.is(T::LeftParen);
-            true
+        ItemKind::Token(kind) => {
+            let is_sign = matches!(kind, T::Plus | T::Minus) && item.is_prefix;
+            let is_called = matches!(kind, T::Identifier | T::Type) && next.is(T::LeftParen);
+            is_plain &= is_sign || is_called || IN_TABLE.contains(kind);
+            !matches!(kind, T::Bad | T::Semicolon)
         }
-        ItemKind::Token(kind) => IN_TABLE.contains(kind),
         ItemKind::Directive(_) | ItemKind::Idle => false,
     };
     let may_be_table = pairs.into_iter().all(fits);
-    let is_table = !has_names && has_rows(inner) || are_lined_up(text, inner);
-    (may_be_table && is_table).then_some(close)
+    if !may_be_table {
+        return None;
+    }
+    let start = |row: &[FormatItem]| row.first().map_or(0, |first| first.column);
+    let is_table = is_plain && has_rows(inner) || are_lined_up(text, inner, |_| 0);
+    // With tabs, rows may start where they should not.
+    let starts_alike = !is_table && are_lined_up(text, inner, start);
+    (is_table || starts_alike).then_some(BracketTable {
+        close,
+        starts_alike,
+    })
 }
 
 /// Whether the rows of a table fit on their lines; one with comments is kept in any case.
@@ -120,29 +141,27 @@ fn has_rows(items: &[FormatItem]) -> bool {
     rows.iter().filter(|row| has_numbers(row)).count() >= 2 && (is_plain || are_alike)
 }
 
-/// Whether the commas of all rows are below one another, with more space than usual somewhere.
-fn are_lined_up(text: &str, items: &[FormatItem]) -> bool {
+/// Whether the commas between the elements of all rows are below one another, seen from where `start`
+/// says that a row starts, with more space than usual somewhere.
+fn are_lined_up(text: &str, items: &[FormatItem], start: impl Fn(&[FormatItem]) -> u32) -> bool {
     let commas = |row: &[FormatItem]| -> Vec<u32> {
-        let commas = row.iter().filter(|item| item.is(T::Comma));
-        commas.map(|comma| comma.column).collect()
+        let inner = row.get(..row.len().saturating_sub(1)).unwrap_or(&[]);
+        let commas = inner.iter().filter(|item| item.is(T::Comma));
+        commas.map(|comma| comma.column - start(row)).collect()
     };
     let rows = items.chunk_by(|a, b| a.line == b.line);
     let rows: Vec<Vec<u32>> = rows.map(commas).collect();
-    let Some((last, rows)) = rows.split_last() else {
-        return false;
-    };
     let Some(first) = rows.first().filter(|first| first.len() > 1) else {
         return false;
     };
     let is_wide = |item: &FormatItem| item.breaks == 0 && item.blanks > 1;
-    let is_short = last.len() + 1 >= first.len() && first.starts_with(last);
     // The width of a tab depends on its column.
     let has_tab = |item: &FormatItem| {
         let before = item.span.start.checked_sub(1);
         let before = before.and_then(|at| text.as_bytes().get(at as usize));
         item.breaks == 0 && before == Some(&b'\t')
     };
-    is_short
+    rows.len() > 1
         && rows.iter().all(|row| row == first)
         && items.iter().any(is_wide)
         && !items.iter().any(has_tab)
@@ -163,15 +182,17 @@ fn row(items: &[FormatItem]) -> Vec<T> {
     row
 }
 
-fn keep_table(items: &mut [FormatItem], open: usize, close: usize) {
+fn keep_table(items: &mut [FormatItem], open: usize, table: &BracketTable) {
     let line = items.get(open).map(|i| i.line);
     let before = items.iter().take(open).rev();
     let before = before.take_while(|i| Some(i.line) == line).count();
     let is_last = items.get(open + 1).is_some_and(|i| Some(i.line) != line);
     // If the bracket is the last item of its line, the rows move with that line.
     let anchor = if is_last { open - before } else { open };
-    for item in items.iter_mut().take(close + 1).skip(open + 1) {
-        item.anchor = Some(anchor as u32);
+    for item in items.iter_mut().take(table.close + 1).skip(open + 1) {
+        if !table.starts_alike {
+            item.anchor = Some(anchor as u32);
+        }
         item.keeps |= item.breaks == 0;
     }
 }

@@ -94,7 +94,9 @@ impl LineLayout<'_> {
             .skip(self.point.statement);
         let above = above.rev().take_while(|(_, i)| i.line == line);
         let mut above = above.filter(|(i, _)| *i != self.point.statement);
-        let found = above.find(|(_, i)| i.column == item.column && !i.is_comment());
+        let may_be_aligned = |kind| !matches!(kind, T::LeftParen | T::RightParen | T::Comma);
+        let found =
+            above.find(|(_, i)| i.column == item.column && i.token().is_some_and(may_be_aligned));
         // If the line above was broken, that item may be further up now.
         let last = self.starts.len().saturating_sub(1) as u32;
         let found = found.map(|(i, _)| i);

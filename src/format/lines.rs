@@ -117,7 +117,8 @@ impl LineLayout<'_> {
                 false => Gap::Level,
             };
         }
-        let is_empty = item.is(T::Semicolon) && self.before(at).is_some_and(|b| b.is(T::Semicolon));
+        let ends = |before: &FormatItem| before.is(T::Semicolon) || before.is(T::RightBrace);
+        let is_empty = item.is(T::Semicolon) && self.before(at).is_some_and(ends);
         let is_after_label = || self.point.labelled == Some(item.line) && self.line_fits(at, item);
         match item.breaks == 0 && (is_empty || self.is_in_row(at) || is_after_label()) {
             true => Gap::Line,

@@ -9,6 +9,8 @@ use std::ops::Range;
 
 /// Minimum number of equal statements that stay on one line.
 const EQUAL: usize = 3;
+/// The same, if there is more than one space between them.
+const EQUAL_APART: usize = 2;
 
 /// A line whose statements may share a line.
 pub struct StatementRow {
@@ -97,13 +99,20 @@ impl LineLayout<'_> {
         refilled
     }
 
+    /// Fills rows of equal statements again: calls from one row to the next, others each row for
+    /// itself.
     fn refill_rows(&mut self, rows: &[StatementRow]) -> Range<usize> {
         let first = rows.first().map_or(0, |row| row.from);
         let end = rows.last().map_or(0, |row| row.to);
         let mut last = end;
+        let are_calls = self
+            .item(first + 1)
+            .is_some_and(|item| item.is(T::LeftParen));
         for at in (first + 1..end).rev() {
             if self.role(at).start != StatementStart::Nothing {
-                if let Some(filled) = self.filled.get_mut(at) {
+                let starts_line = self.item(at).is_some_and(|item| item.breaks > 0);
+                let filled = self.filled.get_mut(at);
+                if let Some(filled) = filled.filter(|_| are_calls || !starts_line) {
                     *filled = last - 1;
                 }
                 last = at;
@@ -203,7 +212,15 @@ impl LineLayout<'_> {
         let are_equal = statements
             .windows(2)
             .all(|pair| pair.first() == pair.last());
-        statements.len() >= EQUAL && are_equal
+        let is_apart = |at: usize| {
+            let starts = self.role(at).start == StatementStart::Statement;
+            starts && self.item(at).is_some_and(|item| item.blanks > 1)
+        };
+        let least = match (row.from + 1..row.to).any(is_apart) {
+            true => EQUAL_APART,
+            false => EQUAL,
+        };
+        statements.len() >= least && are_equal
     }
 }
 
