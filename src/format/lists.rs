@@ -56,12 +56,13 @@ impl LineLayout<'_> {
         };
         let inner = open + 1..close as usize;
         let is_broken = |at: usize| self.item(at).is_some_and(|item| item.breaks > 0);
-        let is_list = inner.clone().skip(1).any(is_broken) && self.list(open).is_some();
+        let is_list = self.list(open).is_some();
+        let has_rows = inner.clone().skip(1).any(is_broken);
         let from = inner.start + usize::from(is_broken(inner.start));
         if let Some(state) = self.lists.get_mut(open) {
             *state = Some(is_list);
         }
-        if is_list {
+        if is_list && has_rows {
             if let Some(joined) = self.joined.get_mut(from..inner.end) {
                 joined.fill(true);
             }

@@ -426,7 +426,10 @@ impl LineLayout<'_> {
         breaks: &LevelBreaks,
     ) -> Option<usize> {
         let open = self.role(*breaks.at.first()?).bracket? as usize;
-        let kind = self.list(open).filter(|_| !breaks.is_operator)?;
+        if breaks.is_operator || self.lists.get(open) == Some(&Some(false)) {
+            return None;
+        }
+        let kind = self.list(open)?;
         let has_columns = matches!(kind, ElementKind::Number | ElementKind::Call(_));
         let mut elements = parts.to_vec();
         let first = elements.first_mut()?;

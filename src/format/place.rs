@@ -78,9 +78,10 @@ pub struct LineLayout<'a> {
     pub steps: Vec<u8>,
     /// Of chains of `? :`: each `:`, and the first item of the first condition.
     pub chains: Vec<(u32, u32)>,
-    /// By opening bracket: whether its list is filled again, once that is known.
+    /// By opening bracket: whether the elements of its list are of one kind, once that is known.
     pub lists: Vec<Option<bool>>,
-    /// By item: whether it is in such a list, so that the line break before it is not kept.
+    /// By item: whether it is in such a list that is filled again, so that the line break before it
+    /// is not kept.
     pub joined: Vec<bool>,
     /// Whether such a list was found since the last layout of the block.
     pub found_list: bool,

@@ -44,6 +44,7 @@ fn blanks_stand_around_operators() {
     );
     body("a = !b && ~c==d;", "a = !b && ~c == d;");
     body("a = vec2( 1 ) ;;", "a = vec2(1);;");
+    body("if(a){b;};", "if (a) { b; };");
 }
 
 #[test]
@@ -179,6 +180,38 @@ fn tables_stay_tables() {
 }
 
 #[test]
+fn tables_of_names_stay_tables() {
+    // All commas are below one another.
+    body(
+        "m=mat3( c.z,  s.z,    0,\n       -s.z,  c.z,    0,\n          0,    0,    1 );",
+        "m = mat3( c.z,  s.z,    0,\n         -s.z,  c.z,    0,\n            0,    0,    1 );",
+    );
+    body(
+        "m=mat2(vec2( a+b , c  , d),\nvec2(-a   , c+d, e));",
+        "m = mat2(vec2( a+b , c  , d),\n         vec2(-a   , c+d, e));",
+    );
+    // Without additional space it is no table.
+    body("f(a+b,c,d,\n  e+f,g,h);", "f(a + b, c, d,\n  e + f, g, h);");
+    // The last row is shorter.
+    body(
+        "a = b[]\n(\n  c( 1,  9), c(11,  9),\n  c( 2,  9)\n);",
+        "a = b[]\n(\n  c( 1,  9), c(11,  9),\n  c( 2,  9)\n);",
+    );
+}
+
+#[test]
+fn bodies_may_be_aligned() {
+    body(
+        "if(a)   b=1;\nif(ccc) return;\nelse    d=2;",
+        "if (a)   b = 1;\nif (ccc) return;\nelse     d = 2;",
+    );
+    check(
+        "float a(float b)   {return b;}\nfloat ccc(float b) {return d;}\nfloat e(float b)   {\nreturn b;}\n",
+        "float a(float b)   { return b; }\nfloat ccc(float b) { return d; }\nfloat e(float b) {\n    return b;\n}\n",
+    );
+}
+
+#[test]
 fn columns_contain_items_of_one_sort() {
     // A coincidence.
     body(
@@ -216,6 +249,7 @@ fn rows_of_equal_statements_stay() {
         "float f = .5 * n(p); p = m * p;\nf += .25 * n(p); p = m * p * 2.;",
     );
     body("a=1.;b=2.;\nf(c);d=3.;", "a = 1.;\nb = 2.;\nf(c);\nd = 3.;");
+    body("a=1.;   b=2.;\nf(c);", "a = 1.;  b = 2.;\nf(c);");
 }
 
 #[test]
@@ -230,6 +264,11 @@ fn lists_of_equal_statements_are_filled_again() {
             &style
         ),
         "aa(1); aa(2); aa(3); aa(4);\naa(5); aa(6);\n\nb(1);\n"
+    );
+    // Rows of assignments are groups.
+    assert_eq!(
+        formatted("aa = 1; ab = 2; ac = 3; ad = 4; ae = 5;\nba = 1;", &style),
+        "aa = 1; ab = 2; ac = 3; ad = 4;\nae = 5;\nba = 1;\n"
     );
 }
 
@@ -322,6 +361,16 @@ fn long_lines_have_one_form() {
         (
             "float a = bbbbbbb < ccccccc ? ddddddddd : eeeeee;",
             "float a = bbbbbbb < ccccccc\n    ? ddddddddd\n    : eeeeee;\n",
+        ),
+        // A short argument stays with a call, whose arguments are broken.
+        (
+            "d = min(d, f(aaaaaa - b, vec2(ccccccccc, dddd)));",
+            "d = min(d, f(aaaaaa - b,\n             vec2(ccccccccc, dddd)));\n",
+        ),
+        // Arguments that would be broken far to the right are below.
+        (
+            "aaaaaaaa.bbb = max(f(ccccccccc, ddddddd, eeee), g(hhhhhhhhhhhhhhhhhhh, iiiiiiiiiiiiiii));",
+            "aaaaaaaa.bbb = max(\n    f(ccccccccc, ddddddd, eeee),\n    g(hhhhhhhhhhhhhhhhhhh,\n      iiiiiiiiiiiiiii));\n",
         ),
         (
             "if (aaaaaaaaaaaaaaaaaa < bbbbbbbbbbbbbb(ccc)) d = 1.;",
