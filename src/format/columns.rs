@@ -121,7 +121,11 @@ impl CellFinder<'_> {
 
     fn is_wide(&self, at: usize) -> bool {
         let usual = u32::from(self.blanks.get(at) == Some(&true));
+        // A statement may be aligned by space before the semicolon of the one before.
+        let before = at.checked_sub(1).and_then(|at| self.items.get(at));
+        let before = before.filter(|_| self.start(at) == Some(StatementStart::Statement));
         self.items.get(at).is_some_and(|item| item.blanks > usual)
+            || before.is_some_and(|before| before.is(T::Semicolon) && before.blanks > 0)
     }
 
     /// The items of consecutive lines that are below one another and alike.
@@ -430,22 +434,36 @@ impl Cells {
         // The shift of each line so far, and the additional space before each cell.
         let mut moved = vec![0u32; lines.count];
         let mut pads = vec![0u32; lines.block.len()];
+        // The column of each bracket that contains a cell.
+        let mut opened = vec![None; lines.block.len()];
         for cells in &columns {
-            let column = |at: &usize| {
+            let now = cells.iter().filter_map(|at| {
                 let place = places.get(*at)?;
-                Some(place.column + width(*at) + moved.get(lines.of_place(place))?)
-            };
-            let target = cells.iter().filter_map(column).max().unwrap_or(0);
-            let missing: Vec<u32> = cells
-                .iter()
-                .map(|i| target - column(i).unwrap_or(target))
-                .collect();
-            for (at, missing) in cells.iter().zip(missing) {
-                let line = places.get(*at).map_or(0, |place| lines.of_place(place));
-                let pad = pads.get_mut(*at - lines.block.start);
-                if let (Some(moved), Some(pad)) = (moved.get_mut(line), pad) {
-                    *moved += missing;
-                    *pad += missing;
+                let line = lines.of_place(place);
+                let shift = moved.get(line).copied()?;
+                let bracket = roles.get(*at)?.bracket.map(|open| open as usize);
+                let bracket = bracket.and_then(|open| {
+                    let bracket = places.get(open).filter(|b| b.line == place.line)?;
+                    let opened = opened.get_mut(open.checked_sub(lines.block.start)?)?;
+                    Some(*opened.get_or_insert(bracket.column + shift))
+                });
+                Some(CellNow {
+                    at: *at,
+                    line,
+                    column: place.column + width(*at) + shift,
+                    // Numbers are aligned where their brackets are.
+                    bracket: bracket.filter(|_| width(*at) > 0),
+                })
+            });
+            let now: Vec<CellNow> = now.collect();
+            for cells in now.chunk_by(|a, b| a.bracket == b.bracket) {
+                let target = cells.iter().map(|cell| cell.column).max().unwrap_or(0);
+                for cell in cells {
+                    let pad = pads.get_mut(cell.at - lines.block.start);
+                    if let (Some(moved), Some(pad)) = (moved.get_mut(cell.line), pad) {
+                        *moved += target - cell.column;
+                        *pad += target - cell.column;
+                    }
                 }
             }
         }
@@ -497,6 +515,15 @@ impl Cells {
         closed.retain(|cells| cells.len() > 1);
         closed
     }
+}
+
+/// A cell while columns are aligned.
+struct CellNow {
+    at: usize,
+    line: usize,
+    column: u32,
+    /// The column of the bracket around a number on its line.
+    bracket: Option<u32>,
 }
 
 /// The lines of a block in the output.

@@ -17,6 +17,8 @@ pub struct StatementRow {
     /// Its first item, and the item after the last one.
     pub from: usize,
     to: usize,
+    /// The item after the last one that is no comment.
+    end: usize,
     line: u32,
     /// The number of its statements.
     count: usize,
@@ -62,6 +64,7 @@ impl LineLayout<'_> {
         is_row.then(|| StatementRow {
             from: line.start,
             to: line.end,
+            end: last.map_or(line.end, |last| last + 1),
             line: self.item(line.start).map_or(0, |first| first.line),
             count: statements.count(),
             fits,
@@ -87,7 +90,9 @@ impl LineLayout<'_> {
         let mut from = 0;
         while let Some(form) = forms.get(from) {
             let rest = rows.get(from..).unwrap_or(&[]).windows(2);
-            let near = rest.take_while(|pair| matches!(pair, [a, b] if a.line + 1 == b.line));
+            let near = rest.take_while(|pair| {
+                matches!(pair, [a, b] if a.line + 1 == b.line && a.end == a.to)
+            });
             let same = forms.iter().skip(from + 1).take_while(|next| *next == form);
             let to = from + 1 + near.count().min(same.count());
             let equal = rows.get(from..to).unwrap_or(&[]);
@@ -103,7 +108,7 @@ impl LineLayout<'_> {
     /// itself.
     fn refill_rows(&mut self, rows: &[StatementRow]) -> Range<usize> {
         let first = rows.first().map_or(0, |row| row.from);
-        let end = rows.last().map_or(0, |row| row.to);
+        let end = rows.last().map_or(0, |row| row.end);
         let mut last = end;
         let are_calls = self
             .item(first + 1)
@@ -124,7 +129,7 @@ impl LineLayout<'_> {
 
     /// The tokens of each statement of a row, if all are equal and there is nothing else.
     fn form(&self, row: &StatementRow) -> Option<Vec<T>> {
-        let items = self.items.get(row.from..row.to)?;
+        let items = self.items.get(row.from..row.end)?;
         let is_plain = |i: &FormatItem| i.token().is_some() && !i.keeps;
         let mut statements = self.statements(row);
         statements.dedup();

@@ -239,6 +239,11 @@ fn numbers_in_columns_keep_their_padding() {
         "x += x << 10u;\nx ^= x >>  6u;\nx += y;",
     );
     body("a = vec2( 1.0, 2.0);", "a = vec2(1.0, 2.0);");
+    // The brackets are no longer below one another.
+    body(
+        "a =b(vec2( 0.5, 1.0));\nc =b(vec2(-0.5, 1.0));\ndd=b(vec2(-0.5, 1.0));",
+        "a = b(vec2( 0.5, 1.0));\nc = b(vec2(-0.5, 1.0));\ndd = b(vec2(-0.5, 1.0));",
+    );
 }
 
 #[test]
@@ -250,6 +255,10 @@ fn rows_of_equal_statements_stay() {
     );
     body("a=1.;b=2.;\nf(c);d=3.;", "a = 1.;\nb = 2.;\nf(c);\nd = 3.;");
     body("a=1.;   b=2.;\nf(c);", "a = 1.;  b = 2.;\nf(c);");
+    body(
+        "a+=f(1.)*.5  ; b*=2.;\na+=f(2.)*.125; b*=3.;",
+        "a += f(1.) * .5;   b *= 2.;\na += f(2.) * .125; b *= 3.;",
+    );
 }
 
 #[test]
@@ -264,6 +273,10 @@ fn lists_of_equal_statements_are_filled_again() {
             &style
         ),
         "aa(1); aa(2); aa(3); aa(4);\naa(5); aa(6);\n\nb(1);\n"
+    );
+    assert_eq!(
+        formatted("aa(1); aa(2); aa(3); aa(4); aa(5); // a", &style),
+        "aa(1); aa(2); aa(3); aa(4);\naa(5); // a\n"
     );
     // Rows of assignments are groups.
     assert_eq!(
