@@ -145,8 +145,9 @@ fn has_rows(items: &[FormatItem]) -> bool {
 /// says that a row starts, with more space than usual somewhere.
 fn are_lined_up(text: &str, items: &[FormatItem], start: impl Fn(&[FormatItem]) -> u32) -> bool {
     let commas = |row: &[FormatItem]| -> Vec<u32> {
-        let inner = row.get(..row.len().saturating_sub(1)).unwrap_or(&[]);
-        let commas = inner.iter().filter(|item| item.is(T::Comma));
+        let code = row.iter().filter(|item| !item.is_comment());
+        let count = code.clone().count().saturating_sub(1);
+        let commas = code.take(count).skip(1).filter(|item| item.is(T::Comma));
         commas.map(|comma| comma.column - start(row)).collect()
     };
     let rows = items.chunk_by(|a, b| a.line == b.line);

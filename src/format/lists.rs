@@ -21,6 +21,9 @@ const IN_PARAMETER: TokenSet = TokenSet::of(&[
     T::Lowp,
 ]);
 
+/// Tokens after a name that select a part.
+const IN_PART: TokenSet = TokenSet::of(&[T::Dot, T::Identifier]);
+
 /// What the elements of a list are.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum ElementKind<'a> {
@@ -104,7 +107,6 @@ impl LineLayout<'_> {
         let items = self.items.get(from..to)?;
         let signs = items.iter().take_while(|item| item.is_prefix).count();
         let (first, rest) = items.get(signs..)?.split_first()?;
-        let is_word = |kind: T| IN_PARAMETER.contains(kind);
         match first.token()? {
             T::Int | T::Float | T::True | T::False if rest.is_empty() => Some(ElementKind::Number),
             T::Identifier | T::Type if rest.first().is_some_and(|next| next.is(T::LeftParen)) => {
@@ -112,29 +114,19 @@ impl LineLayout<'_> {
                 let name = first.span.start as usize..first.span.end as usize;
                 (close + 1 == to).then_some(ElementKind::Call(self.text.get(name)?))
             }
-            kind if is_word(kind) => {
-                let is_inner = |at: usize| self.role(at).bracket != self.role(from).bracket;
-                let mut outer = (from + signs + 1..to).filter(|at| !is_inner(*at));
-                let is = |at: usize, kinds: &[T]| {
-                    let kind = self.item(at).and_then(FormatItem::token);
-                    kind.is_some_and(|kind| kinds.contains(&kind))
+            kind if IN_PARAMETER.contains(kind) => {
+                let bracket = self.role(from).bracket;
+                let outer = (from + signs + 1..to).filter(|at| self.role(*at).bracket == bracket);
+                let mut outer = outer.filter_map(|at| self.item(at)?.token());
+                let next = rest.first().and_then(FormatItem::token);
+                let (words, kind) = match next.is_some_and(|next| IN_PARAMETER.contains(next)) {
+                    true => (IN_PARAMETER, ElementKind::Parameter),
+                    false => (IN_PART, ElementKind::Name),
                 };
-                let part = [T::Dot, T::Identifier, T::LeftBracket, T::RightBracket];
-                if outer.clone().all(|at| is(at, &part))
-                    && !rest.first().is_some_and(|next| next.is(T::Identifier))
-                {
-                    return Some(ElementKind::Name);
-                }
-                let words = [T::LeftBracket, T::RightBracket];
+                let is_bracket = |kind| matches!(kind, T::LeftBracket | T::RightBracket);
                 outer
-                    .all(|at| {
-                        is(at, &words)
-                            || self
-                                .item(at)
-                                .and_then(FormatItem::token)
-                                .is_some_and(is_word)
-                    })
-                    .then_some(ElementKind::Parameter)
+                    .all(|kind| words.contains(kind) || is_bracket(kind))
+                    .then_some(kind)
             }
             _ => None,
         }

@@ -90,9 +90,8 @@ impl LineLayout<'_> {
         let mut from = 0;
         while let Some(form) = forms.get(from) {
             let rest = rows.get(from..).unwrap_or(&[]).windows(2);
-            let near = rest.take_while(|pair| {
-                matches!(pair, [a, b] if a.line + 1 == b.line && a.end == a.to)
-            });
+            let near = rest
+                .take_while(|pair| matches!(pair, [a, b] if a.line + 1 == b.line && a.end == a.to));
             let same = forms.iter().skip(from + 1).take_while(|next| *next == form);
             let to = from + 1 + near.count().min(same.count());
             let equal = rows.get(from..to).unwrap_or(&[]);
