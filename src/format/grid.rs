@@ -32,7 +32,7 @@ pub fn keep(
 ) {
     let mut at = 0;
     while at < items.len() {
-        let table = table(text, items, roles, at);
+        let table = table(text, items, roles, blanks, at);
         match table.filter(|table| fits(items, roles, blanks, at..table.close, style)) {
             Some(table) => {
                 keep_table(items, at, &table);
@@ -55,6 +55,7 @@ fn table(
     text: &str,
     items: &[FormatItem],
     roles: &[ItemRole],
+    blanks: &[bool],
     open: usize,
 ) -> Option<BracketTable> {
     let role = roles.get(open)?;
@@ -83,10 +84,11 @@ fn table(
     if !may_be_table {
         return None;
     }
+    let blanks = blanks.get(open + 1..close)?;
     let start = |row: &[FormatItem]| row.first().map_or(0, |first| first.column);
-    let is_table = is_plain && has_rows(inner) || are_lined_up(text, inner, |_| 0);
+    let is_table = is_plain && has_rows(inner) || are_lined_up(text, inner, blanks, |_| 0);
     // With tabs, rows may start where they should not.
-    let starts_alike = !is_table && are_lined_up(text, inner, start);
+    let starts_alike = !is_table && are_lined_up(text, inner, blanks, start);
     (is_table || starts_alike).then_some(BracketTable {
         close,
         starts_alike,
@@ -142,28 +144,44 @@ fn has_rows(items: &[FormatItem]) -> bool {
 }
 
 /// Whether the commas between the elements of all rows are below one another, seen from where `start`
-/// says that a row starts, with more space than usual somewhere.
-fn are_lined_up(text: &str, items: &[FormatItem], start: impl Fn(&[FormatItem]) -> u32) -> bool {
-    let commas = |row: &[FormatItem]| -> Vec<u32> {
-        let code = row.iter().filter(|item| !item.is_comment());
+/// says that a row starts, only because of additional space.
+fn are_lined_up(
+    text: &str,
+    items: &[FormatItem],
+    blanks: &[bool],
+    start: impl Fn(&[FormatItem]) -> u32,
+) -> bool {
+    let mut at = 0;
+    let (mut rows, mut flat) = (Vec::new(), Vec::new());
+    for row in items.chunk_by(|a, b| a.line == b.line) {
+        let code = row.iter().zip(blanks.get(at..).unwrap_or(&[]));
+        let code = code.filter(|(item, _)| !item.is_comment());
         let count = code.clone().count().saturating_sub(1);
-        let commas = code.take(count).skip(1).filter(|item| item.is(T::Comma));
-        commas.map(|comma| comma.column - start(row)).collect()
-    };
-    let rows = items.chunk_by(|a, b| a.line == b.line);
-    let rows: Vec<Vec<u32>> = rows.map(commas).collect();
-    let Some(first) = rows.first().filter(|first| first.len() > 1) else {
-        return false;
-    };
-    let is_wide = |item: &FormatItem| item.breaks == 0 && item.blanks > 1;
+        let mut end = 0;
+        let (mut commas, mut closest) = (Vec::new(), Vec::new());
+        for (n, (item, blank)) in code.take(count).enumerate() {
+            if n > 0 && item.is(T::Comma) {
+                commas.push(item.column - start(row));
+                closest.push(end);
+            }
+            end += item.width + u32::from(*blank && n > 0);
+        }
+        rows.push(commas);
+        flat.push(closest);
+        at += row.len();
+    }
+    let are_equal = |rows: &[Vec<u32>]| rows.windows(2).all(|pair| pair.first() == pair.last());
     // The width of a tab depends on its column.
     let has_tab = |item: &FormatItem| {
         let before = item.span.start.checked_sub(1);
         let before = before.and_then(|at| text.as_bytes().get(at as usize));
         item.breaks == 0 && before == Some(&b'\t')
     };
+    let is_wide = |item: &FormatItem| item.breaks == 0 && item.blanks > 1;
     rows.len() > 1
-        && rows.iter().all(|row| row == first)
+        && rows.first().is_some_and(|row| row.len() > 1)
+        && are_equal(&rows)
+        && !are_equal(&flat)
         && items.iter().any(is_wide)
         && !items.iter().any(has_tab)
 }

@@ -192,6 +192,11 @@ fn tables_of_names_stay_tables() {
     );
     // Without additional space it is no table.
     body("f(a+b,c,d,\n  e+f,g,h);", "f(a + b, c, d,\n  e + f, g, h);");
+    // Nor if the space changes nothing.
+    body(
+        "f( g(a,b), c+d,\n  g(e,f), h+i  );",
+        "f(g(a, b), c + d,\n  g(e, f), h + i);",
+    );
     // The last row is shorter.
     body(
         "a = b[]\n(\n  c( 1,  9), c(11,  9),\n  c( 2,  9)\n);",
