@@ -458,7 +458,7 @@ impl LineLayout<'_> {
         }
         let parts = parts.len();
         let mut equal = (most.div_ceil(2)..=most).rev();
-        let equal = equal.find(|count| parts % count == 0);
+        let equal = equal.find(|count| parts.is_multiple_of(*count));
         // Without lines of equal length, they are about equal.
         let count = equal.unwrap_or_else(|| parts.div_ceil(parts.div_ceil(most)));
         let (lines, _) = self.filled(&elements, (column, column), self.style.width);
