@@ -1,7 +1,7 @@
 //! The indentation of code inside preprocessor conditionals, if the author indented it.
 
 use super::item::{BranchDirective, FormatItem, ItemKind};
-use super::structure::ItemRole;
+use super::structure::{ItemRole, StatementStart};
 
 /// A conditional: its directives, and whether the author indented what is inside.
 #[derive(Default)]
@@ -80,7 +80,8 @@ fn conditionals(items: &[FormatItem], roles: &[ItemRole], base: u32) -> Vec<Cond
 fn is_indented(items: &[FormatItem], roles: &[ItemRole], at: usize, base: u32) -> Option<bool> {
     let (item, next) = (items.get(at)?, items.get(at + 1)?);
     let (role, next_role) = (roles.get(at)?, roles.get(at + 1)?);
-    if next.keeps {
+    let goes_on = next.token().is_some() && next_role.start == StatementStart::Nothing;
+    if next.keeps || goes_on {
         return None;
     }
     let is_placed = item.column > base || role.level == 0;

@@ -15,17 +15,20 @@ pub fn edits(
     extent: TextExtent,
 ) -> Vec<Edit> {
     let line_break = line_break(text);
-    let mut edits = Vec::new();
+    let (mut edits, mut expected) = (Vec::new(), String::new());
     let mut end = 0;
     let mut column = 0;
     for (item, place) in items.iter().zip(places) {
         let gap = Span::new(end, item.span.start);
         if !place.keeps {
-            let blanks = match place.breaks {
-                0 => " ".repeat(place.column.saturating_sub(column) as usize),
+            let (tabs, blanks) = match place.breaks {
+                0 => (0, place.column.saturating_sub(column)),
                 _ => indentation(place, style),
             };
-            let expected = line_break.repeat(place.breaks as usize) + &blanks;
+            expected.clear();
+            (0..place.breaks).for_each(|_| expected.push_str(line_break));
+            expected.extend(std::iter::repeat_n('\t', tabs as usize));
+            expected.extend(std::iter::repeat_n(' ', blanks as usize));
             replace(text, gap, &expected, &mut edits);
         }
         end = item.span.end;
@@ -59,16 +62,15 @@ fn line_break(text: &str) -> &'static str {
     }
 }
 
-/// The white space at the start of a line. With tabs, levels are tabs and alignment is spaces.
-fn indentation(place: &ItemPlace, style: &Style) -> String {
-    let (tabs, blanks) = match style.indent {
+/// The tabs and spaces at the start of a line. With tabs, levels are tabs and alignment is spaces.
+fn indentation(place: &ItemPlace, style: &Style) -> (u32, u32) {
+    match style.indent {
         Indentation::Spaces(_) => (0, place.column),
         Indentation::Tab(width) => {
             let tabs = place.level.min(place.column / width.max(1));
             (tabs, place.column - tabs * width)
         }
-    };
-    "\t".repeat(tabs as usize) + &" ".repeat(blanks as usize)
+    }
 }
 
 fn replace(text: &str, gap: Span, expected: &str, edits: &mut Vec<Edit>) {

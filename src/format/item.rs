@@ -6,7 +6,7 @@ use shaderlint_syntax::{RawKind, RawToken, TokenKind, Version, WordClass, classi
 use shaderlint_text::Span;
 
 /// A piece of text that is not changed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct FormatItem {
     pub kind: ItemKind,
     /// The byte range in the text.
@@ -144,8 +144,8 @@ struct ItemReader<'a> {
     is_off: bool,
 }
 
-impl ItemReader<'_> {
-    fn text(&self, span: Span) -> &str {
+impl<'a> ItemReader<'a> {
+    fn text(&self, span: Span) -> &'a str {
         let range = span.start as usize..span.end as usize;
         self.text.get(range).unwrap_or("")
     }
@@ -191,7 +191,7 @@ impl ItemReader<'_> {
     }
 
     fn gap(&mut self, token: &RawToken) {
-        let text = self.text(token.span).to_string();
+        let text = self.text(token.span);
         if text.contains('\\') {
             self.splices_next = true;
         }
@@ -199,7 +199,7 @@ impl ItemReader<'_> {
             self.breaks += 1;
         }
         let before = self.column;
-        self.pass(&text);
+        self.pass(text);
         self.blanks += self.column.saturating_sub(before);
     }
 
@@ -235,8 +235,8 @@ impl ItemReader<'_> {
 
     fn add(&mut self, kind: ItemKind, span: Span) {
         let (line, column) = (self.line, self.column);
-        let text = self.text(span).to_string();
-        self.pass(&text);
+        let text = self.text(span);
+        self.pass(text);
         let is_tall = self.line > line;
         let is_prefix = is_prefix(kind, &self.items);
         self.items.push(FormatItem {

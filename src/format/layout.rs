@@ -1,14 +1,14 @@
-//! The layout pass: assigns a position to every item.
+//! The layout pass: assigns a position to every item, block by block.
 
-use super::columns;
+use super::columns::Cells;
 use super::item::FormatItem;
 use super::lines::Gap;
 use super::operators;
-use super::place::{ItemPlace, LineLayout};
+use super::place::{ItemPlace, LayoutPoint, LineLayout};
 use super::request::{Lines, TextExtent};
-use super::spacing::has_blank;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
+use std::ops::Range;
 
 /// How a text is laid out.
 pub struct LayoutSettings<'a> {
@@ -19,111 +19,52 @@ pub struct LayoutSettings<'a> {
     pub base: u32,
 }
 
-/// Maximum number of layouts of a text.
-const MAX_ROUNDS: usize = 4;
+/// Maximum number of layouts of a block.
+const MAX_ROUNDS: usize = 6;
 
-/// Assigns a position to every item. Lines that were too long are laid out again from where they
-/// are now, so that formatting the result would not change it.
+/// Assigns a position to every item.
 pub fn place(
     text: &str,
     items: &mut [FormatItem],
     roles: &[ItemRole],
+    blanks: Vec<bool>,
     settings: &LayoutSettings,
 ) -> Vec<ItemPlace> {
-    let (mut places, mut is_over) = place_once(text, items, roles, settings);
-    for _ in 1..MAX_ROUNDS {
-        if !is_over {
-            break;
-        }
-        move_items(text, items, &places);
-        let before = std::mem::take(&mut places);
-        (places, is_over) = place_once(text, items, roles, settings);
-        is_over &= places != before;
-    }
-    places
-}
-
-/// Moves items to their positions.
-fn move_items(text: &str, items: &mut [FormatItem], places: &[ItemPlace]) {
-    let (mut line, mut end) = (0, 0);
-    for (item, place) in items.iter_mut().zip(places) {
-        line += place.breaks;
-        item.breaks = place.breaks;
-        item.blanks = match place.breaks {
-            0 => place.column.saturating_sub(end),
-            _ => place.column,
-        };
-        item.line = line;
-        item.column = place.column;
-        end = match item.is_tall {
-            true => item.width,
-            false => place.column + item.width,
-        };
-        if item.is_tall {
-            let span = item.span.start as usize..item.span.end as usize;
-            line += line_breaks(text.get(span).unwrap_or(""));
-        }
-    }
-}
-
-fn line_breaks(text: &str) -> u32 {
-    let count = |text: &str, of| text.matches(of).count();
-    (count(text, "\n") + count(text, "\r") - count(text, "\r\n")) as u32
-}
-
-/// Assigns a position to every item, and whether there were lines that were too long.
-fn place_once(
-    text: &str,
-    items: &[FormatItem],
-    roles: &[ItemRole],
-    settings: &LayoutSettings,
-) -> (Vec<ItemPlace>, bool) {
-    let blanks = blanks(text, items, roles);
+    let count = items.len();
     let mut layout = LineLayout {
-        items,
+        text,
         roles,
         style: settings.style,
         extent: settings.extent,
         lines: settings.lines,
         base: settings.base,
-        in_rows: Vec::new(),
-        aligned: Vec::new(),
-        filled: Vec::new(),
+        in_rows: vec![false; count],
+        aligned: vec![false; count],
+        filled: vec![0; count],
+        ends: flat_ends(items, &blanks),
         blanks,
-        ends: Vec::new(),
-        places: vec![ItemPlace::default(); items.len()],
+        places: vec![ItemPlace::default(); count],
         starts: Vec::new(),
-        siblings: vec![[None; 3]; items.len() + 1],
-        end: 0,
-        statement: 0,
-        statement_column: 0,
-        inline: None,
-        labelled: None,
+        siblings: vec![[None; 3]; count + 1],
         steps: operators::steps(items, roles),
+        chains: operators::chains(items, roles),
+        lists: vec![None; count],
+        joined: vec![false; count],
+        found_list: false,
         operators_end_lines: operators::end_lines(items, roles),
-        laid: 0,
-        is_over: false,
-        split: None,
-        last: 0,
-        after: 0,
+        items,
+        block_end: 0,
+        point: LayoutPoint::default(),
     };
-    layout.ends = layout.flat_ends();
-    let rows = layout.rows();
-    let mut cells = columns::cells(items, roles, &layout.blanks, &rows);
-    layout.filled = layout.refilled(&rows);
-    for (at, last) in layout.filled.iter().enumerate().filter(|(_, l)| **l > 0) {
-        cells.remove(at..=*last);
+    let mut cells = Cells::new(count);
+    let mut from = 0;
+    while from < count {
+        let starts_block = |at: &usize| layout.starts_block(*at);
+        let to = (from + 1..count).find(starts_block).unwrap_or(count);
+        layout.place_block(from..to, &mut cells);
+        from = to;
     }
-    layout.aligned = (0..items.len()).map(|at| cells.contain(at)).collect();
-    layout.in_rows = layout.in_rows(&rows);
-    layout.is_over = layout.filled.iter().any(|last| *last > 0);
-    for at in 0..items.len() {
-        layout.set(at);
-    }
-    let mut places = layout.places;
-    let is_over = layout.is_over;
-    columns::align(items, roles, &cells, &mut places);
-    (places, is_over)
+    layout.places
 }
 
 /// The column of statements outside functions, if the text is embedded in another: that of the
@@ -141,20 +82,129 @@ pub fn base(items: &[FormatItem], roles: &[ItemRole], extent: TextExtent) -> u32
     }
 }
 
-/// By item: whether there is a space before it if it is on the same line.
-fn blanks(text: &str, items: &[FormatItem], roles: &[ItemRole]) -> Vec<bool> {
-    let pairs = items.iter().zip(items.iter().skip(1));
-    let pairs = pairs.zip(roles.iter().skip(1));
-    let blank = pairs.map(|((before, item), role)| has_blank(text, before, item, role));
-    std::iter::once(false).chain(blank).collect()
+/// By item: the column of its end if all items were on one line.
+fn flat_ends(items: &[FormatItem], blanks: &[bool]) -> Vec<u32> {
+    let mut end = 0u32;
+    let ends = items.iter().zip(blanks).map(|(item, blank)| {
+        end = end
+            .saturating_add(item.width)
+            .saturating_add(u32::from(*blank));
+        end
+    });
+    ends.collect()
+}
+
+fn line_breaks(text: &str) -> u32 {
+    let count = |text: &str, of| text.matches(of).count();
+    (count(text, "\n") + count(text, "\r") - count(text, "\r\n")) as u32
 }
 
 impl LineLayout<'_> {
+    /// Whether the layout of what follows does not depend on the lines before: after an empty line
+    /// between statements, or after the end of a function.
+    fn starts_block(&self, at: usize) -> bool {
+        let (Some(item), Some(before)) = (self.item(at), self.before(at)) else {
+            return false;
+        };
+        let role = self.role(at);
+        let is_between = match role.start {
+            StatementStart::Statement | StatementStart::Comment => !item.keeps,
+            _ => false,
+        };
+        let is_after_function = || {
+            let last = self.role(at - 1);
+            (last.start, last.level, role.level) == (StatementStart::Close, 0, 0)
+                && before.breaks > 0
+                && !before.keeps
+        };
+        is_between && (item.breaks > 1 || item.breaks > 0 && is_after_function())
+    }
+
+    /// Assigns positions to the items of a block. If lines were too long, it is laid out again from
+    /// where its items are now, so that formatting the result would not change it.
+    fn place_block(&mut self, block: Range<usize>, cells: &mut Cells) {
+        let (before, lines) = (self.point, self.starts.len());
+        let outer = self.siblings.first().copied().unwrap_or_default();
+        let mut last: Option<Vec<ItemPlace>> = None;
+        for _ in 0..MAX_ROUNDS {
+            if let Some(brackets) = self.siblings.get_mut(block.start + 1..=block.end) {
+                brackets.fill([None; 3]);
+            }
+            self.siblings
+                .first_mut()
+                .into_iter()
+                .for_each(|first| *first = outer);
+            self.starts.truncate(lines);
+            self.point = before;
+            self.place_once(block.clone(), cells);
+            if std::mem::take(&mut self.found_list) {
+                continue;
+            }
+            let places = self.places.get(block.clone()).unwrap_or(&[]);
+            if !self.point.is_over || last.as_deref() == Some(places) {
+                break;
+            }
+            last = Some(places.to_vec());
+            self.move_items(block.clone());
+        }
+        self.point.is_over = false;
+    }
+
+    fn place_once(&mut self, block: Range<usize>, cells: &mut Cells) {
+        self.block_end = block.end;
+        let rows = self.rows(block.clone());
+        cells.find(self.items, self.roles, &self.blanks, block.clone(), &rows);
+        for refilled in self.refill(block.clone(), &rows) {
+            cells.remove(refilled);
+        }
+        for at in block.clone() {
+            if self.joined.get(at) == Some(&true) {
+                cells.remove(at..at + 1);
+            }
+            if let Some(aligned) = self.aligned.get_mut(at) {
+                *aligned = cells.contain(at);
+            }
+        }
+        self.keep_rows(block.clone(), &rows);
+        for at in block.clone() {
+            self.set(at);
+        }
+        cells.align(self.items, self.roles, block, &mut self.places);
+    }
+
+    /// Moves the items of a block to their positions.
+    fn move_items(&mut self, block: Range<usize>) {
+        let mut line = self.item(block.start).map_or(0, |first| first.line);
+        let mut end = 0;
+        let items = self.items.iter_mut().zip(&self.places).enumerate();
+        for (at, (item, place)) in items.take(block.end).skip(block.start) {
+            if at > block.start {
+                line += place.breaks;
+            }
+            item.breaks = place.breaks;
+            item.blanks = match place.breaks {
+                0 => place.column.saturating_sub(end),
+                _ => place.column,
+            };
+            item.line = line;
+            item.column = place.column;
+            end = match item.is_tall {
+                true => item.width,
+                false => place.column + item.width,
+            };
+            if item.is_tall {
+                let span = item.span.start as usize..item.span.end as usize;
+                line += line_breaks(self.text.get(span).unwrap_or(""));
+            }
+        }
+    }
+
     fn set(&mut self, at: usize) {
-        let Some(item) = self.items.get(at) else {
+        let Some(item) = self.items.get(at).copied() else {
             return;
         };
-        if at < self.laid {
+        let item = &item;
+        if at < self.point.laid {
             return self.note(at, item, Gap::Line);
         }
         let gap = self.gap(at, item);
@@ -179,14 +229,14 @@ impl LineLayout<'_> {
         let starts = role.start != StatementStart::Nothing;
         match role.start {
             StatementStart::Body if gap == Gap::Level && item.breaks == 0 => {
-                self.split = role.level.checked_sub(1);
+                self.point.split = role.level.checked_sub(1);
             }
-            StatementStart::Statement | StatementStart::Close => self.split = None,
+            StatementStart::Statement | StatementStart::Close => self.point.split = None,
             _ => {}
         }
         if starts && !item.is_comment() {
-            self.statement = at;
-            self.statement_column = self.line_column();
+            self.point.statement = at;
+            self.point.statement_column = self.line_column();
             if let Some(outer) = self.siblings.first_mut() {
                 *outer = [None; 3];
             }

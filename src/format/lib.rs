@@ -16,6 +16,7 @@ mod hang;
 mod item;
 mod layout;
 mod lines;
+mod lists;
 mod operators;
 mod overflow;
 mod place;
@@ -65,14 +66,15 @@ pub fn format(text: &str, style: &Style, extent: TextExtent, lines: Lines) -> Fo
     }
     let base = layout::base(&items, &roles, extent);
     branches::indent(&items, &mut roles, base);
-    grid::keep(&mut items, &roles);
+    let blanks = spacing::blanks(text, &items, &roles);
+    grid::keep(text, &mut items, &roles, &blanks, style);
     let settings = LayoutSettings {
         style,
         extent,
         lines,
         base,
     };
-    let places = layout::place(text, &mut items, &roles, &settings);
+    let places = layout::place(text, &mut items, &roles, blanks, &settings);
     FormattedText {
         edits: gaps::edits(text, &items, &places, style, extent),
         left,

@@ -50,7 +50,7 @@ impl LineLayout<'_> {
                 _ => inside,
             };
         }
-        if self.inline.is_some_and(|end| at <= end) {
+        if self.point.inline.is_some_and(|end| at <= end) {
             return Gap::Line;
         }
         // A comment stays on the line of the code that follows it.
@@ -62,10 +62,11 @@ impl LineLayout<'_> {
             StatementStart::Comment => Gap::Level,
             StatementStart::Statement | StatementStart::Label => self.gap_statement(at, item),
             StatementStart::Body => {
-                let is_split =
-                    self.split.is_some() && self.split == self.role(at).level.checked_sub(1);
+                let is_split = self.point.split.is_some()
+                    && self.point.split == self.role(at).level.checked_sub(1);
                 let is_header_broken = self.starts.last().is_some_and(|first| {
-                    *first > self.statement && self.item(*first).is_some_and(|i| i.breaks == 0)
+                    *first > self.point.statement
+                        && self.item(*first).is_some_and(|i| i.breaks == 0)
                 });
                 let stays = item.breaks == 0 && !is_split && !is_header_broken;
                 match stays && self.ends_here(at) {
@@ -76,7 +77,7 @@ impl LineLayout<'_> {
             StatementStart::Tail => self.gap_tail(at, item, before),
             StatementStart::Open => match self.style.brace {
                 Brace::Same => Gap::Line,
-                Brace::Next if self.stays_inline(at, self.end + 1) => Gap::Line,
+                Brace::Next if self.stays_inline(at, self.point.end + 1) => Gap::Line,
                 Brace::Next => Gap::Level,
             },
             StatementStart::Close => Gap::Level,
@@ -91,7 +92,7 @@ impl LineLayout<'_> {
         let items = self.items.iter().enumerate().take(end + 1).skip(at + 1);
         let mut lines = items.take(self.style.width as usize);
         let broken = lines.find(|(_, item)| item.breaks > 0).map(|(i, _)| i - 1);
-        self.fits(at, broken.unwrap_or(end), self.end + 1)
+        self.fits(at, broken.unwrap_or(end), self.point.end + 1)
     }
 
     fn gap_inside(&self, at: usize, item: &FormatItem, before: &FormatItem) -> Gap {
@@ -104,18 +105,22 @@ impl LineLayout<'_> {
     /// Whether an item inside a statement always stays on the line of the one before it.
     pub(super) fn joins(&self, at: usize, item: &FormatItem, before: &FormatItem) -> bool {
         let is_else_if = item.is(T::If) && before.is(T::Else);
-        is_else_if || self.role(at - 1).start == StatementStart::Close
+        is_else_if
+            || self.role(at - 1).start == StatementStart::Close
+            || self.joined.get(at) == Some(&true)
     }
 
     fn gap_statement(&self, at: usize, item: &FormatItem) -> Gap {
         if let Some(last) = self.filled.get(at).copied().filter(|last| *last > 0) {
-            return match self.fits(at, last, self.end + 1) {
+            return match self.fits(at, last, self.point.end + 1) {
                 true => Gap::Line,
                 false => Gap::Level,
             };
         }
-        let is_after_label = || self.labelled == Some(item.line) && self.line_fits(at, item);
-        match item.breaks == 0 && (self.is_in_row(at) || is_after_label()) {
+        let ends = |before: &FormatItem| before.is(T::Semicolon) || before.is(T::RightBrace);
+        let is_empty = item.is(T::Semicolon) && self.before(at).is_some_and(ends);
+        let is_after_label = || self.point.labelled == Some(item.line) && self.line_fits(at, item);
+        match item.breaks == 0 && (is_empty || self.is_in_row(at) || is_after_label()) {
             true => Gap::Line,
             false => Gap::Level,
         }
@@ -146,8 +151,8 @@ impl LineLayout<'_> {
 
     /// Whether the last statement is on the line of its header.
     fn statement_starts_line_with_head(&self) -> bool {
-        !self.begins_line(self.statement)
-            || self.role(self.statement).start == StatementStart::Statement
+        !self.begins_line(self.point.statement)
+            || self.role(self.point.statement).start == StatementStart::Statement
     }
 
     /// Whether the current line starts with another tail of the construct of the tail at `at`.
@@ -161,23 +166,23 @@ impl LineLayout<'_> {
 
     /// Records what is kept on one line.
     pub(super) fn note(&mut self, at: usize, item: &FormatItem, gap: Gap) {
-        if self.inline.is_some_and(|end| at > end) {
-            self.inline = None;
+        if self.point.inline.is_some_and(|end| at > end) {
+            self.point.inline = None;
         }
         let start = self.role(at).start;
         let starts_line = gap != Gap::Line && start != StatementStart::Nothing;
         if starts_line || start == StatementStart::Close {
-            self.labelled = None;
+            self.point.labelled = None;
         }
         if self.role(at).is_label {
-            self.labelled = Some(item.line);
+            self.point.labelled = Some(item.line);
         }
         let column = match gap {
-            Gap::Line => self.end + 1,
+            Gap::Line => self.point.end + 1,
             _ => self.base + self.role(at).level * self.style.indent.width(),
         };
-        if item.is(T::LeftBrace) && self.inline.is_none() && self.stays_inline(at, column) {
-            self.inline = self.role(at).partner.map(|end| end as usize);
+        if item.is(T::LeftBrace) && self.point.inline.is_none() && self.stays_inline(at, column) {
+            self.point.inline = self.role(at).partner.map(|end| end as usize);
         }
     }
 
@@ -198,7 +203,8 @@ impl LineLayout<'_> {
         if partner == at + 1 {
             return self.lines == Lines::Free || self.item(partner).is_some_and(|p| p.breaks == 0);
         }
-        let is_one_line = self.item(partner).is_some_and(|p| p.line == open.line);
+        let is_near = partner < self.block_end;
+        let is_one_line = is_near && self.item(partner).is_some_and(|p| p.line == open.line);
         let is_plain = |i: &FormatItem| !i.parts_lines() && !i.keeps;
         let is_row = || {
             let inner = self.items.get(at..=partner).unwrap_or(&[]);
@@ -212,7 +218,7 @@ impl LineLayout<'_> {
         let items = self.items.iter().enumerate().skip(at);
         let line = items.take_while(|(_, i)| i.line == item.line && !i.ends_line());
         let line = line.take(self.style.width as usize + 1);
-        self.fits(at, line.last().map_or(at, |(i, _)| i), self.end + 1)
+        self.fits(at, line.last().map_or(at, |(i, _)| i), self.point.end + 1)
     }
 
     /// Whether a range of items fits on one line without line breaks, if the first starts at

@@ -3,7 +3,7 @@
 
 use super::item::FormatItem;
 use super::place::LineLayout;
-use super::spacing::precedence;
+use super::spacing::{is_assignment, precedence};
 use super::structure::{ItemRole, StatementStart};
 use shaderlint_syntax::TokenKind as T;
 
@@ -77,7 +77,64 @@ pub fn steps(items: &[FormatItem], roles: &[ItemRole]) -> Vec<u8> {
     steps
 }
 
+/// Of chains of `? :` outside brackets (`a ? b : c ? d : e`): each `:`, and the first item of the
+/// first condition.
+pub fn chains(items: &[FormatItem], roles: &[ItemRole]) -> Vec<(u32, u32)> {
+    let mut found = Vec::new();
+    let (mut head, mut first, mut is_open) = (0, 0, false);
+    for (at, (item, role)) in items.iter().zip(roles).enumerate() {
+        if role.start != StatementStart::Nothing {
+            (head, first, is_open) = (at, found.len(), false);
+        }
+        if role.bracket.is_some() || role.is_label {
+            continue;
+        }
+        if item.is_comment() && head == at {
+            head += 1;
+            continue;
+        }
+        let at = at as u32;
+        match item.token() {
+            Some(T::Question) if !is_open => is_open = true,
+            Some(T::Colon) if is_open => {
+                is_open = false;
+                found.push((at, head as u32));
+            }
+            // `a ? b ? c : d : e` is no chain.
+            Some(T::Question | T::Colon) => found.truncate(first),
+            Some(T::Semicolon | T::Comma) => {
+                if found.len() == first + 1 {
+                    found.pop();
+                }
+                (head, first, is_open) = (at as usize + 1, found.len(), false);
+            }
+            Some(T::Return) => head = at as usize + 1,
+            Some(kind) if is_assignment(kind) => head = at as usize + 1,
+            _ => {}
+        }
+    }
+    found
+}
+
 impl LineLayout<'_> {
+    /// The first item of the chain of `? :` to which a `:` belongs.
+    pub(super) fn chain(&self, at: usize) -> Option<usize> {
+        let found = self
+            .chains
+            .binary_search_by_key(&(at as u32), |(colon, _)| *colon);
+        let (_, head) = self.chains.get(found.ok()?)?;
+        Some(*head as usize)
+    }
+
+    /// Whether a `?` is in a chain of `? :`.
+    pub(super) fn is_in_chain(&self, at: usize) -> bool {
+        let next = self
+            .chains
+            .partition_point(|(colon, _)| (*colon as usize) < at);
+        let next = self.chains.get(next);
+        next.is_some_and(|(_, head)| (*head as usize) < at && self.role(at).bracket.is_none())
+    }
+
     /// The operator with which a line starts if it is broken before an item, or with which the line
     /// before it ends.
     pub(super) fn operator_of_line(&self, at: usize) -> Option<T> {

@@ -5,6 +5,7 @@
 //! are broken at the next level.
 
 use super::item::FormatItem;
+use super::lists::ElementKind;
 use super::place::{ItemPlace, LineLayout};
 use super::request::Lines;
 use super::spacing::{is_assignment, precedence};
@@ -32,14 +33,14 @@ struct LevelBreaks {
     /// The first item of each line that may start here.
     at: Vec<usize>,
     is_operator: bool,
-    /// Whether they are before the `:` of `? :`.
+    /// Whether they are before the `?` or `:` of `? :`.
     is_ternary: bool,
 }
 
 impl LineLayout<'_> {
     /// Assigns positions to the items after `at` on its line if the line is too long.
     pub(super) fn fit(&mut self, at: usize) {
-        if self.lines == Lines::Kept || self.inline.is_some() {
+        if self.lines == Lines::Kept || self.point.inline.is_some() {
             return;
         }
         let to = self.line_end(at);
@@ -49,13 +50,14 @@ impl LineLayout<'_> {
         if to <= at + 1 || column + self.flat(at, to) + after <= self.style.width {
             return;
         }
-        self.is_over = true;
+        self.point.is_over = true;
+        self.find_lists(at, to);
         if self.is_table_row(at, to) {
             return;
         }
-        self.laid = to;
-        self.after = after;
-        self.last = to;
+        self.point.laid = to;
+        self.point.after = after;
+        self.point.last = to;
         self.lay(LinePart { from: at, to });
     }
 
@@ -102,7 +104,11 @@ impl LineLayout<'_> {
 
     /// Whether items fit on a line that starts at `column`.
     fn fits_at(&self, column: u32, from: usize, to: usize) -> bool {
-        let after = if to == self.last { self.after } else { 0 };
+        let after = if to == self.point.last {
+            self.point.after
+        } else {
+            0
+        };
         column + self.flat(from, to) + after <= self.style.width
     }
 
@@ -121,8 +127,8 @@ impl LineLayout<'_> {
 
     fn lay_flat(&mut self, from: usize, to: usize) {
         for i in from..to {
-            if let Some(item) = self.items.get(i) {
-                self.go_on(i, item);
+            if let Some(item) = self.items.get(i).copied() {
+                self.go_on(i, &item);
             }
         }
     }
@@ -130,7 +136,10 @@ impl LineLayout<'_> {
     /// The possible breaks of a part that cost the least.
     fn level_breaks(&self, part: LinePart) -> Option<(u32, LevelBreaks)> {
         // An operator at the end of the line stays there.
-        let to = part.to.min(self.laid.saturating_sub(1));
+        let last = self.point.laid.saturating_sub(1);
+        let kind = self.item(last).and_then(FormatItem::token);
+        let is_operator = kind.is_some_and(|kind| precedence(kind).is_some());
+        let to = part.to.min(last + usize::from(!is_operator));
         let candidates = (part.from + 1..to).filter_map(|i| Some((self.cost(i)?, i)));
         let mut least = u32::MAX;
         let mut at = Vec::new();
@@ -150,7 +159,7 @@ impl LineLayout<'_> {
         let breaks = LevelBreaks {
             at,
             is_operator: operator.is_some(),
-            is_ternary: operator == Some(T::Colon),
+            is_ternary: matches!(operator, Some(T::Question | T::Colon)),
         };
         Some((least, breaks))
     }
@@ -182,27 +191,26 @@ impl LineLayout<'_> {
         }
         let column = self.placed(from).column;
         let fits = self.fits_at(column, from, first);
-        if fits {
-            self.lay_flat(from + 1, first);
-        }
+        // The column of the bracket determines that of the other lines.
+        let flat = match (fits, open) {
+            (true, _) => first,
+            (false, Some(open)) if self.fits_at(column, from, open + 1) => open + 1,
+            _ => from + 1,
+        };
+        self.lay_flat(from + 1, flat);
         let parts = breaks.parts(from, to);
         let hang = self.hanging(first).0;
-        if let Some(open) = open
-            && !breaks.is_operator
-            && (!(fits && self.all_fit(&parts, (column, hang)))
-                || hang <= self.placed(open).column && parts.len() > 2)
-            && self.fits_at(column, from, open + 1)
-        {
-            let column = self.line_column() + self.style.indent.width();
-            let parts = breaks.parts(open + 1, to);
-            if self.all_fit(&parts, (column, column)) {
-                if !fits {
-                    self.lay_flat(from + 1, open + 1);
-                }
-                self.break_before(open + 1);
-                self.lay_flat(open + 2, first);
-                return self.fill(&parts, (column, column), breaks);
+        if let Some(open) = open.filter(|_| !breaks.is_operator) {
+            if let Some(last) = self.hugged(open, &parts, (column, hang)).filter(|_| fits) {
+                self.lay_flat(first, last + 1);
+                return self.lay(LinePart { from: last, to });
             }
+            if self.lay_below(open, part, breaks, (fits, hang)) {
+                return;
+            }
+        }
+        if !fits && let Some(item) = self.items.get(from).copied() {
+            self.finish(&item, column);
         }
         if !fits && parts.len() == 2 && !breaks.is_ternary && self.flat(first, to) <= STUB {
             return self.lay_with(LinePart { from, to: first }, to);
@@ -212,6 +220,82 @@ impl LineLayout<'_> {
         }
         let hang = self.hanging(first).0;
         self.fill(&parts, (column, hang), breaks);
+    }
+
+    /// Breaks after the bracket of a list if its elements do not fit on lines after the bracket, and
+    /// have much more space below it. `fits` says whether the first one fits after the bracket, and
+    /// `hang` is the column of the others.
+    fn lay_below(
+        &mut self,
+        open: usize,
+        part: LinePart,
+        breaks: &LevelBreaks,
+        (fits, hang): (bool, u32),
+    ) -> bool {
+        let LinePart { from, to } = part;
+        let Some(first) = breaks.at.first().copied() else {
+            return false;
+        };
+        let start = self.placed(from).column;
+        let parts = breaks.parts(from, to);
+        let fit = fits && self.all_fit(&parts, (start, hang));
+        let is_far = hang <= self.placed(open).column;
+        let has_several = parts.len() > 2;
+        if fit && !(is_far && has_several) || !self.fits_at(start, from, open + 1) {
+            return false;
+        }
+        let indent = self.style.indent.width();
+        let column = self.line_column() + indent;
+        let parts = breaks.parts(open + 1, to);
+        let is_stub = parts.len() == 2 && self.flat(first, to) <= STUB;
+        let is_deep = !fit && (hang > column + 2 * indent || is_far && !fits && !is_stub);
+        if !is_deep && !self.all_fit(&parts, (column, column)) {
+            return false;
+        }
+        self.break_before(open + 1);
+        self.lay(LinePart {
+            from: open + 1,
+            to: first,
+        });
+        self.fill(&parts, (column, column), breaks);
+        true
+    }
+
+    /// The first item of the last element of a list, if it is a call that is broken at its commas
+    /// while the elements before it stay on one line: `d = min(d, f(a,` is not broken before `f`.
+    fn hugged(&self, open: usize, parts: &[(usize, usize)], columns: (u32, u32)) -> Option<usize> {
+        let (from, _) = *parts.first()?;
+        let (last, to) = *parts.last()?;
+        if self.fits_at(columns.1, last, to) {
+            return None;
+        }
+        let is_prefix = self.item(last)?.is_prefix;
+        let call = last + 1 + usize::from(is_prefix);
+        let close = self.role(call).partner.filter(|_| self.is_call(call))? as usize;
+        let column = columns.0 + self.flat(from, call + 1);
+        let is_far = column > self.style.width * 2 / 5;
+        if is_far || self.role(close + 1).partner != Some(open as u32) {
+            return None;
+        }
+        let is_comma = |at: &usize| {
+            let is_inner = self.role(*at).bracket == Some(call as u32);
+            is_inner && self.before(*at).is_some_and(|before| before.is(T::Comma))
+        };
+        let at: Vec<usize> = (call + 1..close).filter(is_comma).collect();
+        let breaks = LevelBreaks {
+            at,
+            is_operator: false,
+            is_ternary: false,
+        };
+        let parts = breaks.parts(call + 1, to);
+        let is_stub = parts.last().is_some_and(|(a, b)| self.flat(*a, *b) <= STUB);
+        (parts.len() > 1 && !is_stub && self.all_fit(&parts, (column, column))).then_some(last)
+    }
+
+    fn is_call(&self, open: usize) -> bool {
+        let is_word = |item: &FormatItem| item.is(T::Identifier) || item.is(T::Type);
+        self.item(open).is_some_and(|item| item.is(T::LeftParen))
+            && self.before(open).is_some_and(is_word)
     }
 
     /// Breaks after an assignment if that leaves one line and the alternative a short last one.
@@ -229,7 +313,7 @@ impl LineLayout<'_> {
         let Some(at) = before.find(is_assigned).map(|i| i + 1) else {
             return false;
         };
-        let column = self.statement_column + self.style.indent.width();
+        let column = self.point.statement_column + self.style.indent.width();
         let is_short = self.flat(*last, part.to) <= 2 * STUB;
         if !(is_outer(first) && is_short && self.fits_at(column, at, part.to)) {
             return false;
@@ -257,13 +341,18 @@ impl LineLayout<'_> {
             false => self.joined(parts, columns, breaks),
         };
         let width = self.balanced(parts, columns);
+        let per_line = self.per_line(parts, columns, breaks);
         let first_fits = parts
             .first()
             .is_none_or(|(a, b)| self.fits_at(columns.0, *a, *b));
         let mut was_broken = is_split || !first_fits;
         for (n, &(a, b)) in parts.iter().enumerate().skip(1) {
             let blank = u32::from(self.blanks.get(a) == Some(&true));
-            if !was_broken && self.ends_before(width, self.end + blank, a, b) {
+            let goes_on = match per_line {
+                Some(count) => n % count > 0,
+                None => self.ends_before(width, self.point.end + blank, a, b),
+            };
+            if !was_broken && goes_on {
                 self.lay_flat(a, b);
                 continue;
             }
@@ -286,11 +375,11 @@ impl LineLayout<'_> {
     /// Assigns positions to a part and to the items after it up to `end`, which stay on its last
     /// line.
     fn lay_with(&mut self, part: LinePart, end: usize) {
-        let (last, after) = (self.last, self.after);
-        self.after = 1 + self.flat(part.to, end) + if end == last { after } else { 0 };
-        self.last = part.to;
+        let (last, after) = (self.point.last, self.point.after);
+        self.point.after = 1 + self.flat(part.to, end) + if end == last { after } else { 0 };
+        self.point.last = part.to;
         self.lay(part);
-        (self.last, self.after) = (last, after);
+        (self.point.last, self.point.after) = (last, after);
         self.lay_flat(part.to, end);
     }
 
@@ -329,6 +418,53 @@ impl LineLayout<'_> {
         )
     }
 
+    /// The number of parts on each line, if they are the elements of a list that has columns.
+    fn per_line(
+        &self,
+        parts: &[(usize, usize)],
+        columns: (u32, u32),
+        breaks: &LevelBreaks,
+    ) -> Option<usize> {
+        let open = self.role(*breaks.at.first()?).bracket? as usize;
+        if breaks.is_operator || self.lists.get(open) == Some(&Some(false)) {
+            return None;
+        }
+        let kind = self.list(open)?;
+        let has_columns = matches!(kind, ElementKind::Number | ElementKind::Call(_));
+        let mut elements = parts.to_vec();
+        let first = elements.first_mut()?;
+        let column = match first.0 > open {
+            true => columns.0,
+            false => self.placed(open).column + 1,
+        };
+        first.0 = first.0.max(open + 1);
+        if !has_columns || column != columns.1 {
+            return None;
+        }
+        let fit = |count: usize| {
+            let mut rows = elements.chunks(count);
+            rows.all(|row| match (row.first(), row.last()) {
+                (Some((a, _)), Some((_, b))) => self.fits_at(column, *a, *b),
+                _ => true,
+            })
+        };
+        let least = elements.iter().map(|(a, b)| self.flat(*a, *b)).min()?;
+        let limit = (self.style.width / least.max(1)) as usize;
+        let most = (1..=limit.min(parts.len()))
+            .rev()
+            .find(|count| fit(*count))?;
+        if let Some(rows) = self.matrix_rows(open, kind).filter(|rows| *rows <= most) {
+            return Some(rows);
+        }
+        let parts = parts.len();
+        let mut equal = (most.div_ceil(2)..=most).rev();
+        let equal = equal.find(|count| parts.is_multiple_of(*count));
+        // Without lines of equal length, they are about equal.
+        let count = equal.unwrap_or_else(|| parts.div_ceil(parts.div_ceil(most)));
+        let (lines, _) = self.filled(&elements, (column, column), self.style.width);
+        (parts.div_ceil(count) <= lines + 1).then_some(count)
+    }
+
     fn ends_before(&self, width: u32, column: u32, from: usize, to: usize) -> bool {
         column + self.flat(from, to) <= width && self.fits_at(column, from, to)
     }
@@ -340,16 +476,22 @@ impl LineLayout<'_> {
         if last > 1 || !(2..=BALANCED).contains(&lines) || lines == parts.len() {
             return full;
         }
-        let (mut low, mut high) = (0, full);
-        while low + 1 < high {
-            let width = low.midpoint(high);
-            match self.filled(parts, columns, width).0 <= lines {
-                true => high = width,
-                false => low = width,
+        let find = |is_less: &dyn Fn((usize, usize)) -> bool| {
+            let (mut low, mut high) = (0, full);
+            while low + 1 < high {
+                let width = low.midpoint(high);
+                match is_less(self.filled(parts, columns, width)) {
+                    true => low = width,
+                    false => high = width,
+                }
             }
-        }
-        match self.filled(parts, columns, high).1 > 1 {
-            true => high,
+            (low, high)
+        };
+        // The least width of so many lines, and the greatest that has several parts on the last.
+        let (_, least) = find(&|(count, _)| count > lines);
+        let (most, _) = find(&|(count, last)| count > lines || last > 1);
+        match self.filled(parts, columns, least).1 > 1 {
+            true => most.max(least),
             false => full,
         }
     }
@@ -370,7 +512,7 @@ impl LineLayout<'_> {
 
     /// Starts a new line before an item, although the source does not.
     fn break_before(&mut self, at: usize) {
-        let Some(item) = self.items.get(at) else {
+        let Some(item) = self.items.get(at).copied() else {
             return;
         };
         let (column, depends_on) = self.hanging(at);
@@ -384,7 +526,7 @@ impl LineLayout<'_> {
         };
         self.put(at, place);
         self.new_line(at);
-        self.finish(item, column);
+        self.finish(&item, column);
     }
 
     /// The cost of a line break before an item; `None` where it is not allowed.
@@ -401,8 +543,8 @@ impl LineLayout<'_> {
             before if is_assignment(before) => LAST,
             T::LeftParen if kind != T::RightParen => return Some(2 * LAST + role.depth),
             _ => match self.operator_of_line(at)? {
-                T::Colon => 8,
-                T::Question => 9,
+                T::Question if self.is_in_chain(at) => 7,
+                T::Colon | T::Question => 6,
                 operator => 2 * precedence(operator)?,
             },
         };
@@ -411,7 +553,7 @@ impl LineLayout<'_> {
 
     /// Whether an item belongs to a label.
     fn labels(&self, at: usize) -> bool {
-        self.role(at).is_label || self.role(self.statement).start == StatementStart::Label
+        self.role(at).is_label || self.role(self.point.statement).start == StatementStart::Label
     }
 }
 

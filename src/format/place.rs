@@ -27,9 +27,33 @@ pub struct ItemPlace {
     pub depends_on: Option<u32>,
 }
 
-/// The state of the layout: the items placed so far.
+/// Where the layout is in a text.
+#[derive(Clone, Copy, Default)]
+pub struct LayoutPoint {
+    /// The column after the last item.
+    pub end: u32,
+    /// The first item of the current statement, and the column of its line.
+    pub statement: usize,
+    pub statement_column: u32,
+    /// The last item of the block that is kept on one line.
+    pub inline: Option<usize>,
+    /// The source line whose statements stay on the line of their label.
+    pub labelled: Option<u32>,
+    /// The item after those of a line that was too long, which have their positions.
+    pub laid: usize,
+    /// Whether there was such a line.
+    pub is_over: bool,
+    /// The indentation level of an `if` whose body did not fit on its line.
+    pub split: Option<u32>,
+    /// While such a line is broken: the item after it, and the width of what must follow.
+    pub last: usize,
+    pub after: u32,
+}
+
+/// The items placed so far.
 pub struct LineLayout<'a> {
-    pub items: &'a [FormatItem],
+    pub text: &'a str,
+    pub items: &'a mut [FormatItem],
     pub roles: &'a [ItemRole],
     pub style: &'a Style,
     pub extent: TextExtent,
@@ -49,43 +73,26 @@ pub struct LineLayout<'a> {
     pub starts: Vec<usize>,
     /// By bracket and kind of line start: the item that started the last such line inside the
     /// bracket.
-    pub siblings: Vec<[Option<usize>; 3]>,
-    /// The column after the last item.
-    pub end: u32,
-    /// The first item of the current statement, and the column of its line.
-    pub statement: usize,
-    pub statement_column: u32,
-    /// The last item of the block that is kept on one line.
-    pub inline: Option<usize>,
-    /// The source line whose statements stay on the line of their label.
-    pub labelled: Option<u32>,
+    pub siblings: Vec<[Option<u32>; 3]>,
     /// By item: the additional indentation of a line that starts with it.
     pub steps: Vec<u8>,
+    /// Of chains of `? :`: each `:`, and the first item of the first condition.
+    pub chains: Vec<(u32, u32)>,
+    /// By opening bracket: whether the elements of its list are of one kind, once that is known.
+    pub lists: Vec<Option<bool>>,
+    /// By item: whether it is in such a list that is filled again, so that the line break before it
+    /// is not kept.
+    pub joined: Vec<bool>,
+    /// Whether such a list was found since the last layout of the block.
+    pub found_list: bool,
     /// Whether lines end with operators, rather than start with them.
     pub operators_end_lines: bool,
-    /// The item after those of a line that was too long, which have their positions.
-    pub laid: usize,
-    /// Whether there was such a line.
-    pub is_over: bool,
-    /// The indentation level of an `if` whose body did not fit on its line.
-    pub split: Option<u32>,
-    /// While such a line is broken: the item after it, and the width of what must follow.
-    pub last: usize,
-    pub after: u32,
+    /// The item after the last one of the current block.
+    pub block_end: usize,
+    pub point: LayoutPoint,
 }
 
 impl LineLayout<'_> {
-    pub(super) fn flat_ends(&self) -> Vec<u32> {
-        let mut end = 0u32;
-        let widths = self.items.iter().zip(&self.blanks).map(|(item, blank)| {
-            end = end
-                .saturating_add(item.width)
-                .saturating_add(u32::from(*blank));
-            end
-        });
-        widths.collect()
-    }
-
     pub(super) fn item(&self, at: usize) -> Option<&FormatItem> {
         self.items.get(at)
     }
@@ -130,7 +137,7 @@ impl LineLayout<'_> {
     pub(super) fn keep(&mut self, at: usize, item: &FormatItem) {
         let is_first = item.breaks > 0 || item.is_spliced || at == 0;
         let column = match is_first {
-            false => self.end + item.blanks,
+            false => self.point.end + item.blanks,
             true => item.column,
         };
         let line = self.starts.len().saturating_sub(1) as u32;
@@ -158,7 +165,7 @@ impl LineLayout<'_> {
         if self.role(at).start == StatementStart::Nothing
             && let Some(sibling) = self.sibling(at)
         {
-            *sibling = Some(at);
+            *sibling = Some(at as u32);
         }
     }
 
@@ -169,7 +176,7 @@ impl LineLayout<'_> {
     }
 
     pub(super) fn finish(&mut self, item: &FormatItem, column: u32) {
-        self.end = match item.is_tall {
+        self.point.end = match item.is_tall {
             true => item.width,
             false => column + item.width,
         };
@@ -179,7 +186,7 @@ impl LineLayout<'_> {
         let blank = self.blanks.get(at).copied().unwrap_or(false);
         // Statements on one line are separated by an additional space if they were.
         let apart = u32::from(self.is_in_row(at) && item.blanks > 1);
-        let column = self.end + u32::from(blank) + apart;
+        let column = self.point.end + u32::from(blank) + apart;
         let line = self.starts.len().saturating_sub(1) as u32;
         self.put(
             at,
@@ -213,7 +220,7 @@ impl LineLayout<'_> {
     }
 
     /// The item that last started a line of the same kind in the same bracket.
-    pub(super) fn sibling(&mut self, at: usize) -> Option<&mut Option<usize>> {
+    pub(super) fn sibling(&mut self, at: usize) -> Option<&mut Option<u32>> {
         let bracket = self.role(at).bracket.map_or(0, |b| b as usize + 1);
         let sort = self.sort_of_line(at);
         self.siblings.get_mut(bracket)?.get_mut(sort)

@@ -3,6 +3,7 @@
 use super::item::{FormatItem, ItemKind};
 use super::structure::ItemRole;
 use shaderlint_syntax::TokenKind as T;
+use shaderlint_syntax::ast::BinaryOp;
 use shaderlint_syntax::set::{ASSIGNMENTS, TokenSet};
 
 /// Tokens without a space before them.
@@ -32,8 +33,21 @@ const BEFORE_BLANK: TokenSet = TokenSet::of(&[
     T::Const,
 ]);
 
+/// The precedence of `? :`, below that of all binary operators.
+const TERNARY: u32 = 3;
+
+/// By item: whether there is a space before it if it is on the same line.
+pub fn blanks(text: &str, items: &[FormatItem], roles: &[ItemRole]) -> Vec<bool> {
+    let pairs = items.iter().zip(items.iter().skip(1));
+    let pairs = pairs.zip(roles.iter().skip(1));
+    let blank = pairs.map(|((before, item), role)| has_blank(text, before, item, role));
+    let mut blanks = Vec::with_capacity(items.len());
+    blanks.extend(std::iter::once(false).chain(blank));
+    blanks
+}
+
 /// Whether there is a space between an item and the one before it. `text` is the source text.
-pub fn has_blank(text: &str, before: &FormatItem, item: &FormatItem, role: &ItemRole) -> bool {
+fn has_blank(text: &str, before: &FormatItem, item: &FormatItem, role: &ItemRole) -> bool {
     let fuses = || item.breaks + item.blanks > 0 && may_fuse(text, before, item);
     match (before.kind, item.kind) {
         (ItemKind::Token(before_kind), ItemKind::Token(kind)) => {
@@ -108,21 +122,10 @@ fn may_fuse(text: &str, before: &FormatItem, item: &FormatItem) -> bool {
     (is_word(a) && is_word(b)) || (is_operator(a) && is_operator(b))
 }
 
-/// The precedence of a binary operator, lowest first (GLSL ES 3.00 section 5.1).
+/// The precedence of a binary operator or of `? :`, lowest first.
 pub fn precedence(kind: T) -> Option<u32> {
-    Some(match kind {
-        T::Question | T::Colon => 4,
-        T::OrOr => 5,
-        T::XorXor => 6,
-        T::AndAnd => 7,
-        T::Or => 8,
-        T::Xor => 9,
-        T::And => 10,
-        T::EqualEqual | T::NotEqual => 11,
-        T::Less | T::Greater | T::LessEqual | T::GreaterEqual => 12,
-        T::ShiftLeft | T::ShiftRight => 13,
-        T::Plus | T::Minus => 14,
-        T::Star | T::Slash | T::Percent => 15,
-        _ => return None,
-    })
+    match kind {
+        T::Question | T::Colon => Some(TERNARY),
+        _ => BinaryOp::of(kind).map(|operator| u32::from(operator.precedence())),
+    }
 }

@@ -43,7 +43,8 @@ fn blanks_stand_around_operators() {
         "float[2] a = float[](1., 2.);",
     );
     body("a = !b && ~c==d;", "a = !b && ~c == d;");
-    body("a = vec2( 1 ) ;;", "a = vec2(1);\n;");
+    body("a = vec2( 1 ) ;;", "a = vec2(1);;");
+    body("if(a){b;};", "if (a) { b; };");
 }
 
 #[test]
@@ -179,6 +180,43 @@ fn tables_stay_tables() {
 }
 
 #[test]
+fn tables_of_names_stay_tables() {
+    // All commas are below one another.
+    body(
+        "m=mat3( c.z,  s.z,    0,\n       -s.z,  c.z,    0,\n          0,    0,    1 );",
+        "m = mat3( c.z,  s.z,    0,\n         -s.z,  c.z,    0,\n            0,    0,    1 );",
+    );
+    body(
+        "m=mat2(vec2( a+b , c  , d),\nvec2(-a   , c+d, e));",
+        "m = mat2(vec2( a+b , c  , d),\n         vec2(-a   , c+d, e));",
+    );
+    // Without additional space it is no table.
+    body("f(a+b,c,d,\n  e+f,g,h);", "f(a + b, c, d,\n  e + f, g, h);");
+    // Nor if the space changes nothing.
+    body(
+        "f( g(a,b), c+d,\n  g(e,f), h+i  );",
+        "f(g(a, b), c + d,\n  g(e, f), h + i);",
+    );
+    // The last row is shorter.
+    body(
+        "a = b[]\n(\n  c( 1,  9), c(11,  9),\n  c( 2,  9)\n);",
+        "a = b[]\n(\n  c( 1,  9), c(11,  9),\n  c( 2,  9)\n);",
+    );
+}
+
+#[test]
+fn bodies_may_be_aligned() {
+    body(
+        "if(a)   b=1;\nif(ccc) return;\nelse    d=2;",
+        "if (a)   b = 1;\nif (ccc) return;\nelse     d = 2;",
+    );
+    check(
+        "float a(float b)   {return b;}\nfloat ccc(float b) {return d;}\nfloat e(float b)   {\nreturn b;}\n",
+        "float a(float b)   { return b; }\nfloat ccc(float b) { return d; }\nfloat e(float b) {\n    return b;\n}\n",
+    );
+}
+
+#[test]
 fn columns_contain_items_of_one_sort() {
     // A coincidence.
     body(
@@ -206,6 +244,11 @@ fn numbers_in_columns_keep_their_padding() {
         "x += x << 10u;\nx ^= x >>  6u;\nx += y;",
     );
     body("a = vec2( 1.0, 2.0);", "a = vec2(1.0, 2.0);");
+    // The brackets are no longer below one another.
+    body(
+        "a =b(vec2( 0.5, 1.0));\nc =b(vec2(-0.5, 1.0));\ndd=b(vec2(-0.5, 1.0));",
+        "a = b(vec2( 0.5, 1.0));\nc = b(vec2(-0.5, 1.0));\ndd = b(vec2(-0.5, 1.0));",
+    );
 }
 
 #[test]
@@ -216,6 +259,11 @@ fn rows_of_equal_statements_stay() {
         "float f = .5 * n(p); p = m * p;\nf += .25 * n(p); p = m * p * 2.;",
     );
     body("a=1.;b=2.;\nf(c);d=3.;", "a = 1.;\nb = 2.;\nf(c);\nd = 3.;");
+    body("a=1.;   b=2.;\nf(c);", "a = 1.;  b = 2.;\nf(c);");
+    body(
+        "a+=f(1.)*.5  ; b*=2.;\na+=f(2.)*.125; b*=3.;",
+        "a += f(1.) * .5;   b *= 2.;\na += f(2.) * .125; b *= 3.;",
+    );
 }
 
 #[test]
@@ -230,6 +278,15 @@ fn lists_of_equal_statements_are_filled_again() {
             &style
         ),
         "aa(1); aa(2); aa(3); aa(4);\naa(5); aa(6);\n\nb(1);\n"
+    );
+    assert_eq!(
+        formatted("aa(1); aa(2); aa(3); aa(4); aa(5); // a", &style),
+        "aa(1); aa(2); aa(3); aa(4);\naa(5); // a\n"
+    );
+    // Rows of assignments are groups.
+    assert_eq!(
+        formatted("aa = 1; ab = 2; ac = 3; ad = 4; ae = 5;\nba = 1;", &style),
+        "aa = 1; ab = 2; ac = 3; ad = 4;\nae = 5;\nba = 1;\n"
     );
 }
 
@@ -317,7 +374,21 @@ fn long_lines_have_one_form() {
         ),
         (
             "a = bbbbbbb < c ? ddddddddd : bbbbbb < e ? ffffff : g;",
-            "a = bbbbbbb < c ? ddddddddd\n    : bbbbbb < e ? ffffff\n    : g;\n",
+            "a = bbbbbbb < c ? ddddddddd\n  : bbbbbb < e ? ffffff\n  : g;\n",
+        ),
+        (
+            "float a = bbbbbbb < ccccccc ? ddddddddd : eeeeee;",
+            "float a = bbbbbbb < ccccccc\n    ? ddddddddd\n    : eeeeee;\n",
+        ),
+        // A short argument stays with a call, whose arguments are broken.
+        (
+            "d = min(d, f(aaaaaa - b, vec2(ccccccccc, dddd)));",
+            "d = min(d, f(aaaaaa - b,\n             vec2(ccccccccc, dddd)));\n",
+        ),
+        // Arguments that would be broken far to the right are below.
+        (
+            "aaaaaaaa.bbb = max(f(ccccccccc, ddddddd, eeee), g(hhhhhhhhhhhhhhhhhhh, iiiiiiiiiiiiiii));",
+            "aaaaaaaa.bbb = max(\n    f(ccccccccc, ddddddd, eeee),\n    g(hhhhhhhhhhhhhhhhhhh,\n      iiiiiiiiiiiiiii));\n",
         ),
         (
             "if (aaaaaaaaaaaaaaaaaa < bbbbbbbbbbbbbb(ccc)) d = 1.;",
@@ -328,6 +399,45 @@ fn long_lines_have_one_form() {
             "a = b +\nc;\nfloat d = eeeeeeeeeeee * fffffffff + gggggggggg;",
             "a = b +\n    c;\nfloat d = eeeeeeeeeeee * fffffffff +\n    gggggggggg;\n",
         ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(formatted(text, &style), expected);
+    }
+}
+
+#[test]
+fn lists_of_equal_elements_are_filled_again() {
+    let style = Style {
+        width: 40,
+        ..Style::default()
+    };
+    let cases = [
+        // Lines of equal length, if that takes no more than one line more.
+        (
+            "int a[] = int[](111, 222, 333, 444, 555, 666,\n777, 888);",
+            "int a[] = int[](111, 222, 333, 444,\n                555, 666, 777, 888);\n",
+        ),
+        (
+            "int a[] = int[](\n111, 222, 333, 444, 555, 666, 777, 888, 999,\n0, 1\n);",
+            "int a[] = int[](\n    111, 222, 333, 444, 555, 666,\n    777, 888, 999, 0, 1\n);\n",
+        ),
+        // Lines that are columns of a matrix.
+        (
+            "m = mat2x3(1.25, 2.5, 3.75, 4.25, 5.5, 6.75);",
+            "m = mat2x3(1.25, 2.5, 3.75,\n           4.25, 5.5, 6.75);\n",
+        ),
+        // Names and parameters.
+        (
+            "void f(float aaaaaaa, float bbbbbbbb, float c,\nfloat d) {}",
+            "void f(float aaaaaaa, float bbbbbbbb,\n       float c, float d) {}\n",
+        ),
+        // Elements of several kinds stay in the author's lines.
+        (
+            "f(aaaaaaaaaaaa, bbbbbbbbbbbb + 1, c * dddddd,\ne, f);",
+            "f(aaaaaaaaaaaa,\n  bbbbbbbbbbbb + 1, c * dddddd,\n  e, f);\n",
+        ),
+        // So do rows that are short enough.
+        ("f(aaaa,\nbbbb, cccc);", "f(aaaa,\n  bbbb, cccc);\n"),
     ];
     for (text, expected) in cases {
         assert_eq!(formatted(text, &style), expected);

@@ -5,6 +5,7 @@
 //! order, and walking or dropping a tree needs no recursion.
 
 use super::names::{Name, TypeWord};
+use super::token::TokenKind;
 
 /// Index of a token in [`Tokens`](super::Tokens).
 pub type TokenId = u32;
@@ -216,6 +217,33 @@ impl BinaryOp {
             BinaryOp::Xor => "^^",
             BinaryOp::Or => "||",
         }
+    }
+
+    /// The binary operator that a token is.
+    pub const fn of(kind: TokenKind) -> Option<BinaryOp> {
+        use TokenKind as T;
+        Some(match kind {
+            T::OrOr => BinaryOp::Or,
+            T::XorXor => BinaryOp::Xor,
+            T::AndAnd => BinaryOp::And,
+            T::Or => BinaryOp::BitOr,
+            T::Xor => BinaryOp::BitXor,
+            T::And => BinaryOp::BitAnd,
+            T::EqualEqual => BinaryOp::Equal,
+            T::NotEqual => BinaryOp::NotEqual,
+            T::Less => BinaryOp::Less,
+            T::Greater => BinaryOp::Greater,
+            T::LessEqual => BinaryOp::LessEqual,
+            T::GreaterEqual => BinaryOp::GreaterEqual,
+            T::ShiftLeft => BinaryOp::ShiftLeft,
+            T::ShiftRight => BinaryOp::ShiftRight,
+            T::Plus => BinaryOp::Add,
+            T::Minus => BinaryOp::Sub,
+            T::Star => BinaryOp::Mul,
+            T::Slash => BinaryOp::Div,
+            T::Percent => BinaryOp::Rem,
+            _ => return None,
+        })
     }
 
     /// How tightly the operator binds, from 4; a higher number binds more tightly (GLSL ES 3.00

@@ -13,34 +13,6 @@ const COMMA: Power = 1;
 const ASSIGN: Power = 2;
 const TERNARY: Power = 3;
 
-/// The binary operator of a token.
-fn binary(kind: TokenKind) -> Option<(BinaryOp, Power)> {
-    use TokenKind as T;
-    let operator = match kind {
-        T::OrOr => BinaryOp::Or,
-        T::XorXor => BinaryOp::Xor,
-        T::AndAnd => BinaryOp::And,
-        T::Or => BinaryOp::BitOr,
-        T::Xor => BinaryOp::BitXor,
-        T::And => BinaryOp::BitAnd,
-        T::EqualEqual => BinaryOp::Equal,
-        T::NotEqual => BinaryOp::NotEqual,
-        T::Less => BinaryOp::Less,
-        T::Greater => BinaryOp::Greater,
-        T::LessEqual => BinaryOp::LessEqual,
-        T::GreaterEqual => BinaryOp::GreaterEqual,
-        T::ShiftLeft => BinaryOp::ShiftLeft,
-        T::ShiftRight => BinaryOp::ShiftRight,
-        T::Plus => BinaryOp::Add,
-        T::Minus => BinaryOp::Sub,
-        T::Star => BinaryOp::Mul,
-        T::Slash => BinaryOp::Div,
-        T::Percent => BinaryOp::Rem,
-        _ => return None,
-    };
-    Some((operator, operator.precedence()))
-}
-
 /// The operator of a compound assignment; the inner `None` stands for plain `=`.
 fn assignment(kind: TokenKind) -> Option<Option<BinaryOp>> {
     use TokenKind as T;
@@ -112,7 +84,8 @@ impl Parser<'_> {
     fn operators_after(&mut self, mut left: ExprId, min: Power) -> Parsed<ExprId> {
         loop {
             let kind = self.peek();
-            if let Some((op, power)) = binary(kind) {
+            if let Some(op) = BinaryOp::of(kind) {
+                let power = op.precedence();
                 if power < min {
                     return Ok(left);
                 }

@@ -1,6 +1,7 @@
 //! The expressions of `#if` and `#elif` (GLSL ES 3.00 section 3.4).
 
 use super::macros::Piece;
+use crate::ast::BinaryOp;
 use crate::token::TokenKind;
 use shaderlint_text::Span;
 
@@ -167,21 +168,8 @@ impl ConditionParser<'_> {
     }
 }
 
-/// Binary operators with their binding power, loosest first. `^^` is not allowed here.
+/// Binary operators with their binding power. `^^` is not allowed here.
 fn infix(kind: TokenKind) -> Option<(TokenKind, u8)> {
-    use TokenKind::*;
-    let power = match kind {
-        OrOr => 1,
-        AndAnd => 2,
-        Or => 3,
-        Xor => 4,
-        And => 5,
-        EqualEqual | NotEqual => 6,
-        Less | Greater | LessEqual | GreaterEqual => 7,
-        ShiftLeft | ShiftRight => 8,
-        Plus | Minus => 9,
-        Star | Slash | Percent => 10,
-        _ => return None,
-    };
-    Some((kind, power))
+    let operator = BinaryOp::of(kind).filter(|_| kind != TokenKind::XorXor)?;
+    Some((kind, operator.precedence()))
 }
