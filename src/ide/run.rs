@@ -1,5 +1,7 @@
 //! Sample runs for editors: cost and iterations, and images of the values of a variable.
 
+use super::cost::observed_lines;
+use super::document::Document;
 use shaderlint_engine::Analysis;
 use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
 use shaderlint_exec::{CompileOptions, Drawn, LANES, LoopObservation, Probe, Stop, Watch, draw};
@@ -27,6 +29,8 @@ pub struct RunObservations {
     pub cost: f64,
     /// Maximum number of operations of a pixel.
     pub most_cost: u32,
+    /// By line of the document, from 1: average number of operations per pixel.
+    pub lines: BTreeMap<u32, f64>,
 }
 
 /// Number of iterations of a loop.
@@ -91,9 +95,9 @@ pub fn frame_cost(analysis: &Analysis) -> FrameCost {
     }
 }
 
-/// Draws a small image of a shader and returns statistics; `None` if it cannot run, or exceeds the
-/// budget.
-pub fn run(analysis: &Analysis) -> Option<RunObservations> {
+/// Draws a small image of a shader of a document and returns statistics; `None` if it cannot run,
+/// or exceeds the budget.
+pub fn run(document: &Document, analysis: &Analysis) -> Option<RunObservations> {
     let options = CompileOptions {
         watch: Watch::Flow,
         cost: true,
@@ -110,6 +114,7 @@ pub fn run(analysis: &Analysis) -> Option<RunObservations> {
         loops: iterations.collect(),
         cost: drawn.mean_cost(),
         most_cost: drawn.most_cost(),
+        lines: observed_lines(document, analysis, &scene.code, &drawn),
     })
 }
 

@@ -5,6 +5,7 @@
 //! the result. The user's text is never reformatted: it is copied unchanged after the player's
 //! header. Only the languages of the feature `naga` are generated from the checked program.
 
+mod assumed;
 mod build;
 mod channel;
 mod choice;
@@ -46,6 +47,7 @@ mod tuned;
 #[cfg(feature = "naga")]
 mod webgpu;
 
+pub use assumed::AssumedInput;
 pub use build::{build, still_file};
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};

@@ -15,6 +15,9 @@ mod name;
 mod place;
 mod proposal;
 #[cfg(test)]
+mod shown_tests;
+mod shown_value;
+#[cfg(test)]
 mod tests;
 mod upgrade;
 mod verify;
@@ -25,6 +28,7 @@ use proposal::ProposedRefactoring;
 pub use proposal::{NewFile, RefactorKind, Refactoring};
 use shaderlint_engine::Files;
 use shaderlint_text::Span;
+pub use shown_value::{ShownValue, shown_value};
 
 /// The refactorings of the code at a selection, of the requested kinds. Each is verified.
 pub fn refactorings(

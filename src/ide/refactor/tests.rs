@@ -8,7 +8,7 @@ use std::sync::Arc;
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\nuniform float time;\nuniform sampler2D image;\n";
 
 /// The document of a text without its marks, and the selection.
-fn marked(name: &str, text: &str) -> (Document, Span) {
+pub(super) fn marked(name: &str, text: &str) -> (Document, Span) {
     let plain = text.replace(['«', '»', '|'], "");
     let start = text.find(['«', '|']).expect("a mark");
     let end = text.find('»').map_or(start, |end| end - '«'.len_utf8());

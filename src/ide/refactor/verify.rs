@@ -1,7 +1,7 @@
 //! Checks the text after a refactoring.
 
 use super::place::RefactorPlace;
-use super::proposal::{ProposedRefactoring, Refactoring, RequiredProof};
+use super::proposal::{NewFile, ProposedRefactoring, Refactoring, RequiredProof};
 use crate::document::{Document, Overlay};
 use shaderlint_diagnostic::{Origin, Severity};
 use shaderlint_engine::{Analysis, equal};
@@ -20,20 +20,8 @@ pub(super) fn verified(
     place: &RefactorPlace,
     proposal: ProposedRefactoring,
 ) -> Option<Refactoring> {
-    let document = place.document;
-    let edits = proposal.edits.iter();
-    let edits = edits.map(|edit| document.report.edit_of_input(edit));
-    let mut edits: Vec<Edit> = edits.collect::<Option<_>>()?;
-    edits.sort_by_key(|edit| edit.span);
-    let text = apply_edits(&document.text, 0, &edits).ok()?;
-    let created = proposal.creates.iter();
-    let files = Overlay {
-        files: place.files,
-        texts: created
-            .map(|file| (PathBuf::from(&file.path), file.text.as_str().into()))
-            .collect(),
-    };
-    let after = document.read_as(text, &files);
+    let created = proposal.creates.as_slice();
+    let Changed { edits, after } = changed(place, &proposal.edits, created)?;
     let has_slider = |name: &String| {
         let mut all = after.report.analyses.iter();
         all.any(|a| {
@@ -42,7 +30,7 @@ pub(super) fn verified(
                 .any(|t| a.program.sources.text(t.name) == name)
         })
     };
-    let is_kept = is_kept(document, &after, proposal.evidence);
+    let is_kept = is_kept(place.document, &after, proposal.evidence);
     if !is_kept || !proposal.slider.as_ref().is_none_or(has_slider) {
         return None;
     }
@@ -54,6 +42,36 @@ pub(super) fn verified(
         name,
         creates: proposal.creates,
     })
+}
+
+/// A document after edits.
+pub(super) struct Changed {
+    /// The edits of the document, in order.
+    pub edits: Vec<Edit>,
+    pub after: Document,
+}
+
+/// Applies edits of addresses.
+pub(super) fn changed(
+    place: &RefactorPlace,
+    edits: &[Edit],
+    created: &[NewFile],
+) -> Option<Changed> {
+    let document = place.document;
+    let edits = edits.iter();
+    let edits = edits.map(|edit| document.report.edit_of_input(edit));
+    let mut edits: Vec<Edit> = edits.collect::<Option<_>>()?;
+    edits.sort_by_key(|edit| edit.span);
+    let text = apply_edits(&document.text, 0, &edits).ok()?;
+    let files = Overlay {
+        files: place.files,
+        texts: created
+            .iter()
+            .map(|file| (PathBuf::from(&file.path), file.text.as_str().into()))
+            .collect(),
+    };
+    let after = document.read_as(text, &files);
+    Some(Changed { edits, after })
 }
 
 /// Where edits write a name that is new, in the changed text: at its last use, which is the code
