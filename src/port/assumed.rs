@@ -18,8 +18,8 @@ pub struct AssumedInput {
 
 /// The head of a file that gives inputs.
 const HEAD: &str = "\
-# What the channels read: a file, a pass such as \"buffer_a\", \"keyboard\", \"webcam\", \"mic\", or
-# \"stand-in\", which is a generated image.
+# Each channel reads a file, a pass such as \"buffer_a\", \"keyboard\", \"webcam\", \"mic\",
+# or \"stand-in\": a generated image.
 ";
 
 impl Project {

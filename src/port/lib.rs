@@ -55,7 +55,8 @@ pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
     Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
-    UniformData, VaryingValue, bindings, calls_entry, hosted, may_be_composed, recognise,
+    UniformData, VaryingValue, bindings, calls_entry, declared_control, hosted, may_be_composed,
+    recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use embed::{PageAddress, Poster, Still, embed};

@@ -7,6 +7,7 @@ import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
+import { FILES, views } from './views.js';
 
 const work = process.argv[2];
 const program = process.env.CODE_SERVER;
@@ -87,6 +88,7 @@ function prepare() {
   fs.writeFileSync(path.join(shaders, 'waves.glsl'), WAVES);
   fs.writeFileSync(path.join(shaders, 'glow.glsl'), GLOW);
   fs.writeFileSync(path.join(shaders, 'scene.js'), PAGE);
+  for (const [name, text] of Object.entries(FILES)) fs.writeFileSync(path.join(shaders, name), text);
   for (const [folder, settings] of [['User', SETTINGS], ['Machine', MACHINE_SETTINGS]]) {
     fs.mkdirSync(path.join(work, 'user', folder), { recursive: true });
     fs.writeFileSync(path.join(work, 'user', folder, 'settings.json'), JSON.stringify(settings));
@@ -353,7 +355,10 @@ const limit = setTimeout(() => {
 }, MINUTES * 60_000);
 try {
   await connect(page, address);
-  for (const step of [findings, preview, editing, costMap, hopeless]) {
+  const more = views({ openFile, picture, player, runCommand, until, word });
+  const steps = [findings, preview, editing, costMap, hopeless, ...more];
+  const only = process.env.STEP?.split(',');
+  for (const step of steps.filter(({ name }) => only?.includes(name) ?? true)) {
     current = step.name;
     await step(page);
     console.log(`${step.name}: ok`);
@@ -367,4 +372,4 @@ try {
   // A graceful shutdown would wait half a minute for the browser to reconnect.
   process.kill(-server.pid, 'SIGKILL');
 }
-console.log('5 passed, 0 failed');
+console.log('all passed, 0 failed');

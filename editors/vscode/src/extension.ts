@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 import { CloseAction, ErrorAction, LanguageClient, type LanguageClientOptions } from 'vscode-languageclient/node';
 import { binary } from './binary';
 import { CostMaps } from './costMap';
+import { LineCosts } from './lineCosts';
 import { Previews } from './preview';
 import { renameAt } from './rename';
 import { documentSelector, PREVIEW_COMMAND, RENAME_COMMAND, SECTION, serverSettings } from './settings';
@@ -28,18 +29,23 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
             await stop();
             await start(context, output);
             previews.renew();
+            costs.renewSoon();
         });
         return last;
     };
     const previews = new Previews(context, () => client);
+    const costs = new LineCosts(() => client);
     const maps = new CostMaps(() => binary(context), previews);
     context.subscriptions.push(
         output,
         previews,
+        costs,
         maps,
         vscode.commands.registerCommand('shaderlint.restart', restart),
         vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) => previews.open(place, shader)),
         vscode.commands.registerCommand('shaderlint.costMap', (place?: unknown) => maps.show(place)),
+        vscode.commands.registerCommand('shaderlint.previewValue', () => previews.openValue()),
+        vscode.commands.registerCommand('shaderlint.toggleLineCosts', () => costs.toggle()),
         vscode.commands.registerCommand('shaderlint.tune', tune),
         vscode.commands.registerCommand(RENAME_COMMAND, renameAt),
         vscode.workspace.onDidChangeConfiguration((change) => {

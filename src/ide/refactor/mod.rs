@@ -19,6 +19,7 @@ mod shown_tests;
 mod shown_value;
 #[cfg(test)]
 mod tests;
+mod uniform;
 mod upgrade;
 mod verify;
 
@@ -41,13 +42,14 @@ pub fn refactorings(
         return Vec::new();
     };
     type Propose = fn(&RefactorPlace) -> Vec<ProposedRefactoring>;
-    let all: [(RefactorKind, Propose); 9] = [
+    let all: [(RefactorKind, Propose); 10] = [
         (RefactorKind::ExtractVariable, extract_variable::propose),
         (RefactorKind::ExtractConstant, constant::propose),
         (RefactorKind::ExtractFunction, extract_function::propose),
         (RefactorKind::Inline, inline_variable::propose),
         (RefactorKind::Inline, inline_function::propose),
         (RefactorKind::Rewrite, constant::propose_slider),
+        (RefactorKind::Rewrite, uniform::propose),
         (RefactorKind::Rewrite, define::propose),
         (RefactorKind::Rewrite, upgrade::propose),
         (RefactorKind::Move, move_function::propose),

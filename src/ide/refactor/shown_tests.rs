@@ -77,6 +77,8 @@ fn a_value_is_drawn_as_a_run_sees_it() {
     let inside = toy("uv *= f(uv) + f(uv * 2.0);").replace("d = sin(d", "|d = sin(d");
     check_shown(&inside);
     check_shown(&toy("uv *= f(uv);").replace("f(vec2 p)", "f(vec2 |p)"));
+    // A host's `main` calls `mainImage`.
+    check_shown(&format!("#iUniform float a = 0.5\n{}", toy("|uv *= a;")));
     // Complete shaders, and entry functions that return.
     check_shown(
         "#version 300 es\nprecision highp float;\nout vec3 color;\nvoid main() { float |x = gl_FragCoord.x / 64.0; color = vec3(1.0); }",

@@ -9,7 +9,7 @@ use super::verify::{Changed, changed};
 use crate::document::Document;
 use crate::preview::preview_project;
 use shaderlint_engine::Files;
-use shaderlint_semantic::{Direction, Scalar, Stage, Storage, Type, VariableId};
+use shaderlint_semantic::{Direction, FunctionRef, Scalar, Stage, Storage, Type, VariableId};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 use std::collections::BTreeMap;
@@ -221,7 +221,7 @@ fn declare(
     inserts: &mut Inserts,
 ) -> Option<()> {
     let program = place.program;
-    let entry = place.definition(place.facts.entry()?)?;
+    let entry = place.definition(own_entry(place)?)?;
     let at = |address: u32| {
         let (_, item) = place.item_at(address)?;
         Some(program.span(item).start)
@@ -239,10 +239,24 @@ fn declare(
     Some(())
 }
 
+/// The entry function of the user's text: that of the shader, or what the host's own calls.
+fn own_entry(place: &RefactorPlace) -> Option<FunctionRef> {
+    let program = place.program;
+    let is_own = |id: FunctionRef| {
+        let definition = place.definition(id);
+        definition.is_some_and(|d| program.is_user(program.span(d.header)))
+    };
+    let entry = place.facts.entry()?;
+    let calls = place.facts.calls().all().iter();
+    let called = calls.filter(|call| call.caller == Some(entry));
+    let mut all = [entry].into_iter().chain(called.map(|call| call.callee));
+    all.find(|id| is_own(*id))
+}
+
 /// The edits that make the entry function output the kept colour, wherever it returns.
 fn output(place: &RefactorPlace, names: &ShowNames, inserts: &mut Inserts) -> Option<()> {
     let program = place.program;
-    let entry = place.facts.entry()?;
+    let entry = own_entry(place)?;
     let own = place.definition(entry)?;
     let returns = program.function(entry)?.returns;
     let shown = |lanes: u8| match lanes {

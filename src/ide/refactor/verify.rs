@@ -3,11 +3,13 @@
 use super::place::RefactorPlace;
 use super::proposal::{NewFile, ProposedRefactoring, Refactoring, RequiredProof};
 use crate::document::{Document, Overlay};
+use crate::preview::preview_project;
 use shaderlint_diagnostic::{Origin, Severity};
 use shaderlint_engine::{Analysis, equal};
 use shaderlint_exec::Equality;
 use shaderlint_flow::{ShaderVersion, is_equivalent};
 use shaderlint_lint::Facts;
+use shaderlint_port::UniformControl;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::{Edit, apply_edits};
 use std::path::PathBuf;
@@ -30,7 +32,7 @@ pub(super) fn verified(
                 .any(|t| a.program.sources.text(t.name) == name)
         })
     };
-    let is_kept = is_kept(place.document, &after, proposal.evidence);
+    let is_kept = is_kept(place, &after, &proposal.evidence);
     if !is_kept || !proposal.slider.as_ref().is_none_or(has_slider) {
         return None;
     }
@@ -96,7 +98,15 @@ fn error_count(document: &Document) -> usize {
 }
 
 /// Whether the shaders of a document stay the same.
-fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool {
+fn is_kept(place: &RefactorPlace, after: &Document, evidence: &RequiredProof) -> bool {
+    let before = place.document;
+    if let RequiredProof::EqualIrWithValue(edits, control) = evidence {
+        let with_value = changed(place, edits, &[]);
+        let is_same = |other: Changed| is_kept(place, &other.after, &RequiredProof::EqualIr);
+        return error_count(after) <= error_count(before)
+            && has_control(after, control)
+            && with_value.is_some_and(is_same);
+    }
     let (ours, theirs) = (&before.report.analyses, &after.report.analyses);
     if ours.len() != theirs.len() || error_count(after) > error_count(before) {
         return false;
@@ -108,13 +118,22 @@ fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool
         }
         a.program.stage == b.program.stage
             && match evidence {
-                RequiredProof::EqualIr => is_proved(a, b),
                 RequiredProof::EqualImages => matches!(
                     equal(&a.program, &b.program, &mut FUEL.clone()),
                     Ok(Equality::Proved | Equality::SampledEqual { .. })
                 ),
+                _ => is_proved(a, b),
             }
     })
+}
+
+/// Whether the host of a shader compiles it and sets a uniform as this control says.
+fn has_control(document: &Document, control: &UniformControl) -> bool {
+    let Ok(mut project) = preview_project(document, 0) else {
+        return false;
+    };
+    let composed = project.resolve(&document.path);
+    composed.is_ok_and(|c| !c.has_errors()) && project.controls.contains(control)
 }
 
 fn is_proved(before: &Analysis, after: &Analysis) -> bool {
