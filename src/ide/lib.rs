@@ -51,9 +51,11 @@ pub use navigate::{declaration, definition, highlights, references, shared_name,
 pub use outline::{OutlineItem, outline};
 pub use preview::{preview_project, previewed};
 pub use proposal::{CompletionKind, Proposal};
-pub use refactor::{NewFile, RefactorKind, Refactoring, ShownValue, refactorings, shown_value};
+pub use refactor::{
+    NewFile, RefactorKind, Refactoring, ShownValue, WITHIN, refactorings, shown_value,
+};
 pub use rename::{RenameRefusal, Renaming, may_rename, rename};
-pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_of, run};
+pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_of, limits, run};
 pub use selection::selection;
 pub use signature::{Signature, SignatureHelp, signature_help};
 pub use symbol::{Symbol, SymbolKind};

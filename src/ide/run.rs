@@ -139,6 +139,21 @@ pub fn image_of(analysis: &Analysis, variable: VariableId, within: Span) -> Opti
     (!image.pixels.is_empty()).then_some(image)
 }
 
+/// The smallest and the largest number in the colours of a shader, and 0 and 1; `None` if it cannot
+/// run, or exceeds the budget.
+pub fn limits(analysis: &Analysis) -> Option<[f32; 2]> {
+    let options = CompileOptions {
+        most: Some(MOST_INSTRUCTIONS),
+        ..CompileOptions::default()
+    };
+    let scene = scene(analysis, &options)?;
+    let drawn = drawn(&scene).ok()?;
+    let image = RenderedImage::of(&scene.code, &drawn, 0);
+    let numbers = image.pixels.iter().flat_map(|pixel| pixel.iter().take(3));
+    let finite = numbers.copied().filter(|n| n.is_finite());
+    Some(finite.fold([0.0, 1.0], |[least, most], n| [least.min(n), most.max(n)]))
+}
+
 /// The small image of a scene, within the budget.
 fn drawn(scene: &Scene) -> Result<Drawn, Stop> {
     let mut drawing = scene.draw(SIZE, &Moment::at(TIME));

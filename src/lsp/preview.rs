@@ -46,12 +46,21 @@ pub struct ShaderPage {
     pub html: String,
     /// Number of the shader in its document.
     pub shader: usize,
-    /// The text of the shown value, unless it is the colour of the shader.
-    pub value: Option<String>,
+    /// The shown value, unless it is the colour of the shader.
+    pub value: Option<ValueText>,
     /// The channels that nothing gives an input.
     pub assumed: Vec<AssumedChannel>,
     /// The file that gives inputs to channels, if there can be one.
     pub channels: Option<ChannelFile>,
+}
+
+/// A shown value.
+#[derive(Serialize)]
+pub struct ValueText {
+    /// The text of the expression.
+    pub text: String,
+    /// The numbers that are shown as 0 and as 1.
+    pub limits: [f32; 2],
 }
 
 /// A channel that nothing gives an input.
@@ -80,8 +89,7 @@ struct ShownProject {
     composed: Composed,
     /// Number of the shader in its document.
     shader: usize,
-    /// The text of the shown value.
-    value: Option<String>,
+    value: Option<ValueText>,
     channels: Option<ChannelFile>,
 }
 
@@ -138,10 +146,15 @@ fn shown_project(
         Some(range) => Some(shown_value(snapshot, buffer, range)?),
         None => None,
     };
-    let own = value.as_ref().map(|value| value.shader).or(shown.shader);
+    let own = value
+        .as_ref()
+        .map(|(value, _)| value.shader)
+        .or(shown.shader);
     let shader = own.or_else(|| ide::previewed(&document, offset));
     let shader = shader.unwrap_or(0);
-    let document = value.as_ref().map_or(&*document, |value| &value.document);
+    let document = value
+        .as_ref()
+        .map_or(&*document, |(value, _)| &value.document);
     let Drafted { mut project, path } = draft(snapshot, document, shader)?;
     let wrong = |error: shaderlint_port::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
@@ -169,16 +182,33 @@ fn shown_project(
         project,
         composed,
         shader,
-        value: value.map(|value| value.text),
+        value: value.map(|(value, limits)| ValueText {
+            text: value.text,
+            limits,
+        }),
         channels: channels.map(|path| channel_file(snapshot, &path)),
     })
 }
 
-/// The document whose shader draws the value in a range.
-fn shown_value(snapshot: &Snapshot, buffer: &TextBuffer, range: Range) -> Answer<ShownValue> {
+/// The document whose shader draws the value in a range, and the numbers that are black and white:
+/// those of a small image, if they are not between 0 and 1.
+fn shown_value(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    range: Range,
+) -> Answer<(ShownValue, [f32; 2])> {
     let (document, span) = (snapshot.document(buffer), snapshot.span(buffer, range));
-    let value = ide::shown_value(&document, &snapshot.files, span);
-    value.ok_or_else(|| Failure::refused("the value of this code cannot be shown"))
+    let shown = |limits| {
+        let value = ide::shown_value(&document, &snapshot.files, span, limits);
+        value.ok_or_else(|| Failure::refused("the value of this code cannot be shown"))
+    };
+    let value = shown(ide::WITHIN)?;
+    let analysis = value.document.report.analyses.get(value.shader);
+    let limits = analysis.filter(|_| snapshot.settings.run);
+    match limits.and_then(ide::limits) {
+        Some(limits) if limits != ide::WITHIN => Ok((shown(limits)?, limits)),
+        _ => Ok((value, ide::WITHIN)),
+    }
 }
 
 /// The file that gives inputs to the channels of a shader file, or of a folder of passes.

@@ -143,7 +143,7 @@ VALUES = """float wave(float x) {
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     mat2 «matrix»turn = mat2(1.0);
-    fragColor = vec4(turn * fragCoord, wave(fragCoord.x), 1.0);
+    fragColor = vec4(turn * «coordinate»fragCoord, wave(fragCoord.x), 1.0);
 }
 """
 
@@ -163,10 +163,16 @@ def values_are_previewed(case):
     [command] = offered(source["sum"], source["end"])
     same((command["command"], command["arguments"]), ("editor.preview", [source.uri, chosen]), "the command")
     page = client.of(source.uri, "shaderlint/page", value=chosen)
-    same(page["value"], "y + 0.625", "the value")
+    same(page["value"], {"text": "y + 0.625", "limits": [0.0, 1.0]}, "the value")
     contains(page["html"], "showValue(y + 0.625)", "the page")
     [command] = offered(source["loop"], source["loop"])
-    same(client.of(source.uri, "shaderlint/page", value=command["arguments"][1])["value"], "y", "a variable")
+    same(client.of(source.uri, "shaderlint/page", value=command["arguments"][1])["value"]["text"], "y", "a variable")
+    # With sample runs, the limits are those of the image.
+    runs = case.client()
+    source.open(runs)
+    place = lines.range(source["coordinate"], source["coordinate"])
+    [least, most] = runs.of(source.uri, "shaderlint/page", value=place)["value"]["limits"]
+    holds(least == 0.0 and 30.0 < most < 70.0, "the limits", least, most)
     holds("showValue" not in client.of(source.uri, "shaderlint/page")["html"], "the shader shows a value")
     same(offered(source["matrix"], source["matrix"]), [], "the value of a matrix")
     place = lines.range(source["matrix"], source["matrix"])

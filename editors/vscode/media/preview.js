@@ -154,7 +154,8 @@ assumed.querySelector('button').addEventListener('click', () => {
 /** Says what is shown: a value, and the channels that nothing gives an input. */
 function describe(page) {
     value.hidden = page.value === null;
-    value.querySelector('span').textContent = `Value of ${page.value}`;
+    const [least, most] = page.value?.limits.map((limit) => Number(limit.toPrecision(3))) ?? [];
+    value.querySelector('span').textContent = `Value of ${page.value?.text}, from ${least} to ${most}`;
     assumed.hidden = page.assumed.length === 0;
     const channels = page.assumed.map(({ pass, channel, shows }) => `${channel} of ${pass} (${shows})`);
     assumed.querySelector('span').textContent = `Channels without an input: ${channels.join(', ')}`;

@@ -20,8 +20,8 @@ interface Shown {
 interface Page {
     html: string;
     shader: number;
-    /** The text of the shown value. */
-    value: string | null;
+    /** The shown value, and the numbers that are shown as 0 and 1. */
+    value: { text: string; limits: [number, number] } | null;
     /** The channels that nothing gives an input. */
     assumed: { pass: string; channel: string; shows: string }[];
     /** The file that gives inputs. */

@@ -29,7 +29,7 @@ use proposal::ProposedRefactoring;
 pub use proposal::{NewFile, RefactorKind, Refactoring};
 use shaderlint_engine::Files;
 use shaderlint_text::Span;
-pub use shown_value::{ShownValue, shown_value};
+pub use shown_value::{ShownValue, WITHIN, shown_value};
 
 /// The refactorings of the code at a selection, of the requested kinds. Each is verified.
 pub fn refactorings(

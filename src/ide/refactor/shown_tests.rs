@@ -23,7 +23,7 @@ fn colors(analysis: &Analysis) -> Vec<[f32; 3]> {
 /// The document of the shader that draws the value between the bars.
 fn shown(text: &str) -> Option<(Document, ShownValue)> {
     let (document, span) = marked("/a.glsl", text);
-    let value = shown_value(&document, &NoFiles, span)?;
+    let value = shown_value(&document, &NoFiles, span, WITHIN)?;
     Some((document, value))
 }
 
@@ -118,4 +118,19 @@ fn an_expression_is_drawn_with_its_type() {
         None
     );
     assert_eq!(middle("«fragColor = vec4(1.0);»"), None);
+}
+
+#[test]
+fn values_beyond_colours_are_scaled() {
+    let text = "void mainImage(out vec4 fragColor, in vec2 fragCoord) { vec2 |p = fragCoord - 32.0; fragColor = vec4(p, p); }";
+    let (document, span) = marked("/a.glsl", text);
+    let own = |limits: [f32; 2]| {
+        let value = shown_value(&document, &NoFiles, span, limits).unwrap();
+        let analysis = &value.document.report.analyses[value.shader];
+        (crate::run::limits(analysis).unwrap(), colors(analysis)[0])
+    };
+    let (limits, _) = own(WITHIN);
+    assert_eq!(limits, [-31.5, 31.5]);
+    let (scaled, first) = own(limits);
+    assert_eq!((scaled, first), (WITHIN, [0.0, 0.0, 0.0]));
 }

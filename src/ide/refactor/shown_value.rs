@@ -26,23 +26,30 @@ pub struct ShownValue {
     pub span: Span,
 }
 
-/// Draws the selected expression, or the variable at an empty selection. `None` if nothing there
-/// has a value that can be drawn as a colour, or if the shader cannot be played then.
-pub fn shown_value(document: &Document, files: &dyn Files, selection: Span) -> Option<ShownValue> {
+/// Draws the selected expression, or the variable at an empty selection. Numbers between the limits
+/// are the colours from 0 to 1. `None` if nothing there has a value that can be drawn as a colour, or
+/// if the shader cannot be played then.
+pub fn shown_value(
+    document: &Document,
+    files: &dyn Files,
+    selection: Span,
+    limits: [f32; 2],
+) -> Option<ShownValue> {
     let place = RefactorPlace::of(document, files, selection)?;
     let shader = document.spot(selection.start)?.shader;
     if place.program.stage != Stage::Fragment {
         return None;
     }
     let value = value(&place)?;
-    let names = ShowNames {
+    let code = ShowCode {
         function: place.free_name("showValue"),
         color: place.free_name("shownColor"),
+        limits,
     };
     let mut inserts = Inserts::default();
-    value.capture(&names, &mut inserts);
-    output(&place, &names, &mut inserts)?;
-    declare(&place, &value, &names, &mut inserts)?;
+    value.capture(&code, &mut inserts);
+    output(&place, &code, &mut inserts)?;
+    declare(&place, &value, &code, &mut inserts)?;
     let Changed { after, .. } = changed(&place, &inserts.edits(), &[])?;
     let is_valid = after
         .report
@@ -58,10 +65,13 @@ pub fn shown_value(document: &Document, files: &dyn Files, selection: Span) -> O
     })
 }
 
-/// The names that the changed shader has in addition.
-struct ShowNames {
+/// What the changed shader has in addition.
+struct ShowCode {
+    /// The names.
     function: String,
     color: String,
+    /// The numbers that are drawn as 0 and 1.
+    limits: [f32; 2],
 }
 
 /// The value to draw.
@@ -83,8 +93,8 @@ enum Capture {
 }
 
 impl Value {
-    fn capture(&self, names: &ShowNames, inserts: &mut Inserts) {
-        let show = &names.function;
+    fn capture(&self, code: &ShowCode, inserts: &mut Inserts) {
+        let show = &code.function;
         match &self.capture {
             Capture::Value(span) => inserts.around(*span, &format!("{show}("), ")"),
             Capture::After(span, name) => {
@@ -192,9 +202,24 @@ fn drawn(ty: Type) -> Option<Type> {
     (columns == 1 && ty.array == 0).then_some(ty)
 }
 
+/// The limits of numbers that are colours as they are.
+pub const WITHIN: [f32; 2] = [0.0, 1.0];
+
 /// A value as red, green and blue.
-fn color(ty: Type) -> Option<String> {
+fn color(ty: Type, [least, most]: [f32; 2]) -> Option<String> {
     let (scalar, _, lanes) = ty.numeric()?;
+    if scalar == Scalar::Float && [least, most] != WITHIN {
+        let (vector, value, rest) = match lanes {
+            1 => ("float", "value", ""),
+            2 => ("vec2", "value", ", 0.0"),
+            3 => ("vec3", "value", ""),
+            _ => ("vec3", "value.rgb", ""),
+        };
+        let size = most - least;
+        return Some(format!(
+            "vec3(({value} - {vector}({least:?})) / {size:?}{rest})"
+        ));
+    }
     let vector = match lanes {
         1 => "vec3(value)",
         2 => "vec3(vec2(value), 0.0)",
@@ -217,7 +242,7 @@ fn color(ty: Type) -> Option<String> {
 fn declare(
     place: &RefactorPlace,
     value: &Value,
-    names: &ShowNames,
+    code: &ShowCode,
     inserts: &mut Inserts,
 ) -> Option<()> {
     let program = place.program;
@@ -227,11 +252,12 @@ fn declare(
         Some(program.span(item).start)
     };
     let first = at(value.span.start)?.min(program.span(entry.extent).start);
-    let ShowNames {
+    let ShowCode {
         function,
         color: shown,
-    } = names;
-    let (ty, color) = (program.type_name(value.ty), color(value.ty)?);
+        limits,
+    } = code;
+    let (ty, color) = (program.type_name(value.ty), color(value.ty, *limits)?);
     let text = format!(
         "vec4 {shown} = vec4(0.0, 0.0, 0.0, 1.0); {ty} {function}({ty} value) {{ {shown}.rgb = {color}; return value; }} "
     );
@@ -254,14 +280,14 @@ fn own_entry(place: &RefactorPlace) -> Option<FunctionRef> {
 }
 
 /// The edits that make the entry function output the kept colour, wherever it returns.
-fn output(place: &RefactorPlace, names: &ShowNames, inserts: &mut Inserts) -> Option<()> {
+fn output(place: &RefactorPlace, code: &ShowCode, inserts: &mut Inserts) -> Option<()> {
     let program = place.program;
     let entry = own_entry(place)?;
     let own = place.definition(entry)?;
     let returns = program.function(entry)?.returns;
     let shown = |lanes: u8| match lanes {
-        4 => Some(names.color.clone()),
-        3 => Some(format!("{}.rgb", names.color)),
+        4 => Some(code.color.clone()),
+        3 => Some(format!("{}.rgb", code.color)),
         _ => None,
     };
     let lanes = |ty: Type| match ty.numeric() {

@@ -40,7 +40,7 @@ fn show_value(
     let command = own_view.unwrap_or_else(|| PREVIEW.to_string());
     #[cfg(not(feature = "preview"))]
     let command = own_view?;
-    let value = ide::shown_value(document, &snapshot.files, span)?;
+    let value = ide::shown_value(document, &snapshot.files, span, ide::WITHIN)?;
     let range = buffer.lines(snapshot.columns()).range(value.span);
     let title = "Preview this value".to_string();
     let arguments = vec![
