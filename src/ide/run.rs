@@ -139,8 +139,8 @@ pub fn image_of(analysis: &Analysis, variable: VariableId, within: Span) -> Opti
     (!image.pixels.is_empty()).then_some(image)
 }
 
-/// The smallest and the largest number in the colours of a shader, and 0 and 1; `None` if it cannot
-/// run, or exceeds the budget.
+/// The limits of the colours of a shader: 0 and 1, unless more than 5 % of the numbers are below or
+/// above; then the 5 % beyond are left out. `None` if it cannot run, or exceeds the budget.
 pub fn limits(analysis: &Analysis) -> Option<[f32; 2]> {
     let options = CompileOptions {
         most: Some(MOST_INSTRUCTIONS),
@@ -150,8 +150,11 @@ pub fn limits(analysis: &Analysis) -> Option<[f32; 2]> {
     let drawn = drawn(&scene).ok()?;
     let image = RenderedImage::of(&scene.code, &drawn, 0);
     let numbers = image.pixels.iter().flat_map(|pixel| pixel.iter().take(3));
-    let finite = numbers.copied().filter(|n| n.is_finite());
-    Some(finite.fold([0.0, 1.0], |[least, most], n| [least.min(n), most.max(n)]))
+    let mut finite: Vec<f32> = numbers.copied().filter(|n| n.is_finite()).collect();
+    finite.sort_unstable_by(f32::total_cmp);
+    let beyond = finite.len() / 20;
+    let (least, most) = (finite.get(beyond)?, finite.iter().nth_back(beyond)?);
+    Some([least.min(0.0), most.max(1.0)])
 }
 
 /// The small image of a scene, within the budget.

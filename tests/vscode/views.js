@@ -43,7 +43,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec3 from = vec3(0.0, 0.0, -3.0);
     vec3 ray = normalize(vec3(uv, 2.0));
     float way = 0.0;
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 12; i++) {
         way += 0.7 * field(from + ray * way);
     }
     vec3 tint = vec3(0.9, 0.6, 0.3);
@@ -145,6 +145,15 @@ export function views({ openFile, picture, player, runCommand, until, word }) {
     await shown.filter({ hasText: 'Value of way' }).waitFor();
     await shown.getByRole('button').click();
     await shown.waitFor({ state: 'hidden' });
+    const draws = () => {
+      const player = globalThis.shaderport?.player;
+      return player?.clock.time > 0.3 && globalThis.frameElement?.className === ''
+        && !player.project.files.some((file) => file.text.includes('showValue('));
+    };
+    await until('the image instead of the value', async () => {
+      for (const frame of page.frames()) if (await frame.evaluate(draws).catch(() => false)) return true;
+      return false;
+    });
     await picture(page, 'value-left');
   }
 

@@ -187,11 +187,12 @@ class Preview {
             const client = this.client();
             if (!client) throw new Error('The language server is not running.');
             const uri = client.code2ProtocolConverter.asUri(document.uri);
-            const { value, ...place } = this.shown;
+            const { shown } = this;
+            const { value, ...place } = shown;
             const asked = value ? { value: value.range() } : place;
             const page = await client.sendRequest(PAGE, { textDocument: { uri }, ...asked }, token);
-            // The text before the shader may change.
-            this.shown = value ? { value, shader: page.shader } : { shader: page.shader };
+            // The text before the shader may change. Something else may be shown by now.
+            if (this.shown === shown) this.shown = value ? { value, shader: page.shader } : { shader: page.shader };
             this.channels = page.channels;
             return { type: 'page', ...page };
         } catch (error) {

@@ -61,7 +61,7 @@ pub(super) enum RequiredProof {
     /// The IR is equal.
     EqualIr,
     /// The IR is equal after other edits, which declare a constant instead of this control.
-    EqualIrWithValue(Vec<Edit>, UniformControl),
+    SameWithValue(Vec<Edit>, UniformControl),
     /// The sampled images are equal.
     EqualImages,
 }

@@ -43,7 +43,7 @@ fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let edits = vec![Edit::insert(at, text), used.clone()];
     let as_constant = vec![Edit::insert(item, constant), used];
     Some(ProposedRefactoring {
-        evidence: RequiredProof::EqualIrWithValue(as_constant, control),
+        evidence: RequiredProof::SameWithValue(as_constant, control),
         ..ProposedRefactoring::new(RefactorKind::Rewrite, title, edits).named(name)
     })
 }

@@ -100,7 +100,7 @@ fn error_count(document: &Document) -> usize {
 /// Whether the shaders of a document stay the same.
 fn is_kept(place: &RefactorPlace, after: &Document, evidence: &RequiredProof) -> bool {
     let before = place.document;
-    if let RequiredProof::EqualIrWithValue(edits, control) = evidence {
+    if let RequiredProof::SameWithValue(edits, control) = evidence {
         let with_value = changed(place, edits, &[]);
         let is_same = |other: Changed| is_kept(place, &other.after, &RequiredProof::EqualIr);
         return error_count(after) <= error_count(before)
