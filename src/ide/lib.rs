@@ -19,6 +19,7 @@ mod hover;
 mod index;
 mod lens;
 mod library;
+mod line_costs;
 mod lines;
 mod navigate;
 mod outline;

@@ -1,7 +1,7 @@
 //! Sample runs for editors: cost and iterations, and images of the values of a variable.
 
-use super::cost::observed_lines;
 use super::document::Document;
+use super::line_costs::observed_lines;
 use shaderlint_engine::Analysis;
 use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
 use shaderlint_exec::{CompileOptions, Drawn, LANES, LoopObservation, Probe, Stop, Watch, draw};

@@ -155,7 +155,7 @@ fn shown_project(
     let document = value
         .as_ref()
         .map_or(&*document, |(value, _)| &value.document);
-    let Drafted { mut project, path } = draft(snapshot, document, shader)?;
+    let DraftedProject { mut project, path } = draft(snapshot, document, shader)?;
     let wrong = |error: shaderlint_port::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
@@ -249,16 +249,16 @@ fn first_error(composed: &Composed) -> Option<String> {
 }
 
 /// A project whose channels are unknown.
-struct Drafted {
+struct DraftedProject {
     project: Project,
     /// The file or folder that it was read from; `None` if the shader is a part of its document.
     path: Option<PathBuf>,
 }
 
-fn draft(snapshot: &Snapshot, document: &Document, shader: usize) -> Answer<Drafted> {
+fn draft(snapshot: &Snapshot, document: &Document, shader: usize) -> Answer<DraftedProject> {
     let own = Path::new(&document.path);
     let drafted = |project: Result<Project, String>, path| match project {
-        Ok(project) => Ok(Drafted { project, path }),
+        Ok(project) => Ok(DraftedProject { project, path }),
         Err(error) => Err(Failure::refused(error)),
     };
     if document.path.ends_with(".json") {

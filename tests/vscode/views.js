@@ -147,7 +147,7 @@ export function views({ openFile, picture, player, runCommand, until, word }) {
     await shown.waitFor({ state: 'hidden' });
     const draws = () => {
       const player = globalThis.shaderport?.player;
-      return player?.clock.time > 0.3 && globalThis.frameElement?.className === ''
+      return player?.isPlaying && player.clock.time > 0.3 && globalThis.frameElement?.className === ''
         && !player.project.files.some((file) => file.text.includes('showValue('));
     };
     await until('the image instead of the value', async () => {

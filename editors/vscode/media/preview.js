@@ -107,8 +107,9 @@ function carry(from, to) {
 /** Frees the graphics memory now instead of at the next garbage collection. */
 function forget(frame) {
     const player = faceOf(frame)?.player;
+    const gl = player?.gl;
     player?.dispose?.();
-    player?.gl.getExtension('WEBGL_lose_context')?.loseContext();
+    gl?.getExtension('WEBGL_lose_context')?.loseContext();
     frame?.remove();
 }
 

@@ -5,7 +5,7 @@
 //! is computed, as by `shaderlint run --show`.
 
 use super::place::RefactorPlace;
-use super::verify::{Changed, changed};
+use super::verify::{ChangedDocument, changed};
 use crate::document::Document;
 use crate::preview::preview_project;
 use shaderlint_engine::Files;
@@ -46,11 +46,11 @@ pub fn shown_value(
         color: place.free_name("shownColor"),
         limits,
     };
-    let mut inserts = Inserts::default();
+    let mut inserts = TextInserts::default();
     value.capture(&code, &mut inserts);
     output(&place, &code, &mut inserts)?;
     declare(&place, &value, &code, &mut inserts)?;
-    let Changed { after, .. } = changed(&place, &inserts.edits(), &[])?;
+    let ChangedDocument { after, .. } = changed(&place, &inserts.edits(), &[])?;
     let is_valid = after
         .report
         .analyses
@@ -75,15 +75,15 @@ struct ShowCode {
 }
 
 /// The value to draw.
-struct Value {
+struct DrawnValue {
     ty: Type,
     /// Its text: an expression, or the name of a variable.
     span: Span,
-    capture: Capture,
+    capture: ValueCapture,
 }
 
 /// How a value is kept.
-enum Capture {
+enum ValueCapture {
     /// The value of this text.
     Value(Span),
     /// A variable, after this expression has written it.
@@ -92,25 +92,25 @@ enum Capture {
     Start(u32, String),
 }
 
-impl Value {
-    fn capture(&self, code: &ShowCode, inserts: &mut Inserts) {
+impl DrawnValue {
+    fn capture(&self, code: &ShowCode, inserts: &mut TextInserts) {
         let show = &code.function;
         match &self.capture {
-            Capture::Value(span) => inserts.around(*span, &format!("{show}("), ")"),
-            Capture::After(span, name) => {
+            ValueCapture::Value(span) => inserts.around(*span, &format!("{show}("), ")"),
+            ValueCapture::After(span, name) => {
                 inserts.around(*span, "(", &format!(", {show}({name}))"));
             }
-            Capture::Start(at, name) => inserts.at(*at, &format!(" {show}({name});")),
+            ValueCapture::Start(at, name) => inserts.at(*at, &format!(" {show}({name});")),
         }
     }
 }
 
 /// Texts to insert, by address: those that end something, and those that start something.
 #[derive(Default)]
-struct Inserts(BTreeMap<u32, (String, String)>);
+struct TextInserts(BTreeMap<u32, (String, String)>);
 
-impl Inserts {
-    /// Inserts texts around a span, and around what was inserted there before.
+impl TextInserts {
+    /// TextInserts texts around a span, and around what was inserted there before.
     fn around(&mut self, span: Span, before: &str, after: &str) {
         let (_, starts) = self.0.entry(span.start).or_default();
         starts.insert_str(0, before);
@@ -129,7 +129,7 @@ impl Inserts {
     }
 }
 
-fn value(place: &RefactorPlace) -> Option<Value> {
+fn value(place: &RefactorPlace) -> Option<DrawnValue> {
     let program = place.program;
     let is_here = |e: &Expr| matches!(e.kind, ExprKind::Name(_)) && place.is_exact(e.extent);
     let named = || {
@@ -142,13 +142,13 @@ fn value(place: &RefactorPlace) -> Option<Value> {
     };
     let span = program.expr_span(expr);
     let ty = drawn(program.ty(expr))?;
-    let own = |capture| Some(Value { ty, span, capture });
+    let own = |capture| Some(DrawnValue { ty, span, capture });
     // What is written has no value before.
     match written_by(place, expr) {
-        None => own(Capture::Value(span)),
+        None => own(ValueCapture::Value(span)),
         Some(write) => {
             let text = place.text(span)?.to_string();
-            own(Capture::After(program.expr_span(write), text))
+            own(ValueCapture::After(program.expr_span(write), text))
         }
     }
 }
@@ -171,7 +171,7 @@ fn written_by(place: &RefactorPlace, expr: ExprId) -> Option<ExprId> {
 }
 
 /// The value of a variable at its declaration.
-fn declared(place: &RefactorPlace, id: VariableId) -> Option<Value> {
+fn declared(place: &RefactorPlace, id: VariableId) -> Option<DrawnValue> {
     let program = place.program;
     let variable = program.variable(id)?;
     let ty = drawn(variable.ty)?;
@@ -180,7 +180,7 @@ fn declared(place: &RefactorPlace, id: VariableId) -> Option<Value> {
         Storage::Param(Direction::In | Direction::ConstIn | Direction::Inout) => {
             let body = place.definition(variable.function?)?.body?;
             let open = program.tree.stmt(body).extent.first;
-            Capture::Start(
+            ValueCapture::Start(
                 program.token(open)?.span.end,
                 program.names.text(variable.name).to_string(),
             )
@@ -190,10 +190,10 @@ fn declared(place: &RefactorPlace, id: VariableId) -> Option<Value> {
             place
                 .is_exact(program.tree.expr(init).extent)
                 .then_some(())?;
-            Capture::Value(program.expr_span(init))
+            ValueCapture::Value(program.expr_span(init))
         }
     };
-    Some(Value { ty, span, capture })
+    Some(DrawnValue { ty, span, capture })
 }
 
 /// The type, if its values can be drawn: scalars and vectors.
@@ -241,9 +241,9 @@ fn color(ty: Type, [least, most]: [f32; 2]) -> Option<String> {
 /// The variable and the function that keep the value, before what uses them.
 fn declare(
     place: &RefactorPlace,
-    value: &Value,
+    value: &DrawnValue,
     code: &ShowCode,
-    inserts: &mut Inserts,
+    inserts: &mut TextInserts,
 ) -> Option<()> {
     let program = place.program;
     let entry = place.definition(own_entry(place)?)?;
@@ -280,7 +280,7 @@ fn own_entry(place: &RefactorPlace) -> Option<FunctionRef> {
 }
 
 /// The edits that make the entry function output the kept colour, wherever it returns.
-fn output(place: &RefactorPlace, code: &ShowCode, inserts: &mut Inserts) -> Option<()> {
+fn output(place: &RefactorPlace, code: &ShowCode, inserts: &mut TextInserts) -> Option<()> {
     let program = place.program;
     let entry = own_entry(place)?;
     let own = place.definition(entry)?;

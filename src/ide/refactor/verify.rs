@@ -23,7 +23,7 @@ pub(super) fn verified(
     proposal: ProposedRefactoring,
 ) -> Option<Refactoring> {
     let created = proposal.creates.as_slice();
-    let Changed { edits, after } = changed(place, &proposal.edits, created)?;
+    let ChangedDocument { edits, after } = changed(place, &proposal.edits, created)?;
     let has_slider = |name: &String| {
         let mut all = after.report.analyses.iter();
         all.any(|a| {
@@ -47,7 +47,7 @@ pub(super) fn verified(
 }
 
 /// A document after edits.
-pub(super) struct Changed {
+pub(super) struct ChangedDocument {
     /// The edits of the document, in order.
     pub edits: Vec<Edit>,
     pub after: Document,
@@ -58,7 +58,7 @@ pub(super) fn changed(
     place: &RefactorPlace,
     edits: &[Edit],
     created: &[NewFile],
-) -> Option<Changed> {
+) -> Option<ChangedDocument> {
     let document = place.document;
     let edits = edits.iter();
     let edits = edits.map(|edit| document.report.edit_of_input(edit));
@@ -73,7 +73,7 @@ pub(super) fn changed(
             .collect(),
     };
     let after = document.read_as(text, &files);
-    Some(Changed { edits, after })
+    Some(ChangedDocument { edits, after })
 }
 
 /// Where edits write a name that is new, in the changed text: at its last use, which is the code
@@ -102,7 +102,8 @@ fn is_kept(place: &RefactorPlace, after: &Document, evidence: &RequiredProof) ->
     let before = place.document;
     if let RequiredProof::SameWithValue(edits, control) = evidence {
         let with_value = changed(place, edits, &[]);
-        let is_same = |other: Changed| is_kept(place, &other.after, &RequiredProof::EqualIr);
+        let is_same =
+            |other: ChangedDocument| is_kept(place, &other.after, &RequiredProof::EqualIr);
         return error_count(after) <= error_count(before)
             && has_control(after, control)
             && with_value.is_some_and(is_same);
