@@ -50,14 +50,15 @@ impl Report {
             let last = analysis.program.tokens.tokens.last();
             last.is_some_and(|token| token.span.start == end)
         };
-        // Common code is not a shader of its own: the first pass that includes it is used.
+        // Common code is not a shader of its own: the first pass that includes it is used. A shader
+        // that was composed for its host ends in the host's text.
         let reads = |analysis: &&Analysis| {
             let mut tokens = analysis.program.tokens.tokens.iter();
             tokens.any(|token| {
                 (code.base..=end).contains(&token.span.start) && token.span.end > code.base
             })
         };
-        let is_shared = self.export.is_some();
+        let is_shared = self.export.is_some() || self.analyses.len() == 1;
         let shared = || self.analyses.iter().find(reads).filter(|_| is_shared);
         self.analyses.iter().find(ends_here).or_else(shared)
     }

@@ -1,7 +1,7 @@
 //! The bytecode that the VM executes: a register machine over 32 pixels.
 
 use super::compile::options::ErrorDirection;
-use super::observations::FaultKind;
+use super::observations::{FaultKind, Observations, OperationCost};
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined, VariableId};
@@ -53,7 +53,9 @@ pub struct Bytecode {
     pub(super) loops: Vec<LoopId>,
     /// The conditional constructs referenced by [`Instr::Branch`].
     pub(super) branches: Vec<Provenance>,
-    /// The call paths referenced by [`Instr::Spend`].
+    /// The charges referenced by [`Instr::Spend`].
+    pub(super) charges: Vec<Charge>,
+    /// The call paths referenced by charges.
     pub(super) calls: Vec<CallPath>,
     /// The check sites referenced by [`OperandCheck`].
     pub(super) checks: Vec<CheckSite>,
@@ -72,6 +74,28 @@ impl Bytecode {
     pub fn checked(&self) -> impl Iterator<Item = (OpId, FaultKind)> {
         let sites = self.checks.iter();
         sites.flat_map(|site| site.checked.kinds().iter().map(|kind| (site.op, *kind)))
+    }
+
+    /// What each operation cost in a run of the code with [`CompileOptions::cost`], for each path of
+    /// calls that leads to it.
+    ///
+    /// [`CompileOptions::cost`]: crate::CompileOptions::cost
+    pub fn costs(&self, seen: &Observations) -> impl Iterator<Item = OperationCost> {
+        let charges = self.charges.iter().zip(&seen.charged);
+        charges.flat_map(|(charge, &charged)| {
+            let next = |path: &CallPath| self.calls.get(path.caller? as usize).copied();
+            let own = self.calls.get(charge.path as usize).copied();
+            let calls: Vec<OpId> = std::iter::successors(own, next)
+                .filter_map(|path| path.call)
+                .collect();
+            let total: u64 = charge.parts.iter().map(|(_, cost)| u64::from(*cost)).sum();
+            let times = charged / total.max(1);
+            charge.parts.iter().map(move |&(at, cost)| OperationCost {
+                at,
+                calls: calls.clone(),
+                operations: times * u64::from(cost),
+            })
+        })
     }
 
     /// The memory in bytes that one thread needs to run the code: code, registers, uniforms and
@@ -191,11 +215,22 @@ pub(super) enum LookupQuery {
     Size,
 }
 
+/// Operations that the same lanes execute.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Charge {
+    /// Index of the call path.
+    pub path: u32,
+    /// The operations, with their costs.
+    pub parts: Vec<(Provenance, u32)>,
+}
+
 /// A function with its call path.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CallPath {
     /// The function; `None` for global initialisers.
     pub function: Option<FunctionRef>,
+    /// The call; `None` for global initialisers and the entry point.
+    pub call: Option<OpId>,
     /// The path of the caller.
     pub caller: Option<u32>,
 }
@@ -386,7 +421,7 @@ pub(super) enum Instr {
     /// Statistics: charges the active lanes for operations.
     Spend {
         cost: u32,
-        /// Index of the call path.
+        /// Index of the charge.
         by: u32,
     },
     /// Checks a result for faults.

@@ -31,7 +31,7 @@ pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
-    NumberObservation, Observations, SiteObservation, Witness,
+    NumberObservation, Observations, OperationCost, SiteObservation, Witness,
 };
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample};
 pub use row::LANES;

@@ -16,6 +16,8 @@ pub struct Observations {
     pub branches: Vec<BranchObservation>,
     /// The cost of each function that was executed; global initialisers come first.
     pub functions: Vec<FunctionObservation>,
+    /// By charge of the bytecode: its operations, summed over pixels.
+    pub(super) charged: Vec<u64>,
     /// Numeric faults, the first occurrence per operation, in order of occurrence.
     pub numbers: Vec<NumberObservation>,
     /// The checked operations that at least one pixel executed.
@@ -82,6 +84,17 @@ pub struct FunctionObservation {
     pub own: u64,
     /// Operations including the functions that it calls.
     pub inclusive: u64,
+}
+
+/// What an operation cost, for one path of calls.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct OperationCost {
+    /// The operation.
+    pub at: Provenance,
+    /// The calls that lead to it, innermost first.
+    pub calls: Vec<OpId>,
+    /// The cost, summed over pixels.
+    pub operations: u64,
 }
 
 /// The statistics of a condition.

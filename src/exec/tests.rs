@@ -4,7 +4,8 @@
 use super::vm::{Tile, Vm};
 use super::{
     Bytecode, COMPARED_SIZE, CompileOptions, Draw, Drawn, Equality, ErrorDirection, FaultKind,
-    GpuProfile, Observations, Stop, Watch, compile, draw, equality, quads_all_over, sample,
+    GpuProfile, Observations, OperationCost, Stop, Watch, compile, draw, equality, quads_all_over,
+    sample,
 };
 use shaderlint_ir::lower;
 use shaderlint_math::{Faster, faster};
@@ -663,6 +664,19 @@ fn functions_cost_what_they_do_wherever_they_are_called() {
         let sum: u64 = seen.functions.iter().map(|f| f.own).sum();
         assert_eq!(sum, seen.operations);
         assert_eq!(globals.own + main.inclusive, seen.operations);
+        let costs: Vec<_> = code.costs(seen).filter(|c| c.operations > 0).collect();
+        let of = |is_it: fn(&OperationCost) -> bool| -> u64 {
+            costs
+                .iter()
+                .filter(|c| is_it(c))
+                .map(|c| c.operations)
+                .sum()
+        };
+        assert_eq!(of(|_| true), seen.operations);
+        // `f` is called by `main`, and by `main` through `g`.
+        assert_eq!(of(|c| c.calls.is_empty()), globals.own + main.own);
+        assert_eq!(of(|c| c.calls.len() == 1), 64 + g.own);
+        assert_eq!(of(|c| c.calls.len() == 2), 16);
         // All 64 pixels call `f`; 16 of them call `g`, which calls `f` again.
         assert_eq!(f.own, 5 * (g.inclusive - g.own));
         let paid = |x: usize| (drawn.cost[x], drawn.ran[x]);

@@ -43,5 +43,5 @@ pub use trace::{Start, origin, trace};
 pub use uniformity::{
     Control, ControlId, Divergence, DivergenceId, LoopControls, Uniformity, Varying,
 };
-pub use work::{Nest, Work};
+pub use work::{CostPart, Nest, Work};
 pub use writes::Writes;

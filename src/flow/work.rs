@@ -38,6 +38,24 @@ struct Cost {
     is_guess: bool,
 }
 
+/// How often the parts of a loop are executed.
+#[derive(Clone, Copy)]
+struct LoopTimes {
+    /// The body and the step.
+    inside: f64,
+    /// The test.
+    tests: f64,
+}
+
+/// What [`Work::visit`] finds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CostPart {
+    /// So many operations.
+    Operations(u32),
+    /// A call of a function.
+    Call(FunctionRef),
+}
+
 /// A loop on the path to the most expensive code.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Nest {
@@ -147,12 +165,7 @@ impl Work {
         };
         let count = self.count(id);
         cost.is_guess |= count.is_none();
-        let inside = f64::min(
-            times * count.map_or(UNKNOWN_ITERATIONS, |t| t as f64),
-            MOST_OFTEN,
-        );
-        // The test runs once more, when the loop ends.
-        let tests = f64::min(inside + times, MOST_OFTEN);
+        let LoopTimes { inside, tests } = self.loop_times(id, times);
         let mut iterations = self.region(module, found.test, tests, cost);
         for region in [found.body, found.step] {
             iterations += self.region(module, region, inside, cost);
@@ -162,6 +175,56 @@ impl Work {
             *slot = iterations;
         }
         iterations
+    }
+
+    /// How often the parts of a loop are executed that is executed `times` times.
+    fn loop_times(&self, id: LoopId, times: f64) -> LoopTimes {
+        let count = self.count(id).map_or(UNKNOWN_ITERATIONS, |t| t as f64);
+        let inside = f64::min(times * count, MOST_OFTEN);
+        LoopTimes {
+            inside,
+            // The test runs once more, when the loop ends.
+            tests: f64::min(inside + times, MOST_OFTEN),
+        }
+    }
+
+    /// Calls a function for each part of a region that is executed `times` times: what costs
+    /// something, and calls.
+    pub fn visit(
+        &self,
+        module: &Module,
+        region: Region,
+        times: f64,
+        on: &mut impl FnMut(Provenance, CostPart, f64),
+    ) {
+        for step in module.steps(region) {
+            for (at, cost) in module.step_costs(step) {
+                on(at, CostPart::Operations(cost), times);
+            }
+            match *step {
+                Step::Run(run) => {
+                    for op in run.ops() {
+                        if let OpKind::Call(callee, _) = module.op(op).kind {
+                            on(module.provenance(op), CostPart::Call(callee), times);
+                        }
+                    }
+                }
+                Step::Loop(id) => {
+                    let Some(&found) = module.looped(id) else {
+                        continue;
+                    };
+                    let LoopTimes { inside, tests } = self.loop_times(id, times);
+                    self.visit(module, found.test, tests, on);
+                    self.visit(module, found.body, inside, on);
+                    self.visit(module, found.step, inside, on);
+                }
+                _ => {
+                    for inside in module.inside(step) {
+                        self.visit(module, inside, times, on);
+                    }
+                }
+            }
+        }
     }
 
     fn count(&self, id: LoopId) -> Option<u64> {

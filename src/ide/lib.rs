@@ -8,6 +8,7 @@ mod calls;
 mod candidates;
 mod color;
 mod complete;
+mod cost;
 mod document;
 mod expected;
 mod family;
@@ -18,6 +19,7 @@ mod hover;
 mod index;
 mod lens;
 mod library;
+mod line_costs;
 mod navigate;
 mod outline;
 mod preview;
@@ -38,6 +40,7 @@ pub use actions::{Action, ActionKind, actions, fix_all};
 pub use calls::{CallItem, CallLink, call_item, incoming, outgoing};
 pub use color::{Color, ColorSpan, colors, presentations};
 pub use complete::complete;
+pub use cost::{CostSource, ShaderCost, shader_cost};
 pub use document::{Document, FileSpan, Overlay, Spot};
 pub use folding::{FoldKind, FoldingSpan, folds};
 pub use hints::{Hint, HintKind, HintOptions, hints};
@@ -48,9 +51,11 @@ pub use navigate::{declaration, definition, highlights, references, shared_name,
 pub use outline::{OutlineItem, outline};
 pub use preview::{preview_project, previewed};
 pub use proposal::{CompletionKind, Proposal};
-pub use refactor::{NewFile, RefactorKind, Refactoring, refactorings};
+pub use refactor::{
+    NewFile, RefactorKind, Refactoring, ShownValue, WITHIN, refactorings, shown_value,
+};
 pub use rename::{RenameRefusal, Renaming, may_rename, rename};
-pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_of, run};
+pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_of, limits, run};
 pub use selection::selection;
 pub use signature::{Signature, SignatureHelp, signature_help};
 pub use symbol::{Symbol, SymbolKind};

@@ -1,5 +1,7 @@
 //! Sample runs for editors: cost and iterations, and images of the values of a variable.
 
+use super::document::Document;
+use super::line_costs::observed_lines;
 use shaderlint_engine::Analysis;
 use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
 use shaderlint_exec::{CompileOptions, Drawn, LANES, LoopObservation, Probe, Stop, Watch, draw};
@@ -27,6 +29,8 @@ pub struct RunObservations {
     pub cost: f64,
     /// Maximum number of operations of a pixel.
     pub most_cost: u32,
+    /// By line of the document, from 1: average number of operations per pixel.
+    pub lines: BTreeMap<u32, f64>,
 }
 
 /// Number of iterations of a loop.
@@ -91,9 +95,9 @@ pub fn frame_cost(analysis: &Analysis) -> FrameCost {
     }
 }
 
-/// Draws a small image of a shader and returns statistics; `None` if it cannot run, or exceeds the
-/// budget.
-pub fn run(analysis: &Analysis) -> Option<RunObservations> {
+/// Draws a small image of a shader of a document and returns statistics; `None` if it cannot run,
+/// or exceeds the budget.
+pub fn run(document: &Document, analysis: &Analysis) -> Option<RunObservations> {
     let options = CompileOptions {
         watch: Watch::Flow,
         cost: true,
@@ -110,6 +114,7 @@ pub fn run(analysis: &Analysis) -> Option<RunObservations> {
         loops: iterations.collect(),
         cost: drawn.mean_cost(),
         most_cost: drawn.most_cost(),
+        lines: observed_lines(document, analysis, &scene.code, &drawn),
     })
 }
 
@@ -132,6 +137,24 @@ pub fn image_of(analysis: &Analysis, variable: VariableId, within: Span) -> Opti
         image.pixels.iter_mut().for_each(grey);
     }
     (!image.pixels.is_empty()).then_some(image)
+}
+
+/// The limits of the colours of a shader: 0 and 1, unless more than 5 % of the numbers are below or
+/// above; then the 5 % beyond are left out. `None` if it cannot run, or exceeds the budget.
+pub fn limits(analysis: &Analysis) -> Option<[f32; 2]> {
+    let options = CompileOptions {
+        most: Some(MOST_INSTRUCTIONS),
+        ..CompileOptions::default()
+    };
+    let scene = scene(analysis, &options)?;
+    let drawn = drawn(&scene).ok()?;
+    let image = RenderedImage::of(&scene.code, &drawn, 0);
+    let numbers = image.pixels.iter().flat_map(|pixel| pixel.iter().take(3));
+    let mut finite: Vec<f32> = numbers.copied().filter(|n| n.is_finite()).collect();
+    finite.sort_unstable_by(f32::total_cmp);
+    let beyond = finite.len() / 20;
+    let (least, most) = (finite.get(beyond)?, finite.iter().nth_back(beyond)?);
+    Some([least.min(0.0), most.max(1.0)])
 }
 
 /// The small image of a scene, within the budget.

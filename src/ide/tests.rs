@@ -445,7 +445,10 @@ fn costs(code: &str) -> (f64, f64) {
         facts.work().of_shader(facts.entry().unwrap())
     };
     assert!(is_bound, "{code}");
-    (estimate, f64::from(run(analysis).unwrap().most_cost))
+    (
+        estimate,
+        f64::from(run(&document, analysis).unwrap().most_cost),
+    )
 }
 
 #[test]
@@ -507,4 +510,49 @@ fn strings_without_a_grammar_have_all_tokens() {
             "{found:?}"
         );
     }
+}
+
+/// The cost of each line of a text after its head, without and with a sample run.
+#[track_caller]
+fn line_costs(text: &str) -> [Vec<(u32, f64)>; 2] {
+    let (document, _) = marked(&format!("{text}|"));
+    let analysis = &document.report.analyses[0];
+    let seen = run(&document, analysis).expect("a run");
+    let costs = [None, Some(&seen)].map(|seen| shader_cost(&document, 0, seen).unwrap());
+    for cost in &costs {
+        let sum: f64 = cost.lines.values().sum();
+        assert!((sum - cost.operations).abs() < 1e-6, "{cost:?}");
+    }
+    costs.map(|cost| {
+        let head = HEAD.matches('\n').count() as u32;
+        let lines = cost.lines.into_iter();
+        lines
+            .map(|(line, operations)| (line - head, operations))
+            .collect()
+    })
+}
+
+#[test]
+fn lines_cost_what_their_code_does() {
+    let [estimated, observed] = line_costs(
+        "#define TWICE(x) ((x) * 2.0 + 1.0)
+float f(float x) {
+    return x * x;
+}
+void main() {
+    float s = TWICE(time);
+    for (int i = 0; i < 10; i++) {
+        s += f(s)
+            * 3.0;
+    }
+    if (gl_FragCoord.x < 32.0) s = -s;
+    color = vec4(s);
+}
+",
+    );
+    // The condition of the loop is evaluated 11 times.
+    let of_loop = [(3, 10.0), (6, 2.0), (7, 21.0), (8, 20.0)];
+    assert_eq!(estimated, [&of_loop[..], &[(11, 2.0)]].concat());
+    // Half of the pixels change the sign.
+    assert_eq!(observed, [&of_loop[..], &[(11, 1.5)]].concat());
 }

@@ -20,13 +20,21 @@ impl Module {
     /// The cost of a step itself, without the regions inside it: `?:`, `&&` and `||` are one
     /// operation.
     pub fn step_cost(&self, step: &Step) -> u32 {
-        match *step {
-            Step::Run(run) => run.ops().map(|op| self.cost(op)).sum(),
+        self.step_costs(step).map(|(_, cost)| cost).sum()
+    }
+
+    /// The operations of a step itself that cost something, with their costs.
+    pub fn step_costs(&self, step: &Step) -> impl Iterator<Item = (Provenance, u32)> {
+        let (run, own) = match *step {
+            Step::Run(run) => (Some(run), None),
             Step::If {
-                origin: Provenance::Expr(_),
+                origin: origin @ Provenance::Expr(_),
                 ..
-            } => 1,
-            _ => 0,
-        }
+            } => (None, Some((origin, 1))),
+            _ => (None, None),
+        };
+        let ops = run.into_iter().flat_map(|run| run.ops());
+        let ops = ops.map(|op| (self.provenance(op), self.cost(op)));
+        ops.chain(own).filter(|(_, cost)| *cost > 0)
     }
 }

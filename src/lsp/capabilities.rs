@@ -60,6 +60,9 @@ pub const EXPLAIN: &str = "shaderlint.explain";
 /// Command that opens the preview in the browser.
 #[cfg(feature = "preview")]
 pub const PREVIEW: &str = "shaderlint.openPreview";
+/// Command that writes the inputs of channels that a preview assumes into a file.
+#[cfg(feature = "preview")]
+pub const WRITE_CHANNELS: &str = "shaderlint.writeChannels";
 /// Command that applies all safe fixes.
 pub const FIX_ALL: &str = "shaderlint.fixAll";
 
@@ -68,6 +71,8 @@ const COMMANDS: &[&str] = &[
     EXPLAIN,
     #[cfg(feature = "preview")]
     PREVIEW,
+    #[cfg(feature = "preview")]
+    WRITE_CHANNELS,
     FIX_ALL,
 ];
 
@@ -91,8 +96,13 @@ pub const fn action_kind(kind: RefactorKind) -> CodeActionKind {
 /// The kinds of code actions.
 fn action_kinds() -> Vec<CodeActionKind> {
     let refactorings = RefactorKind::ALL.into_iter().map(action_kind);
-    let fixes = [CodeActionKind::QuickFix, FIX_ALL_KIND];
-    fixes.into_iter().chain(refactorings).collect()
+    // Not a kind of refactoring: it shows a value.
+    let others = [
+        CodeActionKind::QuickFix,
+        CodeActionKind::Refactor,
+        FIX_ALL_KIND,
+    ];
+    others.into_iter().chain(refactorings).collect()
 }
 
 /// The capabilities announced to a client.

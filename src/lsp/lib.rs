@@ -11,6 +11,7 @@ mod capabilities;
 mod client;
 mod configs;
 mod diagnostics;
+mod new_file;
 mod pending_request;
 mod position;
 #[cfg(feature = "preview")]

@@ -1,16 +1,19 @@
 //! A shader as a page that plays it.
 
 use super::buffers::TextBuffer;
+use super::new_file::new_file;
 use super::snapshot::{Answer, Failure, Snapshot};
-use gen_lsp_types::Position;
+use super::uri::path_of;
+use gen_lsp_types::{Position, Range, Uri, WorkspaceEdit};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use shaderlint_diagnostic::Severity;
-use shaderlint_engine::Files;
+use shaderlint_engine::{FileType, Files};
 use shaderlint_host::shadertoy;
-use shaderlint_ide as ide;
+use shaderlint_ide::{self as ide, Document, ShownValue};
 use shaderlint_port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
 use shaderlint_semantic::Pass;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Which shader of a document is shown.
 #[derive(Clone, Copy, Default, Deserialize)]
@@ -19,6 +22,21 @@ pub struct ShownShader {
     pub position: Option<Position>,
     /// Its number, which an earlier page had.
     pub shader: Option<usize>,
+    /// The range of an expression, or a position of a variable, whose value is shown instead.
+    pub value: Option<Range>,
+}
+
+impl ShownShader {
+    /// The argument of a command: the number of the shader, a position in it, the range of a value,
+    /// or null.
+    pub fn read(argument: Value) -> ShownShader {
+        let number = argument.as_u64();
+        ShownShader {
+            shader: number.and_then(|number| usize::try_from(number).ok()),
+            value: serde_json::from_value(argument.clone()).ok(),
+            position: serde_json::from_value(argument).ok(),
+        }
+    }
 }
 
 /// A page that plays a shader.
@@ -28,15 +46,116 @@ pub struct ShaderPage {
     pub html: String,
     /// Number of the shader in its document.
     pub shader: usize,
+    /// The shown value, unless it is the colour of the shader.
+    pub value: Option<ValueText>,
+    /// The channels that nothing gives an input.
+    pub assumed: Vec<AssumedChannel>,
+    /// The file that gives inputs to channels, if there can be one.
+    pub channels: Option<ChannelFile>,
+}
+
+/// A shown value.
+#[derive(Serialize)]
+pub struct ValueText {
+    /// The text of the expression.
+    pub text: String,
+    /// The numbers that are shown as 0 and as 1.
+    pub limits: [f32; 2],
+}
+
+/// A channel that nothing gives an input.
+#[derive(Serialize)]
+pub struct AssumedChannel {
+    /// The pass, such as `image`.
+    pub pass: &'static str,
+    /// The sampler, such as `iChannel0`.
+    pub channel: String,
+    /// What it shows, such as `generated texture`.
+    pub shows: String,
+}
+
+/// The file that gives inputs to channels.
+#[derive(Serialize)]
+pub struct ChannelFile {
+    /// Its URI.
+    pub uri: Uri,
+    /// Whether it exists. If not, `shaderlint.writeChannels` writes it.
+    pub exists: bool,
+}
+
+/// A shader that is shown.
+struct ShownProject {
+    project: Project,
+    composed: Composed,
+    /// Number of the shader in its document.
+    shader: usize,
+    value: Option<ValueText>,
+    channels: Option<ChannelFile>,
 }
 
 /// The page of a shader of a document, with the passes in the same folder.
 pub fn page(snapshot: &Snapshot, buffer: &TextBuffer, shown: ShownShader) -> Answer<ShaderPage> {
+    let shown = shown_project(snapshot, buffer, shown)?;
+    let assumed = shown.project.assumed().into_iter();
+    let assumed = assumed.map(|input| AssumedChannel {
+        pass: input.pass,
+        channel: input.channel,
+        shows: input.shows,
+    });
+    Ok(ShaderPage {
+        html: html(&shown.project, &shown.composed, None).whole(),
+        shader: shown.shader,
+        value: shown.value,
+        assumed: assumed.collect(),
+        channels: shown.channels,
+    })
+}
+
+/// The edit that writes the file of inputs that the page of a shader assumes.
+pub fn write_channels(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    shown: ShownShader,
+) -> Answer<WorkspaceEdit> {
+    let shown = shown_project(snapshot, buffer, shown)?;
+    let uri = match shown.channels {
+        Some(file) if !file.exists => file.uri,
+        Some(file) => return Err(Failure::refused(format!("{} exists", file.uri.0))),
+        None => return Err(Failure::refused("the shader is not a file of its own")),
+    };
+    if shown.project.assumed().is_empty() {
+        return Err(Failure::refused("all channels have an input"));
+    }
+    if !snapshot.client.creates_files {
+        return Err(Failure::refused("the editor cannot create files"));
+    }
+    Ok(WorkspaceEdit {
+        document_changes: Some(new_file(uri, shown.project.assumed_file())),
+        ..WorkspaceEdit::default()
+    })
+}
+
+fn shown_project(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    shown: ShownShader,
+) -> Answer<ShownProject> {
     let document = snapshot.document(buffer);
     let offset = shown.position.map(|at| snapshot.offset(buffer, at));
-    let shader = shown.shader.or_else(|| ide::previewed(&document, offset));
+    let value = match shown.value {
+        Some(range) => Some(shown_value(snapshot, buffer, range)?),
+        None => None,
+    };
+    let own = value
+        .as_ref()
+        .map(|(value, _)| value.shader)
+        .or(shown.shader);
+    let shader = own.or_else(|| ide::previewed(&document, offset));
     let shader = shader.unwrap_or(0);
-    let mut project = project(snapshot, buffer, shader)?;
+    let document = value
+        .as_ref()
+        .map_or(&*document, |(value, _)| &value.document);
+    let DraftedProject { mut project, path } = draft(snapshot, document, shader)?;
     let wrong = |error: shaderlint_port::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
@@ -49,12 +168,70 @@ pub fn page(snapshot: &Snapshot, buffer: &TextBuffer, shown: ShownShader) -> Ans
     if let Some(error) = first_error(&composed) {
         return Err(Failure::refused(error));
     }
+    let is_file = path_of(&buffer.uri).is_some() && !document.report.holds_shaders();
+    let path = path.filter(|_| is_file);
+    if let Some(path) = &path {
+        let put = snapshot.workspace().put_channels(&mut project, path);
+        put.map_err(Failure::refused)?;
+    }
     add_stand_ins(&mut project);
     let composed = project.renew(composed, &buffer.path).map_err(wrong)?;
-    Ok(ShaderPage {
-        html: html(&project, &composed, None).whole(),
+    let is_written = !project.is_export;
+    let channels = path.filter(|_| is_written);
+    Ok(ShownProject {
+        project,
+        composed,
         shader,
+        value: value.map(|(value, limits)| ValueText {
+            text: value.text,
+            limits,
+        }),
+        channels: channels.map(|path| channel_file(snapshot, &path)),
     })
+}
+
+/// The document whose shader draws the value in a range, and the numbers that are black and white:
+/// those of a small image, if they are not between 0 and 1.
+fn shown_value(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    range: Range,
+) -> Answer<(ShownValue, [f32; 2])> {
+    let (document, span) = (snapshot.document(buffer), snapshot.span(buffer, range));
+    let shown = |limits| {
+        let value = ide::shown_value(&document, &snapshot.files, span, limits);
+        value.ok_or_else(|| Failure::refused("the value of this code cannot be shown"))
+    };
+    let value = shown(ide::WITHIN)?;
+    let analysis = value.document.report.analyses.get(value.shader);
+    let limits = analysis.filter(|_| snapshot.settings.run);
+    match limits.and_then(ide::limits) {
+        Some(limits) if limits != ide::WITHIN => Ok((shown(limits)?, limits)),
+        _ => Ok((value, ide::WITHIN)),
+    }
+}
+
+/// The file that gives inputs to the channels of a shader file, or of a folder of passes.
+fn channel_file(snapshot: &Snapshot, input: &Path) -> ChannelFile {
+    const NAME: &str = "channels.toml";
+    let exists = |path: &PathBuf| snapshot.files.entry(path) == Some(FileType::File);
+    let own = input.with_extension(NAME);
+    let shared = match snapshot.files.entry(input) {
+        Some(FileType::Folder) => input.join(NAME),
+        _ => input.with_file_name(NAME),
+    };
+    // A pass may get others beside it. Other shaders in a folder have nothing in common.
+    let name = input.file_name().unwrap_or_default();
+    let is_pass = role_of(&name.to_string_lossy()).is_some();
+    let is_folder = shared.parent() == Some(input);
+    let file = match is_folder || exists(&shared) && !exists(&own) || is_pass && !exists(&own) {
+        true => shared,
+        false => own,
+    };
+    ChannelFile {
+        uri: snapshot.uri(&file.to_string_lossy()),
+        exists: exists(&file),
+    }
 }
 
 /// The first error in the passes of a project, with its line.
@@ -71,25 +248,39 @@ fn first_error(composed: &Composed) -> Option<String> {
     Some(format!("{part}line {line}: {}", error.message))
 }
 
-fn project(snapshot: &Snapshot, buffer: &TextBuffer, shader: usize) -> Answer<Project> {
-    let name = buffer.path.rsplit('/').next().unwrap_or("shader");
-    if name.ends_with(".json") {
-        return Project::from_json(&buffer.text).map_err(|e| Failure::refused(e.to_string()));
+/// A project whose channels are unknown.
+struct DraftedProject {
+    project: Project,
+    /// The file or folder that it was read from; `None` if the shader is a part of its document.
+    path: Option<PathBuf>,
+}
+
+fn draft(snapshot: &Snapshot, document: &Document, shader: usize) -> Answer<DraftedProject> {
+    let own = Path::new(&document.path);
+    let drafted = |project: Result<Project, String>, path| match project {
+        Ok(project) => Ok(DraftedProject { project, path }),
+        Err(error) => Err(Failure::refused(error)),
+    };
+    if document.path.ends_with(".json") {
+        let project = Project::from_json(&document.text).map_err(|e| e.to_string());
+        return drafted(project, Some(own.to_path_buf()));
     }
-    let parts = parts(snapshot, buffer);
+    let parts = parts(snapshot, document);
     let has_image = parts.iter().any(|part| part.role == PassRole::Image);
-    if parts.len() > 1 && has_image {
-        let title = Path::new(&buffer.path).parent().and_then(|p| p.file_name());
-        let title = title.map_or("shader".into(), |t| t.to_string_lossy());
-        return Project::from_parts(&title, parts).map_err(|e| Failure::refused(e.to_string()));
+    if let Some(folder) = own.parent().filter(|_| parts.len() > 1 && has_image) {
+        let title = folder.file_name().map(|name| name.to_string_lossy());
+        let title = title.unwrap_or("shader".into());
+        let project = Project::from_parts(&title, parts).map_err(|e| e.to_string());
+        return drafted(project, Some(folder.to_path_buf()));
     }
-    let project = ide::preview_project(&snapshot.document(buffer), shader);
-    project.map_err(|e| Failure::refused(e.to_string()))
+    let project = ide::preview_project(document, shader).map_err(|e| e.to_string());
+    let is_alone = document.report.analyses.len() == 1;
+    drafted(project, is_alone.then(|| own.to_path_buf()))
 }
 
 /// The passes in the folder of a document that is named like a pass.
-fn parts(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<PassFile> {
-    let own = Path::new(&buffer.path);
+fn parts(snapshot: &Snapshot, document: &Document) -> Vec<PassFile> {
+    let own = Path::new(&document.path);
     let (Some(folder), Some(name)) = (own.parent(), own.file_name()) else {
         return Vec::new();
     };
@@ -100,7 +291,11 @@ fn parts(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<PassFile> {
     names.sort_unstable();
     let part = names.into_iter().filter_map(|name| {
         let role = role_of(&name)?;
-        let code = snapshot.files.load(&folder.join(&name)).ok()?;
+        let path = folder.join(&name);
+        let code = match path == own {
+            true => document.text.clone(),
+            false => snapshot.files.load(&path).ok()?,
+        };
         Some(PassFile {
             role,
             file: name,

@@ -11,7 +11,8 @@ pub fn run_buffer(snapshot: &Snapshot, buffer: &Arc<TextBuffer>) {
     let options = snapshot.options(SampleRuns::AsConfigured, buffer);
     let text = buffer.text.clone();
     let document = Document::new(&buffer.path, text, options, &snapshot.files);
-    let seen = document.report.analyses.iter().map(run).collect();
+    let shaders = document.report.analyses.iter();
+    let seen = shaders.map(|shader| run(&document, shader)).collect();
     let ran = Ran {
         document: Arc::new(document),
         seen,

@@ -2,9 +2,9 @@
 
 use super::answers::{Jobs, Lane, diagnostics_of};
 use super::buffers::{OpenFiles, TextBuffer, changed};
-#[cfg(feature = "preview")]
-use super::capabilities::PREVIEW;
 use super::capabilities::{EXPLAIN, FIX_ALL, capabilities};
+#[cfg(feature = "preview")]
+use super::capabilities::{PREVIEW, WRITE_CHANNELS};
 use super::client::{Client, UserSettings};
 use super::configs::config_findings;
 use super::pending_request::{PendingRequest, guarded};
@@ -506,6 +506,8 @@ impl Session {
             }
             #[cfg(feature = "preview")]
             PREVIEW => show,
+            #[cfg(feature = "preview")]
+            WRITE_CHANNELS => write_channels,
             FIX_ALL => apply_all,
             other => {
                 let failure = Failure::invalid(format!("unknown command `{other}`"));
@@ -542,22 +544,29 @@ impl Session {
 }
 
 /// Writes the preview page of a document to a file, for the browser. `shown` is the number of the
-/// shader, or null.
+/// shader, a position in it, the range of a value, or null.
 #[cfg(feature = "preview")]
 fn show(snapshot: &Snapshot, buffer: &TextBuffer, shown: Value) -> Answer<(&'static str, Value)> {
-    let shown = preview::ShownShader {
-        shader: shown
-            .as_u64()
-            .and_then(|number| usize::try_from(number).ok()),
-        position: serde_json::from_value(shown).ok(),
-    };
-    let html = preview::page(snapshot, buffer, shown)?.html;
+    let html = preview::page(snapshot, buffer, preview::ShownShader::read(shown))?.html;
     let uri = snapshot.workspace().write_page("preview.html", &html);
     let uri = uri.ok_or_else(|| Failure::refused("cannot write the preview page"))?;
     Ok((
         "window/showDocument",
         json!({ "uri": uri, "external": true }),
     ))
+}
+
+/// The edit that writes the inputs that a preview assumes. `shown` is as for [`show`].
+#[cfg(feature = "preview")]
+fn write_channels(
+    snapshot: &Snapshot,
+    buffer: &TextBuffer,
+    shown: Value,
+) -> Answer<(&'static str, Value)> {
+    let shown = preview::ShownShader::read(shown);
+    let edit = preview::write_channels(snapshot, buffer, shown)?;
+    let params = json!({ "label": "Write channels.toml", "edit": edit });
+    Ok(("workspace/applyEdit", params))
 }
 
 /// The edit that applies all safe fixes of a document.

@@ -3,6 +3,7 @@
 use gen_lsp_types::Uri;
 use shaderlint_engine::{Files, Options};
 use shaderlint_format::StyleChoice;
+use shaderlint_port::Project;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -59,6 +60,15 @@ pub trait Workspace: Send + Sync {
 
     /// Writes a page where a browser can open it, and returns its URI.
     fn write_page(&self, name: &str, content: &str) -> Option<Uri>;
+
+    /// Puts on the channels of a project what a file next to `input`, a shader or a folder of
+    /// passes, gives them.
+    ///
+    /// # Errors
+    /// A message if the file is invalid.
+    fn put_channels(&self, _project: &mut Project, _input: &Path) -> Result<(), String> {
+        Ok(())
+    }
 
     /// The same workspace with other folders and with its configurations read again.
     fn renewed(&self, folders: &[PathBuf]) -> Arc<dyn Workspace>;

@@ -42,6 +42,8 @@ pub enum ChannelSource {
     Device(InputKind),
     /// The path of a file.
     File(String),
+    /// Nothing: a generated image of the type that the code reads.
+    StandIn,
 }
 
 impl ChannelOrder {
@@ -133,6 +135,9 @@ const SAMPLING: [&str; 7] = [
     "nearest", "linear", "mipmap", "clamp", "repeat", "flip", "noflip",
 ];
 
+/// The word for an input that is not available.
+pub(super) const STAND_IN: &str = "stand-in";
+
 const DEVICES: [(&str, InputKind); 3] = [
     ("keyboard", InputKind::Keyboard),
     ("webcam", InputKind::Webcam),
@@ -147,12 +152,12 @@ pub fn unknown_source(text: &str) -> String {
     {
         return format!("file `{text}` not found; did you mean `{word}` instead of `{how}`?");
     }
-    let devices = DEVICES.iter().map(|(word, _)| *word);
+    let devices = DEVICES.iter().map(|(word, _)| *word).chain([STAND_IN]);
     match near(text, devices.chain(PassRole::ALL.map(PassRole::name))) {
         Some(word) => format!("file `{text}` not found; did you mean `{word}`?"),
         None => format!(
             "file `{text}` not found; a channel reads a file, a pass such as `buffer_a`, \
-             `keyboard`, `webcam` or `mic`"
+             `keyboard`, `webcam`, `mic` or `stand-in`"
         ),
     }
 }
@@ -161,6 +166,7 @@ fn source_of(text: &str) -> ChannelSource {
     let device = DEVICES.iter().find(|(word, _)| *word == text);
     match device {
         Some((_, kind)) => ChannelSource::Device(*kind),
+        None if text == STAND_IN => ChannelSource::StandIn,
         None => match PassRole::of_name(text) {
             Some(role) if !text.contains(['.', '/', '\\']) => ChannelSource::Pass(role),
             _ => ChannelSource::File(text.to_string()),
@@ -182,22 +188,32 @@ pub struct Media {
 impl Project {
     /// Applies an order. `media` is the file that it refers to.
     pub fn put(&mut self, order: &ChannelOrder, media: Option<Media>) -> Result<(), String> {
-        let (kind, id) = self.source_kind(order, media.as_ref())?;
+        let source = self.source_kind(order, media.as_ref())?;
         for (pass, channel) in self.places_of(order)? {
             let Some(pass) = self.passes.get_mut(pass) else {
                 continue;
             };
             let old = pass.inputs.iter().rposition(|i| i.channel == channel);
-            let mut input = match old.map(|at| pass.inputs.remove(at)) {
+            let old = old.map(|at| pass.inputs.remove(at));
+            pass.inputs.retain(|i| i.channel != channel);
+            let mut input = match (&source, old) {
+                (None, old) => Input {
+                    urls: Vec::new(),
+                    ..old.unwrap_or_else(|| Input::empty(channel, InputKind::Texture))
+                },
                 // Music in an export stays music and keeps its sampler settings.
-                Some(old) if old.kind.takes(kind) => Input { kind, ..old },
-                old => Input {
+                (Some((kind, id)), Some(old)) if old.kind.takes(*kind) => Input {
+                    kind: *kind,
+                    id: id.clone(),
+                    ..old
+                },
+                (Some((kind, id)), old) => Input {
                     uniform: old.and_then(|o| o.uniform),
-                    ..Input::empty(channel, kind)
+                    id: id.clone(),
+                    ..Input::empty(channel, *kind)
                 },
             };
-            pass.inputs.retain(|i| i.channel != channel);
-            input.id = id.clone();
+            input.is_given = true;
             if let Some(media) = &media {
                 (input.name, input.urls) = (media.name.clone(), media.urls.clone());
             }
@@ -250,21 +266,23 @@ impl Project {
         names.filter(|(old, new)| old != new).collect()
     }
 
-    /// The kind of input for an order, and the id of the pass that it refers to.
+    /// The kind of input for an order, and the id of the pass that it refers to; `None` for a
+    /// stand-in.
     fn source_kind(
         &self,
         order: &ChannelOrder,
         media: Option<&Media>,
-    ) -> Result<(InputKind, String), String> {
+    ) -> Result<Option<(InputKind, String)>, String> {
         match &order.source {
-            ChannelSource::Device(kind) => Ok((*kind, String::new())),
+            ChannelSource::StandIn => Ok(None),
+            ChannelSource::Device(kind) => Ok(Some((*kind, String::new()))),
             ChannelSource::File(path) => {
                 let media = media.ok_or_else(|| unknown_source(path))?;
                 let kind = match media.kind {
                     InputKind::Texture if media.urls.len() == 6 => InputKind::Cubemap,
                     kind => kind,
                 };
-                Ok((kind, String::new()))
+                Ok(Some((kind, String::new())))
             }
             ChannelSource::Pass(role) => {
                 let id = role.output().map_or(String::new(), |o| o.0);
@@ -276,7 +294,7 @@ impl Project {
                 if !self.draws(role.kind(), &id) {
                     return Err(self.no_pass(*role));
                 }
-                Ok((kind, id))
+                Ok(Some((kind, id)))
             }
         }
     }

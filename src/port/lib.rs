@@ -5,6 +5,7 @@
 //! the result. The user's text is never reformatted: it is copied unchanged after the player's
 //! header. Only the languages of the feature `naga` are generated from the checked program.
 
+mod assumed;
 mod build;
 mod channel;
 mod choice;
@@ -46,6 +47,7 @@ mod tuned;
 #[cfg(feature = "naga")]
 mod webgpu;
 
+pub use assumed::AssumedInput;
 pub use build::{build, still_file};
 pub use channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use compose::{Composed, PassUnit, compose};
@@ -53,7 +55,8 @@ pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use credits::license_words;
 pub use dialect::{
     Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
-    UniformData, VaryingValue, bindings, calls_entry, hosted, may_be_composed, recognise,
+    UniformData, VaryingValue, bindings, calls_entry, declared_control, hosted, may_be_composed,
+    recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use embed::{PageAddress, Poster, Still, embed};

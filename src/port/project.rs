@@ -148,6 +148,8 @@ pub struct Input {
     pub urls: Vec<String>,
     /// The stand-in for a missing file.
     pub stand_in: Option<StandIn>,
+    /// Whether the user said what the channel reads.
+    pub is_given: bool,
 }
 
 /// The layout of sound in a texture.
@@ -279,6 +281,7 @@ impl Input {
             name: String::new(),
             urls: Vec::new(),
             stand_in: None,
+            is_given: false,
         }
     }
 }

@@ -256,13 +256,17 @@ fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, Sha
     if let Some(note) = best.note.filter(|n| !notes.contains(n)) {
         notes.push(note);
     }
+    let given = planned.inputs.into_iter().map(|input| Input {
+        is_given: true,
+        ..input
+    });
     Ok(ProjectPass {
         name: planned.name,
         wrapper: Wrapper::Own,
         before: best.before,
         after: best.after,
         stage: best.stage,
-        inputs: planned.inputs,
+        inputs: given.collect(),
         output: Some(planned.output),
         ..ProjectPass::new(planned.kind, best.code)
     })

@@ -177,11 +177,13 @@ def expressions_are_extracted_and_variables_inlined(case):
     found = refactorings(client, source, source["sum"], source["end"])
     kinds = {a["title"]: a["kind"] for a in found}
     same(kinds, {"Extract to variable": "refactor.extract.variable",
-                 "Extract to function": "refactor.extract.function"}, "the refactorings")
+                 "Extract to function": "refactor.extract.function",
+                 "Preview this value": "refactor"}, "the refactorings")
     holds(set(kinds.values()) < set(client.initialized["capabilities"]["codeActionProvider"]["codeActionKinds"]),
           "kinds that were not announced")
     # A server whose client has no command for it does not ask for a name.
-    same([a.get("command") for a in found], [None, None], "the commands")
+    commands = [a["command"]["command"] for a in found if "command" in a]
+    same(commands, ["shaderlint.openPreview"], "the commands")
     functions = refactorings(client, source, source["sum"], source["end"], "refactor.extract.function")
     same([a["title"] for a in functions], ["Extract to function"], "the refactorings of a kind")
     client.apply(titled(found, "Extract to variable")["edit"])
@@ -199,6 +201,8 @@ def new_names_are_renamed_by_the_client(case):
     source = case.write("a.glsl", PARTS).open(client)
     found = refactorings(client, source, source["sum"], source["end"])
     for action in found:
+        if "edit" not in action:
+            continue
         text = client.text(source.uri)
         client.apply(action["edit"])
         uri, position = action["command"]["arguments"]
@@ -284,74 +288,3 @@ def a_shader_is_shown_in_a_browser(case):
         contains(file.read().lower(), "<canvas", "the page")
     client.stop()
     holds(not os.path.exists(path), "the page was not deleted", path)
-
-
-@test
-def a_page_is_returned_to_the_client(case):
-    client = case.client(options=QUIET)
-    source = case.write("a.glsl", GOOD).open(client)
-    first = client.of(source.uri, "shaderlint/page")["html"]
-    contains(first, "bent", "the page")
-    # It is the text in the editor, not the file on disk.
-    client.write_all(source.uri, client.text(source.uri).replace("bent", "curved"))
-    second = client.of(source.uri, "shaderlint/page")["html"]
-    holds("curved" in second and "bent" not in second, "an old page")
-    client.write_all(source.uri, client.text(source.uri).replace("= 1.0;", "= vec2(1.0);"))
-    refused = refusal(lambda: client.of(source.uri, "shaderlint/page"))
-    holds(refused.message, "no reason is given", refused)
-
-
-@test
-def the_page_of_a_folder_contains_all_passes(case):
-    client = case.client(options=QUIET)
-    case.write("common.glsl", "float wave(float x) { return sin(x); }\n").open(client)
-    case.write("bufferA.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n")
-    image = case.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
-                       "    c = texture(iChannel0, p / iResolution.xy) * wave(iTime);\n}\n").open(client)
-    page = client.of(image.uri, "shaderlint/page")["html"]
-    for part in ("vec4(wave(p.x))", "float wave(float x)", "* wave(iTime)"):
-        contains(page, part, "the page")
-
-
-STAGES = """const vertex = `#version 300 es
-in vec4 position; out vec2 vUv; uniform float amount;
-void main() { vUv = position.xy * amount; gl_Position = position; }`;
-const water = `#version 300 es
-precision highp float;
-in vec2 vUv; uniform float uTime; out vec4 color;
-void main() { float «water»ripple = sin(uTime); color = vec4(vUv, ripple, 1.0); }`;
-const fire = `#version 300 es
-precision highp float;
-in vec2 vUv; uniform float uTime; out vec4 color;
-void main() { float «fire»flame = 0.375 * uTime; color = vec4(vUv, flame, 1.0); }`;
-"""
-
-
-@test
-def previews_show_the_shader_at_a_position(case):
-    client = case.client(options=QUIET)
-    source = case.write("scene.js", STAGES).open(client, "javascript")
-    same(errors(client.published(source.uri)), [], "the errors")
-    lenses = client.of(source.uri, "textDocument/codeLens")
-    shown = [lens["command"]["arguments"] for lens in lenses if "Preview" in lens["command"]["title"]]
-    same(shown, [[source.uri, 1], [source.uri, 2]], "the lenses of shaders that can be played")
-    pages = [client.of(source.uri, "shaderlint/page", shader=shader) for _, shader in shown]
-    holds("ripple" in pages[0]["html"] and "ripple" not in pages[1]["html"], "the first page")
-    holds("flame" in pages[1]["html"], "the second page")
-    place = client.lines(source.uri).position(source["water"])
-    same(client.of(source.uri, "shaderlint/page", position=place)["shader"], 1, "the shader at a position")
-    # The vertex shader cannot be played: the first that can.
-    place = client.lines(source.uri).position(source.text.index("amount"))
-    same(client.of(source.uri, "shaderlint/page", position=place)["shader"], 1, "the shader of a vertex shader")
-
-
-@test
-def previews_include_what_checks_include(case):
-    client = case.client(options=QUIET)
-    case.write("lib/constants.glsl", "#define STEEP 0.375\n")
-    case.write("lib/flame.glsl", '#include "constants.glsl"\nfloat flame(float x) { return x * STEEP; }\n')
-    source = case.write("in/a.glsl", '#include "../lib/flame.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
-                        "{ c = vec4(flame(p.x)); }\n").open(client)
-    same(errors(client.published(source.uri)), [], "the errors")
-    page = client.of(source.uri, "shaderlint/page")["html"]
-    holds("0.375" in page and "flame" in page, "the page lacks included code")

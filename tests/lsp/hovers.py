@@ -203,3 +203,16 @@ def signature_help_works_while_typing(case):
             same(active(found), parameter, "the parameter after «%s»" % typed)
         else:
             contains(found["signatures"][0]["label"], "max(", "the signature of the inner call")
+
+
+@test
+def shaders_that_a_host_composes_have_hovers(case):
+    client = case.client(options={"run": False})
+    inputs = '/*{\n    "INPUTS": [{ "NAME": "gain", "TYPE": "float" }]\n}*/\n'
+    source = case.write("a.fs", inputs + "void main() {\n    vec2 «uv»uv = isf_FragNormCoord * gain;\n"
+                        "    gl_FragColor = vec4(uv, 0.0, 1.0);\n}\n").open(client)
+    hover = client.at(source.uri, source["uv"], "textDocument/hover")
+    contains(hover["contents"]["value"], "vec2 uv", "the hover")
+    place = source.text.rindex("uv")
+    found = client.at(source.uri, place, "textDocument/definition")
+    same(found["range"]["start"]["line"], 4, "the definition")

@@ -40,7 +40,7 @@ def all_features_are_announced(case):
     commands = told["executeCommandProvider"]["commands"]
     same(
         sorted(commands),
-        ["shaderlint.explain", "shaderlint.fixAll", "shaderlint.openPreview"],
+        ["shaderlint.explain", "shaderlint.fixAll", "shaderlint.openPreview", "shaderlint.writeChannels"],
         "the commands",
     )
     holds("quickfix" in told["codeActionProvider"]["codeActionKinds"], "no quick fixes", told)

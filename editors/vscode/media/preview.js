@@ -9,6 +9,8 @@ vscode.setState({ uri: document.body.dataset.uri });
 const pages = document.getElementById('pages');
 const trouble = document.getElementById('trouble');
 const offer = document.getElementById('write');
+const value = document.getElementById('value');
+const assumed = document.getElementById('assumed');
 
 /** The visible frame. */
 let shown = null;
@@ -144,9 +146,32 @@ function tellTime() {
 offer.querySelector('button').addEventListener('click', () => {
     vscode.postMessage({ type: 'write', numbers: setNumbers() });
 });
+value.querySelector('button').addEventListener('click', () => {
+    vscode.postMessage({ type: 'colour' });
+});
+assumed.querySelector('button').addEventListener('click', () => {
+    vscode.postMessage({ type: 'channels' });
+});
+
+/** Says what is shown: a value, and the channels that nothing gives an input. */
+function describe(page) {
+    value.hidden = page.value === null;
+    const [least, most] = page.value?.limits.map((limit) => Number(limit.toPrecision(3))) ?? [];
+    value.querySelector('span').textContent = `Value of ${page.value?.text}, from ${least} to ${most}`;
+    assumed.hidden = page.assumed.length === 0;
+    const channels = page.assumed.map(({ pass, channel, shows }) => `${channel} of ${pass} (${shows})`);
+    assumed.querySelector('span').textContent = `Channels without an input: ${channels.join(', ')}`;
+    const button = assumed.querySelector('button');
+    button.hidden = page.channels === null;
+    const name = page.channels?.uri.replace(/^.*\//, '') ?? '';
+    button.textContent = `${page.channels?.exists ? 'Open' : 'Write'} ${decodeURIComponent(name)}`;
+}
+
 window.addEventListener('message', ({ data }) => {
-    if (data.type === 'page') load(data.html);
-    else if (data.type === 'trouble') say(data.words, true);
+    if (data.type === 'page') {
+        describe(data);
+        load(data.html);
+    } else if (data.type === 'trouble') say(data.words, true);
 });
 tellTime();
 vscode.postMessage({ type: 'ready' });

@@ -4,6 +4,7 @@ import * as vscode from 'vscode';
 import {
     type BaseLanguageClient, CloseAction, ErrorAction, type LanguageClientOptions, type Position, type Range,
 } from 'vscode-languageclient';
+import { LineCosts } from './lineCosts';
 import { Previews } from './preview';
 import { renameAt } from './rename';
 import { documentSelector, PREVIEW_COMMAND, RENAME_COMMAND, SECTION, serverSettings } from './settings';
@@ -34,17 +35,22 @@ export async function activateIn(host: Host, context: vscode.ExtensionContext): 
             await stop();
             await start(host, output);
             previews.renew();
+            costs.renewSoon();
         });
         return last;
     };
     const previews = new Previews(context, () => client);
+    const costs = new LineCosts(() => client);
     context.subscriptions.push(
         output,
         previews,
+        costs,
         ...host.extend(previews),
         vscode.commands.registerCommand('shaderlint.restart', restart),
         vscode.commands.registerCommand(PREVIEW_COMMAND, (place?: unknown, shader?: unknown) =>
             previews.open(typeof place === 'string' ? addressOf(place) : place, shader)),
+        vscode.commands.registerCommand('shaderlint.previewValue', () => previews.openValue()),
+        vscode.commands.registerCommand('shaderlint.toggleLineCosts', () => costs.toggle()),
         vscode.commands.registerCommand('shaderlint.tune', (uri: string, range: Range, value: number, min: number, max: number) =>
             tune(addressOf(uri), range, value, min, max)),
         vscode.commands.registerCommand(RENAME_COMMAND, (uri: string, at: Position) => renameAt(addressOf(uri), at)),

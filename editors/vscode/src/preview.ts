@@ -2,25 +2,40 @@
 // and transfers the state of the player from one page to the next.
 import * as vscode from 'vscode';
 import { type BaseLanguageClient, ErrorCodes, RequestType, ResponseError } from 'vscode-languageclient';
+import { type ChannelFile, onChannels, openChannels } from './channels';
+import { isRange, ShownValue } from './shownValue';
 
 const VIEW = 'shaderlint.preview';
 /** The delay between the last change and the request for a new page, in milliseconds. */
 const PAUSE = 300;
 
-/** The shader at a position, or the one with this number in its document. */
+/** The shader at a position, or the one with this number in its document, or a value in it. */
 interface Shown {
     position?: { line: number; character: number };
     shader?: number;
+    value?: ShownValue;
 }
 
-const PAGE = new RequestType<{ textDocument: { uri: string } } & Shown, { html: string; shader: number }, void>(
-    'shaderlint/page',
-);
+/** A page, as the server returns it. */
+interface Page {
+    html: string;
+    shader: number;
+    /** The shown value, and the numbers that are shown as 0 and 1. */
+    value: { text: string; limits: [number, number] } | null;
+    /** The channels that nothing gives an input. */
+    assumed: { pass: string; channel: string; shows: string }[];
+    /** The file that gives inputs. */
+    channels: ChannelFile | null;
+}
+
+const PAGE = new RequestType<object, Page, void>('shaderlint/page');
 
 /** Messages from the view. */
 type Told =
     | { type: 'ready' }
     | { type: 'time'; time: number }
+    | { type: 'channels' }
+    | { type: 'colour' }
     | { type: 'write'; numbers: { name: string; text: string }[] };
 
 /** All previews, one for each document. */
@@ -38,15 +53,23 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
             vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
                 if (contentChanges.length === 0) return;
                 for (const [uri, preview] of this.previews) {
+                    if (document.uri.toString() === uri) preview.follow(contentChanges);
                     if (document.languageId === 'glsl' || document.uri.toString() === uri) preview.renewSoon();
                 }
             }),
+            onChannels(() => { this.renew(); }),
         ];
+    }
+
+    /** Opens a preview of the selected value. */
+    async openValue(): Promise<void> {
+        const editor = vscode.window.activeTextEditor;
+        if (editor) await this.open(editor.document.uri, editor.selection);
     }
 
     /**
      * Opens a preview of the document at `place`, or else of the active editor's: of the shader with
-     * this number, or else the one under the cursor.
+     * this number or of the value in this range, or else of the shader under the cursor.
      */
     async open(place: unknown, shader: unknown): Promise<void> {
         const uri = uriOf(place);
@@ -55,7 +78,9 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
             return;
         }
         const known = this.previews.get(uri.toString());
-        const shown = typeof shader === 'number' ? { shader } : cursor(uri);
+        const shown = typeof shader === 'number' ? { shader }
+            : isRange(shader) ? { value: await ShownValue.of(uri, shader) }
+            : cursor(uri);
         if (known) {
             known.show(shown);
             known.panel.reveal(undefined, true);
@@ -108,6 +133,7 @@ class Preview {
     private asked: vscode.CancellationTokenSource | undefined;
     private isReady = false;
     private isStale = true;
+    private channels: ChannelFile | null = null;
 
     constructor(
         readonly panel: vscode.WebviewPanel,
@@ -130,6 +156,11 @@ class Preview {
     end(): void {
         clearTimeout(this.timer);
         this.asked?.cancel();
+    }
+
+    /** Moves the shown value with the text. */
+    follow(changes: readonly vscode.TextDocumentContentChangeEvent[]): void {
+        for (const change of changes) this.shown.value?.follow(change);
     }
 
     /** Requests the page when typing pauses; a hidden preview waits until it is visible. */
@@ -156,10 +187,14 @@ class Preview {
             const client = this.client();
             if (!client) throw new Error('The language server is not running.');
             const uri = client.code2ProtocolConverter.asUri(document.uri);
-            const { html, shader } = await client.sendRequest(PAGE, { textDocument: { uri }, ...this.shown }, token);
-            // The text before the shader may change.
-            this.shown = { shader };
-            return { type: 'page', html };
+            const { shown } = this;
+            const { value, ...place } = shown;
+            const asked = value ? { value: value.range() } : place;
+            const page = await client.sendRequest(PAGE, { textDocument: { uri }, ...asked }, token);
+            // The text before the shader may change. Something else may be shown by now.
+            if (this.shown === shown) this.shown = value ? { value, shader: page.shader } : { shader: page.shader };
+            this.channels = page.channels;
+            return { type: 'page', ...page };
         } catch (error) {
             return { type: 'trouble', words: reason(error) };
         }
@@ -168,10 +203,23 @@ class Preview {
     private hear(told: Told): void {
         if (told.type === 'time') this.time = told.time;
         else if (told.type === 'write') void write(this.uri, told.numbers);
+        else if (told.type === 'channels') void this.writeChannels();
+        else if (told.type === 'colour') this.show(this.shown.shader === undefined ? {} : { shader: this.shown.shader });
         else {
             this.isReady = true;
             void this.renew();
         }
+    }
+
+    private async writeChannels(): Promise<void> {
+        const client = this.client();
+        if (!client || !this.channels) return;
+        try {
+            await openChannels(client, this.uri, this.shown.shader, this.channels);
+        } catch (error) {
+            void vscode.window.showErrorMessage(reason(error));
+        }
+        this.renewSoon();
     }
 }
 
@@ -242,6 +290,8 @@ async function shell(media: vscode.Uri, uri: vscode.Uri): Promise<string> {
 </head>
 <body data-uri="${uri.toString().replace(/[&<>"]/g, encodeURIComponent)}">
 <main id="pages"></main>
+<footer id="value" hidden><span></span><button type="button">Show the image</button></footer>
+<footer id="assumed" hidden><span></span><button type="button"></button></footer>
 <footer id="write" hidden><span></span><button type="button">Write into the code</button></footer>
 <footer id="trouble" role="status">Waiting for the language server.</footer>
 <script>${await read('preview.js')}</script>

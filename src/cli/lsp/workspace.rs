@@ -3,11 +3,13 @@
 use super::super::config::{ConfigArgs, ConfigSource, Configs, Exclusion, LastGood, absolute};
 use super::super::disk::Disk;
 use super::super::input::collect;
+use super::super::port::put_channels;
 use super::pages::PageFiles;
 use crate::engine::config::Selection;
 use crate::engine::{Files, Options};
 use crate::format::StyleChoice;
 use crate::lsp::{ConfigFinding, SampleRuns, Workspace};
+use crate::port::Project;
 use crate::text::kind::is_searched;
 use gen_lsp_types::Uri;
 use std::path::{Path, PathBuf};
@@ -116,6 +118,10 @@ impl Workspace for DiskWorkspace {
 
     fn write_page(&self, name: &str, content: &str) -> Option<Uri> {
         self.pages.write_anew(name, content)
+    }
+
+    fn put_channels(&self, project: &mut Project, input: &Path) -> Result<(), String> {
+        put_channels(project, input, &[]).map(|_| ())
     }
 
     fn renewed(&self, folders: &[PathBuf]) -> Arc<dyn Workspace> {

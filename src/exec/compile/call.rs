@@ -18,7 +18,7 @@ impl Compiler<'_> {
         for (&parameter, &argument) in parameters.iter().zip(module.operands(arguments)) {
             self.pass(parameter, argument)?;
         }
-        let frame = self.frame(callee);
+        let frame = self.frame(callee, Some(id));
         self.frames.push(frame);
         self.begin_frame();
         for &parameter in parameters {

@@ -4,7 +4,7 @@ use super::emit::CallFrame;
 use super::emit::{Compiler, Value};
 use super::options::Watch;
 use super::plan::GLOBALS;
-use crate::bytecode::{CallPath, EMPTY, F1, F2, Instr, InstrIndex, MaskSlot, Reg};
+use crate::bytecode::{CallPath, Charge, EMPTY, F1, F2, Instr, InstrIndex, MaskSlot, Reg};
 use shaderlint_ir::{
     CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Run, Step, Switch, Visit,
 };
@@ -190,7 +190,7 @@ impl Compiler<'_> {
     pub fn run(&mut self, entry: FunctionRef) {
         self.clear_outer();
         self.open_probe();
-        let globals = self.frame(GLOBALS);
+        let globals = self.frame(GLOBALS, None);
         self.frames.push(globals);
         self.region(self.module.globals);
         self.frames.pop();
@@ -201,7 +201,7 @@ impl Compiler<'_> {
             let _: Option<()> = self.refuse("a shader without `main`");
             return;
         };
-        let frame = self.frame(entry);
+        let frame = self.frame(entry, None);
         self.frames.push(frame);
         self.begin_frame();
         self.region(body);
@@ -327,11 +327,11 @@ impl Compiler<'_> {
         }
     }
 
-    /// A new call frame for a function.
-    pub fn frame(&mut self, function: FunctionRef) -> CallFrame {
+    /// A new call frame for a function. `call` calls it, unless it is the entry point.
+    pub fn frame(&mut self, function: FunctionRef, call: Option<OpId>) -> CallFrame {
         CallFrame {
             function,
-            path: self.call_path(function),
+            path: self.call_path(function, call),
             clock: self.plan.start(function),
             ended: 0,
             result: None,
@@ -348,20 +348,24 @@ impl Compiler<'_> {
             return;
         }
         let module = self.module;
-        let cost: u32 = steps.iter().map(|step| module.step_cost(step)).sum();
+        let parts: Vec<_> = steps.iter().flat_map(|s| module.step_costs(s)).collect();
+        let cost: u32 = parts.iter().map(|(_, cost)| cost).sum();
         if cost > 0 {
-            let by = self.frames.last().map_or(0, |f| f.path);
+            let path = self.frames.last().map_or(0, |f| f.path);
+            let by = self.code.charges.len() as u32;
+            self.code.charges.push(Charge { path, parts });
             self.push(Instr::Spend { cost, by });
         }
     }
 
     /// The index of the call path from the current position to a function.
-    fn call_path(&mut self, function: FunctionRef) -> u32 {
+    fn call_path(&mut self, function: FunctionRef, call: Option<OpId>) -> u32 {
         if !self.options.cost {
             return 0;
         }
         let path = CallPath {
             function: (function != GLOBALS).then_some(function),
+            call,
             caller: self.frames.last().map(|f| f.path),
         };
         let known = self.code.calls.len() as u32;

@@ -28,7 +28,7 @@ pub(crate) struct Watched {
     shared_iterations: u32,
     /// The operations executed for this tile, counted once for all its pixels.
     ran: u32,
-    /// By call path: the cost summed over pixels.
+    /// By charge: the cost summed over pixels.
     paid: Vec<u64>,
     loops: Vec<LoopCount>,
     /// By check: how often pixels executed it.
@@ -76,7 +76,7 @@ impl Watched {
             iterations: [0; LANES],
             shared_iterations: 0,
             ran: 0,
-            paid: vec![0; code.calls.len()],
+            paid: vec![0; code.charges.len()],
             loops: loops.collect(),
             visits: vec![0; code.checks.len()],
             compared: code.compared.iter().map(|_| Ends::default()).collect(),
@@ -108,7 +108,14 @@ impl Watched {
         let compared = code.compared.iter().zip(&self.compared);
         seen.compared = compared.map(|(op, ends)| ends.seen(*op)).collect();
         seen.numbers.sort_by_key(|n| (n.op, n.kind));
-        seen.functions = functions_seen(&code.calls, &self.paid);
+        let mut paid = vec![0; code.calls.len()];
+        for (charge, charged) in code.charges.iter().zip(&self.paid) {
+            if let Some(paid) = paid.get_mut(charge.path as usize) {
+                *paid += charged;
+            }
+        }
+        seen.functions = functions_seen(&code.calls, &paid);
+        seen.charged = self.paid;
         self.seen
     }
 
@@ -686,6 +693,9 @@ impl Observations {
         }
         for (own, other) in self.functions.iter_mut().zip(other.functions) {
             (own.own, own.inclusive) = (own.own + other.own, own.inclusive + other.inclusive);
+        }
+        for (own, other) in self.charged.iter_mut().zip(other.charged) {
+            *own += other;
         }
         for (own, other) in self.watched.iter_mut().zip(other.watched) {
             own.visits += other.visits;

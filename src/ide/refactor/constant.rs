@@ -71,9 +71,19 @@ pub(super) fn propose_slider(place: &RefactorPlace) -> Vec<ProposedRefactoring> 
     slider(place).into_iter().collect()
 }
 
-fn slider(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+/// A number, and a range for its slider: from zero to twice the value.
+pub(super) struct NumberRange {
+    pub expr: ExprId,
+    pub value: Value,
+    pub low: f64,
+    pub high: f64,
+}
+
+/// The number at the selection.
+pub(super) fn number(place: &RefactorPlace) -> Option<NumberRange> {
     let expr = place.expr().or_else(|| literal_at(place))?;
-    let (low, high) = match place.program.scalar(expr)? {
+    let value = place.program.scalar(expr)?;
+    let (low, high) = match value {
         Value::Float(value) if value != 0.0 => {
             let twice = f64::from(value) * 2.0;
             (twice.min(0.0), twice.max(0.0))
@@ -87,7 +97,19 @@ fn slider(place: &RefactorPlace) -> Option<ProposedRefactoring> {
         _ => return None,
     };
     let digits = |end: f64| (end * 1e6).round() / 1e6;
-    let comment = format!(" // ({}~{})", digits(low), digits(high));
+    Some(NumberRange {
+        expr,
+        value,
+        low: digits(low),
+        high: digits(high),
+    })
+}
+
+fn slider(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+    let NumberRange {
+        expr, low, high, ..
+    } = number(place)?;
+    let comment = format!(" // ({low}~{high})");
     let title = "Extract to constant with slider".to_string();
     let proposal = proposal(place, expr, &[], title, &comment)?;
     Some(ProposedRefactoring {

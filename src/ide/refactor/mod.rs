@@ -15,7 +15,11 @@ mod name;
 mod place;
 mod proposal;
 #[cfg(test)]
+mod shown_tests;
+mod shown_value;
+#[cfg(test)]
 mod tests;
+mod uniform;
 mod upgrade;
 mod verify;
 
@@ -25,6 +29,7 @@ use proposal::ProposedRefactoring;
 pub use proposal::{NewFile, RefactorKind, Refactoring};
 use shaderlint_engine::Files;
 use shaderlint_text::Span;
+pub use shown_value::{ShownValue, WITHIN, shown_value};
 
 /// The refactorings of the code at a selection, of the requested kinds. Each is verified.
 pub fn refactorings(
@@ -37,13 +42,14 @@ pub fn refactorings(
         return Vec::new();
     };
     type Propose = fn(&RefactorPlace) -> Vec<ProposedRefactoring>;
-    let all: [(RefactorKind, Propose); 9] = [
+    let all: [(RefactorKind, Propose); 10] = [
         (RefactorKind::ExtractVariable, extract_variable::propose),
         (RefactorKind::ExtractConstant, constant::propose),
         (RefactorKind::ExtractFunction, extract_function::propose),
         (RefactorKind::Inline, inline_variable::propose),
         (RefactorKind::Inline, inline_function::propose),
         (RefactorKind::Rewrite, constant::propose_slider),
+        (RefactorKind::Rewrite, uniform::propose),
         (RefactorKind::Rewrite, define::propose),
         (RefactorKind::Rewrite, upgrade::propose),
         (RefactorKind::Move, move_function::propose),

@@ -1,5 +1,6 @@
 //! Refactorings, before and after they are verified.
 
+use shaderlint_port::UniformControl;
 use shaderlint_text::Edit;
 
 /// A verified refactoring.
@@ -56,10 +57,11 @@ impl RefactorKind {
 }
 
 /// How a refactoring is verified.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum RequiredProof {
     /// The IR is equal.
     EqualIr,
+    /// The IR is equal after other edits, which declare a constant instead of this control.
+    SameWithValue(Vec<Edit>, UniformControl),
     /// The sampled images are equal.
     EqualImages,
 }

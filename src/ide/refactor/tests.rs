@@ -8,7 +8,7 @@ use std::sync::Arc;
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\nuniform float time;\nuniform sampler2D image;\n";
 
 /// The document of a text without its marks, and the selection.
-fn marked(name: &str, text: &str) -> (Document, Span) {
+pub(super) fn marked(name: &str, text: &str) -> (Document, Span) {
     let plain = text.replace(['«', '»', '|'], "");
     let start = text.find(['«', '|']).expect("a mark");
     let end = text.find('»').map_or(start, |end| end - '«'.len_utf8());
@@ -342,4 +342,56 @@ fn embedded_shaders_are_edited_where_they_are_written() {
         found.is_some_and(|(_, text)| text.contains(expected)),
         "{all:#?}"
     );
+}
+
+/// The text after a number became a uniform.
+fn with_uniform(name: &str, text: &str) -> Option<String> {
+    let all = offered_in(name, text);
+    let is_it = |(title, _): &&(String, String)| title == "Extract to uniform with slider";
+    all.iter().find(is_it).map(|(_, text)| text.clone())
+}
+
+#[test]
+fn numbers_become_uniforms_that_the_host_sets() {
+    let toy = |line: &str, number: &str| {
+        format!(
+            "#iChannel0 \"a.png\"\n{line}void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4({number});\n}}\n"
+        )
+    };
+    assert_eq!(
+        with_uniform("/a.glsl", &toy("", "|0.3")),
+        Some(toy(
+            "#iUniform float value = 0.3 in { 0.0, 0.6 }\n",
+            "¦value"
+        ))
+    );
+    let main = |line: &str, number: &str| {
+        format!(
+            "uniform float a; //! slider[0, 0.5, 1]\n{line}void main() {{ gl_FragColor = vec4(a * {number}); }}\n"
+        )
+    };
+    assert_eq!(
+        with_uniform("/a.frag", &main("", "«4.0»")),
+        Some(main("uniform float value; //! slider[0, 4, 8]\n", "¦value"))
+    );
+    let isf = |inputs: &str, number: &str| {
+        format!(
+            "/*{{\n    \"ISFVSN\": \"2\",\n    \"INPUTS\": [{inputs}]\n}}*/\nvoid main() {{ gl_FragColor = vec4({number}); }}\n"
+        )
+    };
+    let input = "\n        { \"NAME\": \"value\", \"TYPE\": \"float\", \"DEFAULT\": 0.3, \"MIN\": 0, \"MAX\": 0.6 }\n    ";
+    assert_eq!(
+        with_uniform("/a.fs", &isf("", "|0.3")),
+        Some(isf(input, "¦value"))
+    );
+    // Other hosts leave the uniform at zero; an array size must be constant.
+    assert_eq!(
+        with_uniform(
+            "/a.frag",
+            "precision highp float;\nvoid main() { gl_FragColor = vec4(|0.3); }\n"
+        ),
+        None
+    );
+    let size = main("", "1.0").replace("{ gl", "{ float b[|9]; gl");
+    assert_eq!(with_uniform("/a.frag", &size), None);
 }

@@ -1,13 +1,15 @@
 //! Checks the text after a refactoring.
 
 use super::place::RefactorPlace;
-use super::proposal::{ProposedRefactoring, Refactoring, RequiredProof};
+use super::proposal::{NewFile, ProposedRefactoring, Refactoring, RequiredProof};
 use crate::document::{Document, Overlay};
+use crate::preview::preview_project;
 use shaderlint_diagnostic::{Origin, Severity};
 use shaderlint_engine::{Analysis, equal};
 use shaderlint_exec::Equality;
 use shaderlint_flow::{ShaderVersion, is_equivalent};
 use shaderlint_lint::Facts;
+use shaderlint_port::UniformControl;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::{Edit, apply_edits};
 use std::path::PathBuf;
@@ -20,20 +22,8 @@ pub(super) fn verified(
     place: &RefactorPlace,
     proposal: ProposedRefactoring,
 ) -> Option<Refactoring> {
-    let document = place.document;
-    let edits = proposal.edits.iter();
-    let edits = edits.map(|edit| document.report.edit_of_input(edit));
-    let mut edits: Vec<Edit> = edits.collect::<Option<_>>()?;
-    edits.sort_by_key(|edit| edit.span);
-    let text = apply_edits(&document.text, 0, &edits).ok()?;
-    let created = proposal.creates.iter();
-    let files = Overlay {
-        files: place.files,
-        texts: created
-            .map(|file| (PathBuf::from(&file.path), file.text.as_str().into()))
-            .collect(),
-    };
-    let after = document.read_as(text, &files);
+    let created = proposal.creates.as_slice();
+    let ChangedDocument { edits, after } = changed(place, &proposal.edits, created)?;
     let has_slider = |name: &String| {
         let mut all = after.report.analyses.iter();
         all.any(|a| {
@@ -42,7 +32,7 @@ pub(super) fn verified(
                 .any(|t| a.program.sources.text(t.name) == name)
         })
     };
-    let is_kept = is_kept(document, &after, proposal.evidence);
+    let is_kept = is_kept(place, &after, &proposal.evidence);
     if !is_kept || !proposal.slider.as_ref().is_none_or(has_slider) {
         return None;
     }
@@ -54,6 +44,36 @@ pub(super) fn verified(
         name,
         creates: proposal.creates,
     })
+}
+
+/// A document after edits.
+pub(super) struct ChangedDocument {
+    /// The edits of the document, in order.
+    pub edits: Vec<Edit>,
+    pub after: Document,
+}
+
+/// Applies edits of addresses.
+pub(super) fn changed(
+    place: &RefactorPlace,
+    edits: &[Edit],
+    created: &[NewFile],
+) -> Option<ChangedDocument> {
+    let document = place.document;
+    let edits = edits.iter();
+    let edits = edits.map(|edit| document.report.edit_of_input(edit));
+    let mut edits: Vec<Edit> = edits.collect::<Option<_>>()?;
+    edits.sort_by_key(|edit| edit.span);
+    let text = apply_edits(&document.text, 0, &edits).ok()?;
+    let files = Overlay {
+        files: place.files,
+        texts: created
+            .iter()
+            .map(|file| (PathBuf::from(&file.path), file.text.as_str().into()))
+            .collect(),
+    };
+    let after = document.read_as(text, &files);
+    Some(ChangedDocument { edits, after })
 }
 
 /// Where edits write a name that is new, in the changed text: at its last use, which is the code
@@ -78,7 +98,16 @@ fn error_count(document: &Document) -> usize {
 }
 
 /// Whether the shaders of a document stay the same.
-fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool {
+fn is_kept(place: &RefactorPlace, after: &Document, evidence: &RequiredProof) -> bool {
+    let before = place.document;
+    if let RequiredProof::SameWithValue(edits, control) = evidence {
+        let with_value = changed(place, edits, &[]);
+        let is_same =
+            |other: ChangedDocument| is_kept(place, &other.after, &RequiredProof::EqualIr);
+        return error_count(after) <= error_count(before)
+            && has_control(after, control)
+            && with_value.is_some_and(is_same);
+    }
     let (ours, theirs) = (&before.report.analyses, &after.report.analyses);
     if ours.len() != theirs.len() || error_count(after) > error_count(before) {
         return false;
@@ -90,13 +119,22 @@ fn is_kept(before: &Document, after: &Document, evidence: RequiredProof) -> bool
         }
         a.program.stage == b.program.stage
             && match evidence {
-                RequiredProof::EqualIr => is_proved(a, b),
                 RequiredProof::EqualImages => matches!(
                     equal(&a.program, &b.program, &mut FUEL.clone()),
                     Ok(Equality::Proved | Equality::SampledEqual { .. })
                 ),
+                _ => is_proved(a, b),
             }
     })
+}
+
+/// Whether the host of a shader compiles it and sets a uniform as this control says.
+fn has_control(document: &Document, control: &UniformControl) -> bool {
+    let Ok(mut project) = preview_project(document, 0) else {
+        return false;
+    };
+    let composed = project.resolve(&document.path);
+    composed.is_ok_and(|c| !c.has_errors()) && project.controls.contains(control)
 }
 
 fn is_proved(before: &Analysis, after: &Analysis) -> bool {

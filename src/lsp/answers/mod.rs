@@ -1,6 +1,7 @@
 //! The handlers of requests.
 
 mod appearance;
+mod costs;
 mod edits;
 mod language;
 mod navigation;
@@ -58,6 +59,11 @@ fn write<T: Serialize>(answer: &T) -> Answer<Value> {
     serde_json::to_value(answer).map_err(|error| Failure::refused(error.to_string()))
 }
 
+/// Answers the request for costs by line.
+fn show_costs(snapshot: &Snapshot, params: Value) -> Answer<Value> {
+    write(&costs::costs(snapshot, &read(params)?)?)
+}
+
 /// The parameters of the preview request.
 #[cfg(feature = "preview")]
 #[derive(Deserialize)]
@@ -79,10 +85,6 @@ fn show_page(snapshot: &Snapshot, params: Value) -> Answer<Value> {
 impl Jobs {
     /// All handlers of the server.
     pub fn new() -> Jobs {
-        #[cfg_attr(
-            not(feature = "preview"),
-            expect(unused_mut, reason = "the preview adds a request")
-        )]
         let mut all = jobs! {
             Slow HoverRequest language::hover,
             Quick CompletionRequest language::completion,
@@ -116,6 +118,7 @@ impl Jobs {
             Quick ColorPresentationRequest appearance::presentations,
             Quick CodeLensRequest appearance::lenses,
         };
+        all.insert("shaderlint/costs".to_string(), (Lane::Slow, show_costs));
         #[cfg(feature = "preview")]
         all.insert("shaderlint/page".to_string(), (Lane::Slow, show_page));
         Jobs { all }

@@ -223,6 +223,7 @@ fn read_by(row: &TextureRow, name: &str, output: Option<&OutputId>) -> Input {
     };
     let mut input = Input::empty(0, kind);
     input.id = id;
+    input.is_given = row.texture != TextureFeed::File;
     if row.texture == TextureFeed::MusicSum {
         input.signal = SignalForm::Sum;
     }

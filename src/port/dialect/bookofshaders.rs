@@ -11,6 +11,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "book-of-shaders",
     signs: |_| Vec::new(),
     plan: Some(plan),
+    declare: None,
 };
 
 /// The macros that require another pass, with the samplers that read its output.

@@ -25,6 +25,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "isf",
     signs,
     plan: Some(plan),
+    declare: Some(declare),
 };
 
 fn signs(clues: &Clues) -> Vec<Sign> {
@@ -410,6 +411,35 @@ impl Head {
             name,
         });
     }
+}
+
+/// Adds an input to the JSON header.
+fn declare(text: &str, _: usize, control: &UniformControl) -> Option<(usize, String)> {
+    let ty = match control.kind {
+        ControlKind::Float => "float",
+        ControlKind::Int => "long",
+        _ => return None,
+    };
+    let (&[min], &[value], &[max]) = (&*control.min, &*control.value, &*control.max) else {
+        return None;
+    };
+    let name = &control.name;
+    let input = format!(
+        "{{ \"NAME\": \"{name}\", \"TYPE\": \"{ty}\", \"DEFAULT\": {value}, \"MIN\": {min}, \"MAX\": {max} }}"
+    );
+    let head = text.get(..text.find("*/")?)?;
+    let inputs = head.find("\"INPUTS\"");
+    let Some(inputs) = inputs else {
+        let open = head.find('{')? + 1;
+        return Some((
+            open,
+            format!("\n    \"INPUTS\": [\n        {input}\n    ],"),
+        ));
+    };
+    let open = inputs + head.get(inputs..)?.find('[')? + 1;
+    let is_empty = head.get(open..)?.trim_start().starts_with(']');
+    let end = if is_empty { "\n    " } else { "," };
+    Some((open, format!("\n        {input}{end}")))
 }
 
 /// The control of an input, and the type of its uniform.

@@ -16,6 +16,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: HOST,
     signs,
     plan: Some(plan),
+    declare: None,
 };
 
 /// Prefix of the names that uniforms get whose value a parameter defines.

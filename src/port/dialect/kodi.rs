@@ -11,6 +11,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "kodi",
     signs: |_| Vec::new(),
     plan: Some(plan),
+    declare: None,
 };
 
 fn plan(clues: &Clues) -> Plan {

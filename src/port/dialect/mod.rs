@@ -52,6 +52,24 @@ struct HostCode {
     signs: fn(&Clues) -> Vec<Sign>,
     /// Splits a text into passes; `None` for ShaderToy's player.
     plan: Option<fn(&Clues) -> Plan>,
+    /// Declares a uniform whose value and range are in the text; `None` if the host has no such.
+    declare: Option<DeclareControl>,
+}
+
+/// Writes the declaration of a uniform with a control into a text with this offset for declarations.
+/// Returns where it is inserted, and what.
+type DeclareControl = fn(&str, usize, &UniformControl) -> Option<(usize, String)>;
+
+/// The declaration of a uniform with a control, as a host reads it, for a text in which `at` is an
+/// offset for declarations: where it is inserted, and what. `None` if the host sets no uniforms to
+/// values in the text.
+pub fn declared_control(
+    host: &Preset,
+    text: &str,
+    at: usize,
+    control: &UniformControl,
+) -> Option<(usize, String)> {
+    code_of(host)?.declare?(text, at, control)
 }
 
 /// Evidence for a host in a text.

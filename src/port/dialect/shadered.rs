@@ -18,6 +18,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "shadered",
     signs,
     plan: Some(plan),
+    declare: None,
 };
 
 /// Prefix of the names that uniforms with a system value get.

@@ -10,4 +10,5 @@ pub(super) static CODE: HostCode = HostCode {
         false => Vec::new(),
     },
     plan: None,
+    declare: None,
 };

@@ -18,6 +18,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "synthclipse",
     signs,
     plan: Some(plan),
+    declare: Some(declare),
 };
 
 fn signs(clues: &Clues) -> Vec<Sign> {
@@ -77,6 +78,20 @@ fn commands(text: &str) -> impl Iterator<Item = UniformCommand<'_>> {
             inside,
         })
     })
+}
+
+fn declare(_: &str, at: usize, control: &UniformControl) -> Option<(usize, String)> {
+    let (ty, word) = match control.kind {
+        ControlKind::Float => ("float", "slider"),
+        ControlKind::Int => ("int", "islider"),
+        _ => return None,
+    };
+    let (&[min], &[value], &[max]) = (&*control.min, &*control.value, &*control.max) else {
+        return None;
+    };
+    let name = &control.name;
+    let line = format!("uniform {ty} {name}; //! {word}[{min}, {value}, {max}]\n");
+    Some((at, line))
 }
 
 fn plan(clues: &Clues) -> Plan {

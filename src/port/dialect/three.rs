@@ -16,6 +16,7 @@ pub(super) static CODE: HostCode = HostCode {
         false => Vec::new(),
     },
     plan: Some(plan),
+    declare: None,
 };
 
 /// Own definitions of the functions and macros of three.js that are used most, one per line.

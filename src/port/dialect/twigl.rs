@@ -12,6 +12,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "twigl",
     signs,
     plan: Some(plan),
+    declare: None,
 };
 
 /// The uniforms that the website declares, with their types.

@@ -18,6 +18,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: HOST,
     signs,
     plan: Some(plan),
+    declare: None,
 };
 
 /// Samplers of devices.

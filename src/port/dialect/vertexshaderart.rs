@@ -22,6 +22,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: "vertexshaderart",
     signs,
     plan: Some(plan),
+    declare: None,
 };
 
 fn signs(clues: &Clues) -> Vec<Sign> {

@@ -21,6 +21,7 @@ pub(super) static CODE: HostCode = HostCode {
     host: HOST,
     signs,
     plan: Some(plan),
+    declare: Some(declare),
 };
 
 fn signs(clues: &Clues) -> Vec<Sign> {
@@ -391,6 +392,25 @@ pub(super) fn joined(folder: &str, path: &str) -> String {
         }
     }
     parts.join("/")
+}
+
+fn declare(_: &str, at: usize, control: &UniformControl) -> Option<(usize, String)> {
+    let ty = match control.kind {
+        ControlKind::Float => "float",
+        ControlKind::Int => "int",
+        _ => return None,
+    };
+    let (&[min], &[value], &[max]) = (&*control.min, &*control.value, &*control.max) else {
+        return None;
+    };
+    let name = &control.name;
+    let line = format!("#iUniform {ty} {name} = {value:?} in {{ {min:?}, {max:?} }}\n");
+    let line = if ty == "int" {
+        line.replace(".0", "")
+    } else {
+        line
+    };
+    Some((at, line))
 }
 
 /// Parses `float x = 1.0 in { 0.0, 2.0 } step 0.1` as a declaration and a control.
