@@ -6,6 +6,7 @@
 use shaderlint::engine::{NoFiles, Options, analyze};
 use shaderlint::ide::{Document, NameUse, may_rename, rename};
 use shaderlint::ir::print;
+use shaderlint::lint::Settings;
 use shaderlint::text::apply_edits;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -133,9 +134,17 @@ fn meaning(printed: &str, old: &str) -> Meaning {
     }
 }
 
+/// Options that only compile: no rule runs, so that no shader is drawn.
+fn without_rules() -> Options {
+    Options {
+        settings: Arc::new(Settings::of_rules(&[])),
+        ..Options::default()
+    }
+}
+
 /// The IR of each shader of a file; `None` for those with errors.
 fn modules(name: &str, text: &str) -> Vec<Option<String>> {
-    let report = analyze(name, text, &Options::default(), &NoFiles);
+    let report = analyze(name, text, &without_rules(), &NoFiles);
     let analyses = report.analyses.iter();
     let module = analyses.map(|a| (!a.has_errors).then(|| print(&a.program, a.module())));
     module.collect()
@@ -163,7 +172,7 @@ fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
     let Ok(text) = fs::read_to_string(path) else {
         return (0, Vec::new());
     };
-    let options = Arc::new(Options::default());
+    let options = Arc::new(without_rules());
     let document = Document::new(&name, text.as_str().into(), options, &NoFiles);
     let mut before = modules(&name, &text);
     let alternatives = document.alternatives(&NoFiles).iter();
@@ -186,7 +195,7 @@ fn check(path: &Path, count: usize) -> (usize, Vec<String>) {
         let after = apply_edits(&text, 0, edits).unwrap();
         let (_, old) = may_rename(&document, place, &NoFiles).unwrap();
         let mut now = modules(&name, &after);
-        let document = Document::new(&name, after.into(), Arc::default(), &NoFiles);
+        let document = Document::new(&name, after.into(), Arc::new(without_rules()), &NoFiles);
         let alternatives = document.alternatives(&NoFiles).iter();
         now.extend(alternatives.flat_map(|other| modules(&name, &other.text)));
         assert_eq!(now.len(), before.len(), "{name} at {place}");
