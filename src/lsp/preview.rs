@@ -220,11 +220,19 @@ fn channel_file(snapshot: &Snapshot, input: &Path) -> ChannelFile {
         Some(FileType::Folder) => input.join(NAME),
         _ => input.with_file_name(NAME),
     };
-    // A pass may get others beside it. Other shaders in a folder have nothing in common.
+    // A pass may get others beside it. Other shaders in a folder have nothing in common with them.
     let name = input.file_name().unwrap_or_default();
     let is_pass = role_of(&name.to_string_lossy()).is_some();
     let is_folder = shared.parent() == Some(input);
-    let file = match is_folder || exists(&shared) && !exists(&own) || is_pass && !exists(&own) {
+    let folder = input.parent().unwrap_or(input);
+    let has_image = || {
+        let names = snapshot.files.names(folder);
+        names
+            .iter()
+            .any(|name| role_of(name) == Some(PassRole::Image))
+    };
+    let is_shared = || is_pass || exists(&shared) && !has_image();
+    let file = match is_folder || !exists(&own) && is_shared() {
         true => shared,
         false => own,
     };

@@ -77,7 +77,7 @@ export function views({ openFile, picture, player, runCommand, until, word }) {
   async function channels(page) {
     await openFile(page, 'image.glsl', 'sky');
     await runCommand(page, 'Shaderlint: Open Preview');
-    const frame = await player(page, 'iChannel1');
+    const frame = await player(page, 'vec3 sky');
     const assumed = shell(frame).locator('#assumed');
     await assumed.filter({ hasText: 'iChannel2 of buffer_a (generated texture)' }).waitFor();
     await picture(page, 'channels');
@@ -85,7 +85,7 @@ export function views({ openFile, picture, player, runCommand, until, word }) {
     await page.locator('.tab', { hasText: 'channels.toml' }).waitFor();
     await page.locator('.view-line', { hasText: '1 = "stand-in" # cubemap' }).waitFor();
     await assumed.waitFor({ state: 'hidden' });
-    await player(page, 'iChannel1');
+    await player(page, 'vec3 sky');
     await page.locator('.tab.active', { hasText: 'Preview image.glsl' }).waitFor();
     await picture(page, 'channels-written');
   }

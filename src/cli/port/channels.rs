@@ -6,8 +6,9 @@
 
 use super::read::{read_text, shown};
 use super::siblings::folder_of;
-use crate::port::{ChannelOrder, ChannelSource};
+use crate::port::{ChannelOrder, ChannelSource, PassRole};
 use crate::text::LineIndex;
+use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -35,17 +36,30 @@ pub(super) fn orders(input: Option<&Path>, channels: &[String]) -> Result<Vec<Gi
 }
 
 /// The order file next to the input, if it can have one. For a file `ocean.glsl`, its own
-/// `ocean.channels.toml` takes precedence.
+/// `ocean.channels.toml` takes precedence; the other file of a folder of passes is only theirs.
 pub(super) fn file_of(input: Option<&Path>) -> Option<PathBuf> {
     let first = input.filter(|p| p.as_os_str() != "-")?;
     if first.is_dir() {
         return Some(first.join(FILE));
     }
     let own = first.with_extension(FILE);
-    Some(match own.exists() {
+    let is_for_passes = || role(first).is_none() && holds_image(folder_of(first));
+    Some(match own.exists() || is_for_passes() {
         true => own,
         false => first.with_file_name(FILE),
     })
+}
+
+/// The pass that a file is named after.
+fn role(file: &Path) -> Option<PassRole> {
+    PassRole::of_name(file.file_stem()?.to_str()?)
+}
+
+/// Whether a folder has an Image pass.
+fn holds_image(folder: &Path) -> bool {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names = entries.map(|entry| entry.path());
+    names.any(|path| role(&path) == Some(PassRole::Image))
 }
 
 fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
@@ -116,8 +130,7 @@ fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::{ChannelName, PassRole};
-    use std::fs;
+    use crate::port::ChannelName;
 
     /// The orders in a file, or the error without the file name.
     fn read(text: &str) -> Result<Vec<ChannelOrder>, String> {
@@ -127,6 +140,17 @@ mod tests {
         let orders = orders(Some(folder.path()), &[])
             .map_err(|e| e.split_once(FILE).unwrap().1.to_string())?;
         Ok(orders.into_iter().map(|o| o.order).collect())
+    }
+
+    #[test]
+    fn the_file_of_a_folder_of_passes_is_only_theirs() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let file = |name: &str| file_of(Some(&path(name))).unwrap();
+        assert_eq!(file("ocean.glsl"), path(FILE));
+        fs::write(path("image.glsl"), "").unwrap();
+        assert_eq!(file("ocean.glsl"), path("ocean.channels.toml"));
+        assert_eq!(file("buffer_a.glsl"), path(FILE));
     }
 
     #[test]
