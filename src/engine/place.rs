@@ -58,7 +58,8 @@ impl Report {
                 (code.base..=end).contains(&token.span.start) && token.span.end > code.base
             })
         };
-        let is_shared = self.export.is_some() || self.analyses.len() == 1;
+        let is_composed = self.embedded.is_empty() && self.analyses.len() == 1;
+        let is_shared = self.export.is_some() || is_composed;
         let shared = || self.analyses.iter().find(reads).filter(|_| is_shared);
         self.analyses.iter().find(ends_here).or_else(shared)
     }
