@@ -64,6 +64,20 @@ const PALETTE: [[f64; 3]; 4] = [
 ];
 
 impl UniformControl {
+    /// The least value, the value and the largest value of a slider for one number, and whether the
+    /// number is an integer.
+    pub fn slider(&self) -> Option<([f64; 3], bool)> {
+        let is_int = match self.kind {
+            ControlKind::Float => false,
+            ControlKind::Int => true,
+            _ => return None,
+        };
+        let (&[min], &[value], &[max]) = (&*self.min, &*self.value, &*self.max) else {
+            return None;
+        };
+        Some(([min, value, max], is_int))
+    }
+
     /// A control with the same value and range in all components.
     pub fn even(
         name: &str,

@@ -415,14 +415,8 @@ impl Head {
 
 /// Adds an input to the JSON header.
 fn declare(text: &str, _: usize, control: &UniformControl) -> Option<(usize, String)> {
-    let ty = match control.kind {
-        ControlKind::Float => "float",
-        ControlKind::Int => "long",
-        _ => return None,
-    };
-    let (&[min], &[value], &[max]) = (&*control.min, &*control.value, &*control.max) else {
-        return None;
-    };
+    let ([min, value, max], is_int) = control.slider()?;
+    let ty = if is_int { "long" } else { "float" };
     let name = &control.name;
     let input = format!(
         "{{ \"NAME\": \"{name}\", \"TYPE\": \"{ty}\", \"DEFAULT\": {value}, \"MIN\": {min}, \"MAX\": {max} }}"

@@ -81,13 +81,10 @@ fn commands(text: &str) -> impl Iterator<Item = UniformCommand<'_>> {
 }
 
 fn declare(_: &str, at: usize, control: &UniformControl) -> Option<(usize, String)> {
-    let (ty, word) = match control.kind {
-        ControlKind::Float => ("float", "slider"),
-        ControlKind::Int => ("int", "islider"),
-        _ => return None,
-    };
-    let (&[min], &[value], &[max]) = (&*control.min, &*control.value, &*control.max) else {
-        return None;
+    let ([min, value, max], is_int) = control.slider()?;
+    let (ty, word) = match is_int {
+        true => ("int", "islider"),
+        false => ("float", "slider"),
     };
     let name = &control.name;
     let line = format!("uniform {ty} {name}; //! {word}[{min}, {value}, {max}]\n");

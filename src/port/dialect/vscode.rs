@@ -395,20 +395,13 @@ pub(super) fn joined(folder: &str, path: &str) -> String {
 }
 
 fn declare(_: &str, at: usize, control: &UniformControl) -> Option<(usize, String)> {
-    let ty = match control.kind {
-        ControlKind::Float => "float",
-        ControlKind::Int => "int",
-        _ => return None,
-    };
-    let (&[min], &[value], &[max]) = (&*control.min, &*control.value, &*control.max) else {
-        return None;
-    };
+    let ([min, value, max], is_int) = control.slider()?;
+    let ty = if is_int { "int" } else { "float" };
     let name = &control.name;
     let line = format!("#iUniform {ty} {name} = {value:?} in {{ {min:?}, {max:?} }}\n");
-    let line = if ty == "int" {
-        line.replace(".0", "")
-    } else {
-        line
+    let line = match is_int {
+        true => line.replace(".0", ""),
+        false => line,
     };
     Some((at, line))
 }
