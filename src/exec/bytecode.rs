@@ -5,6 +5,7 @@ use super::observations::{FaultKind, Observations, OperationCost};
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined, VariableId};
+use shaderlint_syntax::ast::Extent;
 
 /// Index of a register.
 pub(super) type Reg = u16;
@@ -67,6 +68,8 @@ pub struct Bytecode {
     pub(super) looks: Vec<OperandCheck>,
     /// The sites referenced by [`Instr::Trace`].
     pub(super) traces: Vec<TraceSite>,
+    /// Where statements start, and where their variables are.
+    pub(super) debug: DebugInfo,
 }
 
 impl Bytecode {
@@ -96,6 +99,22 @@ impl Bytecode {
                 operations: times * u64::from(cost),
             })
         })
+    }
+
+    /// The sites at which a debugger can stop.
+    pub fn stops(&self) -> &[StopSite] {
+        &self.debug.stops
+    }
+
+    /// The functions that run at a site, innermost first: each with its call, which is `None` for the
+    /// entry point. The function is `None` for global initialisers.
+    pub fn frames(
+        &self,
+        site: &StopSite,
+    ) -> impl Iterator<Item = (Option<FunctionRef>, Option<OpId>)> {
+        let path = |at: u32| self.calls.get(at as usize);
+        let paths = std::iter::successors(path(site.path), move |p| path(p.caller?));
+        paths.map(|path| (path.function, path.call))
     }
 
     /// The memory in bytes that one thread needs to run the code: code, registers, uniforms and
@@ -287,6 +306,54 @@ pub struct TraceSite {
     pub(super) regs: Vec<Reg>,
 }
 
+/// What a debugger needs, of code compiled with [`CompileOptions::steps`].
+///
+/// [`CompileOptions::steps`]: crate::CompileOptions::steps
+#[derive(Default, Debug)]
+pub(super) struct DebugInfo {
+    /// The sites referenced by [`Instr::Stop`].
+    pub stops: Vec<StopSite>,
+    /// By variable: its locations, each from an instruction on, ordered by instruction.
+    pub locations: Vec<Vec<(InstrIndex, Location)>>,
+    /// The registers of locations.
+    pub lists: Vec<Reg>,
+}
+
+/// A place at which a debugger can stop. Calls are inlined: each has its own sites.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StopSite {
+    /// The tokens of the statement, or of the condition or step of a construct.
+    pub extent: Extent,
+    /// Why it is a place to stop at.
+    pub kind: StopKind,
+    /// The index of the call path.
+    pub(super) path: u32,
+}
+
+/// Why a debugger can stop at a site.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StopKind {
+    /// Before a statement, or the condition or step of a construct.
+    Statement,
+    /// After this call, in the middle of the statement that calls.
+    Return(OpId, Location),
+}
+
+/// Where a value is, in code that a debugger can stop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Location {
+    /// The variable is not in scope.
+    None,
+    /// Registers, one per scalar.
+    #[expect(missing_docs, reason = "a range of a list of registers")]
+    Registers { start: u32, len: u32 },
+    /// Words of the memory, which holds uniforms and large constants.
+    #[expect(missing_docs, reason = "a range of words")]
+    Memory { at: u32, len: u32 },
+    /// A sampler, by index.
+    Sampler(u32),
+}
+
 /// A check, shared by all inlined copies of the operation.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(super) struct CheckSite {
@@ -430,6 +497,8 @@ pub(super) enum Instr {
     Compare(u32),
     /// Records a value of the traced lane.
     Trace(u32),
+    /// Counts the active lanes at a site, at which a debugger can pause.
+    Stop(u32),
 }
 
 /// Unary operations.

@@ -25,6 +25,32 @@ pub struct Draw<'c> {
     pub(super) inputs: Vec<Vec<Plane>>,
 }
 
+/// What a draw call consists of besides its code.
+#[derive(Clone)]
+pub struct DrawInputs {
+    size: [u32; 2],
+    fuel: u64,
+    budget: u64,
+    memory: Vec<u32>,
+    textures: Vec<Option<Texture>>,
+    inputs: Vec<Vec<Plane>>,
+}
+
+impl DrawInputs {
+    /// The draw call, of the code that it was made with.
+    pub fn with<'c>(&self, code: &'c Bytecode) -> Draw<'c> {
+        Draw {
+            code,
+            size: self.size,
+            fuel: self.fuel,
+            budget: self.budget,
+            memory: self.memory.clone(),
+            textures: self.textures.clone(),
+            inputs: self.inputs.clone(),
+        }
+    }
+}
+
 /// A linear input: the value at `gl_FragCoord` 0, and its increments per pixel to the right and up.
 type Plane = [f32; 3];
 
@@ -61,6 +87,18 @@ impl<'c> Draw<'c> {
             memory,
             textures: vec![None; code.samplers.len()],
             inputs: code.inputs.iter().map(planes).collect(),
+        }
+    }
+
+    /// The draw call without its code.
+    pub fn into_inputs(self) -> DrawInputs {
+        DrawInputs {
+            size: self.size,
+            fuel: self.fuel,
+            budget: self.budget,
+            memory: self.memory,
+            textures: self.textures,
+            inputs: self.inputs,
         }
     }
 

@@ -15,6 +15,9 @@ mod gpu_profile;
 mod image;
 mod observations;
 mod render;
+mod replay;
+#[cfg(test)]
+mod replay_tests;
 mod row;
 #[cfg(test)]
 mod tests;
@@ -22,18 +25,20 @@ mod trace;
 mod vm;
 
 pub use bytecode::{
-    Bytecode, InputSlot, MAX_TRACED, OutputSlot, SamplerSlot, TraceSite, TracedValue, UniformSlot,
+    Bytecode, InputSlot, Location, MAX_TRACED, OutputSlot, SamplerSlot, StopKind, StopSite,
+    TraceSite, TracedValue, UniformSlot,
 };
 pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
 pub use compile::{compile, start};
-pub use draw::{Draw, Stop};
+pub use draw::{Draw, DrawInputs, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
-    NumberObservation, Observations, OperationCost, SiteObservation, Witness,
+    NumberObservation, Observations, OperationCost, SiteObservation, StopObservation, Witness,
 };
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample};
+pub use replay::{Checkpoint, Pause, QUAD, Replay, lane_of};
 pub use row::LANES;
 pub use trace::{PixelTrace, trace};
-pub use vm::TraceStep;
+pub use vm::{Fault, TraceStep};

@@ -14,6 +14,8 @@ pub struct Observations {
     pub loops: Vec<LoopObservation>,
     /// One entry per `if` or `?:` that was executed.
     pub branches: Vec<BranchObservation>,
+    /// By site of [`Bytecode::stops`](crate::Bytecode::stops): how often it was reached.
+    pub stops: Vec<StopObservation>,
     /// The cost of each function that was executed; global initialisers come first.
     pub functions: Vec<FunctionObservation>,
     /// By charge of the bytecode: its operations, summed over pixels.
@@ -106,6 +108,15 @@ pub struct BranchObservation {
     pub taken: u64,
     /// How often it was false, summed over pixels.
     pub skipped: u64,
+}
+
+/// How often a place was reached at which a debugger can stop.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct StopObservation {
+    /// How often, summed over pixels.
+    pub times: u64,
+    /// The number of pixels that reached it.
+    pub pixels: u64,
 }
 
 /// The kinds of numeric faults.

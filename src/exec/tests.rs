@@ -17,7 +17,7 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
                     uniform int n; uniform float x; uniform vec3 v; uniform mat3 m; \
                     uniform float a[4]; struct S { float a; vec2 b; };\n";
 
-fn compiled(code: &str, options: &CompileOptions) -> Bytecode {
+pub(super) fn compiled(code: &str, options: &CompileOptions) -> Bytecode {
     let analysis = analyze_fragment(code);
     assert_eq!(analysis.diagnostics, [], "{code}");
     let module = lower(&analysis.program);

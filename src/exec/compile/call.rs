@@ -35,6 +35,7 @@ impl Compiler<'_> {
         }
         let returned = self.end_frame();
         self.op = id;
+        self.stop_after(id, returned);
         Some(returned)
     }
 
@@ -154,6 +155,9 @@ impl Compiler<'_> {
         let Some(frame) = self.frames.pop() else {
             return Value::Nothing;
         };
+        for &variable in &frame.kept {
+            self.forget(variable);
+        }
         if frame.left != EMPTY {
             self.push(Instr::Restore {
                 came: frame.came,

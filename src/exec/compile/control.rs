@@ -45,6 +45,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
     fn run(&mut self, run: Run) {
         for op in run.ops() {
             self.op = op;
+            self.stop_at(op);
             self.tick();
             let value = self.operation(op).unwrap_or_default();
             let value = self.narrowed(op, value);
@@ -91,6 +92,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
             self.push(Instr::Enter(number));
             number
         });
+        self.forget_stop();
         let head = self.here();
         let mut exits = Vec::new();
         if l.tests_first {
@@ -160,25 +162,29 @@ impl<'m> Visit<'m> for Compiler<'m> {
         self.give_back_slots(mark);
     }
 
-    fn breaks(&mut self, _: StmtId) {
+    fn breaks(&mut self, stmt: StmtId) {
+        self.stop_before(Provenance::Stmt(stmt));
         self.tick();
         self.push(Instr::Halt);
         self.tidy();
     }
 
-    fn continues(&mut self, _: StmtId) {
+    fn continues(&mut self, stmt: StmtId) {
+        self.stop_before(Provenance::Stmt(stmt));
         self.tick();
         let waiting = self.frames.last().and_then(|f| f.waiting.last()).copied();
         self.push(Instr::Wait(waiting.unwrap_or(EMPTY)));
         self.tidy();
     }
 
-    fn returns(&mut self, value: Option<OpId>, _: StmtId) {
+    fn returns(&mut self, value: Option<OpId>, stmt: StmtId) {
+        self.stop_before(Provenance::Stmt(stmt));
         self.returned(value);
         self.tidy();
     }
 
-    fn discards(&mut self, _: StmtId) {
+    fn discards(&mut self, stmt: StmtId) {
+        self.stop_before(Provenance::Stmt(stmt));
         self.tick();
         self.push(Instr::Discard);
         self.tidy();
@@ -339,6 +345,8 @@ impl Compiler<'_> {
             left: EMPTY,
             returned: Value::Nothing,
             waiting: Vec::new(),
+            stop: None,
+            kept: Vec::new(),
         }
     }
 
@@ -360,7 +368,7 @@ impl Compiler<'_> {
 
     /// The index of the call path from the current position to a function.
     fn call_path(&mut self, function: FunctionRef, call: Option<OpId>) -> u32 {
-        if !self.options.cost {
+        if !self.options.cost && !self.options.steps {
             return 0;
         }
         let path = CallPath {

@@ -3,12 +3,14 @@
 use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use super::plan::{CompilePlan, Releasable};
 use super::registers::Registers;
+use super::steps::Statements;
 use crate::bytecode::{
     Bytecode, CallPath, CheckSite, F1, F2, F3, ImpreciseOp, Instr, InstrIndex, MaskSlot, Reg,
 };
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, Module, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Program, Type, VariableId};
+use shaderlint_syntax::ast::Extent;
 
 /// Maximum number of instructions of a shader.
 const MAX_INSTRS: usize = 400_000;
@@ -70,6 +72,10 @@ pub(super) struct CallFrame {
     pub returned: Value,
     /// By enclosing loop: the slot of the lanes that wait after `continue`.
     pub waiting: Vec<MaskSlot>,
+    /// The statement that was marked last.
+    pub stop: Option<Extent>,
+    /// Variables that a debugger may read until the function ends.
+    pub kept: Vec<VariableId>,
 }
 
 pub(super) struct Compiler<'p> {
@@ -104,6 +110,8 @@ pub(super) struct Compiler<'p> {
     pub branch_sites: FxHashMap<Provenance, u32>,
     /// The registers of the probe, if there is one.
     pub probed: Option<Probed>,
+    /// The statements at which a debugger can stop; none without [`CompileOptions::steps`].
+    pub statements: Statements,
     next_slot: MaskSlot,
     /// Intermediate results of the current built-in function.
     pub scratch: Vec<Reg>,
@@ -141,6 +149,10 @@ impl<'p> Compiler<'p> {
             call_paths: FxHashMap::default(),
             branch_sites: FxHashMap::default(),
             probed: None,
+            statements: match options.steps {
+                true => Statements::of(&program.tree),
+                false => Statements::default(),
+            },
             // Slot 0 is `EMPTY`.
             next_slot: 1,
             scratch: Vec::new(),
@@ -156,10 +168,15 @@ impl<'p> Compiler<'p> {
         }
         match self.failure {
             Some(failure) => Err(failure),
-            None => Ok(Bytecode {
-                registers: self.registers.count(),
-                ..self.code
-            }),
+            None => {
+                if self.options.steps {
+                    self.code.debug.lists = self.lists;
+                }
+                Ok(Bytecode {
+                    registers: self.registers.count(),
+                    ..self.code
+                })
+            }
         }
     }
 
@@ -232,14 +249,19 @@ impl<'p> Compiler<'p> {
                     let value = self.values.get_mut(op.0 as usize).map(std::mem::take);
                     self.release(value.unwrap_or_default());
                 }
+                Releasable::Variable(variable) if self.options.steps => {
+                    if let Some(frame) = self.frames.last_mut() {
+                        frame.kept.push(variable);
+                    }
+                }
                 Releasable::Variable(variable) => self.forget(variable),
             }
         }
     }
 
-    fn forget(&mut self, variable: VariableId) {
-        let slot = self.variables.get_mut(variable.0 as usize);
-        let value = slot.map(std::mem::take).unwrap_or_default();
+    pub fn forget(&mut self, variable: VariableId) {
+        let value = self.variable_value(variable);
+        self.set_variable(variable, Value::Nothing);
         match value {
             Value::Regs(regs) if self.plan.is_name(self.module, variable) => {
                 self.release(Value::Regs(regs));

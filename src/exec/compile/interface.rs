@@ -189,6 +189,7 @@ impl Compiler<'_> {
     }
 
     pub fn set_variable(&mut self, variable: VariableId, value: Value) {
+        self.locate(variable, value);
         if let Some(slot) = self.variables.get_mut(variable.0 as usize) {
             *slot = value;
         }

@@ -17,6 +17,7 @@ mod place;
 mod plan;
 mod probe;
 mod registers;
+mod steps;
 mod traced;
 
 use super::bytecode::Bytecode;

@@ -17,6 +17,9 @@ pub struct CompileOptions {
     pub probe: Option<Probe>,
     /// Whether [`trace`](crate::trace) can record what a pixel writes.
     pub trace: bool,
+    /// Whether a debugger can stop the code before each statement, and read all variables in scope;
+    /// also counts how often each statement runs.
+    pub steps: bool,
     /// The bits of uninitialised variables; browsers initialise them to zero.
     pub undefined: u32,
     /// The only [`OpKind::Undef`](shaderlint_ir::OpKind::Undef) with these bits, while all others are zero;

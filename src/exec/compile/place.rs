@@ -38,7 +38,8 @@ impl Compiler<'_> {
         let value = self.held(variable)?;
         let is_alias = self.plan.is_name(self.module, variable)
             || self.is_given(variable)
-            || self.plan.stays(id, variable);
+            // A debugger reads variables after their last use.
+            || !self.options.steps && self.plan.stays(id, variable);
         let loaded = match (value, spot.index) {
             (Value::Memory { at, .. }, None) => self.memory_part(at + spot.at, &spot),
             (Value::Memory { at, len }, Some(index)) => {
@@ -106,7 +107,8 @@ impl Compiler<'_> {
     /// Moves a value to the registers of a variable; if nothing else uses the value, its last
     /// instructions write there directly.
     fn write(&mut self, id: OpId, value: OpId, to: Regs, from: Regs) {
-        let writes_all = self.plan.writes_all(id);
+        // Pixels that wait keep their variables if a debugger reads them.
+        let writes_all = self.plan.writes_all(id) && !self.options.steps;
         if writes_all && self.forwarded(value, to, from) {
             return;
         }

@@ -7,6 +7,7 @@ mod active;
 mod arithmetic;
 mod array;
 mod following;
+mod state;
 mod texture;
 mod tracing;
 mod watch;
@@ -21,8 +22,10 @@ use shaderlint_math::{Faster, baseline, faster};
 use shaderlint_semantic::Scalar;
 use watch::Watched;
 
+pub(super) use state::VmState;
 pub(super) use tracing::TraceLog;
 pub use tracing::TraceStep;
+pub use watch::Fault;
 
 /// All registers of a shader. The compiler guarantees that register indices are in bounds.
 type Bank = [Row];
@@ -56,6 +59,12 @@ pub(super) struct Vm<'d> {
     pub watched: Watched,
     /// The traced lane, and what it did.
     pub traced: Option<TraceLog>,
+    /// The lanes at whose stops a run pauses.
+    pub pauses: u32,
+    /// The index of the next instruction.
+    at: usize,
+    /// The number of instructions that this tile may not spend on repeats.
+    once: u64,
     /// The instructions to run with; `None` for those of every machine.
     faster: Option<Faster>,
 }
@@ -86,6 +95,9 @@ impl<'d> Vm<'d> {
             },
             watched: Watched::new(code),
             traced: None,
+            pauses: 0,
+            at: 0,
+            once: 0,
             faster,
         };
         for (reg, bits) in &code.constants {
@@ -113,33 +125,49 @@ impl<'d> Vm<'d> {
     /// # Errors
     /// The tile ran out of fuel.
     pub fn run(&mut self, tile: &Tile) -> Result<u32, Stop> {
+        self.begin(tile)?;
+        self.proceed()?;
+        Ok(self.live & self.requested)
+    }
+
+    /// Prepares a tile, before its first instruction.
+    ///
+    /// # Errors
+    /// There is not enough fuel for it.
+    pub fn begin(&mut self, tile: &Tile) -> Result<(), Stop> {
+        self.open(tile);
+        (self.active, self.live) = (u32::MAX, u32::MAX);
+        self.inputs();
+        self.at = 0;
+        // Each instruction runs once; only repeats in loops are charged as fuel.
+        self.once = self.spent.saturating_add(self.code.body.len() as u64);
+        let left = self.draw.budget.checked_sub(self.once);
+        let left = left.ok_or_else(|| self.out_of_fuel())?;
+        self.fuel = left.min(self.draw.fuel);
+        Ok(())
+    }
+
+    /// Executes the tile to its end, or to the next stop of a lane that pauses. Returns the site of the
+    /// stop; `None` at the end.
+    ///
+    /// # Errors
+    /// The tile ran out of fuel.
+    pub fn proceed(&mut self) -> Result<Option<u32>, Stop> {
         match self.faster {
             Some(simd) => simd.vectorize(
                 #[inline(always)]
-                || self.execute(simd, tile),
+                || self.execute(simd),
             ),
-            None => self.execute(baseline(), tile),
+            None => self.execute(baseline()),
         }
     }
 
     #[inline(always)]
-    fn execute<S: Simd>(&mut self, simd: S, tile: &Tile) -> Result<u32, Stop> {
-        self.open(tile);
-        (self.active, self.live) = (u32::MAX, u32::MAX);
-        self.inputs();
-        let out_of_fuel = |m: &Vm<'_>| Stop::OutOfFuel {
-            pixel: m.tile.pixels.first().copied().unwrap_or_default(),
-        };
-        let code = self.code;
-        // Each instruction runs once; only repeats in loops are charged as fuel.
-        let once = self.spent.saturating_add(code.body.len() as u64);
-        let Some(left) = self.draw.budget.checked_sub(once) else {
-            return Err(out_of_fuel(self));
-        };
-        let allowed = left.min(self.draw.fuel);
-        self.fuel = allowed;
-        let body = code.body.as_slice();
-        let mut following = Following { body, at: 0 };
+    fn execute<S: Simd>(&mut self, simd: S) -> Result<Option<u32>, Stop> {
+        let allowed = self.fuel;
+        let body = self.code.body.as_slice();
+        let mut following = Following { body, at: self.at };
+        let mut paused = None;
         while let Some(instr) = body.get(following.at) {
             following.at += 1;
             match self.jump(simd, instr, &mut following) {
@@ -147,17 +175,31 @@ impl<'d> Vm<'d> {
                 Some(JumpTarget::Back(target)) => {
                     let cost = (following.at - target as usize) as u64;
                     let Some(rest) = self.fuel.checked_sub(cost) else {
-                        return Err(out_of_fuel(self));
+                        return Err(self.out_of_fuel());
                     };
                     self.fuel = rest;
                     following.at = target as usize;
                 }
+                Some(JumpTarget::Pause(site)) => {
+                    paused = Some(site);
+                    break;
+                }
                 None => {}
             }
         }
-        self.spent = once.saturating_add(allowed - self.fuel);
-        self.watched.close(self.requested);
-        Ok(self.live & self.requested)
+        self.at = following.at;
+        self.once = self.once.saturating_add(allowed - self.fuel);
+        if paused.is_none() {
+            self.spent = self.once;
+            self.watched.close(self.requested);
+        }
+        Ok(paused)
+    }
+
+    fn out_of_fuel(&self) -> Stop {
+        Stop::OutOfFuel {
+            pixel: self.tile.pixels.first().copied().unwrap_or_default(),
+        }
     }
 
     /// The statistics of all tiles.
@@ -308,6 +350,11 @@ impl<'d> Vm<'d> {
             }
             Instr::SkipIfNone(to) => return self.unless_any(to),
             Instr::Back(to) => return Some(JumpTarget::Back(to)),
+            Instr::Stop(site) => {
+                self.watched.stop(site, self.active & self.requested);
+                let pauses = self.active & self.pauses != 0;
+                return pauses.then_some(JumpTarget::Pause(site));
+            }
             _ => self.straight(simd, instr, following),
         }
         None
@@ -320,4 +367,6 @@ enum JumpTarget {
     To(InstrIndex),
     /// Backwards, to instructions already executed.
     Back(InstrIndex),
+    /// Nowhere: the run pauses at this site.
+    Pause(u32),
 }

@@ -5,7 +5,7 @@ use super::{Tile, Vm};
 use crate::bytecode::{Bytecode, CallPath, FaultCheck, OperandCheck, Reg};
 use crate::observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
-    NumberObservation, Observations, SiteObservation, Witness,
+    NumberObservation, Observations, SiteObservation, StopObservation, Witness,
 };
 use crate::row::{LANES, Row, floats, inlined, mask_by_parts, signed};
 use fearless_simd::{f32x8, mask32x8, prelude::*, u32x8};
@@ -34,7 +34,20 @@ pub(crate) struct Watched {
     /// By check: how often pixels executed it.
     visits: Vec<u64>,
     compared: Vec<Ends>,
+    /// By stop: the lanes that reached it in this tile.
+    stopped: Vec<u32>,
+    /// The last fault, until a debugger asks.
+    pub fault: Option<Fault>,
     seen: Observations,
+}
+
+/// What a debugger can break on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fault {
+    /// A numeric fault of an operation.
+    Number(OpId, FaultKind),
+    /// A loop ended because its condition was false.
+    Exhausted(LoopId),
 }
 
 /// The minimum and maximum of the operands of a comparison, by lane.
@@ -78,6 +91,8 @@ impl Watched {
             ran: 0,
             paid: vec![0; code.charges.len()],
             loops: loops.collect(),
+            stopped: vec![0; code.debug.stops.len()],
+            fault: None,
             visits: vec![0; code.checks.len()],
             compared: code.compared.iter().map(|_| Ends::default()).collect(),
             seen: Observations {
@@ -91,6 +106,7 @@ impl Watched {
                     .iter()
                     .map(|at| BranchObservation::new(*at))
                     .collect(),
+                stops: vec![StopObservation::default(); code.debug.stops.len()],
                 ..Observations::default()
             },
         }
@@ -127,6 +143,15 @@ impl Watched {
     /// By lane: the iterations of all loops in this tile.
     pub fn iterations(&self) -> [u32; LANES] {
         counts(self.iterations, self.shared_iterations)
+    }
+
+    /// Counts lanes at a stop.
+    pub fn stop(&mut self, site: u32, lanes: u32) {
+        let seen = self.seen.stops.get_mut(site as usize);
+        if let (Some(seen), Some(came)) = (seen, self.stopped.get_mut(site as usize)) {
+            seen.times += lanes.count_ones() as u64;
+            *came |= lanes;
+        }
     }
 
     pub fn enter(&mut self, index: u32, active: u32) {
@@ -231,6 +256,9 @@ impl Watched {
                 self.seen.operations += cost as u64;
             }
         }
+        for (came, seen) in self.stopped.iter_mut().zip(&mut self.seen.stops) {
+            seen.pixels += std::mem::take(came).count_ones() as u64;
+        }
         for (count, seen) in self.loops.iter().zip(&mut self.seen.loops) {
             seen.pixels += count.came.count_ones() as u64;
             seen.exhausted_pixels += (count.exhausted & count.came).count_ones() as u64;
@@ -243,6 +271,7 @@ impl Watched {
     }
 
     fn number(&mut self, op: OpId, kind: FaultKind, times: u64, witness: impl FnOnce() -> Witness) {
+        self.fault = Some(Fault::Number(op, kind));
         let same = |n: &&mut NumberObservation| n.op == op && n.kind == kind;
         if let Some(known) = self.seen.numbers.iter_mut().find(same) {
             known.times += times;
@@ -690,6 +719,9 @@ impl Observations {
         for (own, other) in self.branches.iter_mut().zip(other.branches) {
             own.taken += other.taken;
             own.skipped += other.skipped;
+        }
+        for (own, other) in self.stops.iter_mut().zip(other.stops) {
+            (own.times, own.pixels) = (own.times + other.times, own.pixels + other.pixels);
         }
         for (own, other) in self.functions.iter_mut().zip(other.functions) {
             (own.own, own.inclusive) = (own.own + other.own, own.inclusive + other.inclusive);

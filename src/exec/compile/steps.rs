@@ -1,0 +1,145 @@
+//! Marks the statements at which a debugger can stop, and records where variables are.
+//!
+//! So that every variable in scope has its value wherever the code stops, variables live until
+//! their function ends, and loads and stores neither share registers nor write inactive lanes.
+
+use super::emit::{Compiler, Value};
+use crate::bytecode::{Instr, InstrIndex, Location, StopKind, StopSite};
+use shaderlint_ir::{OpId, OpKind, Provenance};
+use shaderlint_semantic::VariableId;
+use shaderlint_syntax::ast::{Extent, StmtKind, TokenId, Tree};
+
+/// What a debugger stops at: simple statements, conditions, and steps of loops.
+#[derive(Default)]
+pub(super) struct Statements {
+    /// Disjoint, in source order.
+    extents: Vec<Extent>,
+}
+
+impl Statements {
+    pub fn of(tree: &Tree) -> Statements {
+        let statements = tree.stmts.iter().filter_map(|stmt| match stmt.kind {
+            StmtKind::Expr(_) | StmtKind::Decl(_) | StmtKind::Return(_) => Some(stmt.extent),
+            StmtKind::Break | StmtKind::Continue | StmtKind::Discard => Some(stmt.extent),
+            StmtKind::If { condition, .. } | StmtKind::Do { condition, .. } => {
+                Some(tree.expr(condition).extent)
+            }
+            StmtKind::Switch { selector, .. } => Some(tree.expr(selector).extent),
+            StmtKind::For { step, .. } => step.map(|step| tree.expr(step).extent),
+            _ => None,
+        });
+        // Local declarations are inside statements.
+        let declarations = tree.decls.iter().map(|decl| decl.extent);
+        let mut extents: Vec<Extent> = statements.chain(declarations).collect();
+        extents.sort_by_key(|e| (e.first, std::cmp::Reverse(e.last)));
+        let mut end = None;
+        extents.retain(|extent| {
+            let is_outer = end.is_none_or(|end| extent.first > end);
+            if is_outer {
+                end = Some(extent.last);
+            }
+            is_outer
+        });
+        Statements { extents }
+    }
+
+    fn at(&self, token: TokenId) -> Option<Extent> {
+        let after = self.extents.partition_point(|e| e.first <= token);
+        let extent = self.extents.get(after.checked_sub(1)?)?;
+        (token <= extent.last).then_some(*extent)
+    }
+}
+
+impl Compiler<'_> {
+    /// Marks the start of the statement of an operation. Declarations that compute nothing are none.
+    pub fn stop_at(&mut self, op: OpId) {
+        let is_undefined = |op: OpId| self.module.op(op).kind == OpKind::Undef;
+        let is_nothing = match self.module.op(op).kind {
+            OpKind::Store(_, value) => is_undefined(value),
+            _ => is_undefined(op),
+        };
+        if self.options.steps && !is_nothing {
+            self.stop_before(self.module.provenance(op));
+        }
+    }
+
+    /// Marks the start of a statement, unless its code has begun.
+    pub fn stop_before(&mut self, origin: Provenance) {
+        if !self.options.steps {
+            return;
+        }
+        let Some(extent) = self.statement_of(origin) else {
+            return;
+        };
+        let Some(frame) = self.frames.last_mut() else {
+            return;
+        };
+        if frame.stop != Some(extent) {
+            frame.stop = Some(extent);
+            let path = frame.path;
+            self.stop(extent, path, StopKind::Statement);
+        }
+    }
+
+    /// Marks the place after a call, where the caller goes on.
+    pub fn stop_after(&mut self, call: OpId, returned: Value) {
+        if !self.options.steps {
+            return;
+        }
+        let Some((extent, path)) = self.frames.last().and_then(|f| Some((f.stop?, f.path))) else {
+            return;
+        };
+        self.stop(extent, path, StopKind::Return(call, location(returned)));
+    }
+
+    /// Lets the next statement be marked even if it was: another iteration starts.
+    pub fn forget_stop(&mut self) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.stop = None;
+        }
+    }
+
+    fn stop(&mut self, extent: Extent, path: u32, kind: StopKind) {
+        let site = self.code.debug.stops.len() as u32;
+        let stop = StopSite { extent, kind, path };
+        self.code.debug.stops.push(stop);
+        self.push(Instr::Stop(site));
+    }
+
+    fn statement_of(&self, origin: Provenance) -> Option<Extent> {
+        self.statements.at(origin.extent(&self.program.tree)?.first)
+    }
+
+    /// Records where a variable is from here on.
+    pub fn locate(&mut self, variable: VariableId, value: Value) {
+        if !self.options.steps {
+            return;
+        }
+        let here = self.here();
+        let locations = &mut self.code.debug.locations;
+        let at = variable.0 as usize;
+        if locations.len() <= at {
+            locations.resize(at + 1, Vec::new());
+        }
+        if let Some(own) = locations.get_mut(at) {
+            let found = location(value);
+            let known: Option<&mut (InstrIndex, Location)> = own.last_mut();
+            match known {
+                Some((from, last)) if *from == here => *last = found,
+                _ => own.push((here, found)),
+            }
+        }
+    }
+}
+
+const fn location(value: Value) -> Location {
+    match value {
+        Value::Nothing => Location::None,
+        Value::Regs(regs) => Location::Registers {
+            start: regs.start,
+            len: regs.len,
+        },
+        Value::Memory { at, len } => Location::Memory { at, len },
+        Value::Samplers(first) => Location::Sampler(first),
+    }
+}

@@ -1,0 +1,195 @@
+//! Tests of replays: where they stop, what they show, and that they come back to every bit.
+
+use super::tests::compiled;
+use super::{CompileOptions, Draw, Pause, QUAD, Replay, StopKind, draw};
+use shaderlint_ir::lower;
+use shaderlint_semantic::{Program, analyze_fragment};
+
+const STEPS: CompileOptions = CompileOptions {
+    steps: true,
+    watch: super::Watch::Nothing,
+    cost: false,
+    entry: None,
+    probe: None,
+    trace: false,
+    undefined: 0,
+    undefined_at: None,
+    gpu_profile: super::GpuProfile::Exact,
+    most: None,
+};
+
+const SHADER: &str = "#version 300 es
+precision highp float; out vec4 color; uniform float x;
+float g = 2.0;
+float half_of(float a) {
+    if (a > 3.0) return a * 0.5;
+    g += 1.0;
+    return a + x;
+}
+void main() {
+    float p = gl_FragCoord.x;
+    float sum = 0.0, old = sum;
+    for (int i = 0; i < 3; i++) {
+        if (i == 1 && p < 1.0) continue;
+        float d = half_of(p + float(i));
+        sum += d; old = sum;
+    }
+    vec2 v = vec2(sum, g);
+    v.yx = v;
+    color = vec4(v, old, half_of(sum) + half_of(p));
+}";
+
+/// The source of a stop, with the names of the functions that run.
+fn shown(program: &Program, draw: &Draw<'_>, pause: &Pause) -> String {
+    let stop = draw.code.stops()[pause.site as usize];
+    let span = program.span(stop.extent);
+    let names = draw.code.frames(&stop).map(|(function, _)| {
+        let function = function.and_then(|f| program.function(f));
+        function.map_or("globals", |f| program.names.text(f.name))
+    });
+    let back = matches!(stop.kind, StopKind::Return(..));
+    let back = if back { " returned" } else { "" };
+    let path: Vec<&str> = names.collect();
+    format!("{} in {}{back}", program.sources.text(span), path.join("<"))
+}
+
+/// The values of variables; NaN if they have none.
+fn variables(program: &Program, replay: &Replay<'_>, names: [&str; 5]) -> [f32; 5] {
+    let find = |name: &str| {
+        let mut all = (0..).zip(&program.variables);
+        let (id, _) = all
+            .find(|(_, v)| program.names.text(v.name) == name)
+            .unwrap();
+        let bits = replay.scalars(shaderlint_semantic::VariableId(id), 0, 1);
+        bits.map_or(f32::NAN, |bits| f32::from_bits(bits[0]))
+    };
+    names.map(find)
+}
+
+/// The stops of the lower left pixel, and the variables `g`, `a`, `sum`, `d` and `old` there.
+const STOPS: &str = "\
+float g = 2.0; in globals: 0 NaN NaN NaN NaN
+float p = gl_FragCoord.x; in main: 2 NaN NaN NaN NaN
+float sum = 0.0, old = sum; in main: 2 NaN NaN NaN NaN
+int i = 0; in main: 2 NaN 0 NaN 0
+i < 3 in main: 2 NaN 0 NaN 0
+i == 1 && p < 1.0 in main: 2 NaN 0 NaN 0
+float d = half_of(p + float(i)); in main: 2 NaN 0 NaN 0
+a > 3.0 in half_of<main: 2 0.5 0 NaN 0
+g += 1.0; in half_of<main: 2 0.5 0 NaN 0
+return a + x; in half_of<main: 3 0.5 0 NaN 0
+float d = half_of(p + float(i)); in main returned: 3 NaN 0 NaN 0
+sum += d; in main: 3 NaN 0 0.75 0
+old = sum; in main: 3 NaN 0.75 0.75 0
+i++ in main: 3 NaN 0.75 0.75 0.75
+i < 3 in main: 3 NaN 0.75 NaN 0.75
+i == 1 && p < 1.0 in main: 3 NaN 0.75 NaN 0.75
+continue; in main: 3 NaN 0.75 NaN 0.75
+i++ in main: 3 NaN 0.75 1 0.75
+i < 3 in main: 3 NaN 0.75 NaN 0.75
+i == 1 && p < 1.0 in main: 3 NaN 0.75 NaN 0.75
+float d = half_of(p + float(i)); in main: 3 NaN 0.75 NaN 0.75
+a > 3.0 in half_of<main: 3 2.5 0.75 NaN 0.75
+g += 1.0; in half_of<main: 3 2.5 0.75 NaN 0.75
+return a + x; in half_of<main: 4 2.5 0.75 NaN 0.75
+float d = half_of(p + float(i)); in main returned: 4 NaN 0.75 NaN 0.75
+sum += d; in main: 4 NaN 0.75 2.75 0.75
+old = sum; in main: 4 NaN 3.5 2.75 0.75
+i++ in main: 4 NaN 3.5 2.75 3.5
+i < 3 in main: 4 NaN 3.5 NaN 3.5
+vec2 v = vec2(sum, g); in main: 4 NaN 3.5 0 3.5
+v.yx = v; in main: 4 NaN 3.5 0 3.5
+color = vec4(v, old, half_of(sum) + half_of(p)); in main: 4 NaN 3.5 0 3.5
+a > 3.0 in half_of<main: 4 3.5 3.5 0 3.5
+return a * 0.5; in half_of<main: 4 3.5 3.5 0 3.5
+color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 4 NaN 3.5 0 3.5
+a > 3.0 in half_of<main: 4 0.5 3.5 0 3.5
+g += 1.0; in half_of<main: 4 0.5 3.5 0 3.5
+return a + x; in half_of<main: 5 0.5 3.5 0 3.5
+color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3.5";
+
+#[test]
+fn stops_before_each_statement() {
+    let analysis = analyze_fragment(SHADER);
+    let code = compiled(SHADER, &STEPS);
+    let mut ready = Draw::new(&code, [4, 2]);
+    ready.set("x", &[0.25]);
+    let mut replay = Replay::new(&ready, [0, 0]).unwrap();
+    let mut lines = Vec::new();
+    while let Some(pause) = replay.advance().unwrap() {
+        if pause.lanes & 1 == 1 {
+            let values = variables(&analysis.program, &replay, ["g", "a", "sum", "d", "old"]);
+            let values = values.map(|v| v.to_string()).join(" ");
+            lines.push(format!(
+                "{}: {values}",
+                shown(&analysis.program, &ready, &pause)
+            ));
+        }
+    }
+    assert_eq!(lines.join("\n"), STOPS);
+}
+
+/// The outputs at the end of a replay are those of the draw, in each lane.
+#[test]
+fn a_replay_ends_as_the_draw() {
+    let plain = compiled(SHADER, &CompileOptions::default());
+    let code = compiled(SHADER, &STEPS);
+    let mut drawn = Draw::new(&plain, [4, 2]);
+    drawn.set("x", &[0.25]);
+    let image = draw(&drawn, 1).unwrap();
+    let mut ready = Draw::new(&code, [4, 2]);
+    ready.set("x", &[0.25]);
+    for at in 0..8 {
+        let mut replay = Replay::new(&ready, [at % 4, at / 4]).unwrap();
+        while replay.advance().unwrap().is_some() {}
+        let lane = super::lane_of([at % 4, at / 4]);
+        assert_eq!(replay.outputs(lane)[0], image.outputs[0][at as usize]);
+    }
+}
+
+#[test]
+fn a_checkpoint_brings_back_every_bit() {
+    let code = compiled(SHADER, &STEPS);
+    let ready = Draw::new(&code, [4, 2]);
+    let program = &analyze_fragment(SHADER).program;
+    let count = lower(program).variables.len() as u32;
+    let state = |replay: &Replay<'_>| -> Vec<_> {
+        let ids = (0..count).map(shaderlint_semantic::VariableId);
+        let lanes = |id| (0..QUAD).map(move |lane| (id, lane));
+        ids.flat_map(lanes)
+            .map(|(id, lane)| replay.scalars(id, lane, 64))
+            .collect()
+    };
+    let mut replay = Replay::new(&ready, [1, 1]).unwrap();
+    let mut kept = Vec::new();
+    while let Some(pause) = replay.advance().unwrap() {
+        kept.push((replay.checkpoint(), pause, state(&replay)));
+    }
+    for pair in kept.windows(2).rev() {
+        let (before, after) = (&pair[0], &pair[1]);
+        replay.restore(&before.0);
+        assert_eq!(state(&replay), before.2);
+        assert_eq!(replay.advance().unwrap(), Some(after.1));
+        assert_eq!(state(&replay), after.2);
+    }
+}
+
+/// The statistics of a draw count how often each statement runs, and for how many pixels.
+#[test]
+fn a_draw_counts_statements() {
+    let analysis = analyze_fragment(SHADER);
+    let code = compiled(SHADER, &STEPS);
+    let ready = Draw::new(&code, [4, 2]);
+    let seen = draw(&ready, 1).unwrap().seen.stops;
+    let find = |text: &str| {
+        let mut sites = code.stops().iter().zip(&seen);
+        let found = sites.find(|(stop, _)| {
+            let span = analysis.program.span(stop.extent);
+            analysis.program.sources.text(span) == text && stop.kind == StopKind::Statement
+        });
+        let seen = found.unwrap().1;
+        (seen.times, seen.pixels)
+    };
+    assert_eq!(find("continue;"), (2, 2));
+    assert_eq!(find("i < 3"), (32, 8));
+}
