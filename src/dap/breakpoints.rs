@@ -188,26 +188,28 @@ pub fn stopped(stop: &Stop) -> String {
     format!("the pixels around {x},{y} exceeded the operation limit")
 }
 
-/// The place of a breakpoint: the first statement of a file that starts on a line or after it.
+/// The place of a breakpoint: the first statement of a file that starts at a line, from 1, or after it,
+/// until the line `last`.
 ///
 /// # Errors
 /// A message if there is none.
 pub fn place_at(
     debuggee: &Debuggee,
     file: FileId,
-    (line, column): (u32, Option<u32>),
+    ((line, column), last): ((u32, Option<u32>), u32),
 ) -> Result<StopPlace, String> {
     let program = debuggee.program().ok_or("the program is gone")?;
     let text = program
         .sources
         .file(file)
         .ok_or("the file is not part of the program")?;
-    let wanted_at = (line, column.unwrap_or(0));
+    let asked_at = (line, column.unwrap_or(0));
     let starts = debuggee.places.iter().filter_map(|place| {
         let is_own = text.span().contains(place.span) && place.returned.is_none();
         let at = text.position(place.span.start);
         let at = (at.line, at.column);
-        (is_own && place.is_user && at >= wanted_at).then_some((at, place))
+        let is_in_range = at >= asked_at && at.0 <= last;
+        (is_own && place.is_user && is_in_range).then_some((at, place))
     });
     let first = starts.min_by_key(|(at, _)| *at);
     first
