@@ -10,6 +10,10 @@ use shaderlint_diagnostic::grouped;
 use shaderlint_exec::{CompileOptions, Draw, QUAD, Stop, draw};
 use shaderlint_text::FileId;
 
+/// The number of instructions per thread after which pixels are no longer counted: a second or two.
+const COUNT_BUDGET: u64 = 100_000_000;
+const UNCOUNTED: &str = "the image takes too long to count the pixels that hit it";
+
 /// A breakpoint of a client.
 pub struct Breakpoint {
     pub id: u32,
@@ -126,7 +130,11 @@ impl Breakpoint {
             Some(condition) => {
                 let frame = frame(debuggee, place)?;
                 let any = EvaluatedExpression::ever(debuggee, &frame, condition)?;
-                (any.image(debuggee, threads)?.count_true(), None)
+                let Ok(image) = any.image(debuggee, (threads, COUNT_BUDGET)) else {
+                    self.hits = Some(UNCOUNTED.to_string());
+                    return Ok(());
+                };
+                (image.count_true(), None)
             }
             None => {
                 let options = CompileOptions {
@@ -135,7 +143,12 @@ impl Breakpoint {
                 };
                 let variant = debuggee.variant(None, &options);
                 let variant = variant.map_err(super::evaluate::message)?;
-                let drawn = draw(&variant.draw(), threads).map_err(|stop| stopped(&stop))?;
+                let mut whole = variant.draw();
+                whole.budget = COUNT_BUDGET;
+                let Ok(drawn) = draw(&whole, threads) else {
+                    self.hits = Some(UNCOUNTED.to_string());
+                    return Ok(());
+                };
                 let mut statements = variant.code.statements().iter().zip(&drawn.seen.statements);
                 let found = statements.find(|(extent, _)| **extent == place.extent);
                 let seen = found.map(|(_, seen)| *seen).unwrap_or_default();

@@ -83,12 +83,13 @@ impl Session {
             cause: None,
         });
         // A breakpoint or a chosen fault inside a call ends the step over it.
-        let goal = match (is_forwards, goal) {
-            (true, Some(goal)) if goal.moment > from + 1 => match self.forwards()? {
-                Some(first) if first.moment < goal.moment => Some(first),
-                _ => Some(goal),
+        let is_next = goal.as_ref().is_some_and(|goal| goal.moment <= from + 1);
+        let goal = match is_forwards && !is_next {
+            true => match (self.forwards()?, goal) {
+                (Some(first), Some(goal)) if first.moment >= goal.moment => Some(goal),
+                (first, goal) => first.or(goal),
             },
-            (_, goal) => goal,
+            false => goal,
         };
         let to = goal.as_ref().map_or(u32::MAX, |goal| goal.moment);
         let messages = match is_forwards {

@@ -11,7 +11,7 @@ use crate::stepping::next;
 use crate::timeline::Timeline;
 use crate::value::DebugValue;
 use serde_json::json;
-use shaderlint_exec::{Draw, Fault, Pause, QUAD, Replay, lane_of};
+use shaderlint_exec::{Fault, Pause, QUAD, Replay, lane_of};
 use shaderlint_semantic::{Program, VariableId};
 use std::rc::Rc;
 
@@ -145,11 +145,11 @@ impl Session {
         lane: usize,
         ask: impl FnOnce(&Debuggee, &mut Now<'_>) -> T,
     ) -> Result<T, String> {
-        let draw = self.debuggee.build.draw();
         let moment = match lane == self.focus {
             true => self.moment,
-            false => self.moment_of_lane(lane, &draw)?,
+            false => self.moment_of_lane(lane)?,
         };
+        let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
         let found = timeline.at(&draw, moment).map_err(|stop| stopped(&stop))?;
         let (replay, pause) = found.ok_or("the pixel does not run")?;
@@ -162,10 +162,11 @@ impl Session {
     }
 
     /// The last moment of another lane before the current one.
-    fn moment_of_lane(&self, lane: usize, draw: &Draw<'_>) -> Result<u32, String> {
-        let mut timeline = Timeline::of(self.pixel());
+    fn moment_of_lane(&mut self, lane: usize) -> Result<u32, String> {
+        let draw = self.debuggee.build.draw();
+        let timeline = focused(&mut self.timelines, self.focus)?;
         let found = timeline
-            .at(draw, self.moment)
+            .at(&draw, self.moment)
             .map_err(|stop| stopped(&stop))?;
         let moment = found.and_then(|(_, pause)| pause.moments.get(lane).copied());
         Ok(moment.unwrap_or(1).max(1))

@@ -126,10 +126,13 @@ impl Adapter<'_> {
     }
 
     /// Reads the program again, and goes to the same execution of the same line.
-    pub(super) fn reload(&mut self) -> Answer {
+    pub(super) fn reload(&mut self, arguments: &Value) -> Answer {
         let old = self.session.as_mut().ok_or("no program is running")?;
         let mark = old.mark();
-        let launch = old.launch.clone();
+        let launch = match arguments.get("arguments") {
+            Some(changed) => read(changed)?,
+            None => old.launch.clone(),
+        };
         let mut session = self.start(launch)?;
         session.go_to_mark(&mark);
         let events = vec![session.stopped("goto", Some("the program was read again"))];
