@@ -17,10 +17,21 @@ pub struct TestArgs {
     /// Run only tests whose name contains TEXT; image comparisons contain `golden`
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
+    /// Number of cases of a test with random values: `// any: x in -10..10`
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub cases: u32,
+    /// Seed of random values
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u32,
     /// Output format: human, json
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     #[arg(hide_possible_values = true)]
     pub format: TestFormat,
+
+    /// Also run functions `bench_*`, and print the operations of each test
+    #[arg(long, help_heading = BENCH)]
+    pub bench: bool,
 
     /// Write golden images that are missing or differ
     #[arg(long, help_heading = GOLDEN)]
@@ -46,6 +57,7 @@ pub struct TestArgs {
     pub force: bool,
 }
 
+const BENCH: &str = "Benchmarks";
 const GOLDEN: &str = "Golden images";
 
 const EXIT_CODES: &str = "\

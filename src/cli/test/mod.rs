@@ -21,6 +21,7 @@ use crate::port::PassRole;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::text::kind::{Claim, FileKind, decide};
 use args::TestFormat;
+use functions::TestFile;
 use golden::{GoldenImages, GoldenSubject};
 use outcome::{Tally, TestRow};
 use std::collections::BTreeSet;
@@ -208,11 +209,16 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
             }
             Some(_) => {}
             None => {
-                done.rows = functions::run(&report, file, name, &is_requested);
-                let unusable_tests = report.analyses.iter();
-                done.notes = unusable_tests
-                    .flat_map(|a| functions::unusable_tests(a, file))
-                    .collect();
+                let stem = Path::new(name).file_stem().unwrap_or_default();
+                let tests = TestFile {
+                    report: &report,
+                    file,
+                    name,
+                    is_for_tests: stem.to_string_lossy().ends_with(TESTS),
+                    args: run.args,
+                };
+                let found = tests.run(&is_requested);
+                (done.rows, done.notes) = (found.rows, found.notes);
             }
         }
     }
