@@ -1,6 +1,7 @@
 //! The arguments of `shaderlint test`.
 
 use super::super::run::{size_of, time_of};
+use super::coverage::CoverageFormat;
 use clap::ValueEnum;
 use std::path::PathBuf;
 
@@ -24,7 +25,10 @@ pub struct TestArgs {
     /// Seed of random values
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u32,
-    /// Output format: human, json
+    /// Test again what a change touches, until stopped
+    #[arg(long)]
+    pub watch: bool,
+    /// Output format: human, json, junit, tap
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     #[arg(hide_possible_values = true)]
     pub format: TestFormat,
@@ -32,6 +36,24 @@ pub struct TestArgs {
     /// Also run functions `bench_*`, and print the operations of each test
     #[arg(long, help_heading = BENCH)]
     pub bench: bool,
+    /// Write the operations of each test to FILE
+    #[arg(long, value_name = "FILE", help_heading = BENCH)]
+    pub save_baseline: Option<PathBuf>,
+    /// Fail if a test needs more operations than in FILE
+    #[arg(long, value_name = "FILE", help_heading = BENCH)]
+    pub baseline: Option<PathBuf>,
+    /// Percentage by which operations may exceed the baseline
+    #[arg(long, value_name = "PERCENT", default_value = "5", value_parser = percent_of)]
+    #[arg(help_heading = BENCH)]
+    pub bench_tolerance: f64,
+
+    /// Write which lines and branches of the files under test ran
+    #[arg(long, value_name = "FILE", help_heading = COVERAGE)]
+    pub coverage: Option<PathBuf>,
+    /// Format of the coverage: lcov, html, json; default: by the extension of FILE, or lcov
+    #[arg(long, value_enum, value_name = "FORMAT", requires = "coverage")]
+    #[arg(hide_possible_values = true, help_heading = COVERAGE)]
+    pub coverage_format: Option<CoverageFormat>,
 
     /// Write golden images that are missing or differ
     #[arg(long, help_heading = GOLDEN)]
@@ -58,6 +80,7 @@ pub struct TestArgs {
 }
 
 const BENCH: &str = "Benchmarks";
+const COVERAGE: &str = "Coverage";
 const GOLDEN: &str = "Golden images";
 
 const EXIT_CODES: &str = "\
@@ -74,6 +97,17 @@ pub enum TestFormat {
     Human,
     /// One JSON object
     Json,
+    /// JUnit XML
+    Junit,
+    /// Test Anything Protocol, version 14
+    Tap,
+}
+
+impl TestArgs {
+    /// Whether operations are counted and benchmarks run.
+    pub fn counts(&self) -> bool {
+        self.bench || self.baseline.is_some() || self.save_baseline.is_some()
+    }
 }
 
 /// Parses a percentage, with or without `%`.

@@ -1,14 +1,17 @@
 //! Test functions of a file.
 
-use super::args::TestArgs;
+use super::file::TestRun;
 use super::outcome::{ConditionRow, CounterexampleRow, ParameterRow, TestRow, ValueRow};
+use super::textures;
 use crate::commands::run::{percent, position, seconds};
 use crate::engine::playback::{
-    SeenCondition, Test, TestCase, TestFailure, TestProblem, TestSettings, TestSuite, TestVerdict,
-    run_test, unusable_tests,
+    Coverage, SeenCondition, Test, TestCase, TestFailure, TestProblem, TestSettings, TestSuite,
+    TestVerdict, TextureMark, run_test, unusable_tests,
 };
 use crate::engine::{Analysis, Report};
+use crate::exec::Texture;
 use crate::text::{FileId, Sources};
+use std::path::{Path, PathBuf};
 
 /// A file with tests.
 pub struct TestFile<'a> {
@@ -17,7 +20,8 @@ pub struct TestFile<'a> {
     pub name: &'a str,
     /// Whether the file only contains tests of another: `NAME.test.glsl`.
     pub is_for_tests: bool,
-    pub args: &'a TestArgs,
+    pub path: Option<&'a Path>,
+    pub run: &'a TestRun<'a>,
 }
 
 /// The results of the functions of a file.
@@ -25,6 +29,9 @@ pub struct TestFile<'a> {
 pub struct FunctionRows {
     pub rows: Vec<TestRow>,
     pub notes: Vec<String>,
+    pub coverage: Coverage,
+    /// The files of textures.
+    pub read: Vec<PathBuf>,
 }
 
 impl TestFile<'_> {
@@ -37,9 +44,19 @@ impl TestFile<'_> {
             for problem in &suite.problems {
                 found.rows.push(self.invalid(analysis, "", problem));
             }
-            let is_wanted = |test: &&Test| self.args.bench || !test.is_bench;
+            if self.run.args.coverage.is_some() {
+                found.coverage.add_files(analysis);
+            }
+            let is_wanted = |test: &&Test| self.run.args.counts() || !test.is_bench;
             for test in suite.tests.iter().filter(is_wanted) {
-                self.test(analysis, test, is_requested, &mut found);
+                let marks = suite.textures.iter().chain(&test.textures);
+                self.test(
+                    analysis,
+                    test,
+                    &marks.collect::<Vec<_>>(),
+                    is_requested,
+                    &mut found,
+                );
             }
             found.notes.extend(self.unusable(analysis));
         }
@@ -50,6 +67,7 @@ impl TestFile<'_> {
         &self,
         analysis: &Analysis,
         test: &Test,
+        marks: &[&TextureMark],
         is_requested: &dyn Fn(&str) -> bool,
         found: &mut FunctionRows,
     ) {
@@ -68,26 +86,77 @@ impl TestFile<'_> {
             }
             return;
         }
-        for case in &test.cases {
-            let name = case_name(test, case);
-            if is_requested(&name) {
-                found.rows.push(self.case(analysis, test, case, &name));
+        let named = test.cases.iter().map(|case| (case, case_name(test, case)));
+        let named: Vec<_> = named.filter(|(_, name)| is_requested(name)).collect();
+        if named.is_empty() {
+            return;
+        }
+        let textures = match self.textures(marks, found) {
+            Ok(textures) => textures,
+            Err(problem) => {
+                found
+                    .rows
+                    .push(self.invalid(analysis, &test.name, &problem));
+                return;
             }
+        };
+        for (case, name) in named {
+            let row = self.case(
+                analysis,
+                (test, case, &name),
+                &textures,
+                &mut found.coverage,
+            );
+            found.rows.push(row);
         }
     }
 
+    /// Loads the textures of a test.
+    fn textures(
+        &self,
+        marks: &[&TextureMark],
+        found: &mut FunctionRows,
+    ) -> Result<Vec<(String, Texture)>, TestProblem> {
+        let path = self.path.unwrap_or(Path::new(""));
+        let loaded = marks.iter().map(|mark| {
+            found.read.extend(textures::file_of(mark, path));
+            match self.run.textures.load(mark, path) {
+                Ok(texture) => Ok((mark.sampler.clone(), texture)),
+                Err(message) => Err(TestProblem {
+                    at: mark.at,
+                    message,
+                }),
+            }
+        });
+        loaded.collect()
+    }
+
     /// Runs a case of a test.
-    fn case(&self, analysis: &Analysis, test: &Test, case: &TestCase, name: &str) -> TestRow {
+    fn case(
+        &self,
+        analysis: &Analysis,
+        (test, case, name): (&Test, &TestCase, &str),
+        textures: &[(String, Texture)],
+        coverage: &mut Coverage,
+    ) -> TestRow {
+        let args = self.run.args;
         let settings = TestSettings {
-            cases: self.args.cases,
-            seed: self.args.seed,
-            cost: self.args.bench,
-            coverage: false,
+            cases: args.cases,
+            seed: args.seed,
+            cost: args.counts(),
+            coverage: args.coverage.is_some(),
         };
         let sources = analysis.sources();
-        let result = run_test(analysis, case, &[], &settings);
-        let mut row = self.row(sources, name, case, &result.verdict);
-        if let Some(reason) = &test.fails {
+        let result = run_test(analysis, case, textures, &settings);
+        coverage.add(analysis, &result.counts);
+        // The answer of a benchmark does not matter.
+        let verdict = match result.verdict {
+            TestVerdict::Failed(_) if test.is_bench => TestVerdict::Passed,
+            verdict => verdict,
+        };
+        let mut row = self.row(sources, name, case, &verdict);
+        let has_run = matches!(verdict, TestVerdict::Passed | TestVerdict::Failed(_));
+        if let Some(reason) = test.fails.as_ref().filter(|_| has_run) {
             row = row.expected_to_fail(reason);
         }
         row.at = row.at.or_else(|| position(sources, test.at));

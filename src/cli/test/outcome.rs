@@ -2,6 +2,8 @@
 
 use super::args::TestFormat;
 use super::difference::ImageDifference;
+use super::junit::junit;
+use super::tap::tap;
 use crate::commands::run::heat::short;
 use serde::Serialize;
 
@@ -32,6 +34,9 @@ pub struct TestRow {
     /// Operations of one call on average.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub operations: Option<f64>,
+    /// Operations in the baseline.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub baseline: Option<f64>,
     /// The comparisons of a function that failed, at the first pixel with a wrong result.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<ConditionRow>,
@@ -150,6 +155,7 @@ impl TestRow {
             expected_failure: None,
             counterexample: None,
             operations: None,
+            baseline: None,
             conditions: Vec::new(),
             difference: None,
             written: None,
@@ -263,9 +269,14 @@ impl Tally {
 
     /// The output after the last test: failures and totals, or the JSON object.
     pub fn text(&self, format: TestFormat) -> String {
-        if format == TestFormat::Json {
-            let text = serde_json::to_string_pretty(self).unwrap_or_default();
-            return format!("{text}\n");
+        match format {
+            TestFormat::Human => {}
+            TestFormat::Json => {
+                let text = serde_json::to_string_pretty(self).unwrap_or_default();
+                return format!("{text}\n");
+            }
+            TestFormat::Junit => return junit(self),
+            TestFormat::Tap => return tap(self),
         }
         let failed = self.tests.iter().filter(|t| t.status == Status::Failed);
         let mut text: String = failed.map(|row| format!("\n{}", row.text())).collect();

@@ -22,14 +22,14 @@ pub struct RunCounts {
 }
 
 /// What ran in all tests, by file.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub struct Coverage {
     /// By path.
     pub files: BTreeMap<String, FileCoverage>,
 }
 
 /// What ran of a file.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FileCoverage {
     /// The text.
     pub text: Arc<str>,
@@ -42,7 +42,7 @@ pub struct FileCoverage {
 }
 
 /// A function of a file.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct CoveredFunction {
     /// Its name.
     pub name: String,
@@ -142,6 +142,27 @@ impl Coverage {
                 slot[0] += taken;
                 slot[1] += skipped;
             }
+        }
+    }
+
+    /// Adds what ran in other tests.
+    pub fn join(&mut self, other: &Coverage) {
+        for (path, more) in &other.files {
+            let Some(file) = self.files.get_mut(path) else {
+                self.files.insert(path.clone(), more.clone());
+                continue;
+            };
+            for (place, count) in &more.statements {
+                *file.statements.entry(*place).or_default() += count;
+            }
+            for (place, [taken, skipped]) in &more.branches {
+                let own = file.branches.entry(*place).or_default();
+                own[0] += taken;
+                own[1] += skipped;
+            }
+            let functions = more.functions.iter();
+            file.functions
+                .extend(functions.map(|(place, function)| (*place, function.clone())));
         }
     }
 

@@ -1,0 +1,27 @@
+//! `--watch`: tests again what a change touches, until it is stopped.
+
+use super::super::command::FAILED;
+use super::super::watch::wait;
+use super::args::TestArgs;
+use super::session::{Session, stamp};
+use super::{complain, print_message};
+use std::io::{self, IsTerminal, Write};
+
+pub fn run(args: &TestArgs) -> io::Result<u8> {
+    // A name that is wrong from the start is no file that an editor is about to write.
+    if let Some(missing) = args.paths.iter().find(|p| !p.exists()) {
+        complain(&format!("{}: no such file or folder", missing.display()));
+        return Ok(FAILED);
+    }
+    let mut session = Session::default();
+    loop {
+        if io::stdout().is_terminal() {
+            // Clears the screen and moves the cursor to the top.
+            write!(io::stdout(), "\x1b[2J\x1b[H")?;
+        }
+        session.run(args)?;
+        print_message("waiting for changes");
+        let before = stamp(args, &session);
+        wait(before, || stamp(args, &session));
+    }
+}
