@@ -118,6 +118,11 @@ impl Bytecode {
         &self.debug.stops
     }
 
+    /// What the sites stop at: statements, conditions and steps of constructs, and ends of functions.
+    pub fn statements(&self) -> &[Extent] {
+        &self.debug.statements
+    }
+
     /// The functions that run at a site, innermost first: each with its call, which is `None` for the
     /// entry point. The function is `None` for global initialisers.
     pub fn frames(
@@ -325,6 +330,8 @@ pub struct TraceSite {
 pub(super) struct DebugInfo {
     /// The sites referenced by [`Instr::Stop`].
     pub stops: Vec<StopSite>,
+    /// The statements of the sites, which are those of all inlined copies.
+    pub statements: Vec<Extent>,
     /// By variable: its locations, each from an instruction on, ordered by instruction.
     pub locations: Vec<Vec<(InstrIndex, Location)>>,
     /// The registers of locations.
@@ -338,6 +345,8 @@ pub struct StopSite {
     pub extent: Extent,
     /// Why it is a place to stop at.
     pub kind: StopKind,
+    /// The index of the statement.
+    pub(super) statement: u32,
     /// The index of the call path.
     pub(super) path: u32,
 }

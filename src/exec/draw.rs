@@ -53,6 +53,31 @@ impl DrawInputs {
             by_case: self.by_case.clone(),
         }
     }
+
+    /// Takes over the uniforms and textures of a draw of similar code, by their names and types. The
+    /// inputs are those of `code`, the others those of `from_code`.
+    pub fn take_over(&mut self, code: &Bytecode, from: &DrawInputs, from_code: &Bytecode) {
+        for slot in &code.uniforms {
+            let mut known = from_code.uniforms.iter();
+            let Some(old) = known.find(|old| old.name == slot.name && old.ty == slot.ty) else {
+                continue;
+            };
+            let count = (slot.ty.element().components() * slot.ty.array.max(1)) as usize;
+            let (at, from_at) = (slot.at as usize, old.at as usize);
+            let words = from.memory.get(from_at..from_at + count);
+            if let (Some(to), Some(words)) = (self.memory.get_mut(at..at + count), words) {
+                to.copy_from_slice(words);
+            }
+        }
+        for (slot, texture) in code.samplers.iter().zip(&mut self.textures) {
+            let old = from_code.samplers.iter().position(|old| old == slot);
+            if let Some(bound) = old.and_then(|old| from.textures.get(old)) {
+                texture.clone_from(bound);
+            }
+        }
+        self.inputs.clone_from(&from.inputs);
+        (self.size, self.fuel, self.budget) = (from.size, from.fuel, from.budget);
+    }
 }
 
 /// A linear input: the value at `gl_FragCoord` 0, and its increments per pixel to the right and up.

@@ -36,7 +36,7 @@ pub use equal::{COMPARED_SIZE, Equality, equality};
 pub use image::{Filter, Image, ImageProblem, ImageShape, Sampling, Texels, Texture, Wrap};
 pub use observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
-    NumberObservation, Observations, OperationCost, SiteObservation, StopObservation, Witness,
+    NumberObservation, Observations, OperationCost, SiteObservation, StatementObservation, Witness,
 };
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample, sample_cases};
 pub use replay::{Checkpoint, Pause, QUAD, Replay, lane_of};

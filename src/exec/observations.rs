@@ -14,8 +14,8 @@ pub struct Observations {
     pub loops: Vec<LoopObservation>,
     /// One entry per `if` or `?:` that was executed.
     pub branches: Vec<BranchObservation>,
-    /// By site of [`Bytecode::stops`](crate::Bytecode::stops): how often it was reached.
-    pub stops: Vec<StopObservation>,
+    /// By statement of [`Bytecode::statements`](crate::Bytecode::statements): how often it ran.
+    pub statements: Vec<StatementObservation>,
     /// The cost of each function that was executed; global initialisers come first.
     pub functions: Vec<FunctionObservation>,
     /// By charge of the bytecode: its operations, summed over pixels.
@@ -110,12 +110,12 @@ pub struct BranchObservation {
     pub skipped: u64,
 }
 
-/// How often a place was reached at which a debugger can stop.
+/// How often a statement ran, or the condition or step of a construct.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct StopObservation {
+pub struct StatementObservation {
     /// How often, summed over pixels.
     pub times: u64,
-    /// The number of pixels that reached it.
+    /// The number of pixels that ran it.
     pub pixels: u64,
 }
 

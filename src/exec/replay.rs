@@ -3,7 +3,7 @@
 //! Nothing is recorded: a run is deterministic, so the state at an earlier stop is found by running
 //! again, from the start or from a checkpoint.
 
-use super::bytecode::{Location, StopSite};
+use super::bytecode::{Location, StopSite, TracedValue};
 use super::draw::{Draw, Stop};
 use super::render::tile_of;
 use super::row::{LANES, Row};
@@ -83,9 +83,26 @@ impl<'d> Replay<'d> {
         }))
     }
 
-    /// The last fault of the pixel, reported once.
-    pub fn fault(&mut self) -> Option<Fault> {
-        self.vm.watched.fault.take()
+    /// The last fault of the pixel, until it is forgotten.
+    pub const fn fault(&self) -> Option<Fault> {
+        self.vm.watched.fault
+    }
+
+    /// The variables that the pixel wrote since they were forgotten, in order. The code has to be compiled
+    /// with [`CompileOptions::trace`](crate::CompileOptions::trace), too.
+    pub fn writes(&self) -> impl Iterator<Item = VariableId> {
+        let sites = self.vm.written.iter();
+        let sites = sites.filter_map(|site| self.draw.code.traces.get(*site as usize));
+        sites.filter_map(|site| match site.value {
+            TracedValue::Written(variable, _) => Some(variable),
+            _ => None,
+        })
+    }
+
+    /// Forgets the writes and the fault so far.
+    pub fn forget(&mut self) {
+        self.vm.written.clear();
+        self.vm.watched.fault = None;
     }
 
     /// The site with this index.

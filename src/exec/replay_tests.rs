@@ -106,7 +106,8 @@ color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 4 NaN 3.5 0 3
 a > 3.0 in half_of<main: 4 0.5 3.5 0 3.5
 g += 1.0; in half_of<main: 4 0.5 3.5 0 3.5
 return a + x; in half_of<main: 5 0.5 3.5 0 3.5
-color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3.5";
+color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3.5
+} in main: 5 NaN 3.5 0 3.5";
 
 #[test]
 fn stops_before_each_statement() {
@@ -180,16 +181,15 @@ fn a_draw_counts_statements() {
     let analysis = analyze_fragment(SHADER);
     let code = compiled(SHADER, &STEPS);
     let ready = Draw::new(&code, [4, 2]);
-    let seen = draw(&ready, 1).unwrap().seen.stops;
+    let seen = draw(&ready, 1).unwrap().seen.statements;
     let find = |text: &str| {
-        let mut sites = code.stops().iter().zip(&seen);
-        let found = sites.find(|(stop, _)| {
-            let span = analysis.program.span(stop.extent);
-            analysis.program.sources.text(span) == text && stop.kind == StopKind::Statement
-        });
-        let seen = found.unwrap().1;
+        let mut statements = code.statements().iter().zip(&seen);
+        let is_it = |extent| analysis.program.sources.text(analysis.program.span(extent)) == text;
+        let (_, seen) = statements.find(|(extent, _)| is_it(**extent)).unwrap();
         (seen.times, seen.pixels)
     };
     assert_eq!(find("continue;"), (2, 2));
     assert_eq!(find("i < 3"), (32, 8));
+    // Of all three calls.
+    assert_eq!(find("a > 3.0"), (38, 8));
 }

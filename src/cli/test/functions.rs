@@ -49,7 +49,13 @@ impl TestFile<'_> {
             }
             let is_wanted = |test: &&Test| self.run.args.counts() || !test.is_bench;
             for test in suite.tests.iter().filter(is_wanted) {
-                let marks = suite.textures.iter().chain(&test.textures);
+                let is_own = |shared: &&TextureMark| {
+                    test.textures
+                        .iter()
+                        .any(|own| own.sampler == shared.sampler)
+                };
+                let shared = suite.textures.iter().filter(|shared| !is_own(shared));
+                let marks = shared.chain(&test.textures);
                 self.test(
                     analysis,
                     test,

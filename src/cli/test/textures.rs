@@ -66,10 +66,7 @@ fn texture(text: &str, folder: &Path) -> Result<Texture, String> {
     let order = ChannelOrder::read(&format!("texture={source}"))?;
     let image = match (&order.source, frame) {
         (ChannelSource::File(path), None) => still(&folder.join(path), order.vflip != Some(false))?,
-        (ChannelSource::Pass(_), frame) => {
-            let pass = source.split(',').next().unwrap_or(source);
-            buffer(folder, pass, frame.unwrap_or(0))?
-        }
+        (ChannelSource::Pass(role), frame) => buffer(folder, role.name(), frame.unwrap_or(0))?,
         _ => return Err(format!("`{text}` is not an image file or a buffer")),
     };
     let wrap = match order.wrap {
@@ -92,7 +89,7 @@ fn texture(text: &str, folder: &Path) -> Result<Texture, String> {
 
 /// An image file, with its last row first if it is flipped, as browsers upload it.
 fn still(path: &Path, is_flipped: bool) -> Result<Image, String> {
-    let shown = path.display();
+    let shown = path.strip_prefix(".").unwrap_or(path).display();
     let bytes = fs::read(path).map_err(|e| format!("cannot read {shown}: {e}"))?;
     let decoded = decode(&bytes).map_err(|e| format!("cannot read {shown}: {e}"))?;
     let width = decoded.size[0].max(1) as usize;

@@ -17,6 +17,7 @@ mod shot;
 mod show;
 mod trace;
 mod uniforms;
+mod variant;
 
 pub use bitmap::Bitmap;
 pub use columns::{percent, seconds};
@@ -27,3 +28,4 @@ pub use place::position;
 pub use setting::{FrameView, HeatMap, ShotSetting, Show, UniformText};
 pub use shot::{Loaded, Shot, shot};
 pub use trace::{TraceFacts, trace};
+pub use variant::{Unmade, Variant};

@@ -6,7 +6,7 @@ use super::{show, uniforms};
 use shaderlint_diagnostic::count;
 use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use shaderlint_exec::{
-    Bytecode, CompileOptions, Drawn, PixelTrace, Refusal, Stop, Watch, draw, trace,
+    Bytecode, CompileOptions, DrawInputs, Drawn, PixelTrace, Refusal, Stop, Watch, draw, trace,
 };
 use shaderlint_ir::Module;
 use shaderlint_lint::CachedFacts;
@@ -86,6 +86,26 @@ impl Shot {
         }
     }
 
+    /// Prepares the draw of a frame, of [`Shot::code`]. `progress` is called before each frame that it
+    /// depends on, with its number.
+    ///
+    /// # Errors
+    /// A message about a run that was stopped before.
+    pub fn prepared(
+        &mut self,
+        moment: &Moment,
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<DrawInputs, String> {
+        match &mut self.play {
+            Playback::Alone(scene) => Ok(scene.draw(self.size, moment).into_inputs()),
+            Playback::Project(player) => {
+                let inputs = player.prepared(moment, self.pass, progress);
+                let inputs = inputs.map_err(|stop| stopped(&stop))?;
+                inputs.ok_or_else(|| "the pass is not drawn as an image".to_string())
+            }
+        }
+    }
+
     /// Records up to `most` steps of a pixel.
     ///
     /// # Errors
@@ -102,14 +122,13 @@ impl Shot {
                 "the pixel {x},{y} is outside the image of {width}x{height}"
             ));
         }
-        match &mut self.play {
-            Playback::Alone(scene) => Ok(trace(&scene.draw(self.size, moment), pixel, most)),
-            Playback::Project(player) => {
-                let traced = player.trace(moment, (self.pass, pixel, most), progress);
-                let traced = traced.map_err(|stop| stopped(&stop))?;
-                traced.ok_or_else(|| "the pass has no pixels to trace".to_string())
-            }
-        }
+        let inputs = self.prepared(moment, progress)?;
+        Ok(trace(&inputs.with(self.code()), pixel, most))
+    }
+
+    /// Index of the compile unit that is shown.
+    pub const fn unit(&self) -> usize {
+        self.unit
     }
 
     /// Size of the image in pixels.
@@ -326,7 +345,12 @@ fn near(name: &str, program: &Program) -> String {
 }
 
 /// The message about a construct that cannot be run.
-fn refused(sources: &Sources, program: &Program, name: &str, refusal: &Refusal) -> String {
+pub(super) fn refused(
+    sources: &Sources,
+    program: &Program,
+    name: &str,
+    refusal: &Refusal,
+) -> String {
     let at = span(program, refusal.at).and_then(|span| position(sources, span));
     let at = at.unwrap_or_else(|| name.to_string());
     format!("{at}: unsupported: {}", refusal.what)

@@ -155,9 +155,6 @@ impl Compiler<'_> {
         let Some(frame) = self.frames.pop() else {
             return Value::Nothing;
         };
-        for &variable in &frame.kept {
-            self.forget(variable);
-        }
         if frame.left != EMPTY {
             self.push(Instr::Restore {
                 came: frame.came,
@@ -165,9 +162,15 @@ impl Compiler<'_> {
                 others: EMPTY,
             });
             self.give_back_slots(frame.came);
-            return frame.result.map_or(Value::Nothing, Value::Regs);
         }
-        frame.returned
+        self.stop_at_end(&frame);
+        for &variable in &frame.kept {
+            self.forget(variable);
+        }
+        match frame.left {
+            EMPTY => frame.returned,
+            _ => frame.result.map_or(Value::Nothing, Value::Regs),
+        }
     }
 
     /// The location of a variable.

@@ -10,7 +10,7 @@ use crate::bytecode::{
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, Module, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Program, Type, VariableId};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_syntax::ast::{Extent, TokenId};
 
 /// Maximum number of instructions of a shader.
 const MAX_INSTRS: usize = 400_000;
@@ -110,6 +110,8 @@ pub(super) struct Compiler<'p> {
     pub branch_sites: FxHashMap<Provenance, u32>,
     /// The registers of the probe, if there is one.
     pub probed: Option<Probed>,
+    /// By first token: the index of the statement.
+    pub statement_sites: FxHashMap<TokenId, u32>,
     /// The statements at which a debugger can stop; none without [`CompileOptions::steps`].
     pub statements: Statements,
     next_slot: MaskSlot,
@@ -149,6 +151,7 @@ impl<'p> Compiler<'p> {
             call_paths: FxHashMap::default(),
             branch_sites: FxHashMap::default(),
             probed: None,
+            statement_sites: FxHashMap::default(),
             statements: match options.steps {
                 true => Statements::of(&program.tree),
                 false => Statements::default(),

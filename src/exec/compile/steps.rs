@@ -3,10 +3,10 @@
 //! So that every variable in scope has its value wherever the code stops, variables live until
 //! their function ends, and loads and stores neither share registers nor write inactive lanes.
 
-use super::emit::{Compiler, Value};
+use super::emit::{CallFrame, Compiler, Value};
 use crate::bytecode::{Instr, InstrIndex, Location, StopKind, StopSite};
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Step};
-use shaderlint_semantic::{FunctionRef, VariableId};
+use shaderlint_semantic::{FunctionRef, Type, VariableId};
 use shaderlint_syntax::ast::{Extent, StmtKind, TokenId, Tree};
 
 /// What a debugger stops at: simple statements, conditions, and steps of loops.
@@ -122,6 +122,24 @@ impl Compiler<'_> {
         self.stop(extent, path, StopKind::Return(call, location(returned)));
     }
 
+    /// Marks the end of a function that is not left by a value, and of the entry point.
+    pub fn stop_at_end(&mut self, frame: &CallFrame) {
+        if !self.options.steps {
+            return;
+        }
+        let known = self.program.function(frame.function);
+        let body = known.and_then(|f| self.program.tree.function(f.definition?));
+        let returns = self.module.function(frame.function).map(|f| f.returns);
+        let is_end = self.frames.is_empty() || returns.is_some_and(Type::is_void);
+        if let Some(body) = body.filter(|_| is_end) {
+            self.stop(
+                Extent::token(body.extent.last),
+                frame.path,
+                StopKind::Statement,
+            );
+        }
+    }
+
     /// Lets the next statement be marked even if it was: another iteration starts.
     pub fn forget_stop(&mut self) {
         if let Some(frame) = self.frames.last_mut() {
@@ -130,9 +148,19 @@ impl Compiler<'_> {
     }
 
     fn stop(&mut self, extent: Extent, path: u32, kind: StopKind) {
-        let site = self.code.debug.stops.len() as u32;
-        let stop = StopSite { extent, kind, path };
-        self.code.debug.stops.push(stop);
+        let debug = &mut self.code.debug;
+        let site = debug.stops.len() as u32;
+        let known = debug.statements.len() as u32;
+        let statement = *self.statement_sites.entry(extent.first).or_insert(known);
+        if statement == known {
+            debug.statements.push(extent);
+        }
+        debug.stops.push(StopSite {
+            extent,
+            kind,
+            statement,
+            path,
+        });
         self.push(Instr::Stop(site));
     }
 

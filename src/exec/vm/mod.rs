@@ -12,7 +12,7 @@ mod texture;
 mod tracing;
 mod watch;
 
-use super::bytecode::{Bytecode, EMPTY, Instr, InstrIndex, Reg};
+use super::bytecode::{Bytecode, EMPTY, Instr, InstrIndex, Reg, StopKind};
 use super::draw::{Draw, Stop};
 use super::row::{LANES, Row};
 use active::ActiveLanes;
@@ -63,6 +63,8 @@ pub(super) struct Vm<'d> {
     pub traced: Option<TraceLog>,
     /// The lanes at whose stops a run pauses.
     pub pauses: u32,
+    /// The trace sites that the requested lanes reached, if the run pauses.
+    pub written: Vec<u32>,
     /// The index of the next instruction.
     at: usize,
     /// The number of instructions that this tile may not spend on repeats.
@@ -99,6 +101,7 @@ impl<'d> Vm<'d> {
             watched: Watched::new(code),
             traced: None,
             pauses: 0,
+            written: Vec::new(),
             at: 0,
             once: 0,
             faster,
@@ -233,6 +236,9 @@ impl<'d> Vm<'d> {
     #[expect(clippy::indexing_slicing, reason = "every register index is in bounds")]
     #[inline(never)]
     fn record(&mut self, site: u32) {
+        if self.pauses != 0 && self.active & self.requested != 0 {
+            self.written.push(site);
+        }
         if let Some(log) = &mut self.traced
             && self.active >> log.lane & 1 == 1
             && let Some(place) = self.code.traces.get(site as usize)
@@ -362,7 +368,12 @@ impl<'d> Vm<'d> {
             Instr::SkipIfNone(to) => return self.unless_any(to),
             Instr::Back(to) => return Some(JumpTarget::Back(to)),
             Instr::Stop(site) => {
-                self.watched.stop(site, self.active & self.requested);
+                if let Some(stop) = self.code.stops().get(site as usize)
+                    && stop.kind == StopKind::Statement
+                {
+                    let lanes = self.active & self.requested;
+                    self.watched.statement(stop.statement, lanes);
+                }
                 let pauses = self.active & self.pauses != 0;
                 return pauses.then_some(JumpTarget::Pause(site));
             }

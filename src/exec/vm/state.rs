@@ -53,5 +53,6 @@ impl Vm<'_> {
         (self.fuel, self.once, self.at) = (state.fuel, state.once, state.at);
         self.expanded = ActiveLanes::of(self.active, self.requested);
         self.watched.fault = None;
+        self.written.clear();
     }
 }

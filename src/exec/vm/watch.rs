@@ -5,7 +5,7 @@ use super::{Tile, Vm};
 use crate::bytecode::{Bytecode, CallPath, FaultCheck, OperandCheck, Reg};
 use crate::observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
-    NumberObservation, Observations, SiteObservation, StopObservation, Witness,
+    NumberObservation, Observations, SiteObservation, StatementObservation, Witness,
 };
 use crate::row::{LANES, Row, floats, inlined, mask_by_parts, signed};
 use fearless_simd::{f32x8, mask32x8, prelude::*, u32x8};
@@ -34,8 +34,8 @@ pub(crate) struct Watched {
     /// By check: how often pixels executed it.
     visits: Vec<u64>,
     compared: Vec<Ends>,
-    /// By stop: the lanes that reached it in this tile.
-    stopped: Vec<u32>,
+    /// By statement: the lanes that started it in this tile.
+    started: Vec<u32>,
     /// The last fault, until a debugger asks.
     pub fault: Option<Fault>,
     seen: Observations,
@@ -91,7 +91,7 @@ impl Watched {
             ran: 0,
             paid: vec![0; code.charges.len()],
             loops: loops.collect(),
-            stopped: vec![0; code.debug.stops.len()],
+            started: vec![0; code.statements().len()],
             fault: None,
             visits: vec![0; code.checks.len()],
             compared: code.compared.iter().map(|_| Ends::default()).collect(),
@@ -106,7 +106,7 @@ impl Watched {
                     .iter()
                     .map(|at| BranchObservation::new(*at))
                     .collect(),
-                stops: vec![StopObservation::default(); code.debug.stops.len()],
+                statements: vec![StatementObservation::default(); code.statements().len()],
                 ..Observations::default()
             },
         }
@@ -145,10 +145,10 @@ impl Watched {
         counts(self.iterations, self.shared_iterations)
     }
 
-    /// Counts lanes at a stop.
-    pub fn stop(&mut self, site: u32, lanes: u32) {
-        let seen = self.seen.stops.get_mut(site as usize);
-        if let (Some(seen), Some(came)) = (seen, self.stopped.get_mut(site as usize)) {
+    /// Counts lanes that start a statement.
+    pub fn statement(&mut self, index: u32, lanes: u32) {
+        let seen = self.seen.statements.get_mut(index as usize);
+        if let (Some(seen), Some(came)) = (seen, self.started.get_mut(index as usize)) {
             seen.times += lanes.count_ones() as u64;
             *came |= lanes;
         }
@@ -256,7 +256,7 @@ impl Watched {
                 self.seen.operations += cost as u64;
             }
         }
-        for (came, seen) in self.stopped.iter_mut().zip(&mut self.seen.stops) {
+        for (came, seen) in self.started.iter_mut().zip(&mut self.seen.statements) {
             seen.pixels += std::mem::take(came).count_ones() as u64;
         }
         for (count, seen) in self.loops.iter().zip(&mut self.seen.loops) {
@@ -720,7 +720,7 @@ impl Observations {
             own.taken += other.taken;
             own.skipped += other.skipped;
         }
-        for (own, other) in self.stops.iter_mut().zip(other.stops) {
+        for (own, other) in self.statements.iter_mut().zip(other.statements) {
             (own.times, own.pixels) = (own.times + other.times, own.pixels + other.pixels);
         }
         for (own, other) in self.functions.iter_mut().zip(other.functions) {

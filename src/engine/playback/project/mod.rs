@@ -17,7 +17,7 @@ use super::moment::Moment;
 use super::scene::Unfit;
 use channel::Channel;
 use shader::PassShader;
-use shaderlint_exec::{CompileOptions, Draw, Drawn, PixelTrace, Stop, draw, trace};
+use shaderlint_exec::{CompileOptions, Draw, DrawInputs, Drawn, Stop, draw};
 use shaderlint_port::{Composed, Project};
 use shaderlint_semantic::Pass;
 use target::{CUBE_SIDE, ImagePair};
@@ -195,33 +195,33 @@ impl Player {
         self.frame(moment)
     }
 
-    /// Records up to `most` steps of a pixel of a pass, given by its index in the project, in a frame;
-    /// `None` if the pass is not drawn as an image. Frames that it depends on are drawn first, as
+    /// Prepares the draw of a pass, given by its index in the project, in a frame; `None` if the pass is
+    /// not drawn as an image. Frames and passes that it depends on are drawn first, as
     /// [`Player::play_to`] does.
     ///
     /// # Errors
     /// Why a draw before it was stopped.
-    pub fn trace(
+    pub fn prepared(
         &mut self,
         moment: &Moment,
-        (pass, pixel, most): (usize, [u32; 2], usize),
+        pass: usize,
         progress: &mut dyn FnMut(u32),
-    ) -> Result<Option<PixelTrace>, Stop> {
+    ) -> Result<Option<DrawInputs>, Stop> {
         self.approach(moment, progress)?;
         self.begin(moment)?;
-        let mut traced = None;
+        let mut inputs = None;
         for at in self.order().collect::<Vec<_>>() {
             let found = self.passes.get(at).filter(|p| p.index == pass);
             if let Some(found) = found.filter(|p| p.kind != Pass::Cubemap) {
                 let prepared = self.prepare(found, self.size_of(found), moment);
-                traced = Some(trace(&prepared, pixel, most));
+                inputs = Some(prepared.into_inputs());
                 break;
             }
             self.draw_pass(at, moment)?;
         }
         // The frame is not complete.
         self.restart();
-        Ok(traced)
+        Ok(inputs)
     }
 
     /// Draws the frames that a frame depends on.

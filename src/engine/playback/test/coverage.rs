@@ -2,7 +2,7 @@
 
 use crate::Analysis;
 use rustc_hash::FxHashMap;
-use shaderlint_exec::{Bytecode, Observations, StopKind, statements};
+use shaderlint_exec::{Bytecode, Observations, statements};
 use shaderlint_ir::{Module, Provenance, Step};
 use shaderlint_semantic::{FunctionRef, Program};
 use shaderlint_syntax::ast::Extent;
@@ -53,10 +53,8 @@ pub struct CoveredFunction {
 impl RunCounts {
     /// Adds the counts of a run with [`CompileOptions::steps`](shaderlint_exec::CompileOptions::steps).
     pub(super) fn add(&mut self, code: &Bytecode, seen: &Observations) {
-        for (site, stop) in code.stops().iter().zip(&seen.stops) {
-            if site.kind == StopKind::Statement {
-                *self.statements.entry(site.extent).or_default() += stop.times;
-            }
+        for (extent, ran) in code.statements().iter().zip(&seen.statements) {
+            *self.statements.entry(*extent).or_default() += ran.times;
         }
         for branch in &seen.branches {
             let [taken, skipped] = self.branches.entry(branch.at).or_default();

@@ -185,14 +185,15 @@ fn run_pixels(
     let scene = scene.map_err(|refusal| refused(analysis, &refusal))?;
     // Without inputs, all pixels have the same result; the attributes of vertices are zero.
     let has_pixels = !scene.code.inputs.is_empty() && analysis.program.stage == Stage::Fragment;
-    let quads = match has_pixels {
-        true => quads_all_over(SIZE, QUADS, 0),
-        false => vec![[0; 2]],
-    };
     let reads_uniforms = !scene.code.uniforms.is_empty();
     for &time in times(reads_uniforms) {
         let trial = Trial { time, ..trial };
-        let sampled = sample(&trial.draw(&scene), &quads).map_err(too_long)?;
+        let draw = trial.draw(&scene);
+        let sampled = match has_pixels {
+            true => sample(&draw, &quads_all_over(SIZE, QUADS, 0)),
+            false => sample_cases(&draw, &[[0; 2]]),
+        };
+        let sampled = sampled.map_err(too_long)?;
         counted.add(&scene.code, &sampled);
         let failed = failures(&scene.code, &sampled);
         let pixel = failed
