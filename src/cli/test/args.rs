@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// A test is a function `bool test_*()` in a shader or in NAME.test.glsl next to it. A complete
 /// shader FILE is compared with the golden image FILE.golden.png.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES)]
+#[command(after_help = AFTER)]
 pub struct TestArgs {
     /// Files or folders to test [default: the current folder]
     #[arg(value_name = "PATH")]
@@ -83,7 +83,13 @@ const BENCH: &str = "Benchmarks";
 const COVERAGE: &str = "Coverage";
 const GOLDEN: &str = "Golden images";
 
-const EXIT_CODES: &str = "\
+const AFTER: &str = "\
+Comments above a test:
+  // each: x = 0.0, 0.5      Values of a parameter; each combination is a test
+  // any: x in -10..10       Random values of a parameter
+  // fails: REASON           The test is expected to fail
+  // texture: NAME = FILE    Texture of a sampler: an image, or `buffer_a at frame 3`
+
 Exit codes:
   0  All tests pass
   1  Some tests fail

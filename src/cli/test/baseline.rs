@@ -10,18 +10,18 @@ use std::path::Path;
 
 /// The operations of one call of each test, by file and name. The same on every machine.
 #[derive(Default, Serialize, Deserialize)]
-pub struct Baseline {
+pub struct OperationBaseline {
     /// Version of the format.
     schema: u32,
     operations: BTreeMap<String, BTreeMap<String, f64>>,
 }
 
-impl Baseline {
+impl OperationBaseline {
     /// Reads the file of `--baseline`.
     ///
     /// # Errors
     /// A message with the path.
-    pub fn read(path: &Path) -> Result<Baseline, String> {
+    pub fn read(path: &Path) -> Result<OperationBaseline, String> {
         let shown = path.display();
         let text = fs::read_to_string(path);
         let text = text.map_err(|e| format!("cannot read the baseline {shown}: {e}"))?;
@@ -29,10 +29,10 @@ impl Baseline {
     }
 
     /// The operations of tests that passed.
-    pub fn of(rows: &[TestRow]) -> Baseline {
-        let mut baseline = Baseline {
+    pub fn of(rows: &[TestRow]) -> OperationBaseline {
+        let mut baseline = OperationBaseline {
             schema: 1,
-            ..Baseline::default()
+            ..OperationBaseline::default()
         };
         for row in rows.iter().filter(|row| row.status != Status::Failed) {
             if let Some(operations) = row.operations {

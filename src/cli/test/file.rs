@@ -1,15 +1,12 @@
 //! The tests and golden images of one file.
 
-use super::super::config::Configs;
-use super::super::disk::Disk;
 use super::super::input::{InputFile, read};
 use super::super::port::in_folder;
-use super::TESTS;
-use super::args::TestArgs;
 use super::functions::TestFile;
 use super::golden::{self, GoldenImages, GoldenSubject};
+use super::inputs::TESTS;
 use super::outcome::TestRow;
-use super::textures::Textures;
+use super::shared::TestRun;
 use crate::diagnostic::Severity;
 use crate::engine::playback::Coverage;
 use crate::engine::{Analysis, Completeness, Options, Report, analyze};
@@ -17,22 +14,8 @@ use crate::port::PassRole;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::text::Role;
 use crate::text::kind::{FileKind, decide};
-use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-/// What all files of a run share.
-pub struct TestRun<'a> {
-    pub args: &'a TestArgs,
-    pub configs: &'a Configs,
-    /// The names of all inputs.
-    pub checked: Arc<BTreeSet<String>>,
-    pub disk: Disk,
-    pub textures: Textures,
-    /// Number of threads that draw one image.
-    pub threads: usize,
-}
 
 /// The results of one file.
 #[derive(Clone, Default)]

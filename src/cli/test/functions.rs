@@ -1,7 +1,7 @@
 //! Test functions of a file.
 
-use super::file::TestRun;
 use super::outcome::{ConditionRow, CounterexampleRow, ParameterRow, TestRow, ValueRow};
+use super::shared::TestRun;
 use super::textures;
 use crate::commands::run::{percent, position, seconds};
 use crate::engine::playback::{
@@ -47,8 +47,8 @@ impl TestFile<'_> {
             if self.run.args.coverage.is_some() {
                 found.coverage.add_files(analysis);
             }
-            let is_wanted = |test: &&Test| self.run.args.counts() || !test.is_bench;
-            for test in suite.tests.iter().filter(is_wanted) {
+            let is_selected = |test: &&Test| self.run.args.counts() || !test.is_bench;
+            for test in suite.tests.iter().filter(is_selected) {
                 let is_own = |shared: &&TextureMark| {
                     test.textures
                         .iter()

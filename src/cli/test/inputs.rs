@@ -1,10 +1,12 @@
 //! The files that a run tests.
 
 use super::super::input::InputFile;
-use super::TESTS;
 use crate::text::kind::Claim;
 use std::collections::BTreeSet;
 use std::path::Path;
+
+/// Suffix of the name of a file that tests another: `NAME.test.glsl`.
+pub const TESTS: &str = ".test";
 
 /// The inputs, and the test files that belong to files named on the command line.
 pub fn with_neighbours(inputs: Vec<InputFile>) -> Vec<InputFile> {

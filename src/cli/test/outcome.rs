@@ -1,9 +1,6 @@
 //! Results of tests, for people and for programs.
 
-use super::args::TestFormat;
 use super::difference::ImageDifference;
-use super::junit::junit;
-use super::tap::tap;
 use crate::commands::run::heat::short;
 use serde::Serialize;
 
@@ -267,17 +264,14 @@ impl Tally {
         }
     }
 
-    /// The output after the last test: failures and totals, or the JSON object.
-    pub fn text(&self, format: TestFormat) -> String {
-        match format {
-            TestFormat::Human => {}
-            TestFormat::Json => {
-                let text = serde_json::to_string_pretty(self).unwrap_or_default();
-                return format!("{text}\n");
-            }
-            TestFormat::Junit => return junit(self),
-            TestFormat::Tap => return tap(self),
-        }
+    /// The JSON object.
+    pub fn json(&self) -> String {
+        let text = serde_json::to_string_pretty(self).unwrap_or_default();
+        format!("{text}\n")
+    }
+
+    /// The text after the last test: failures and totals.
+    pub fn text(&self) -> String {
         let failed = self.tests.iter().filter(|t| t.status == Status::Failed);
         let mut text: String = failed.map(|row| format!("\n{}", row.text())).collect();
         if !self.tests.is_empty() {

@@ -1,18 +1,21 @@
 //! A run over all files, which may continue an earlier one.
 
-use super::super::command::{CLEAN, FAILED, FINDINGS};
+use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::super::config::{ConfigArgs, ConfigSource, Configs, Exclusion};
 use super::super::disk::Disk;
 use super::super::input::{InputFile, collect};
 use super::super::parallel::{in_order, threads};
 use super::super::watch::Stamp;
 use super::args::{TestArgs, TestFormat};
-use super::baseline::Baseline;
-use super::file::{Done, TestRun, test_file};
+use super::baseline::OperationBaseline;
+use super::coverage;
+use super::file::{Done, test_file};
 use super::inputs::with_neighbours;
+use super::junit::junit;
 use super::outcome::{Tally, TestRow};
+use super::shared::TestRun;
+use super::tap::tap;
 use super::textures::Textures;
-use super::{complain, coverage, print_message};
 use crate::engine::config::Selection;
 use crate::engine::playback::Coverage;
 use std::collections::BTreeMap;
@@ -22,7 +25,7 @@ use std::sync::Arc;
 
 /// The results so far, by file, with the state of the files on which they depend.
 #[derive(Default)]
-pub struct Session {
+pub struct TestSession {
     known: BTreeMap<String, (Done, Stamp)>,
 }
 
@@ -53,7 +56,7 @@ fn inputs(args: &TestArgs) -> Inputs {
 }
 
 /// The state of all files on which the results depend, and of the files that the arguments name.
-pub fn stamp(args: &TestArgs, session: &Session) -> Stamp {
+pub fn stamp(args: &TestArgs, session: &TestSession) -> Stamp {
     let files = inputs(args)
         .files
         .into_iter()
@@ -65,13 +68,17 @@ pub fn stamp(args: &TestArgs, session: &Session) -> Stamp {
     Stamp::of(files.chain(read.cloned()))
 }
 
-impl Session {
+impl TestSession {
     /// Tests the files whose results are not known or have changed. Gives the exit code.
     pub fn run(&mut self, args: &TestArgs) -> io::Result<u8> {
         let inputs = inputs(args);
         let mut problems = inputs.problems;
         problems.iter().for_each(|problem| complain(problem));
-        let baseline = args.baseline.as_deref().map(Baseline::read).transpose();
+        let baseline = args
+            .baseline
+            .as_deref()
+            .map(OperationBaseline::read)
+            .transpose();
         let baseline = match baseline {
             Ok(baseline) => baseline,
             Err(why) => {
@@ -132,9 +139,13 @@ impl Session {
             Ok(())
         })?;
         self.known = renewed;
-        io::stdout()
-            .lock()
-            .write_all(tally.text(args.format).as_bytes())?;
+        let text = match args.format {
+            TestFormat::Human => tally.text(),
+            TestFormat::Json => tally.json(),
+            TestFormat::Junit => junit(&tally),
+            TestFormat::Tap => tap(&tally),
+        };
+        io::stdout().lock().write_all(text.as_bytes())?;
         problems.extend(save(args, &tally, &all));
         if tally.tests.is_empty() && problems.is_empty() {
             complain("no tests found: expected `bool test_*()` or a golden image");
@@ -145,6 +156,11 @@ impl Session {
             () => CLEAN,
         })
     }
+}
+
+/// Prints a line on standard error.
+pub fn print_message(message: &str) {
+    let _ = writeln!(io::stderr(), "{message}");
 }
 
 /// Prints the results of a file for people.
@@ -167,7 +183,7 @@ fn save(args: &TestArgs, tally: &Tally, all: &Coverage) -> Vec<String> {
         }
     }
     if let Some(path) = &args.save_baseline {
-        results.push(Baseline::of(&tally.tests).save(path));
+        results.push(OperationBaseline::of(&tally.tests).save(path));
     }
     let problems: Vec<String> = results.into_iter().filter_map(Result::err).collect();
     problems.iter().for_each(|problem| complain(problem));

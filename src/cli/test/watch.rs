@@ -1,10 +1,9 @@
 //! `--watch`: tests again what a change touches, until it is stopped.
 
-use super::super::command::FAILED;
+use super::super::command::{FAILED, complain};
 use super::super::watch::wait;
 use super::args::TestArgs;
-use super::session::{Session, stamp};
-use super::{complain, print_message};
+use super::session::{TestSession, print_message, stamp};
 use std::io::{self, IsTerminal, Write};
 
 pub fn run(args: &TestArgs) -> io::Result<u8> {
@@ -13,7 +12,7 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
         complain(&format!("{}: no such file or folder", missing.display()));
         return Ok(FAILED);
     }
-    let mut session = Session::default();
+    let mut session = TestSession::default();
     loop {
         if io::stdout().is_terminal() {
             // Clears the screen and moves the cursor to the top.

@@ -1,6 +1,6 @@
 //! Coverage as a page: a table of the files, and their code with counts.
 
-use super::{Share, shares};
+use super::share::{Share, shares};
 use crate::engine::playback::{Coverage, FileCoverage};
 use std::collections::BTreeMap;
 use std::fmt::Write;

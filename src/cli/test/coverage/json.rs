@@ -1,6 +1,6 @@
 //! Coverage as JSON. The format may gain fields, but never loses any.
 
-use super::shares;
+use super::share::shares;
 use crate::engine::playback::{Coverage, FileCoverage};
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! The tracefile format of LCOV (geninfo(1)).
 
-use super::{Share, shares};
+use super::share::{Share, shares};
 use crate::engine::playback::{Coverage, FileCoverage};
 use std::collections::BTreeSet;
 use std::fmt::Write;

@@ -3,10 +3,12 @@
 mod html;
 mod json;
 mod lcov;
+mod share;
 
 use super::super::output::{Overwrite, write};
-use crate::engine::playback::{Coverage, FileCoverage};
+use crate::engine::playback::Coverage;
 use clap::ValueEnum;
+use share::{Share, shares};
 use std::path::Path;
 
 /// The values of `--coverage-format`.
@@ -18,38 +20,6 @@ pub enum CoverageFormat {
     Html,
     /// One JSON object
     Json,
-}
-
-/// How much of something ran.
-#[derive(Clone, Copy, Default)]
-struct Share {
-    ran: usize,
-    all: usize,
-}
-
-impl Share {
-    fn of(counts: impl Iterator<Item = u64>) -> Share {
-        counts.fold(Share::default(), |share, count| Share {
-            ran: share.ran + usize::from(count > 0),
-            all: share.all + 1,
-        })
-    }
-
-    fn percent(self) -> f64 {
-        match self.all {
-            0 => 100.0,
-            all => self.ran as f64 / all as f64 * 100.0,
-        }
-    }
-}
-
-/// Lines, branches and functions of a file.
-fn shares(file: &FileCoverage) -> [Share; 3] {
-    [
-        Share::of(file.lines().into_values()),
-        Share::of(file.branches.values().flatten().copied()),
-        Share::of(file.functions.values().map(|f| file.calls(f))),
-    ]
 }
 
 /// Writes the file of `--coverage`, in the format of its extension unless another is given.

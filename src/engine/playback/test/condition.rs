@@ -1,7 +1,7 @@
 //! The comparisons of a failed test, with the values of their operands.
 
+use super::invocation::Invocation;
 use super::quad::draw_quad;
-use super::trial::Trial;
 use shaderlint_exec::{CompileOptions, Probe};
 use shaderlint_ir::OpId;
 use shaderlint_semantic::{BuiltinId, FunctionRef, Program, Scalar, Type};
@@ -37,16 +37,16 @@ pub struct SeenValue {
 
 /// A test at a pixel.
 struct TestedPixel<'a> {
-    trial: &'a Trial<'a>,
+    invocation: &'a Invocation<'a>,
     pixel: [u32; 2],
 }
 
 /// The conditions of a test that a pixel evaluated.
-pub fn seen(trial: &Trial<'_>, pixel: [u32; 2]) -> Vec<SeenCondition> {
-    let program: &Program = &trial.analysis.program;
-    let look = TestedPixel { trial, pixel };
+pub fn seen(invocation: &Invocation<'_>, pixel: [u32; 2]) -> Vec<SeenCondition> {
+    let program: &Program = &invocation.analysis.program;
+    let look = TestedPixel { invocation, pixel };
     let mut found = Vec::new();
-    for (id, parts) in conditions(program, trial.case.function) {
+    for (id, parts) in conditions(program, invocation.case.function) {
         if found.len() == MAX_CONDITIONS {
             break;
         }
@@ -157,14 +157,14 @@ fn sides(program: &Program, side: ExprId, shown: &mut Vec<ExprId>) {
 impl TestedPixel<'_> {
     /// The value of an expression at the pixel, if it was evaluated.
     fn value(&self, id: ExprId) -> Option<String> {
-        let program = &self.trial.analysis.program;
+        let program = &self.invocation.analysis.program;
         let op = self.op(id)?;
         let (ty, bits) = self.scalars(Probe::Value(op))?;
         Some(written(program, ty, bits))
     }
 
     fn op(&self, id: ExprId) -> Option<OpId> {
-        let analysis = self.trial.analysis;
+        let analysis = self.invocation.analysis;
         analysis.module().op_of(analysis.program.tree.unparen(id))
     }
 
@@ -174,8 +174,8 @@ impl TestedPixel<'_> {
             probe: Some(probe),
             ..CompileOptions::default()
         };
-        let scene = self.trial.scene(&options).ok()?;
-        let (sampled, at) = draw_quad(&self.trial.draw(&scene), self.pixel)?;
+        let scene = self.invocation.scene(&options).ok()?;
+        let (sampled, at) = draw_quad(&self.invocation.draw(&scene), self.pixel)?;
         let [.., value, reached] = &sampled.outputs[..] else {
             return None;
         };

@@ -12,7 +12,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Line and column.
-type Place = (u32, u32);
+type LineColumn = (u32, u32);
 
 /// What ran in a test, by place in the code of the shader.
 #[derive(Clone, Default, PartialEq, Debug)]
@@ -34,11 +34,11 @@ pub struct FileCoverage {
     /// The text.
     pub text: Arc<str>,
     /// How often each statement ran.
-    pub statements: BTreeMap<Place, u64>,
+    pub statements: BTreeMap<LineColumn, u64>,
     /// How often each condition was true and false.
-    pub branches: BTreeMap<Place, [u64; 2]>,
+    pub branches: BTreeMap<LineColumn, [u64; 2]>,
     /// The functions.
-    pub functions: BTreeMap<Place, CoveredFunction>,
+    pub functions: BTreeMap<LineColumn, CoveredFunction>,
 }
 
 /// A function of a file.
@@ -47,7 +47,7 @@ pub struct CoveredFunction {
     /// Its name.
     pub name: String,
     /// Its first statement.
-    first: Place,
+    first: LineColumn,
 }
 
 impl RunCounts {
@@ -101,7 +101,7 @@ impl Coverage {
             };
             let own = statements(&program.tree, module, id);
             let places = own.iter().filter_map(|extent| place(program, *extent));
-            let places: Vec<Place> = places
+            let places: Vec<LineColumn> = places
                 .filter(|(p, _)| *p == path)
                 .map(|(_, at)| at)
                 .collect();
@@ -180,7 +180,7 @@ impl Coverage {
 }
 
 /// The path and position of code under test.
-fn place(program: &Program, extent: Extent) -> Option<(String, Place)> {
+fn place(program: &Program, extent: Extent) -> Option<(String, LineColumn)> {
     let start = program.span(extent).start;
     let file = program.sources.file_at(start)?;
     let stem = Path::new(&file.path).file_stem()?.to_str()?;
@@ -192,7 +192,11 @@ fn place(program: &Program, extent: Extent) -> Option<(String, Place)> {
 }
 
 /// The branches of a function.
-fn branches(program: &Program, module: &Module, function: FunctionRef) -> Vec<(String, Place)> {
+fn branches(
+    program: &Program,
+    module: &Module,
+    function: FunctionRef,
+) -> Vec<(String, LineColumn)> {
     let body = module.function(function).and_then(|f| f.body);
     let steps = module.steps_in(body.map_or(&[][..], |body| module.steps(body)));
     let origins = steps.filter_map(|step| match step {

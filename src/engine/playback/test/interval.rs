@@ -8,13 +8,13 @@ const MAX_DECIMALS: i32 = 6;
 
 /// The interval of one scalar; both ends are included.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Interval {
+pub(super) struct ValueInterval {
     pub scalar: Scalar,
     pub low: f64,
     pub high: f64,
 }
 
-impl Interval {
+impl ValueInterval {
     /// A number as a value of the type inside the interval.
     fn fitted(&self, number: f64) -> f64 {
         let number = match self.scalar {
@@ -117,7 +117,7 @@ mod tests {
             (Scalar::Uint, 2.0, 4_294_967_295.0),
         ];
         for (scalar, low, high) in intervals {
-            let interval = Interval { scalar, low, high };
+            let interval = ValueInterval { scalar, low, high };
             for seed in 0..500 {
                 let value = interval.random(seed);
                 assert!((low..=high).contains(&value), "{value}");

@@ -4,11 +4,11 @@
 mod condition;
 mod coverage;
 mod interval;
+mod invocation;
 mod marks;
 mod quad;
 mod random;
 mod suite;
-mod trial;
 
 pub use condition::{SeenCondition, SeenValue};
 pub use coverage::{Coverage, CoveredFunction, FileCoverage, RunCounts};
@@ -16,6 +16,7 @@ pub use marks::{TestProblem, TextureMark};
 pub use suite::{Test, TestCase, TestSuite, unusable_tests};
 
 use crate::Analysis;
+use invocation::{Invocation, failures};
 use quad::SIZE;
 use random::{RandomInputs, Values};
 use shaderlint_exec::{
@@ -25,7 +26,6 @@ use shaderlint_exec::{
 use shaderlint_math::hash;
 use shaderlint_semantic::Stage;
 use shaderlint_text::Span;
-use trial::{Trial, failures};
 
 /// Number of tested 2x2 quads.
 const QUADS: usize = 48 * 48;
@@ -113,17 +113,17 @@ pub fn run_test(
     textures: &[(String, Texture)],
     settings: &TestSettings,
 ) -> TestResult {
-    let trial = Trial {
+    let invocation = Invocation {
         analysis,
         case,
         textures,
         given: &[],
         time: 0.0,
     };
-    let mut counted = Counted::default();
+    let mut counted = CallCounts::default();
     let verdict = match case.any.is_empty() {
-        true => run_pixels(trial, settings, &mut counted),
-        false => run_random(trial, settings, &mut counted),
+        true => run_pixels(invocation, settings, &mut counted),
+        false => run_random(invocation, settings, &mut counted),
     };
     TestResult {
         verdict: verdict.unwrap_or_else(|verdict| verdict),
@@ -134,13 +134,13 @@ pub fn run_test(
 
 /// The operations of all calls.
 #[derive(Default)]
-struct Counted {
+struct CallCounts {
     operations: u64,
     calls: u64,
     counts: RunCounts,
 }
 
-impl Counted {
+impl CallCounts {
     fn add(&mut self, code: &Bytecode, sampled: &Sampled) {
         self.counts.add(code, &sampled.seen);
         self.operations += sampled.cost.iter().copied().map(u64::from).sum::<u64>();
@@ -176,19 +176,19 @@ fn too_long(_: Stop) -> TestVerdict {
 
 /// Runs a test with fixed values for pixels all over the image.
 fn run_pixels(
-    trial: Trial<'_>,
+    invocation: Invocation<'_>,
     settings: &TestSettings,
-    counted: &mut Counted,
+    counted: &mut CallCounts,
 ) -> Result<TestVerdict, TestVerdict> {
-    let analysis = trial.analysis;
-    let scene = trial.scene(&options(settings));
+    let analysis = invocation.analysis;
+    let scene = invocation.scene(&options(settings));
     let scene = scene.map_err(|refusal| refused(analysis, &refusal))?;
     // Without inputs, all pixels have the same result; the attributes of vertices are zero.
     let has_pixels = !scene.code.inputs.is_empty() && analysis.program.stage == Stage::Fragment;
     let reads_uniforms = !scene.code.uniforms.is_empty();
     for &time in times(reads_uniforms) {
-        let trial = Trial { time, ..trial };
-        let draw = trial.draw(&scene);
+        let invocation = Invocation { time, ..invocation };
+        let draw = invocation.draw(&scene);
         let sampled = match has_pixels {
             true => sample(&draw, &quads_all_over(SIZE, QUADS, 0)),
             false => sample_cases(&draw, &[[0; 2]]),
@@ -208,7 +208,7 @@ fn run_pixels(
                 size: SIZE,
                 time: reads_uniforms.then_some(time),
                 found: None,
-                conditions: condition::seen(&trial, pixel),
+                conditions: condition::seen(&invocation, pixel),
             })));
         }
     }
@@ -217,15 +217,15 @@ fn run_pixels(
 
 /// Runs a test with random values.
 fn run_random(
-    trial: Trial<'_>,
+    invocation: Invocation<'_>,
     settings: &TestSettings,
-    counted: &mut Counted,
+    counted: &mut CallCounts,
 ) -> Result<TestVerdict, TestVerdict> {
-    let analysis = trial.analysis;
-    let scene = trial.scene(&options(settings));
+    let analysis = invocation.analysis;
+    let scene = invocation.scene(&options(settings));
     let scene = scene.map_err(|refusal| refused(analysis, &refusal))?;
-    let inputs = RandomInputs::of(&trial).map_err(TestVerdict::Invalid)?;
-    let is_parameter = |name: &str| trial.case.any.iter().any(|any| any.name == name);
+    let inputs = RandomInputs::of(&invocation).map_err(TestVerdict::Invalid)?;
+    let is_parameter = |name: &str| invocation.case.any.iter().any(|any| any.name == name);
     let reads_pixel = analysis.program.stage == Stage::Fragment
         && scene.code.inputs.iter().any(|i| !is_parameter(&i.name));
     let reads_uniforms = !scene.code.uniforms.is_empty();
@@ -239,12 +239,12 @@ fn run_random(
     };
     let given = inputs.given(&cases);
     for &time in times(reads_uniforms) {
-        let trial = Trial {
+        let invocation = Invocation {
             time,
             given: &given,
-            ..trial
+            ..invocation
         };
-        let sampled = sample_cases(&trial.draw(&scene), &pixels).map_err(too_long)?;
+        let sampled = sample_cases(&invocation.draw(&scene), &pixels).map_err(too_long)?;
         counted.add(&scene.code, &sampled);
         let failed = failures(&scene.code, &sampled);
         let Some(first) = failed.first().copied() else {
@@ -252,11 +252,11 @@ fn run_random(
         };
         let pixel = pixels.get(first).copied().unwrap_or_default();
         let values = cases.get(first).cloned().unwrap_or_default();
-        let simplest = inputs.shrink(&trial, &scene, pixel, values.clone());
+        let simplest = inputs.shrink(&invocation, &scene, pixel, values.clone());
         let given = inputs.given(std::slice::from_ref(&simplest));
-        let shown = Trial {
+        let shown = Invocation {
             given: &given,
-            ..trial
+            ..invocation
         };
         let type_name = |any: &suite::AnyParameter| analysis.program.type_name(any.ty);
         return Ok(TestVerdict::Failed(Box::new(TestFailure {

@@ -1,10 +1,10 @@
 //! Tests with random values: the values of all cases, and the simplest that fail.
 
-use super::interval::Interval;
+use super::interval::ValueInterval;
+use super::invocation::{GivenInput, Invocation, failures};
 use super::marks::TestProblem;
 use super::quad::SIZE;
 use super::suite::{AnyParameter, TestCase};
-use super::trial::{GivenInput, Trial, failures};
 use crate::playback::Scene;
 use shaderlint_exec::{CompileOptions, OutputSlot, Stop, sample, sample_cases};
 use shaderlint_math::hash;
@@ -17,7 +17,7 @@ const MAX_SHRINKS: usize = 400;
 pub(super) struct RandomInputs<'a> {
     parameters: &'a [AnyParameter],
     /// By parameter, then by scalar.
-    intervals: Vec<Vec<Interval>>,
+    intervals: Vec<Vec<ValueInterval>>,
 }
 
 /// The values of a case: by parameter, then by scalar.
@@ -25,8 +25,8 @@ pub(super) type Values = Vec<Vec<f64>>;
 
 impl<'a> RandomInputs<'a> {
     /// Evaluates the ends of the intervals.
-    pub fn of(trial: &Trial<'a>) -> Result<RandomInputs<'a>, TestProblem> {
-        let parameters = &trial.case.any;
+    pub fn of(invocation: &Invocation<'a>) -> Result<RandomInputs<'a>, TestProblem> {
+        let parameters = &invocation.case.any;
         let mut intervals = Vec::new();
         for parameter in parameters {
             let problem = |message: String| TestProblem {
@@ -40,9 +40,9 @@ impl<'a> RandomInputs<'a> {
                     values: Vec::new(),
                     any: Vec::new(),
                 };
-                numbers(&Trial {
+                numbers(&Invocation {
                     case: &case,
-                    ..*trial
+                    ..*invocation
                 })
             });
             let [Some(low), Some(high)] = ends else {
@@ -50,10 +50,10 @@ impl<'a> RandomInputs<'a> {
             };
             let scalar = parameter.ty.scalar_kind().unwrap_or(Scalar::Float);
             let pairs = low.into_iter().zip(high);
-            let own: Vec<Interval> = pairs
-                .map(|(low, high)| Interval { scalar, low, high })
+            let own: Vec<ValueInterval> = pairs
+                .map(|(low, high)| ValueInterval { scalar, low, high })
                 .collect();
-            let is_valid = |i: &Interval| i.low <= i.high && (i.high - i.low).is_finite();
+            let is_valid = |i: &ValueInterval| i.low <= i.high && (i.high - i.low).is_finite();
             if !own.iter().all(is_valid) {
                 let message = "the interval is empty: its low end exceeds its high end";
                 return Err(problem(message.to_string()));
@@ -69,7 +69,7 @@ impl<'a> RandomInputs<'a> {
     /// The values of a case: first the simplest, then the ends, then random ones.
     pub fn values(&self, case: u32, seed: u32) -> Values {
         let mut lane = 0_u32;
-        let mut value = |interval: &Interval| {
+        let mut value = |interval: &ValueInterval| {
             lane = lane.wrapping_add(1);
             match case {
                 0 => interval.simplest(),
@@ -126,7 +126,7 @@ impl<'a> RandomInputs<'a> {
     /// The simplest values that fail as well, at the same pixel and time.
     pub fn shrink(
         &self,
-        trial: &Trial<'_>,
+        invocation: &Invocation<'_>,
         scene: &Scene,
         pixel: [u32; 2],
         failing: Values,
@@ -152,7 +152,7 @@ impl<'a> RandomInputs<'a> {
                     });
                     let mut candidates: Vec<Values> = candidates.collect();
                     runs += 1;
-                    let failing = self.first_failure(trial, scene, pixel, &candidates);
+                    let failing = self.first_failure(invocation, scene, pixel, &candidates);
                     if let Some(failing) = failing {
                         best = candidates.swap_remove(failing);
                         is_changed = true;
@@ -165,18 +165,18 @@ impl<'a> RandomInputs<'a> {
 
     fn first_failure(
         &self,
-        trial: &Trial<'_>,
+        invocation: &Invocation<'_>,
         scene: &Scene,
         pixel: [u32; 2],
         candidates: &[Values],
     ) -> Option<usize> {
         let given = self.given(candidates);
-        let trial = Trial {
+        let invocation = Invocation {
             given: &given,
-            ..*trial
+            ..*invocation
         };
         let pixels = vec![pixel; candidates.len()];
-        let sampled = sample_cases(&trial.draw(scene), &pixels).ok()?;
+        let sampled = sample_cases(&invocation.draw(scene), &pixels).ok()?;
         failures(&scene.code, &sampled).first().copied()
     }
 }
@@ -192,9 +192,9 @@ pub(super) fn pixels(count: u32, seed: u32) -> Vec<[u32; 2]> {
 }
 
 /// The scalars that a function returns.
-fn numbers(trial: &Trial<'_>) -> Option<Vec<f64>> {
-    let scene = trial.scene(&CompileOptions::default()).ok()?;
-    let sampled: Result<_, Stop> = sample(&trial.draw(&scene), &[[0; 2]]);
+fn numbers(invocation: &Invocation<'_>) -> Option<Vec<f64>> {
+    let scene = invocation.scene(&CompileOptions::default()).ok()?;
+    let sampled: Result<_, Stop> = sample(&invocation.draw(&scene), &[[0; 2]]);
     let is_answer = |slot: &OutputSlot| slot.name.is_empty();
     let at = scene.code.outputs.iter().position(is_answer)?;
     let slot = scene.code.outputs.get(at)?;

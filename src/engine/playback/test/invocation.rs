@@ -16,7 +16,7 @@ pub struct GivenInput {
 
 /// A test whose inputs are known.
 #[derive(Clone, Copy)]
-pub struct Trial<'a> {
+pub struct Invocation<'a> {
     pub analysis: &'a Analysis,
     pub case: &'a TestCase,
     pub textures: &'a [(String, Texture)],
@@ -26,7 +26,7 @@ pub struct Trial<'a> {
     pub time: f64,
 }
 
-impl<'a> Trial<'a> {
+impl<'a> Invocation<'a> {
     /// Compiles the test.
     pub fn scene(&self, options: &CompileOptions) -> Result<Scene, Refusal> {
         let options = CompileOptions {
