@@ -1,6 +1,8 @@
 //! Runs the command that the arguments of `shaderlint` name.
 
 use super::command::{CLEAN, FAILED, FINDINGS, complain};
+#[cfg(feature = "dap")]
+use super::dap;
 use super::lint::{self, Command, LintArgs, ListFormat, ProgramName, init, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
@@ -50,6 +52,8 @@ fn run_command(command: &Command) -> io::Result<u8> {
             let was_shut_down = lsp::serve()?;
             return Ok(if was_shut_down { CLEAN } else { FINDINGS });
         }
+        #[cfg(feature = "dap")]
+        Command::Dap => return dap::serve().map(|()| CLEAN),
         #[cfg(feature = "mcp")]
         Command::Mcp => return mcp::serve().map(|()| CLEAN),
         #[cfg(feature = "mcp")]

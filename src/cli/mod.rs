@@ -8,9 +8,13 @@
 mod color;
 mod command;
 mod config;
+#[cfg(feature = "dap")]
+mod dap;
 mod disk;
 mod dispatch;
 mod fmt;
+#[cfg(any(feature = "dap", feature = "lsp"))]
+mod framing;
 mod input;
 mod lint;
 #[cfg(feature = "lsp")]

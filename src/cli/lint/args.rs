@@ -232,6 +232,9 @@ pub enum Command {
         #[arg(long, hide = true)]
         stdio: bool,
     },
+    /// Run the debugger over standard input and output, for editors: the Debug Adapter Protocol
+    #[cfg(feature = "dap")]
+    Dap,
     /// Run the Model Context Protocol (MCP) server over standard input and output
     #[cfg(feature = "mcp")]
     Mcp,

@@ -31,7 +31,7 @@ pub fn frame(
     let image = RenderedImage::of(shot.code(), &drawn, 0);
     let bitmap = match (view.heat, view.show) {
         (Some(heat), _) => heat_map(heat, &image, &drawn),
-        (None, Some(show)) => show::render(show, shot.code(), &drawn),
+        (None, Some(show)) => show::value_image(&show.name, shot.code(), &drawn),
         (None, None) => Bitmap::of(&image),
     };
     let mut facts = facts_of(loaded, shot, (&drawn, &image), moment);

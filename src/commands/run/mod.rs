@@ -27,5 +27,6 @@ pub use frame::{Frame, frame};
 pub use place::position;
 pub use setting::{FrameView, HeatMap, ShotSetting, Show, UniformText};
 pub use shot::{Loaded, Shot, shot};
+pub use show::value_image;
 pub use trace::{TraceFacts, trace};
 pub use variant::{Unmade, Variant};

@@ -90,14 +90,14 @@ fn full_line(file: &SourceFile, number: u32) -> Option<Span> {
 
 /// Draws a scalar as a heat map and a vector as colours. Values outside 0 to 1 are scaled to the
 /// range from smallest to largest.
-pub fn render(show: &Show, code: &Bytecode, drawn: &Drawn) -> Bitmap {
+pub fn value_image(name: &str, code: &Bytecode, drawn: &Drawn) -> Bitmap {
     // The last output is the flag that says whether the line ran.
     let at = code.outputs.len().saturating_sub(2);
     let lanes = code.outputs.get(at).map_or(0, |slot| slot.ty.components());
     let image = RenderedImage::of(code, drawn, at);
     if lanes == 1 {
         let values = image.pixels.iter().map(|p| f64::from(p[0]));
-        return heat::map(drawn.size, &values.collect::<Vec<_>>(), &show.name);
+        return heat::map(drawn.size, &values.collect::<Vec<_>>(), name);
     }
     let numbers = || {
         image

@@ -141,19 +141,6 @@ pub fn rounded(number: f64) -> String {
     }
 }
 
-/// An integer with a comma between groups of three digits: `9,216`.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 /// A share in percent, rounded for a message.
 pub fn percent(share: f64) -> String {
     match share * 100.0 {

@@ -20,10 +20,11 @@ use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
 use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, Round, SIZE, SampleLimit, colors};
-pub use culprit::{Culprit, grouped, percent, report_broken, rounded};
+pub use culprit::{Culprit, percent, report_broken, rounded};
 pub use hit::{Hit, MarchOutcome, RayCounts};
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};
+pub use shaderlint_diagnostic::grouped;
 pub use verdict::{OFTEN, UnreportedFault, Verdict};
 
 use shaderlint_exec::{Bytecode, Draw};

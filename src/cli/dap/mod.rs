@@ -1,0 +1,108 @@
+//! `shaderlint dap`: a debugger over standard input and output.
+
+use super::framing;
+use super::run::{Undrawable, decode, read};
+use crate::commands::run::{Loaded, position};
+use crate::dap::{Adapter, Launch, Programs};
+use crate::diagnostic::Severity;
+use crate::engine::playback::Decode;
+use crate::port::Composed;
+use serde_json::Value;
+use std::io::{self, Write};
+use std::path::Path;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::thread;
+
+/// Serves a client until it disconnects.
+///
+/// # Errors
+/// If standard input holds no message, or standard output fails.
+pub fn serve() -> io::Result<()> {
+    let (sender, messages) = channel();
+    thread::Builder::new()
+        .name("input".to_string())
+        .spawn(move || {
+            let mut input = io::stdin().lock();
+            loop {
+                let body = framing::read_body(&mut input);
+                let is_last = !matches!(body, Ok(Some(_)));
+                if sender.send(body).is_err() || is_last {
+                    return;
+                }
+            }
+        })?;
+    let programs = DiskPrograms;
+    let mut adapter = Adapter::new(&programs);
+    while !adapter.is_done() {
+        let Some(body) = next(&messages, &mut adapter)? else {
+            return Ok(());
+        };
+        let message: Value = serde_json::from_slice(&body)
+            .map_err(|e| io::Error::new(io::ErrorKind::InvalidData, format!("not JSON: {e}")))?;
+        write(adapter.handle(&message))?;
+    }
+    Ok(())
+}
+
+/// The next message. What can wait is done while there is none.
+fn next(
+    messages: &Receiver<io::Result<Option<Vec<u8>>>>,
+    adapter: &mut Adapter<'_>,
+) -> io::Result<Option<Vec<u8>>> {
+    match messages.try_recv() {
+        Ok(body) => return body,
+        Err(TryRecvError::Disconnected) => return Ok(None),
+        Err(TryRecvError::Empty) => write(adapter.idle())?,
+    }
+    messages.recv().unwrap_or(Ok(None))
+}
+
+fn write(messages: Vec<Value>) -> io::Result<()> {
+    let mut output = io::stdout().lock();
+    for message in messages {
+        framing::write_body(&mut output, &message.to_string())?;
+    }
+    output.flush()
+}
+
+/// Programs on disk.
+struct DiskPrograms;
+
+impl Programs for DiskPrograms {
+    fn load(&self, launch: &Launch) -> Result<Loaded, String> {
+        let path = Path::new(&launch.program);
+        match read(path, launch.host.as_deref(), &launch.channels) {
+            Ok(loaded) => Ok(loaded.shader),
+            Err(Undrawable::Words(words)) => Err(words),
+            Err(Undrawable::Errors(composed)) => Err(first_error(&composed)),
+        }
+    }
+
+    fn decode(&self) -> Option<Decode> {
+        Some(decode)
+    }
+
+    fn threads(&self) -> usize {
+        thread::available_parallelism().map_or(1, usize::from)
+    }
+
+    fn path(&self, path: &str) -> String {
+        let known = Path::new(path).canonicalize();
+        let path = known.map_or(path.to_string(), |known| {
+            known.to_string_lossy().into_owned()
+        });
+        path.replace('\\', "/")
+    }
+}
+
+/// The first error of a shader that cannot run.
+fn first_error(composed: &Composed) -> String {
+    let units = composed.units.iter().map(|unit| composed.analysis(unit));
+    let mut found = units.flat_map(|checked| &checked.diagnostics);
+    let error = found.find(|d| d.severity == Severity::Error);
+    let message = error.map(|error| match position(&composed.sources, error.span) {
+        Some(at) => format!("{at}: {}", error.message),
+        None => error.message.clone(),
+    });
+    message.unwrap_or_else(|| "the shader has errors".to_string())
+}

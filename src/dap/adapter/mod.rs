@@ -1,0 +1,218 @@
+//! The requests of the Debug Adapter Protocol.
+//!
+//! <https://microsoft.github.io/debug-adapter-protocol/specification>. Requests that begin with
+//! `shaderlint/` are additions, described in `docs/debugging.md`.
+
+mod inspect;
+mod motion;
+mod session;
+mod set;
+mod sources;
+mod start;
+
+use super::arguments::{Asked, SetBreakpoints};
+use super::debuggee::Programs;
+use super::stepping::StepKind;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+use session::Session;
+
+/// A debugger for one client.
+pub struct Adapter<'p> {
+    programs: &'p dyn Programs,
+    session: Option<Session>,
+    /// What the client asked before a program was launched.
+    client: Client,
+    /// The number of the last message.
+    sequence: u64,
+    /// Whether the client has disconnected.
+    is_done: bool,
+}
+
+/// What a client said about itself and about breakpoints, which outlives programs.
+#[derive(Default)]
+struct Client {
+    /// 1 if the first line or column is 1.
+    first_line: u32,
+    first_column: u32,
+    breakpoints: Vec<SetBreakpoints>,
+    /// The filters of faults.
+    filters: Vec<String>,
+    is_configured: bool,
+}
+
+/// A request.
+#[derive(Deserialize)]
+struct Request {
+    #[serde(default)]
+    seq: u64,
+    #[serde(default)]
+    command: String,
+    #[serde(default)]
+    arguments: Value,
+}
+
+/// What a request leads to: the body of its answer, and events.
+struct Reply {
+    body: Value,
+    events: Vec<Event>,
+}
+
+/// An event: its name and body.
+type Event = (&'static str, Value);
+
+/// The answer to a request, or a message about what is wrong.
+type Answer = Result<Reply, String>;
+
+impl Reply {
+    fn with(body: Value) -> Reply {
+        Reply {
+            body,
+            events: Vec::new(),
+        }
+    }
+}
+
+impl<'p> Adapter<'p> {
+    /// An adapter that reads programs in this way.
+    pub fn new(programs: &'p dyn Programs) -> Adapter<'p> {
+        Adapter {
+            programs,
+            session: None,
+            client: Client {
+                first_line: 1,
+                first_column: 1,
+                ..Client::default()
+            },
+            sequence: 0,
+            is_done: false,
+        }
+    }
+
+    /// Whether the client has disconnected.
+    pub const fn is_done(&self) -> bool {
+        self.is_done
+    }
+
+    /// Handles a message. Returns the messages for the client.
+    pub fn handle(&mut self, message: &Value) -> Vec<Value> {
+        let Ok(request) = Request::deserialize(message) else {
+            return Vec::new();
+        };
+        if message.get("type").and_then(Value::as_str) != Some("request") {
+            return Vec::new();
+        }
+        let answer = self.answer(&request);
+        let (body, events, error) = match answer {
+            Ok(reply) => (reply.body, reply.events, None),
+            Err(message) => (Value::Null, Vec::new(), Some(message)),
+        };
+        let mut response = json!({
+            "type": "response",
+            "request_seq": request.seq,
+            "command": request.command,
+            "success": error.is_none(),
+        });
+        if let Some(fields) = response.as_object_mut() {
+            if let Some(message) = error {
+                let shown = json!({ "id": 1, "format": message, "showUser": true });
+                fields.insert("message".to_string(), message.into());
+                fields.insert("body".to_string(), json!({ "error": shown }));
+            } else if !body.is_null() {
+                fields.insert("body".to_string(), body);
+            }
+        }
+        let events = events
+            .into_iter()
+            .map(|(event, body)| json!({ "type": "event", "event": event, "body": body }));
+        let mut messages: Vec<Value> = std::iter::once(response).chain(events).collect();
+        self.number(&mut messages);
+        messages
+    }
+
+    /// Work that can wait until no message does. Returns the messages for the client.
+    pub fn idle(&mut self) -> Vec<Value> {
+        let threads = self.programs.threads();
+        let events = match &mut self.session {
+            Some(session) if self.client.is_configured => session.count_hits(threads),
+            _ => Vec::new(),
+        };
+        let events = events.into_iter();
+        let mut messages: Vec<Value> = events
+            .map(|(event, body)| json!({ "type": "event", "event": event, "body": body }))
+            .collect();
+        self.number(&mut messages);
+        messages
+    }
+
+    fn number(&mut self, messages: &mut [Value]) {
+        for message in messages {
+            self.sequence += 1;
+            if let Some(fields) = message.as_object_mut() {
+                fields.insert("seq".to_string(), self.sequence.into());
+            }
+        }
+    }
+
+    fn answer(&mut self, request: &Request) -> Answer {
+        match request.command.as_str() {
+            "initialize" => return self.initialize(&request.arguments),
+            "launch" => return self.launch(&request.arguments),
+            "attach" => return Err("there is nothing to attach to; use `launch`".to_string()),
+            "setBreakpoints" => return self.set_breakpoints(read(&request.arguments)?),
+            "setExceptionBreakpoints" => {
+                return self.set_filters(read::<Asked>(&request.arguments)?.filters);
+            }
+            "setFunctionBreakpoints" => return Ok(Reply::with(json!({ "breakpoints": [] }))),
+            "configurationDone" => return self.configured(),
+            "restart" | "shaderlint/reload" => return self.reload(),
+            "disconnect" | "terminate" => return Ok(self.end(&request.command)),
+            _ => {}
+        }
+        let asked: Asked = read(&request.arguments)?;
+        match request.command.as_str() {
+            "shaderlint/pixel" => return self.moved(&asked),
+            "shaderlint/image" => return self.image(&asked),
+            _ => {}
+        }
+        let session = self.session.as_mut().ok_or("no program is running")?;
+        let client = &self.client;
+        match request.command.as_str() {
+            "threads" => Ok(session.threads()),
+            "stackTrace" => session.stack(client, &asked),
+            "scopes" => session.scopes(&asked),
+            "variables" => session.variables(&asked),
+            "evaluate" => session.evaluate(&asked),
+            "source" => session.source(&asked),
+            "loadedSources" => Ok(session.loaded_sources()),
+            "breakpointLocations" => session.breakpoint_locations(client, &asked),
+            "exceptionInfo" => Ok(session.exception()),
+            "dataBreakpointInfo" => Ok(session.data_breakpoint(&asked)),
+            "setDataBreakpoints" => Ok(session.set_data_breakpoints(&asked)),
+            "continue" => session.resume(&asked),
+            "reverseContinue" => session.reverse(&asked),
+            "next" => session.step(&asked, StepKind::Over),
+            "stepIn" => session.step(&asked, StepKind::In),
+            "stepOut" => session.step(&asked, StepKind::Out),
+            "stepBack" if asked.granularity == "instruction" => {
+                session.step(&asked, StepKind::BackIn)
+            }
+            "stepBack" => session.step(&asked, StepKind::Back),
+            "shaderlint/stepBackIn" => session.step(&asked, StepKind::BackIn),
+            "shaderlint/stepBackOut" => session.step(&asked, StepKind::BackOut),
+            "shaderlint/nextIteration" => session.step(&asked, StepKind::NextIteration),
+            "shaderlint/written" => session.written(&asked),
+            "pause" => Ok(Reply::with(Value::Null)),
+            other => Err(format!("unknown request `{other}`")),
+        }
+    }
+}
+
+/// Reads the arguments of a request.
+fn read<T: DeserializeOwned + Default>(arguments: &Value) -> Result<T, String> {
+    match arguments {
+        Value::Null => Ok(T::default()),
+        given => T::deserialize(given).map_err(|e| format!("wrong arguments: {e}")),
+    }
+}

@@ -1,0 +1,270 @@
+//! A program that is debugged: the moment that is shown, and what the client asked about.
+
+use super::Event;
+use crate::arguments::{DataBreakpointArgument, Launch};
+use crate::breakpoints::{Breakpoint, starts, stopped};
+use crate::debuggee::Debuggee;
+use crate::evaluate::EvaluatedExpression;
+use crate::places::StackFrame;
+use crate::stepping::next;
+use crate::timeline::Timeline;
+use crate::value::DebugValue;
+use serde_json::json;
+use shaderlint_exec::{Draw, Fault, Pause, QUAD, Replay, lane_of};
+use shaderlint_semantic::VariableId;
+use std::rc::Rc;
+
+/// A program that is debugged.
+pub struct Session {
+    pub debuggee: Debuggee,
+    pub launch: Launch,
+    /// By lane: the moments of its pixel.
+    pub timelines: [Timeline; QUAD],
+    /// The lane that is debugged.
+    pub focus: usize,
+    /// Its moment.
+    pub moment: u32,
+    /// The fault that is shown.
+    pub fault: Option<Fault>,
+    pub breakpoints: Vec<Breakpoint>,
+    pub data: Vec<DataBreakpointArgument>,
+    pub filters: Vec<String>,
+    pub next_breakpoint: u32,
+    /// 1 if the client counts lines from 1.
+    pub first_line: u32,
+    /// What references to variables refer to, while the program is stopped.
+    pub handles: Vec<Handle>,
+    /// Expressions that were compiled: the statement, the text, the program.
+    pub compiled: Vec<(u32, String, Rc<EvaluatedExpression>)>,
+}
+
+/// What a reference to variables refers to.
+#[derive(Clone)]
+pub enum Handle {
+    /// The variables of a frame: its lane, the index of the frame, and which of its scopes.
+    Scope {
+        lane: usize,
+        frame: usize,
+        number: usize,
+    },
+    /// The parts of a value, with its expression.
+    Parts(DebugValue, String, Option<VariableId>),
+}
+
+/// A place to come back to after the program has changed.
+pub struct Mark {
+    file: String,
+    line: u32,
+    /// How often the statement had been started.
+    count: usize,
+}
+
+/// What is at a moment of a lane.
+pub struct Now<'d> {
+    pub replay: Replay<'d>,
+    pub pause: Pause,
+    pub lane: usize,
+}
+
+impl Session {
+    /// A session at the first statement of a pixel.
+    pub fn of(debuggee: Debuggee, launch: Launch, pixel: [u32; 2]) -> Result<Session, String> {
+        let mut session = Session {
+            debuggee,
+            launch,
+            timelines: quad(pixel),
+            focus: lane_of(pixel),
+            moment: 1,
+            fault: None,
+            breakpoints: Vec::new(),
+            data: Vec::new(),
+            filters: Vec::new(),
+            next_breakpoint: 1,
+            first_line: 1,
+            handles: Vec::new(),
+            compiled: Vec::new(),
+        };
+        session.moment = session.first()?;
+        Ok(session)
+    }
+
+    /// Shows another pixel, at its first statement.
+    pub fn show_pixel(&mut self, pixel: [u32; 2]) -> Result<(), String> {
+        self.timelines = quad(pixel);
+        self.focus = lane_of(pixel);
+        self.launch.pixel = Some(pixel);
+        self.moment = self.first()?;
+        for breakpoint in &mut self.breakpoints {
+            breakpoint.forget();
+        }
+        self.settle();
+        Ok(())
+    }
+
+    /// The first moment in code of the user.
+    fn first(&mut self) -> Result<u32, String> {
+        let draw = self.debuggee.build.draw();
+        let timeline = focused(&mut self.timelines, self.focus)?;
+        let first = next(&self.debuggee, timeline, &draw, 0, &mut |_| true);
+        let first = first.map_err(|stop| stopped(&stop))?;
+        first.ok_or_else(|| "the shader has no statement that this pixel runs".to_string())
+    }
+
+    /// Forgets what depends on the moment.
+    pub fn settle(&mut self) {
+        self.handles.clear();
+        self.fault = None;
+    }
+
+    /// The pixel that is debugged.
+    pub fn pixel(&self) -> [u32; 2] {
+        self.timelines.get(self.focus).map_or([0; 2], |t| t.pixel)
+    }
+
+    /// Calls `ask` with what is at the current moment of a lane; that of another lane is its last one
+    /// before.
+    pub fn at<T>(
+        &mut self,
+        lane: usize,
+        ask: impl FnOnce(&Debuggee, &mut Now<'_>) -> T,
+    ) -> Result<T, String> {
+        let draw = self.debuggee.build.draw();
+        let moment = match lane == self.focus {
+            true => self.moment,
+            false => self.moment_of_lane(lane, &draw)?,
+        };
+        let timeline = focused(&mut self.timelines, lane)?;
+        let found = timeline.at(&draw, moment).map_err(|stop| stopped(&stop))?;
+        let (replay, pause) = found.ok_or("the pixel does not run")?;
+        let mut now = Now {
+            replay,
+            pause,
+            lane,
+        };
+        Ok(ask(&self.debuggee, &mut now))
+    }
+
+    /// The last moment of another lane before the current one.
+    fn moment_of_lane(&self, lane: usize, draw: &Draw<'_>) -> Result<u32, String> {
+        let mut timeline = Timeline::of(self.pixel());
+        let found = timeline
+            .at(draw, self.moment)
+            .map_err(|stop| stopped(&stop))?;
+        let moment = found.and_then(|(_, pause)| pause.moments.get(lane).copied());
+        Ok(moment.unwrap_or(1).max(1))
+    }
+
+    /// The frames of a lane at the current moment.
+    pub fn frames(&mut self, lane: usize) -> Result<Vec<StackFrame>, String> {
+        self.at(lane, |debuggee, now| debuggee.frames(now.pause.site))
+    }
+
+    /// How often the statement of a frame was started until the current moment.
+    pub fn count(&mut self, lane: usize, frame: &StackFrame) -> Result<usize, String> {
+        let token = frame.extent.first;
+        let place = self.debuggee.places.iter().find(|place| {
+            place.returned.is_none() && place.extent.first <= token && token <= place.extent.last
+        });
+        let place = *place.ok_or("the statement does not run")?;
+        let moment = self.at(lane, |_, now| now.pause.moments.get(lane).copied())?;
+        let draw = self.debuggee.build.draw();
+        let timeline = focused(&mut self.timelines, lane)?;
+        let starts = starts(&self.debuggee, timeline, &draw, &place);
+        let starts = starts.map_err(|stop| stopped(&stop))?;
+        Ok(starts.partition_point(|start| *start <= moment.unwrap_or(0)))
+    }
+
+    /// The line that is shown, to come back to.
+    pub fn mark(&mut self) -> Option<Mark> {
+        let lane = self.focus;
+        let frame = *self.frames(lane).ok()?.first()?;
+        let count = self.count(lane, &frame).ok()?;
+        let program = self.debuggee.program()?;
+        let file = program.sources.file_at(frame.span.start)?;
+        Some(Mark {
+            file: file.path.clone(),
+            line: file.position(frame.span.start).line,
+            count,
+        })
+    }
+
+    /// Goes to a place, as far as it exists.
+    pub fn go_to_mark(&mut self, mark: &Option<Mark>) {
+        if let Some(moment) = mark.as_ref().and_then(|mark| self.moment_of_mark(mark)) {
+            self.moment = moment;
+        }
+        self.settle();
+    }
+
+    fn moment_of_mark(&mut self, mark: &Mark) -> Option<u32> {
+        let program = self.debuggee.program()?;
+        let place = self.debuggee.places.iter().find(|place| {
+            let file = program.sources.file_at(place.span.start);
+            let is_it = file.is_some_and(|file| {
+                file.path == mark.file && file.position(place.span.start).line == mark.line
+            });
+            is_it && place.returned.is_none() && place.is_user
+        });
+        let place = *place?;
+        let draw = self.debuggee.build.draw();
+        let timeline = self.timelines.get_mut(self.focus)?;
+        let starts = starts(&self.debuggee, timeline, &draw, &place).ok()?;
+        starts
+            .get(mark.count.min(starts.len()).checked_sub(1)?)
+            .copied()
+    }
+
+    /// The event that the program has stopped.
+    pub fn stopped(&self, reason: &str, description: Option<&str>) -> Event {
+        let mut body = json!({
+            "reason": reason,
+            "threadId": self.focus + 1,
+            "allThreadsStopped": true,
+        });
+        if let (Some(text), Some(fields)) = (description, body.as_object_mut()) {
+            fields.insert("description".to_string(), text.into());
+            fields.insert("text".to_string(), text.into());
+        }
+        ("stopped", body)
+    }
+
+    /// Notes about inputs that were missing or replaced.
+    pub fn notes(&self) -> Vec<Event> {
+        let notes = self.debuggee.notes().into_iter();
+        notes
+            .map(|note| super::motion::output("console", &format!("note: {note}")))
+            .collect()
+    }
+
+    /// Counts the pixels that hit breakpoints, and tells the client.
+    pub fn count_hits(&mut self, threads: usize) -> Vec<Event> {
+        let mut events = Vec::new();
+        for at in 0..self.breakpoints.len() {
+            let Some(breakpoint) = self.breakpoints.get_mut(at) else {
+                continue;
+            };
+            if breakpoint.hits.is_some() || breakpoint.place.is_err() {
+                continue;
+            }
+            if let Err(message) = breakpoint.count(&self.debuggee, threads) {
+                breakpoint.place = Err(message);
+            }
+            let body = json!({ "reason": "changed", "breakpoint": self.shown_breakpoint(at) });
+            events.push(("breakpoint", body));
+        }
+        events
+    }
+}
+
+/// The moments of a lane.
+pub fn focused(timelines: &mut [Timeline; QUAD], lane: usize) -> Result<&mut Timeline, String> {
+    timelines
+        .get_mut(lane)
+        .ok_or_else(|| "there is no such thread".to_string())
+}
+
+/// The moments of the pixels of a quad.
+fn quad([x, y]: [u32; 2]) -> [Timeline; QUAD] {
+    let (x, y) = (x & !1, y & !1);
+    [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(Timeline::of)
+}

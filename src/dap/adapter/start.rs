@@ -1,0 +1,189 @@
+//! Requests about the session as a whole.
+
+use super::session::Session;
+use super::{Adapter, Answer, Reply, read};
+use crate::arguments::{Asked, Launch, SetBreakpoints};
+use crate::debuggee::Debuggee;
+use serde_json::{Value, json};
+
+/// The faults that a client can choose to stop at: filter, label, and whether it is on by default.
+pub const FILTERS: [(&str, &str, bool); 6] = [
+    ("nan", "NaN is computed", false),
+    ("infinite", "An infinity is computed", false),
+    ("division", "Division by zero", false),
+    ("index", "Index out of range", true),
+    ("undefined", "Undefined result", false),
+    ("exhausted", "A loop runs out of iterations", false),
+];
+
+impl Adapter<'_> {
+    pub(super) fn initialize(&mut self, arguments: &Value) -> Answer {
+        let starts = |name: &str| {
+            let is_one = arguments.get(name).and_then(Value::as_bool);
+            u32::from(is_one.unwrap_or(true))
+        };
+        self.client.first_line = starts("linesStartAt1");
+        self.client.first_column = starts("columnsStartAt1");
+        let filters = FILTERS.map(|(filter, label, is_default)| {
+            json!({ "filter": filter, "label": label, "default": is_default })
+        });
+        Ok(Reply {
+            body: json!({
+                "supportsConfigurationDoneRequest": true,
+                "supportsConditionalBreakpoints": true,
+                "supportsHitConditionalBreakpoints": true,
+                "supportsLogPoints": true,
+                "supportsEvaluateForHovers": true,
+                "supportsStepBack": true,
+                "supportsRestartRequest": true,
+                "supportsDataBreakpoints": true,
+                "supportsExceptionInfoRequest": true,
+                "supportsLoadedSourcesRequest": true,
+                "supportsBreakpointLocationsRequest": true,
+                "supportsTerminateRequest": true,
+                "supportsClipboardContext": true,
+                "exceptionBreakpointFilters": filters,
+            }),
+            events: vec![("initialized", Value::Null)],
+        })
+    }
+
+    pub(super) fn launch(&mut self, arguments: &Value) -> Answer {
+        let launch: Launch = read(arguments)?;
+        let session = self.start(launch)?;
+        let notes = session.notes();
+        self.session = Some(session);
+        let mut events = notes;
+        if self.client.is_configured {
+            events.extend(self.first_stop());
+        }
+        Ok(Reply {
+            body: Value::Null,
+            events,
+        })
+    }
+
+    /// Loads a program, with the breakpoints that the client has set.
+    fn start(&self, launch: Launch) -> Result<Session, String> {
+        if launch.program.is_empty() {
+            return Err("`program` is missing: the shader, export or folder of passes".to_string());
+        }
+        let pixel = launch.pixel()?;
+        let loaded = self.programs.load(&launch)?;
+        let debuggee = Debuggee::start(loaded, &launch, self.programs)?;
+        let mut session = Session::of(debuggee, launch, pixel)?;
+        session.first_line = self.client.first_line;
+        for set in &self.client.breakpoints {
+            session.set(&self.client, self.programs, set);
+        }
+        session.filters.clone_from(&self.client.filters);
+        Ok(session)
+    }
+
+    pub(super) fn configured(&mut self) -> Answer {
+        self.client.is_configured = true;
+        let events = self.first_stop();
+        Ok(Reply {
+            body: Value::Null,
+            events,
+        })
+    }
+
+    /// Stops at the entry, or runs to the first breakpoint.
+    fn first_stop(&mut self) -> Vec<super::Event> {
+        let Some(session) = &mut self.session else {
+            return Vec::new();
+        };
+        if session.launch.stop_on_entry.unwrap_or(true) {
+            return vec![session.stopped("entry", None)];
+        }
+        match session.resume(&Asked::default()) {
+            Ok(reply) => reply.events,
+            Err(message) => vec![super::motion::output("stderr", &message)],
+        }
+    }
+
+    pub(super) fn set_breakpoints(&mut self, set: SetBreakpoints) -> Answer {
+        self.client
+            .breakpoints
+            .retain(|known| known.source != set.source);
+        let body = match &mut self.session {
+            Some(session) => session.set(&self.client, self.programs, &set),
+            // Verified when the program is known.
+            None => vec![json!({ "verified": false }); set.breakpoints.len()],
+        };
+        self.client.breakpoints.push(set);
+        Ok(Reply::with(json!({ "breakpoints": body })))
+    }
+
+    pub(super) fn set_filters(&mut self, filters: Vec<String>) -> Answer {
+        if let Some(session) = &mut self.session {
+            session.filters.clone_from(&filters);
+        }
+        self.client.filters = filters;
+        Ok(Reply::with(Value::Null))
+    }
+
+    /// Reads the program again, and goes to the same execution of the same line.
+    pub(super) fn reload(&mut self) -> Answer {
+        let old = self.session.as_mut().ok_or("no program is running")?;
+        let mark = old.mark();
+        let launch = old.launch.clone();
+        let mut session = self.start(launch)?;
+        session.go_to_mark(&mark);
+        let events = vec![session.stopped("goto", Some("the program was read again"))];
+        self.session = Some(session);
+        Ok(Reply {
+            body: Value::Null,
+            events,
+        })
+    }
+
+    /// Goes to another pixel, time, frame or pass.
+    pub(super) fn moved(&mut self, asked: &Asked) -> Answer {
+        let old = self.session.as_mut().ok_or("no program is running")?;
+        let mark = old.mark();
+        let mut launch = old.launch.clone();
+        launch.pixel = asked.pixel.or(launch.pixel);
+        if asked.time.is_some() || asked.frame.is_some() {
+            (launch.time, launch.frame) = (asked.time, asked.frame);
+        }
+        if asked.pass.is_some() {
+            launch.pass.clone_from(&asked.pass);
+        }
+        let is_same_frame = asked.time.is_none() && asked.frame.is_none() && asked.pass.is_none();
+        let event = match is_same_frame {
+            true => {
+                old.show_pixel(launch.pixel()?)?;
+                old.go_to_mark(&mark);
+                old.stopped("goto", None)
+            }
+            false => {
+                let mut session = self.start(launch)?;
+                session.go_to_mark(&mark);
+                let event = session.stopped("goto", None);
+                self.session = Some(session);
+                event
+            }
+        };
+        Ok(Reply {
+            body: Value::Null,
+            events: vec![event],
+        })
+    }
+
+    pub(super) fn image(&mut self, asked: &Asked) -> Answer {
+        let threads = self.programs.threads();
+        let session = self.session.as_mut().ok_or("no program is running")?;
+        session.image(asked, threads)
+    }
+
+    pub(super) fn end(&mut self, command: &str) -> Reply {
+        self.session = None;
+        self.is_done = command == "disconnect";
+        Reply {
+            body: Value::Null,
+            events: vec![("terminated", Value::Null)],
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! The program that is debugged: one pass of a shader, in one frame.
+
+use super::arguments::Launch;
+use super::places::{StackFrame, StopPlaces, frames};
+use super::scopes::Scopes;
+use super::value::{DebugValue, MOST};
+use shaderlint_commands::run::{Loaded, Shot, ShotSetting, UniformText, Unmade, Variant, shot};
+use shaderlint_engine::playback::{Decode, Moment};
+use shaderlint_exec::{CompileOptions, DrawInputs, Location, Pause, Replay, Watch};
+use shaderlint_ir::OpId;
+use shaderlint_semantic::{Program, VariableId};
+use std::sync::Arc;
+
+/// Reads programs.
+pub trait Programs {
+    /// Loads what a client launches.
+    ///
+    /// # Errors
+    /// A message about files that cannot be read, or about errors in the shader.
+    fn load(&self, launch: &Launch) -> Result<Loaded, String>;
+
+    /// Decoder for images on channels.
+    fn decode(&self) -> Option<Decode>;
+
+    /// The number of threads that draw.
+    fn threads(&self) -> usize;
+
+    /// The path that names a file, whatever a client calls it.
+    fn path(&self, path: &str) -> String {
+        path.replace('\\', "/")
+    }
+}
+
+/// A pass with the inputs of a frame, compiled for stepping.
+pub struct Debuggee {
+    loaded: Loaded,
+    shot: Shot,
+    prepared: DrawInputs,
+    /// The frame.
+    pub moment: Moment,
+    /// The code that steps.
+    pub build: Variant,
+    /// The places at which it stops.
+    pub places: StopPlaces,
+    scopes: Scopes,
+}
+
+/// How code is compiled that a debugger steps through.
+fn stepping() -> CompileOptions {
+    CompileOptions {
+        watch: Watch::Numbers,
+        steps: true,
+        trace: true,
+        ..CompileOptions::default()
+    }
+}
+
+impl Debuggee {
+    /// Prepares a frame of a loaded shader.
+    ///
+    /// # Errors
+    /// A message about what cannot be run.
+    pub fn start(
+        loaded: Loaded,
+        launch: &Launch,
+        programs: &dyn Programs,
+    ) -> Result<Debuggee, String> {
+        let uniforms = launch.uniforms.as_ref().map(ToString::to_string);
+        let mut shot = shot(
+            &loaded,
+            &ShotSetting {
+                size: launch.size()?,
+                threads: programs.threads(),
+                pass: launch.pass.as_deref(),
+                show: None,
+                uniforms: uniforms.as_deref().map(|text| UniformText {
+                    name: "uniforms",
+                    text,
+                }),
+                watch: Watch::Nothing,
+                trace: false,
+                decode: programs.decode(),
+            },
+        )?;
+        let moment = launch.moment();
+        let prepared = shot.prepared(&moment, &mut |_| {})?;
+        let given = (&shot, &prepared, &moment);
+        let build =
+            Variant::of(&loaded, given, None, &stepping()).map_err(|unmade| match unmade {
+                Unmade::Error(message, _) | Unmade::Other(message) => message,
+            })?;
+        let program = build.program().ok_or("the pass is gone")?;
+        let places = StopPlaces::of(program, &build.code);
+        let scopes = Scopes::of(program, &build.module);
+        Ok(Debuggee {
+            places,
+            scopes,
+            loaded,
+            shot,
+            prepared,
+            moment,
+            build,
+        })
+    }
+
+    /// The same frame with another text of a pass of the project, given by its index.
+    ///
+    /// # Errors
+    /// Why it cannot be run.
+    pub fn variant(
+        &self,
+        text: Option<(usize, Arc<str>)>,
+        options: &CompileOptions,
+    ) -> Result<Variant, Unmade> {
+        let given = (&self.shot, &self.prepared, &self.moment);
+        Variant::of(&self.loaded, given, text, options)
+    }
+
+    /// The checked program.
+    pub fn program(&self) -> Option<&Program> {
+        self.build.program()
+    }
+
+    /// Width and height of the image in pixels.
+    pub const fn size(&self) -> [u32; 2] {
+        self.shot.size()
+    }
+
+    /// Notes about inputs that were missing or replaced.
+    pub fn notes(&self) -> Vec<String> {
+        self.shot.notes(&self.loaded.project)
+    }
+
+    /// The functions that run at a site, innermost first.
+    pub fn frames(&self, site: u32) -> Vec<StackFrame> {
+        let stops = self.build.code.stops();
+        match (self.program(), stops.get(site as usize)) {
+            (Some(program), Some(stop)) => {
+                frames(program, &self.build.module, &self.build.code, stop)
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The variables that a frame can name: parameters and locals, globals, uniforms.
+    pub fn variables(&self, frame: &StackFrame) -> [Vec<VariableId>; 3] {
+        let locals = match (self.program(), frame.function) {
+            (Some(program), Some(function)) => self.scopes.locals(program, function, frame.extent),
+            _ => Vec::new(),
+        };
+        [
+            locals,
+            self.scopes.globals.clone(),
+            self.scopes.uniforms.clone(),
+        ]
+    }
+
+    /// The value of a variable at a stop of a lane; `None` if it has none yet.
+    pub fn value(
+        &self,
+        replay: &Replay<'_>,
+        lane: usize,
+        variable: VariableId,
+    ) -> Option<DebugValue> {
+        let ty = self.build.module.variable(variable)?.ty;
+        let bits = replay.scalars(variable, lane, MOST)?;
+        Some(DebugValue { ty, bits })
+    }
+
+    /// The value that a call returned, at the stop after it.
+    pub fn returned(&self, replay: &Replay<'_>, lane: usize, pause: &Pause) -> Option<DebugValue> {
+        let shaderlint_exec::StopKind::Return(call, location) = replay.site(pause.site)?.kind
+        else {
+            return None;
+        };
+        self.value_at(replay, lane, (call, location))
+    }
+
+    fn value_at(
+        &self,
+        replay: &Replay<'_>,
+        lane: usize,
+        (op, location): (OpId, Location),
+    ) -> Option<DebugValue> {
+        let ty = self.build.module.ty(op);
+        let bits = replay.scalars_at(location, lane, MOST)?;
+        (!ty.is_void()).then_some(DebugValue { ty, bits })
+    }
+}
