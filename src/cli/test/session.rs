@@ -139,23 +139,33 @@ impl TestSession {
             Ok(())
         })?;
         self.known = renewed;
-        let text = match args.format {
-            TestFormat::Human => tally.text(),
-            TestFormat::Json => tally.json(),
-            TestFormat::Junit => junit(&tally),
-            TestFormat::Tap => tap(&tally),
-        };
-        io::stdout().lock().write_all(text.as_bytes())?;
-        problems.extend(save(args, &tally, &all));
-        if tally.tests.is_empty() && problems.is_empty() {
-            complain("no tests found: expected `bool test_*()` or a golden image");
-        }
-        Ok(match () {
-            () if !problems.is_empty() || tally.tests.is_empty() => FAILED,
-            () if tally.failed > 0 => FINDINGS,
-            () => CLEAN,
-        })
+        finish(args, &tally, &all, problems)
     }
+}
+
+/// Prints the results of all files and writes what was asked for. Gives the exit code.
+fn finish(
+    args: &TestArgs,
+    tally: &Tally,
+    all: &Coverage,
+    mut problems: Vec<String>,
+) -> io::Result<u8> {
+    let text = match args.format {
+        TestFormat::Human => tally.text(),
+        TestFormat::Json => tally.json(),
+        TestFormat::Junit => junit(tally),
+        TestFormat::Tap => tap(tally),
+    };
+    io::stdout().lock().write_all(text.as_bytes())?;
+    problems.extend(save(args, tally, all));
+    if tally.tests.is_empty() && problems.is_empty() {
+        complain("no tests found: expected `bool test_*()` or a golden image");
+    }
+    Ok(match () {
+        () if !problems.is_empty() || tally.tests.is_empty() => FAILED,
+        () if tally.failed > 0 => FINDINGS,
+        () => CLEAN,
+    })
 }
 
 /// Prints a line on standard error.
