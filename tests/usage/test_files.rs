@@ -4,7 +4,7 @@ use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use tempfile::TempDir;
 
 /// A folder with these files.
@@ -224,6 +224,16 @@ fn approx_is_only_known_to_tests() {
     contains(&text, &["`approx`"]);
 }
 
+/// A process that ends with the test, also if that fails.
+struct Watched(Child);
+
+impl Drop for Watched {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 #[test]
 fn a_change_runs_the_tests_that_it_touches() {
     let lib = "float one() { return 1.0; }\n";
@@ -234,12 +244,12 @@ fn a_change_runs_the_tests_that_it_touches() {
         ("uses.test.glsl", uses),
         ("other.test.glsl", other),
     ]);
-    let mut watched = command(folder.path(), &["test", "--watch"])
+    let watched = command(folder.path(), &["test", "--watch"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut lines = BufReader::new(watched.stdout.take().unwrap()).lines();
+        .spawn();
+    let mut watched = Watched(watched.unwrap());
+    let mut lines = BufReader::new(watched.0.stdout.take().unwrap()).lines();
     let mut until = |last: &str| {
         let mut seen = Vec::new();
         for line in lines.by_ref() {
@@ -254,12 +264,10 @@ fn a_change_runs_the_tests_that_it_touches() {
         &until("2 passed, 0 failed"),
         &["test_one ... ok", "test_other ... ok"],
     );
-    let mut errors = BufReader::new(watched.stderr.take().unwrap()).lines();
+    let mut errors = BufReader::new(watched.0.stderr.take().unwrap()).lines();
     assert_eq!(errors.next().unwrap().unwrap(), "waiting for changes");
     fs::write(folder.path().join("lib.glsl"), lib.replace("1.0", "1.25")).unwrap();
     let second = until("1 passed, 1 failed");
     contains(&second, &["uses.test.glsl: test_one ... FAILED"]);
     assert!(!second.contains("test_other"), "{second}");
-    watched.kill().unwrap();
-    watched.wait().unwrap();
 }

@@ -19,8 +19,8 @@ pub fn run(args: &TestArgs) -> io::Result<u8> {
             write!(io::stdout(), "\x1b[2J\x1b[H")?;
         }
         session.run(args)?;
-        print_message("waiting for changes");
         let before = stamp(args, &session);
+        print_message("waiting for changes");
         wait(before, || stamp(args, &session));
     }
 }
