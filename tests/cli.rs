@@ -386,4 +386,5 @@ fn excerpts_in_a_text() {
 fn tests_in_glsl() {
     assert_cmd_snapshot!(lint(&["test", "tested"]));
     assert_cmd_snapshot!(lint(&["test", "--help"]));
+    assert_cmd_snapshot!(lint(&["test", "parameters"]));
 }

@@ -53,6 +53,11 @@ impl Analysis {
         code_of(self.sources(), &self.files)
     }
 
+    /// The texts that it consists of, in order.
+    pub(super) fn files(&self) -> &[FileId] {
+        &self.files
+    }
+
     /// The IR of the shader.
     pub fn module(&self) -> &Arc<Module> {
         self.known.module(&self.program)

@@ -101,6 +101,18 @@ impl Bytecode {
         })
     }
 
+    /// Whether results depend on the neighbours in a quad.
+    pub fn takes_derivatives(&self) -> bool {
+        let mut code = self.uniform_prologue.iter().chain(&self.body);
+        let is_difference =
+            |i: &Instr| matches!(i, Instr::One(F1::DifferenceX | F1::DifferenceY, ..));
+        code.any(is_difference)
+            || self
+                .lookups
+                .iter()
+                .any(|l| l.query == LookupQuery::Implicit)
+    }
+
     /// The sites at which a debugger can stop.
     pub fn stops(&self) -> &[StopSite] {
         &self.debug.stops

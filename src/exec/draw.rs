@@ -23,6 +23,8 @@ pub struct Draw<'c> {
     pub(super) textures: Vec<Option<Texture>>,
     /// The planes of each scalar, by input.
     pub(super) inputs: Vec<Vec<Plane>>,
+    /// By input: the bits of each scalar by case, for inputs that depend on the case.
+    pub(super) by_case: Vec<Option<Vec<Vec<u32>>>>,
 }
 
 /// What a draw call consists of besides its code.
@@ -34,6 +36,7 @@ pub struct DrawInputs {
     memory: Vec<u32>,
     textures: Vec<Option<Texture>>,
     inputs: Vec<Vec<Plane>>,
+    by_case: Vec<Option<Vec<Vec<u32>>>>,
 }
 
 impl DrawInputs {
@@ -47,6 +50,7 @@ impl DrawInputs {
             memory: self.memory.clone(),
             textures: self.textures.clone(),
             inputs: self.inputs.clone(),
+            by_case: self.by_case.clone(),
         }
     }
 
@@ -112,6 +116,7 @@ impl<'c> Draw<'c> {
             memory,
             textures: vec![None; code.samplers.len()],
             inputs: code.inputs.iter().map(planes).collect(),
+            by_case: vec![None; code.inputs.len()],
         }
     }
 
@@ -124,6 +129,7 @@ impl<'c> Draw<'c> {
             memory: self.memory,
             textures: self.textures,
             inputs: self.inputs,
+            by_case: self.by_case,
         }
     }
 
@@ -189,6 +195,19 @@ impl<'c> Draw<'c> {
             }
         }
         found
+    }
+
+    /// Sets an input by case: for each scalar, its bits in all cases. Returns whether the input exists.
+    /// Runs without cases have the values of the first case.
+    pub fn input_by_case(&mut self, name: &str, bits: Vec<Vec<u32>>) -> bool {
+        let mut slots = self.code.inputs.iter().zip(&mut self.by_case);
+        match slots.find(|(slot, _)| slot.name == name) {
+            Some((slot, place)) if bits.len() == slot.regs.len() => {
+                *place = Some(bits);
+                true
+            }
+            _ => false,
+        }
     }
 
     /// Sets an input, one plane per scalar: the value at `gl_FragCoord` 0, and the increments per

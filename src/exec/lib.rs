@@ -29,6 +29,7 @@ pub use bytecode::{
     TraceSite, TracedValue, UniformSlot,
 };
 pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
+pub use compile::steps::statements;
 pub use compile::{compile, start};
 pub use draw::{Draw, DrawInputs, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};
@@ -37,7 +38,7 @@ pub use observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
     NumberObservation, Observations, OperationCost, SiteObservation, StatementObservation, Witness,
 };
-pub use render::{Drawn, Sampled, draw, quads_all_over, sample};
+pub use render::{Drawn, Sampled, draw, quads_all_over, sample, sample_cases};
 pub use replay::{Checkpoint, Pause, QUAD, Replay, lane_of};
 pub use row::LANES;
 pub use trace::{PixelTrace, trace};

@@ -51,6 +51,7 @@ pub(super) fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
     let mut tile = Tile {
         pixels: [[0; 2]; LANES],
         requested: 0,
+        cases: [0; LANES],
     };
     for (lane, pixel) in tile.pixels.iter_mut().enumerate() {
         let (right, up) = (lane as u32 & 1, lane as u32 >> 1 & 1);
@@ -112,6 +113,7 @@ fn group_at(size: [u32; 2], [left, below]: [u32; 2]) -> Tile {
     let mut tile = Tile {
         pixels: [[0; 2]; LANES],
         requested: 0,
+        cases: [0; LANES],
     };
     let is_inside = |[x, y]: [u32; 2]| x < size[0] && y < size[1];
     // Quads outside of the image duplicate the last one inside as helper lanes.
@@ -326,6 +328,57 @@ pub fn sample(draw: &Draw<'_>, quads: &[[u32; 2]]) -> Result<Sampled, Stop> {
         let tile = tile_of(draw.size, quads);
         let covered = vm.run(&tile)?;
         sampled.take(&vm, draw.code, &tile, covered);
+    }
+    sampled.spent = vm.spent;
+    sampled.seen = vm.finish();
+    Ok(sampled)
+}
+
+/// Runs cases, each at its pixel: 32 at a time, or 8 if the code takes derivatives, because all
+/// pixels of a quad then need the same case.
+///
+/// # Errors
+/// Why the run was aborted.
+pub fn sample_cases(draw: &Draw<'_>, pixels: &[[u32; 2]]) -> Result<Sampled, Stop> {
+    let mut vm = Vm::new(draw);
+    let mut sampled = Sampled::with_room(draw.code, pixels.len());
+    let has_quads = draw.code.takes_derivatives();
+    let lanes_per_case = if has_quads { 4 } else { 1 };
+    let mut first = 0_u32;
+    for chunk in pixels.chunks(LANES / lanes_per_case) {
+        let mut tile = match has_quads {
+            true => {
+                let quads: Vec<[u32; 2]> = chunk.iter().map(|p| p.map(|c| c & !1)).collect();
+                tile_of(draw.size, &quads)
+            }
+            false => tile_of(draw.size, &[]),
+        };
+        tile.requested = 0;
+        let last = chunk.len().saturating_sub(1);
+        for lane in 0..LANES {
+            let at = (lane / lanes_per_case).min(last);
+            let pixel = chunk.get(at).copied().unwrap_or_default();
+            if let Some(case) = tile.cases.get_mut(lane) {
+                *case = first + at as u32;
+            }
+            let own = (pixel[1] & 1) << 1 | pixel[0] & 1;
+            let is_own = match has_quads {
+                true => own as usize == lane % 4,
+                false => {
+                    tile.pixels
+                        .get_mut(lane)
+                        .into_iter()
+                        .for_each(|p| *p = pixel);
+                    true
+                }
+            };
+            if is_own && lane / lanes_per_case < chunk.len() {
+                tile.requested |= 1 << lane;
+            }
+        }
+        let covered = vm.run(&tile)?;
+        sampled.take(&vm, draw.code, &tile, covered);
+        first += chunk.len() as u32;
     }
     sampled.spent = vm.spent;
     sampled.seen = vm.finish();

@@ -753,7 +753,11 @@ fn every_machine_runs_a_shader_alike() {
             set_all(&mut ready);
             let run = |faster: Option<Faster>| {
                 let mut vm = Vm::with(&ready, faster);
-                let covered = vm.run(&Tile { pixels, requested });
+                let covered = vm.run(&Tile {
+                    pixels,
+                    requested,
+                    cases: [0; crate::LANES],
+                });
                 let outputs = bytecode.outputs.iter().flat_map(|slot| &slot.regs);
                 let outputs: Vec<_> = outputs.map(|reg| vm.row(*reg).0).collect();
                 let spent = vm.spent;

@@ -120,10 +120,21 @@ pub struct Function {
 }
 
 impl Function {
-    /// Whether it is a test, as `shaderlint test` runs them: `bool test_*()`.
+    /// Whether it is a test, as `shaderlint test` runs them: `bool test_*()`. Comments give values to
+    /// its parameters.
     pub fn is_test(&self, names: &Names) -> bool {
         let is_called_so = names.text(self.name).starts_with("test_");
-        is_called_so && self.params.is_empty() && self.returns == Type::BOOL
+        is_called_so && self.has_only_inputs() && self.returns == Type::BOOL
+    }
+
+    /// Whether it is a benchmark of `shaderlint test`: `float bench_*()`, of any type.
+    pub fn is_bench(&self, names: &Names) -> bool {
+        names.text(self.name).starts_with("bench_") && self.has_only_inputs()
+    }
+
+    fn has_only_inputs(&self) -> bool {
+        let is_input = |p: &Parameter| matches!(p.direction, Direction::In | Direction::ConstIn);
+        self.params.iter().all(is_input)
     }
 }
 

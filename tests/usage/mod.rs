@@ -19,6 +19,7 @@ mod sampling;
 mod saying;
 mod scratch;
 mod suppressions;
+mod test_files;
 mod testing;
 mod unknown;
 mod versions;

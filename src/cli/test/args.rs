@@ -1,6 +1,7 @@
 //! The arguments of `shaderlint test`.
 
 use super::super::run::{size_of, time_of};
+use super::coverage::CoverageFormat;
 use clap::ValueEnum;
 use std::path::PathBuf;
 
@@ -9,7 +10,7 @@ use std::path::PathBuf;
 /// A test is a function `bool test_*()` in a shader or in NAME.test.glsl next to it. A complete
 /// shader FILE is compared with the golden image FILE.golden.png.
 #[derive(clap::Args, Debug)]
-#[command(after_help = EXIT_CODES)]
+#[command(after_help = AFTER)]
 pub struct TestArgs {
     /// Files or folders to test [default: the current folder]
     #[arg(value_name = "PATH")]
@@ -17,10 +18,42 @@ pub struct TestArgs {
     /// Run only tests whose name contains TEXT; image comparisons contain `golden`
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
-    /// Output format: human, json
+    /// Number of cases of a test with random values: `// any: x in -10..10`
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub cases: u32,
+    /// Seed of random values
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u32,
+    /// Test again what a change touches, until stopped
+    #[arg(long)]
+    pub watch: bool,
+    /// Output format: human, json, junit, tap
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     #[arg(hide_possible_values = true)]
     pub format: TestFormat,
+
+    /// Also run functions `bench_*`, and print the operations of each test
+    #[arg(long, help_heading = BENCH)]
+    pub bench: bool,
+    /// Write the operations of each test to FILE
+    #[arg(long, value_name = "FILE", help_heading = BENCH)]
+    pub save_baseline: Option<PathBuf>,
+    /// Fail if a test needs more operations than in FILE
+    #[arg(long, value_name = "FILE", help_heading = BENCH)]
+    pub baseline: Option<PathBuf>,
+    /// Percentage by which operations may exceed the baseline
+    #[arg(long, value_name = "PERCENT", default_value = "5", value_parser = percent_of)]
+    #[arg(help_heading = BENCH)]
+    pub bench_tolerance: f64,
+
+    /// Write which lines and branches of the files under test ran
+    #[arg(long, value_name = "FILE", help_heading = COVERAGE)]
+    pub coverage: Option<PathBuf>,
+    /// Format of the coverage: lcov, html, json; default: by the extension of FILE, or lcov
+    #[arg(long, value_enum, value_name = "FORMAT", requires = "coverage")]
+    #[arg(hide_possible_values = true, help_heading = COVERAGE)]
+    pub coverage_format: Option<CoverageFormat>,
 
     /// Write golden images that are missing or differ
     #[arg(long, help_heading = GOLDEN)]
@@ -46,9 +79,17 @@ pub struct TestArgs {
     pub force: bool,
 }
 
+const BENCH: &str = "Benchmarks";
+const COVERAGE: &str = "Coverage";
 const GOLDEN: &str = "Golden images";
 
-const EXIT_CODES: &str = "\
+const AFTER: &str = "\
+Comments above a test:
+  // each: x = 0.0, 0.5      Values of a parameter; each combination is a test
+  // any: x in -10..10       Random values of a parameter
+  // fails: REASON           The test is expected to fail
+  // texture: NAME = FILE    Texture of a sampler: an image, or `buffer_a at frame 3`
+
 Exit codes:
   0  All tests pass
   1  Some tests fail
@@ -62,6 +103,17 @@ pub enum TestFormat {
     Human,
     /// One JSON object
     Json,
+    /// JUnit XML
+    Junit,
+    /// Test Anything Protocol, version 14
+    Tap,
+}
+
+impl TestArgs {
+    /// Whether operations are counted and benchmarks run.
+    pub fn counts(&self) -> bool {
+        self.bench || self.baseline.is_some() || self.save_baseline.is_some()
+    }
 }
 
 /// Parses a percentage, with or without `%`.

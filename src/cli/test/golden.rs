@@ -154,6 +154,21 @@ fn goldens(path: &Path, times: &[f64]) -> Vec<Golden> {
     times.iter().map(golden).collect()
 }
 
+/// The golden images of a file that exist.
+pub fn existing(path: &Path) -> Vec<PathBuf> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let start = format!("{name}.golden.");
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let images = entries.filter(|e| e.file_name().to_string_lossy().starts_with(&start));
+    images
+        .map(|entry| path.with_file_name(entry.file_name()))
+        .collect()
+}
+
 /// A shader that is compiled and ready to draw.
 fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String> {
     let loaded = read(project, None, &[]).map_err(|why| match why {

@@ -107,6 +107,8 @@ pub(super) fn spread(
         Some(subject) => common::common_of(&subject.name, &subject.file.text, context),
         None => common::common_of(name, text, context),
     };
+    let tested = subject.as_ref().map(|s| &*s.file.text);
+    let test_prelude = subject::test_prelude(name, text, tested);
     let before = found(common).into_iter().chain(subject);
     let words = ["include", "import", "glslify"];
     let own = words.iter().any(|w| text.contains(w));
@@ -133,6 +135,10 @@ pub(super) fn spread(
     };
     for found in before {
         spreader.put_before(found)?;
+    }
+    if let Some(test_prelude) = test_prelude {
+        let prelude = spreader.prelude(test_prelude)?;
+        spreader.found.files.push(prelude);
     }
     match own {
         None => spreader.found.files.push(file),

@@ -5,6 +5,22 @@ use super::find::EXTENSIONS;
 use crate::FileType;
 use std::path::{Path, PathBuf};
 
+/// The functions that a file of tests may call and GLSL does not have.
+const APPROX: &str = include_str!("approx.glsl");
+
+/// What is declared before the text of a file of tests, unless its shader declares it.
+pub fn test_prelude(name: &str, text: &str, subject: Option<&str>) -> Option<&'static str> {
+    let stem = Path::new(name).file_stem()?.to_str()?;
+    let declares = |text: &str| {
+        ["bool approx", "float approx"]
+            .iter()
+            .any(|d| text.contains(d))
+    };
+    let is_asked = stem.ends_with(".test") && text.contains("approx") && !text.contains("#version");
+    let is_free = !declares(text) && !subject.is_some_and(declares);
+    (is_asked && is_free).then_some(APPROX)
+}
+
 /// The file that a test file tests. A text with `#version` is complete on its own.
 pub fn subject_of(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
     let path = Path::new(name);

@@ -15,4 +15,8 @@ pub use player::{player_draw, player_gives};
 pub use project::{Decode, Decoded, PlaybackOptions, PlaybackProblem, Played, Player, SOUND_RATE};
 pub use scene::{GivenUniforms, Scene, Unfit};
 pub(crate) use supply::Supply;
-pub use test::{SeenCondition, SeenValue, TestFailure, TestVerdict, run_test, tests};
+pub use test::{
+    Coverage, CoveredFunction, FileCoverage, FoundValues, RunCounts, SeenCondition, SeenValue,
+    Test, TestCase, TestFailure, TestProblem, TestResult, TestSettings, TestSuite, TestVerdict,
+    TextureMark, run_test, unusable_tests,
+};

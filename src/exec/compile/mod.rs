@@ -17,7 +17,7 @@ mod place;
 mod plan;
 mod probe;
 mod registers;
-mod steps;
+pub(super) mod steps;
 mod traced;
 
 use super::bytecode::Bytecode;

@@ -68,6 +68,8 @@ pub enum Probe {
     },
     /// The result of an operation.
     Value(OpId),
+    /// Four scalars of a result, from an index on: a part of a matrix or an array.
+    Part(OpId, u32),
 }
 
 /// The statistics recorded at run time. Each level includes the previous ones.

@@ -15,9 +15,12 @@ impl Compiler<'_> {
     pub fn open_probe(&mut self) -> Made<()> {
         let ty = match self.options.probe? {
             Probe::Variable { variable, .. } => self.module.variable(variable)?.ty,
-            Probe::Value(op) => self.module.ty(op),
+            Probe::Value(op) | Probe::Part(op, _) => self.module.ty(op),
         };
-        let count = self.scalars_of(ty)?.min(SHOWN);
+        let count = self
+            .scalars_of(ty)?
+            .saturating_sub(self.probed_from())
+            .min(SHOWN);
         let fresh: Vec<_> = (0..count + 1).map(|_| self.registers.fresh()).collect();
         let reached = *fresh.last()?;
         let all = self.listed(fresh);
@@ -33,8 +36,8 @@ impl Compiler<'_> {
     /// Copies the probed value, if this operation is to be observed.
     pub fn probe(&mut self, op: OpId) -> Made<()> {
         let value = match self.options.probe? {
-            Probe::Value(probed) if probed == op => self.value(op),
-            Probe::Value(_) => return None,
+            Probe::Value(probed) | Probe::Part(probed, _) if probed == op => self.value(op),
+            Probe::Value(_) | Probe::Part(..) => return None,
             Probe::Variable { variable, within } => {
                 let place = match self.module.op(op).kind {
                     OpKind::Load(place) | OpKind::Store(place, _) => place,
@@ -50,13 +53,22 @@ impl Compiler<'_> {
             return None;
         };
         let to = probed.scalars;
-        for n in 0..to.len.min(from.len) {
-            let (to, from) = (self.reg(to, n), self.reg(from, n));
+        let first = self.probed_from();
+        for n in 0..to.len.min(from.len.saturating_sub(first)) {
+            let (to, from) = (self.reg(to, n), self.reg(from, first + n));
             self.push(Instr::MoveActive(to, from));
         }
         let holds = self.constant(u32::MAX);
         self.push(Instr::MoveActive(probed.reached, holds));
         Some(())
+    }
+
+    /// The first scalar that is output.
+    const fn probed_from(&self) -> u32 {
+        match self.options.probe {
+            Some(Probe::Part(_, from)) => from,
+            _ => 0,
+        }
     }
 
     fn place_in_text(&self, op: OpId) -> Option<Span> {

@@ -5,8 +5,8 @@
 
 use super::emit::{CallFrame, Compiler, Value};
 use crate::bytecode::{Instr, InstrIndex, Location, StopKind, StopSite};
-use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_semantic::{Type, VariableId};
+use shaderlint_ir::{Module, OpId, OpKind, Provenance, Step};
+use shaderlint_semantic::{FunctionRef, Type, VariableId};
 use shaderlint_syntax::ast::{Extent, StmtKind, TokenId, Tree};
 
 /// What a debugger stops at: simple statements, conditions, and steps of loops.
@@ -50,15 +50,45 @@ impl Statements {
     }
 }
 
+/// The statements of a function at which code with [`CompileOptions::steps`] can stop, in source
+/// order.
+///
+/// [`CompileOptions::steps`]: super::options::CompileOptions::steps
+pub fn statements(tree: &Tree, module: &Module, function: FunctionRef) -> Vec<Extent> {
+    let all = Statements::of(tree);
+    let Some(found) = module.function(function) else {
+        return Vec::new();
+    };
+    let body = found.body.map_or(&[][..], |body| module.steps(body));
+    let jumps = module.steps_in(body).filter_map(|step| match step {
+        Step::Break(stmt) | Step::Continue(stmt) | Step::Discard(stmt) => Some(*stmt),
+        Step::Return(_, stmt) => Some(*stmt),
+        _ => None,
+    });
+    let ops = found.ops.ops().filter(|op| !computes_nothing(module, *op));
+    let origins = ops.map(|op| module.provenance(op));
+    let origins = origins.chain(jumps.map(Provenance::Stmt));
+    let mut extents: Vec<Extent> = origins
+        .filter_map(|origin| all.at(origin.extent(tree)?.first))
+        .collect();
+    extents.sort_by_key(|extent| extent.first);
+    extents.dedup();
+    extents
+}
+
+/// Whether an operation belongs to a declaration without initial value.
+fn computes_nothing(module: &Module, op: OpId) -> bool {
+    let is_undefined = |op: OpId| module.op(op).kind == OpKind::Undef;
+    match module.op(op).kind {
+        OpKind::Store(_, value) => is_undefined(value),
+        _ => is_undefined(op),
+    }
+}
+
 impl Compiler<'_> {
     /// Marks the start of the statement of an operation. Declarations that compute nothing are none.
     pub fn stop_at(&mut self, op: OpId) {
-        let is_undefined = |op: OpId| self.module.op(op).kind == OpKind::Undef;
-        let is_nothing = match self.module.op(op).kind {
-            OpKind::Store(_, value) => is_undefined(value),
-            _ => is_undefined(op),
-        };
-        if self.options.steps && !is_nothing {
+        if self.options.steps && !computes_nothing(self.module, op) {
             self.stop_before(self.module.provenance(op));
         }
     }

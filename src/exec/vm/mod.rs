@@ -36,6 +36,8 @@ pub(super) struct Tile {
     pub pixels: [[u32; 2]; LANES],
     /// The requested lanes; the others are helper lanes for derivatives.
     pub requested: u32,
+    /// The case of each lane.
+    pub cases: [u32; LANES],
 }
 
 /// The state of the VM.
@@ -94,6 +96,7 @@ impl<'d> Vm<'d> {
             tile: Tile {
                 pixels: [[0; 2]; LANES],
                 requested: 0,
+                cases: [0; LANES],
             },
             watched: Watched::new(code),
             traced: None,
@@ -252,7 +255,15 @@ impl<'d> Vm<'d> {
             let pixels = &self.tile.pixels;
             pixels.map(|pixel| pixel.get(axis).copied().unwrap_or(0) as f32 + 0.5)
         });
-        for (slot, planes) in self.code.inputs.iter().zip(&draw.inputs) {
+        let given = draw.inputs.iter().zip(&draw.by_case);
+        for (slot, (planes, by_case)) in self.code.inputs.iter().zip(given) {
+            if let Some(by_case) = by_case {
+                for (reg, bits) in slot.regs.iter().zip(by_case) {
+                    let bits = |case: u32| bits.get(case as usize).copied().unwrap_or(0);
+                    self.set(*reg, Row(self.tile.cases.map(bits)));
+                }
+                continue;
+            }
             for (reg, [base, across, up]) in slot.regs.iter().zip(planes) {
                 let mut values = [0.0; LANES];
                 for ((value, x), y) in values.iter_mut().zip(x).zip(y) {

@@ -1,9 +1,9 @@
 //! The comparisons of a failed test, with the values of their operands.
 
-use super::quad::{SIZE, draw_quad};
-use crate::Analysis;
-use crate::playback::{Moment, Scene};
+use super::invocation::Invocation;
+use super::quad::draw_quad;
 use shaderlint_exec::{CompileOptions, Probe};
+use shaderlint_ir::OpId;
 use shaderlint_semantic::{BuiltinId, FunctionRef, Program, Scalar, Type};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 use shaderlint_text::Span;
@@ -22,6 +22,8 @@ pub struct SeenCondition {
     pub answer: String,
     /// The values of the operands or arguments.
     pub values: Vec<SeenValue>,
+    /// The largest difference of the arguments of `approx`.
+    pub difference: Option<String>,
 }
 
 /// An expression and its value.
@@ -33,35 +35,27 @@ pub struct SeenValue {
     pub value: String,
 }
 
-/// A test at a time and a pixel.
+/// A test at a pixel.
 struct TestedPixel<'a> {
-    analysis: &'a Analysis,
-    test: FunctionRef,
-    time: f64,
+    invocation: &'a Invocation<'a>,
     pixel: [u32; 2],
 }
 
 /// The conditions of a test that a pixel evaluated.
-pub fn seen(
-    analysis: &Analysis,
-    test: FunctionRef,
-    time: f64,
-    pixel: [u32; 2],
-) -> Vec<SeenCondition> {
-    let program: &Program = &analysis.program;
-    let look = TestedPixel {
-        analysis,
-        test,
-        time,
-        pixel,
-    };
+pub fn seen(invocation: &Invocation<'_>, pixel: [u32; 2]) -> Vec<SeenCondition> {
+    let program: &Program = &invocation.analysis.program;
+    let look = TestedPixel { invocation, pixel };
     let mut found = Vec::new();
-    for (id, parts) in conditions(program, test) {
+    for (id, parts) in conditions(program, invocation.case.function) {
         if found.len() == MAX_CONDITIONS {
             break;
         }
         let Some(answer) = look.value(id) else {
             continue;
+        };
+        let difference = match &parts[..] {
+            [a, b, ..] if is_approx(program, id) => look.difference(*a, *b),
+            _ => None,
         };
         let mut shown = Vec::new();
         for part in parts {
@@ -77,9 +71,17 @@ pub fn seen(
             at: program.expr_span(id),
             answer,
             values: values.collect(),
+            difference,
         });
     }
     found
+}
+
+/// Whether an expression calls the function `approx` of tests.
+fn is_approx(program: &Program, call: ExprId) -> bool {
+    let called = program.calls.iter().find(|c| c.expr == call);
+    let function = called.and_then(|c| program.function(c.callee));
+    function.is_some_and(|f| program.names.text(f.name) == "approx")
 }
 
 /// The comparisons and boolean calls in a function, in source order, with their operands.
@@ -153,25 +155,66 @@ fn sides(program: &Program, side: ExprId, shown: &mut Vec<ExprId>) {
 }
 
 impl TestedPixel<'_> {
-    /// The last value of an expression at the pixel, if it was evaluated.
+    /// The value of an expression at the pixel, if it was evaluated.
     fn value(&self, id: ExprId) -> Option<String> {
-        let Analysis { program, .. } = self.analysis;
-        let module = self.analysis.module();
+        let program = &self.invocation.analysis.program;
+        let op = self.op(id)?;
+        let (ty, bits) = self.scalars(Probe::Value(op))?;
+        Some(written(program, ty, bits))
+    }
+
+    fn op(&self, id: ExprId) -> Option<OpId> {
+        let analysis = self.invocation.analysis;
+        analysis.module().op_of(analysis.program.tree.unparen(id))
+    }
+
+    /// Four scalars of an expression, with its type.
+    fn scalars(&self, probe: Probe) -> Option<(Type, [u32; 4])> {
         let options = CompileOptions {
-            entry: Some(self.test),
-            probe: Some(Probe::Value(module.op_of(program.tree.unparen(id))?)),
+            probe: Some(probe),
             ..CompileOptions::default()
         };
-        let scene = Scene::of(program, self.analysis.host, module, &options).ok()?;
-        let draw = scene.draw(SIZE, &Moment::at(self.time));
-        let (sampled, at) = draw_quad(&draw, self.pixel)?;
+        let scene = self.invocation.scene(&options).ok()?;
+        let (sampled, at) = draw_quad(&self.invocation.draw(&scene), self.pixel)?;
         let [.., value, reached] = &sampled.outputs[..] else {
             return None;
         };
         let slots = &scene.code.outputs;
         let ty = slots.get(slots.len().checked_sub(2)?)?.ty;
         let is_reached = reached.get(at)?[0] != 0;
-        is_reached.then(|| written(program, ty, *value.get(at).unwrap_or(&[0; 4])))
+        is_reached.then(|| (ty, *value.get(at).unwrap_or(&[0; 4])))
+    }
+
+    /// All components of a float, vector or matrix.
+    fn floats(&self, id: ExprId) -> Option<(Type, Vec<f32>)> {
+        let op = self.op(id)?;
+        let (ty, _) = self.scalars(Probe::Value(op))?;
+        let count = ty.components();
+        let mut all = Vec::new();
+        for from in (0..count).step_by(4) {
+            let (_, bits) = self.scalars(Probe::Part(op, from))?;
+            all.extend(bits.map(f32::from_bits));
+        }
+        all.truncate(count as usize);
+        let is_float = ty.scalar_kind() == Some(Scalar::Float);
+        is_float.then_some((ty, all))
+    }
+
+    /// The largest difference between the components of two values: `differs by 0.013 in .y`.
+    fn difference(&self, a: ExprId, b: ExprId) -> Option<String> {
+        let ((ty, a), (_, b)) = (self.floats(a)?, self.floats(b)?);
+        let gaps = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
+        // NaN is the largest difference.
+        let (at, gap) = gaps.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        let (_, columns, rows) = ty.numeric()?;
+        let (column, row) = (at / usize::from(rows), at % usize::from(rows));
+        let component = || ["x", "y", "z", "w"].get(row).copied().unwrap_or("x");
+        let place = match (columns, rows) {
+            (1, 1) => String::new(),
+            (1, _) => format!(" in .{}", component()),
+            _ => format!(" in [{column}].{}", component()),
+        };
+        Some(format!("differs by {gap:?}{place}"))
     }
 }
 
