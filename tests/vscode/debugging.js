@@ -10,7 +10,7 @@ const MARCH = `struct Hit {
 };
 
 float field(vec3 p) {
-    float ball = length(p) - 1.0;
+    float ball = 0.5 * (length(p) - 1.0);
     return ball;
 }
 
@@ -138,7 +138,8 @@ export function debugging({ openFile, picture, player, runCommand, shaders, unti
 
   /** Watches, and a value over the screen whose click chooses a pixel. */
   async function values(page) {
-    await runCommand(page, 'Debug: Add Expression');
+    // The empty view takes a double click.
+    await page.locator('.debug-watch').dblclick();
     await page.locator('.debug-watch input, .debug-watch textarea').first().waitFor();
     await page.keyboard.type('length(hit.at)');
     await page.keyboard.press('Enter');
@@ -153,7 +154,9 @@ export function debugging({ openFile, picture, player, runCommand, shaders, unti
     await picture(page, 'debug-8-images');
     const image = frame.locator('img').first();
     const box = await image.boundingBox();
-    await image.click({ position: { x: box.width * (40.5 / 320), y: box.height * (1 - 20.5 / 180) } });
+    // A legend may be below the 180 rows.
+    const height = await image.evaluate((node) => node.naturalHeight);
+    await image.click({ position: { x: box.width * (40.5 / 320), y: box.height * (159.5 / height) } });
     await shows(page, 'fragCoord', 'vec2(40.5, 20.5)');
     await frame.locator('p', { hasText: 'pixel 40, 20' }).first().waitFor();
     await picture(page, 'debug-9-pixel');

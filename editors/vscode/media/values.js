@@ -29,8 +29,9 @@ function head({ expression, value, color }) {
     return made;
 }
 
-/** An image; its pixels are counted from the lower left corner. */
-function screen({ expression, png, width, height, pixel }) {
+/** An image; its pixels are counted from the lower left corner. It may have a legend below. */
+function screen({ expression, png, width, height, rows, pixel }) {
+    const legend = height - rows;
     const made = element('div', 'screen');
     const image = element('img', '');
     image.src = `data:image/png;base64,${png}`;
@@ -38,13 +39,13 @@ function screen({ expression, png, width, height, pixel }) {
     const mark = element('div', 'mark');
     const [x, y] = pixel;
     Object.assign(mark.style, {
-        left: `${100 * x / width}%`, bottom: `${100 * y / height}%`, width: `${100 / width}%`, height: `${100 / height}%`,
+        left: `${100 * x / width}%`, bottom: `${100 * (legend + y) / height}%`, width: `${100 / width}%`, height: `${100 / height}%`,
     });
     const under = (event) => {
         const box = image.getBoundingClientRect();
         const column = Math.floor((event.clientX - box.left) / box.width * width);
-        const row = Math.floor((box.bottom - event.clientY) / box.height * height);
-        return [Math.min(Math.max(column, 0), width - 1), Math.min(Math.max(row, 0), height - 1)];
+        const row = Math.floor((box.bottom - event.clientY) / box.height * height) - legend;
+        return [Math.min(Math.max(column, 0), width - 1), Math.min(Math.max(row, 0), rows - 1)];
     };
     image.addEventListener('mousemove', (event) => {
         image.title = `Debug pixel ${under(event).join(', ')}`;
@@ -61,10 +62,10 @@ function figure(shown) {
         made.append(element('p', 'error', shown.error));
         return made;
     }
-    const { width, height, pixels, pixel } = shown;
-    const all = (width * height).toLocaleString('en');
-    const count = pixels === width * height ? 'all pixels' : `${pixels.toLocaleString('en')} of ${all} pixels`;
-    made.append(screen(shown), element('p', '', `${width} × ${height}; ${count} have a value; pixel ${pixel.join(', ')}`));
+    const { width, rows, pixels, pixel } = shown;
+    const all = width * rows;
+    const count = pixels === all ? 'all pixels' : `${pixels.toLocaleString('en')} of ${all.toLocaleString('en')} pixels`;
+    made.append(screen(shown), element('p', '', `${width} × ${rows}; ${count} have a value; pixel ${pixel.join(', ')}`));
     return made;
 }
 

@@ -13,6 +13,8 @@ interface Shown {
     png?: string;
     width?: number;
     height?: number;
+    /** The height without the legend. */
+    rows?: number;
     /** The number of pixels that have a value. */
     pixels?: number;
     pixel?: [number, number];
@@ -105,7 +107,8 @@ async function shown({ session, frameId }: Stop, expression: string, pixel: [num
         const told = session.customRequest('evaluate', { expression, frameId, context: 'watch' });
         // Another pixel may have a value.
         const { result, color } = await Promise.resolve(told).catch(() => ({})) as { result?: string; color?: string };
-        return { ...image, expression, pixel, ...result !== undefined && { value: result }, ...color !== undefined && { color } };
+        const [, rows] = session.configuration['size'] as [number, number];
+        return { ...image, rows, expression, pixel, ...result !== undefined && { value: result }, ...color !== undefined && { color } };
     } catch (error) {
         return { expression, error: reason(error) };
     }
