@@ -82,6 +82,13 @@ export function debugging({ openFile, picture, player, runCommand, shaders, unti
     return null;
   });
 
+  /** Ends the session, and shows the files again. */
+  async function stop(page) {
+    await page.keyboard.press('Shift+F5');
+    await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+    await runCommand(page, 'View: Show Explorer');
+  }
+
   /** From F5, without a launch.json, to the end. */
   async function debugged(page) {
     await runCommand(page, 'View: Close All Editors');
@@ -184,8 +191,7 @@ export function debugging({ openFile, picture, player, runCommand, shaders, unti
     await shows(page, 'tint', 'vec3(0.9, 0.1, 0.3)');
     assert.equal(await place(page), 'mainImage 23');
     await picture(page, 'debug-11-edited');
-    await page.keyboard.press('Shift+F5');
-    await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+    await stop(page);
     await until('no view of values', async () => await page.locator('.tab', { hasText: 'Values over' }).count() === 0);
     fs.writeFileSync(path.join(shaders, 'march.glsl'), MARCH);
   }
@@ -197,15 +203,15 @@ export function debugging({ openFile, picture, player, runCommand, shaders, unti
     const frame = await player(page, 'struct Hit');
     const canvas = frame.locator('canvas').first();
     const box = await canvas.boundingBox();
+    // The debug console makes it smaller.
+    const y = await frame.evaluate(() => globalThis.shaderport.player.canvas.height);
     await canvas.click({ modifiers: ['Alt'], position: { x: box.width / 2, y: box.height / 4 } });
     await stopped(page, 'mainImage 12');
-    const y = await frame.evaluate(() => globalThis.shaderport.player.canvas.height);
-    const { textContent } = await variable(page, 'fragCoord').locator('.value').evaluate((node) => ({ textContent: node.textContent }));
-    const row = Number(/, ([\d.]+)\)/.exec(textContent)?.[1]);
+    const text = await variable(page, 'fragCoord').locator('.value').textContent();
+    const row = Number(/, ([\d.]+)\)/.exec(text)?.[1]);
     assert(Math.abs(row - 0.75 * y) < 3, `row ${row} of ${y}`);
     await picture(page, 'debug-12-preview');
-    await page.keyboard.press('Shift+F5');
-    await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
+    await stop(page);
   }
 
   return [debugged, moves, values, edited, fromPreview];
