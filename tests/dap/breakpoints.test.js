@@ -84,7 +84,7 @@ test("faults that a client chose", async () => {
   const given = { program: faulty, size: [8, 6], pixel: [4, 3] };
   const session = await launched(given, { filters: ["infinite", "index"] });
   const filters = session.capabilities.exceptionBreakpointFilters.map(({ filter }) => filter);
-  assert.deepEqual(filters, ["nan", "infinite", "division", "index", "undefined", "exhausted"]);
+  assert.deepEqual(filters, ["nan", "infinite", "division", "index", "undefined", "uninitialized", "exhausted"]);
   assert.equal((await session.move("continue")).reason, "exception");
   assert.equal(await session.stack(), "mainImage:3");
   const { exceptionId, description, breakMode } = await session.ask("exceptionInfo", { threadId: 1 });

@@ -56,6 +56,22 @@ test("a pass of a folder, in a frame", async () => {
   assert.ok(sources.some((known) => known.path?.endsWith("buffer_a.glsl")));
 });
 
+test("an included file", async () => {
+  const tint = file("tint.glsl", "vec3 tint(float x) {\n    vec3 c = vec3(x);\n    return c;\n}\n");
+  const program = file("tinted.glsl", `#include "tint.glsl"
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    fragColor = vec4(tint(0.5), 1.0);
+}
+`);
+  const session = await launched({ program, size: [8, 6] });
+  const [{ verified, line }] = await session.setBreakpoints([{ line: 2 }], { path: tint });
+  assert.deepEqual([verified, line], [true, 2]);
+  await session.move("continue");
+  assert.equal(await session.stack(), "tint:2 mainImage:3");
+  const [{ source }] = await session.frames();
+  assert.equal(path.basename(source.path), "tint.glsl");
+});
+
 test("lines and columns from 0", async () => {
   const program = file("ball.glsl", BALL);
   const start = { linesStartAt1: false, columnsStartAt1: false };
