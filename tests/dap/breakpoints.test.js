@@ -88,7 +88,7 @@ test("faults that a client chose", async () => {
   assert.equal((await session.move("continue")).reason, "exception");
   assert.equal(await session.stack(), "mainImage:3");
   const { exceptionId, description, breakMode } = await session.ask("exceptionInfo", { threadId: 1 });
-  assert.equal(exceptionId, "number");
+  assert.equal(exceptionId, "infinite");
   assert.equal(description, "`1.0 / zero` is infinite");
   assert.equal(breakMode, "always");
   await session.move("continue");
