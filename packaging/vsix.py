@@ -55,6 +55,8 @@ def write_web(modules, bundles, out):
     manifest["browser"] = "dist/browser.js"
     manifest["capabilities"] = {"untrustedWorkspaces": {"supported": True}, "virtualWorkspaces": True}
     del manifest["contributes"]["configuration"]["properties"]["shaderlint.path"]
+    for part in ("breakpoints", "debuggers"):
+        del manifest["contributes"][part]
     files = {f"dist/{name}": bundles / name for name in ("browser.js", "worker.js")}
     return pack(manifest, files | {f"dist/{MODULE}": modules / MODULE}, bundles, WEB, out)
 

@@ -9,6 +9,7 @@ import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
+import { DEBUGGED, debugging } from './debugging.js';
 import { FILES, views } from './views.js';
 
 const isWeb = process.argv[3] === 'web';
@@ -93,7 +94,7 @@ function prepare() {
   fs.writeFileSync(path.join(shaders, 'waves.glsl'), WAVES);
   fs.writeFileSync(path.join(shaders, 'glow.glsl'), GLOW);
   fs.writeFileSync(path.join(shaders, 'scene.js'), PAGE);
-  for (const [name, text] of Object.entries(FILES)) fs.writeFileSync(path.join(shaders, name), text);
+  for (const [name, text] of Object.entries({ ...FILES, ...DEBUGGED })) fs.writeFileSync(path.join(shaders, name), text);
   fs.writeFileSync(path.join(shaders, 'tint.glsl'), TINT);
   fs.writeFileSync(path.join(shaders, 'useit.glsl'), TINTED);
   fs.mkdirSync(path.join(work, 'user/User'), { recursive: true });
@@ -369,7 +370,8 @@ async function commands(page) {
   await page.keyboard.press('Escape');
 }
 
-const { server, address } = await start(prepare());
+const shaders = prepare();
+const { server, address } = await start(shaders);
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM,
   timeout: 0,
@@ -385,7 +387,8 @@ const limit = setTimeout(() => {
 }, MINUTES * 60_000);
 try {
   await connect(page, address);
-  const more = views({ openFile, picture, player, runCommand, until, word });
+  const own = { openFile, picture, player, runCommand, shaders, until, word };
+  const more = [...views(own), ...debugging(own)];
   const steps = [findings, preview, editing, included, ...(isWeb ? [commands] : [costMap, ...more]), hopeless];
   const only = process.env.STEP?.split(',');
   for (const step of steps.filter(({ name }) => only?.includes(name) ?? true)) {

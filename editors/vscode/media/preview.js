@@ -11,12 +11,15 @@ const trouble = document.getElementById('trouble');
 const offer = document.getElementById('write');
 const value = document.getElementById('value');
 const assumed = document.getElementById('assumed');
+const hint = document.getElementById('pick');
 
 /** The visible frame. */
 let shown = null;
 /** The frame that is loading. */
 let next = null;
 let lastTime = -1;
+/** Whether the next click chooses the pixel to debug. */
+let isPicking = false;
 
 /** The interface of a page; `null` if it could not start. */
 function faceOf(frame) {
@@ -65,6 +68,8 @@ async function loaded(frame) {
     offerNumbers();
     for (const name of ['change', 'input']) frame.contentWindow.addEventListener(name, offerNumbers);
     frame.contentWindow.addEventListener('keydown', passOn);
+    frame.contentWindow.addEventListener('pointerdown', (event) => pickPixel(frame, event), { capture: true });
+    pick(isPicking);
 }
 
 /** A tunable value as the code has it. */
@@ -128,8 +133,35 @@ function offerNumbers() {
     offer.querySelector('span').textContent = words.join(', ');
 }
 
+/** Starts or ends the choice of a pixel. */
+function pick(isOn) {
+    isPicking = isOn;
+    hint.hidden = !isOn;
+    const canvas = faceOf(shown)?.player.canvas;
+    if (canvas) canvas.style.cursor = isOn ? 'crosshair' : '';
+}
+
+/** Debugs the clicked pixel, with the time and frame that are shown. */
+function pickPixel(frame, event) {
+    const { canvas, clock, isPlaying } = faceOf(frame)?.player ?? {};
+    if (!canvas || event.target !== canvas || !(isPicking || event.altKey)) return;
+    // The shader does not see this click.
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    pick(false);
+    const box = canvas.getBoundingClientRect();
+    const { width, height } = canvas;
+    const column = Math.floor((event.clientX - box.left) / box.width * width);
+    const row = Math.floor((box.bottom - event.clientY) / box.height * height);
+    const pixel = [Math.min(Math.max(column, 0), width - 1), Math.min(Math.max(row, 0), height - 1)];
+    // The number is that of the next frame, unless the clock stands.
+    const number = Math.max(0, clock.number - (isPlaying ? 1 : 0));
+    vscode.postMessage({ type: 'pixel', shown: { pixel, size: [width, height], time: clock.time, frame: number } });
+}
+
 /** Forwards keys to this window, the only one that the editor listens to; text fields keep theirs. */
 function passOn(event) {
+    if (event.key === 'Escape') pick(false);
     const isCommand = event.ctrlKey || event.metaKey || /^F\d+$/.test(event.key);
     if (!isCommand || /^(INPUT|TEXTAREA)$/.test(event.target.tagName)) return;
     const { key, code, keyCode, ctrlKey, metaKey, shiftKey, altKey } = event;
@@ -171,7 +203,11 @@ window.addEventListener('message', ({ data }) => {
     if (data.type === 'page') {
         describe(data);
         load(data.html);
-    } else if (data.type === 'trouble') say(data.words, true);
+    } else if (data.type === 'pick') pick(true);
+    else if (data.type === 'trouble') say(data.words, true);
+});
+window.addEventListener('keydown', ({ key }) => {
+    if (key === 'Escape') pick(false);
 });
 tellTime();
 vscode.postMessage({ type: 'ready' });

@@ -37,6 +37,7 @@ export class LineCosts implements vscode.Disposable {
             vscode.workspace.onDidChangeConfiguration((change) => {
                 if (change.affectsConfiguration(SECTION)) this.renewSoon();
             }),
+            vscode.debug.onDidChangeActiveDebugSession(() => { this.renewSoon(); }),
         ];
     }
 
@@ -74,7 +75,8 @@ export class LineCosts implements vscode.Disposable {
     private async costsOf(document: vscode.TextDocument, token: vscode.CancellationToken): Promise<ShaderCosts[] | undefined> {
         const isShader = vscode.languages.match(documentSelector(), document) > 0 && document.languageId !== 'json';
         const client = this.client();
-        if (!isOn() || !isShader) return [];
+        // The editor sets no breakpoint by a click on a number.
+        if (!isOn() || !isShader || vscode.debug.activeDebugSession) return [];
         if (!client) return undefined;
         const params = { textDocument: { uri: client.code2ProtocolConverter.asUri(document.uri) } };
         return client.sendRequest<ShaderCosts[]>('shaderlint/costs', params, token);

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 import { LanguageClient } from 'vscode-languageclient/node';
 import { binary } from './binary';
 import { CostMaps } from './costMap';
+import { activateDebugger, debugPixel } from './debug/debugger';
 import { activateIn } from './extension';
 import { SECTION } from './settings';
 
@@ -27,8 +28,11 @@ export function activate(context: vscode.ExtensionContext): Promise<void> {
         doubt: () => `\`${command} lsp\` does not respond. The program may be damaged or too old.`,
         extend(previews) {
             const maps = new CostMaps(() => binary(context), previews);
+            previews.debugPixel = (uri, shown) => void debugPixel(uri, shown);
             return [
                 maps,
+                ...activateDebugger(context, () => binary(context)),
+                vscode.commands.registerCommand('shaderlint.debug.previewPixel', () => previews.pickPixel()),
                 vscode.commands.registerCommand('shaderlint.costMap', (place?: unknown) => maps.show(place)),
             ];
         },

@@ -3,6 +3,7 @@
 import * as vscode from 'vscode';
 import { type BaseLanguageClient, ErrorCodes, RequestType, ResponseError } from 'vscode-languageclient';
 import { type ChannelFile, onChannels, openChannels } from './channels';
+import type { ShownPixel } from './debug/debugger';
 import { isRange, ShownValue } from './shownValue';
 
 const VIEW = 'shaderlint.preview';
@@ -36,10 +37,13 @@ type Told =
     | { type: 'time'; time: number }
     | { type: 'channels' }
     | { type: 'colour' }
+    | { type: 'pixel'; shown: ShownPixel }
     | { type: 'write'; numbers: { name: string; text: string }[] };
 
 /** All previews, one for each document. */
 export class Previews implements vscode.Disposable, vscode.WebviewPanelSerializer {
+    /** Debugs a pixel of a document, where that is possible. */
+    debugPixel: ((uri: vscode.Uri, shown: ShownPixel) => void) | undefined;
     private readonly previews = new Map<string, Preview>();
     private readonly subscriptions: vscode.Disposable[];
 
@@ -108,6 +112,12 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
         return this.previews.get(uri.toString())?.time ?? 0;
     }
 
+    /** Lets the user click the pixel to debug in the active preview. */
+    async pickPixel(): Promise<void> {
+        const preview = [...this.previews.values()].find(({ panel }) => panel.active);
+        await preview?.panel.webview.postMessage({ type: 'pick' });
+    }
+
     dispose(): void {
         for (const preview of this.previews.values()) preview.panel.dispose();
         for (const subscription of this.subscriptions) subscription.dispose();
@@ -117,7 +127,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
         const media = vscode.Uri.joinPath(this.context.extensionUri, 'media');
         panel.webview.options = { enableScripts: true, localResourceRoots: [media] };
         panel.title = `Preview ${uri.path.replace(/^.*\//, '')}`;
-        const preview = new Preview(panel, uri, shown, this.client);
+        const preview = new Preview(panel, uri, shown, this.client, (pixel) => this.debugPixel?.(uri, pixel));
         this.previews.set(uri.toString(), preview);
         panel.onDidDispose(() => {
             preview.end();
@@ -140,6 +150,7 @@ class Preview {
         private readonly uri: vscode.Uri,
         private shown: Shown,
         private readonly client: () => BaseLanguageClient | undefined,
+        private readonly debug: (shown: ShownPixel) => void,
     ) {
         panel.webview.onDidReceiveMessage((told: Told) => { this.hear(told); });
         panel.onDidChangeViewState(() => {
@@ -204,6 +215,7 @@ class Preview {
         if (told.type === 'time') this.time = told.time;
         else if (told.type === 'write') void write(this.uri, told.numbers);
         else if (told.type === 'channels') void this.writeChannels();
+        else if (told.type === 'pixel') this.debug(told.shown);
         else if (told.type === 'colour') this.show(this.shown.shader === undefined ? {} : { shader: this.shown.shader });
         else {
             this.isReady = true;
@@ -290,6 +302,7 @@ async function shell(media: vscode.Uri, uri: vscode.Uri): Promise<string> {
 </head>
 <body data-uri="${uri.toString().replace(/[&<>"]/g, encodeURIComponent)}">
 <main id="pages"></main>
+<footer id="pick" hidden>Click the pixel to debug, or press Escape.</footer>
 <footer id="value" hidden><span></span><button type="button">Show the image</button></footer>
 <footer id="assumed" hidden><span></span><button type="button"></button></footer>
 <footer id="write" hidden><span></span><button type="button">Write into the code</button></footer>

@@ -116,7 +116,8 @@ impl<'p> Adapter<'p> {
         });
         if let Some(fields) = response.as_object_mut() {
             if let Some(message) = error {
-                let shown = json!({ "id": 1, "format": message, "showUser": true });
+                let is_shown = is_asked_by_user(&request.command);
+                let shown = json!({ "id": 1, "format": message, "showUser": is_shown });
                 fields.insert("message".to_string(), message.into());
                 fields.insert("body".to_string(), json!({ "error": shown }));
             } else if !body.is_null() {
@@ -207,6 +208,23 @@ impl<'p> Adapter<'p> {
             other => Err(format!("unknown request `{other}`")),
         }
     }
+}
+
+/// Whether a client shows the error of a request in a message: not that of one that it sends by itself,
+/// which a step may have outdated, nor of one whose errors it shows in place.
+fn is_asked_by_user(command: &str) -> bool {
+    matches!(
+        command,
+        "launch"
+            | "attach"
+            | "restart"
+            | "continue"
+            | "reverseContinue"
+            | "next"
+            | "stepIn"
+            | "stepOut"
+            | "stepBack"
+    )
 }
 
 /// Reads the arguments of a request.
