@@ -55,6 +55,8 @@ pub enum Handle {
 pub struct Mark {
     file: String,
     line: u32,
+    /// The text from this line on, by which it is found after changes before it.
+    rest: String,
     /// How often the statement had been started.
     count: usize,
 }
@@ -64,6 +66,16 @@ pub struct Now<'d> {
     pub replay: Replay<'d>,
     pub pause: Pause,
     pub lane: usize,
+}
+
+impl Mark {
+    /// The line in a text that may have changed.
+    fn line_in(&self, text: &str) -> u32 {
+        match text.strip_suffix(&*self.rest) {
+            Some(before) => before.matches('\n').count() as u32 + 1,
+            None => self.line,
+        }
+    }
 }
 
 impl Session {
@@ -181,9 +193,15 @@ impl Session {
         let count = self.count(lane, &frame).ok()?;
         let program = self.debuggee.program()?;
         let file = program.sources.file_at(frame.span.start)?;
+        let line = file.position(frame.span.start).line.max(1);
         Some(Mark {
             file: file.path.clone(),
-            line: file.position(frame.span.start).line,
+            line,
+            rest: file
+                .text
+                .split_inclusive('\n')
+                .skip(line as usize - 1)
+                .collect(),
             count,
         })
     }
@@ -198,10 +216,15 @@ impl Session {
 
     fn moment_of_mark(&mut self, mark: &Mark) -> Option<u32> {
         let program = self.debuggee.program()?;
+        let files = program.sources.files().iter();
+        let lines: Vec<(u32, u32)> = files
+            .filter(|file| file.path == mark.file)
+            .map(|file| (file.base, mark.line_in(&file.text)))
+            .collect();
         let place = self.debuggee.places.iter().find(|place| {
             let file = program.sources.file_at(place.span.start);
             let is_it = file.is_some_and(|file| {
-                file.path == mark.file && file.position(place.span.start).line == mark.line
+                lines.contains(&(file.base, file.position(place.span.start).line))
             });
             is_it && place.returned.is_none() && place.is_user
         });
