@@ -166,7 +166,7 @@ impl<'p> Adapter<'p> {
             }
             "setFunctionBreakpoints" => return Ok(Reply::with(json!({ "breakpoints": [] }))),
             "configurationDone" => return self.configured(),
-            "restart" | "shaderlint/reload" => return self.reload(),
+            "restart" | "shaderlint/reload" => return self.reload(read(&request.arguments)?),
             "disconnect" | "terminate" => return Ok(self.end(&request.command)),
             _ => {}
         }

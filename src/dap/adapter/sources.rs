@@ -32,9 +32,9 @@ impl Session {
             return Value::Null;
         };
         let name = file.path.rsplit('/').next().unwrap_or(&file.path);
-        match (&file.part, file.role, &self.launch.text) {
-            (None, Role::User, None) => json!({ "name": name, "path": file.path }),
-            (part, ..) => {
+        match (&file.part, file.role) {
+            (None, Role::User) => json!({ "name": name, "path": file.path }),
+            (part, _) => {
                 let name = part
                     .as_ref()
                     .map_or(name.to_string(), |part| format!("{part} ({name})"));

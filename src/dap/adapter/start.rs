@@ -2,7 +2,7 @@
 
 use super::session::Session;
 use super::{Adapter, Answer, Reply, read};
-use crate::arguments::{Asked, Launch, SetBreakpoints};
+use crate::arguments::{Asked, Launch, Reload, SetBreakpoints};
 use crate::debuggee::Debuggee;
 use serde_json::{Value, json};
 
@@ -125,10 +125,13 @@ impl Adapter<'_> {
     }
 
     /// Reads the program again, and goes to the same execution of the same line.
-    pub(super) fn reload(&mut self) -> Answer {
+    pub(super) fn reload(&mut self, changed: Reload) -> Answer {
         let old = self.session.as_mut().ok_or("no program is running")?;
         let mark = old.mark();
-        let launch = old.launch.clone();
+        let mut launch = old.launch.clone();
+        launch.text = changed.text.or(launch.text);
+        launch.passes = changed.passes.unwrap_or(launch.passes);
+        launch.channels = changed.channels.unwrap_or(launch.channels);
         let mut session = self.start(launch)?;
         session.go_to_mark(&mark);
         let events = vec![session.stopped("goto", Some("the program was read again"))];
