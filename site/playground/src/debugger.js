@@ -14,6 +14,8 @@ import { mark } from './trace-marks.js';
 const PAUSE = 400;
 /** How many motions may wait for another one: a key that is held down must not run ahead. */
 const MOST_WAITING = 2;
+/** How often the image is asked for its state. */
+const MOST_TRIES = 10;
 /** How many lines of output are shown. */
 const MOST_LINES = 50;
 
@@ -154,7 +156,9 @@ export class Debugger {
     this.#documents.view.requestMeasure();
     this.#panel.open();
     this.#panel.say('Debugger', 'Starting…');
-    this.#state = await this.#image.state();
+    this.#state = undefined;
+    // A frame that is busy drawing answers late.
+    for (let tries = 0; tries < MOST_TRIES && !this.#state && this.isOpen; tries++) this.#state = await this.#image.state();
     if (!this.isOpen) return;
     if (!this.#state) {
       this.#panel.say('Debugger', 'There is no image yet.', true);
