@@ -179,7 +179,10 @@ async function images(browser, address) {
       return { size: [canvas.width, canvas.height], bytes: [...data.filter((_, at) => at % 4 < 3)].slice(0, 3000) };
     });
     // Red is x, green is y from below: the first row is the upper one.
-    const [width] = same.size;
+    const [width, height] = same.size;
+    // It lies where the canvas does, above the buttons of the player.
+    const box = await page.locator('img.drawn').boundingBox();
+    assert.ok(Math.abs(box.width / box.height - width / height) < 0.02, `${box.width}x${box.height}`);
     for (const at of [0, 100, 500]) {
       const expected = Math.round(255 * (at + 0.5) / width);
       assert.ok(Math.abs(same.bytes[at * 3] - expected) <= 1, `${same.bytes[at * 3]} ${expected}`);

@@ -345,6 +345,7 @@ export class Debugger {
     }
     const { body } = await this.#ask('shaderlint/image', { expression, frameId: this.#frameId });
     Object.assign(this.#over, { src: `data:image/png;base64,${body.png}`, alt: label, hidden: false });
+    for (const [side, length] of Object.entries(this.#state.box)) this.#over.style.setProperty(side, `${length}px`);
     this.#panel.covered(true);
     const all = body.width * body.height;
     this.#panel.say(this.#title, `${label}: in ${body.pixels.toLocaleString('en')} of ${all.toLocaleString('en')} pixels`);
