@@ -2,6 +2,7 @@
 
 mod cli;
 mod corpus;
+mod debugging;
 mod differential;
 mod embed;
 mod formatting;

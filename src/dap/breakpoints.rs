@@ -10,6 +10,10 @@ use shaderlint_diagnostic::grouped;
 use shaderlint_exec::{CompileOptions, Draw, QUAD, Stop, draw};
 use shaderlint_text::FileId;
 
+/// The number of instructions per thread after which pixels are no longer counted: a second or two.
+const COUNT_BUDGET: u64 = 100_000_000;
+const UNCOUNTED: &str = "the image takes too long to count the pixels that hit it";
+
 /// A breakpoint of a client.
 pub struct Breakpoint {
     pub id: u32,
@@ -126,7 +130,11 @@ impl Breakpoint {
             Some(condition) => {
                 let frame = frame(debuggee, place)?;
                 let any = EvaluatedExpression::ever(debuggee, &frame, condition)?;
-                (any.image(debuggee, threads)?.count_true(), None)
+                let Ok(image) = any.image(debuggee, (threads, COUNT_BUDGET)) else {
+                    self.hits = Some(UNCOUNTED.to_string());
+                    return Ok(());
+                };
+                (image.count_true(), None)
             }
             None => {
                 let options = CompileOptions {
@@ -135,7 +143,12 @@ impl Breakpoint {
                 };
                 let variant = debuggee.variant(None, &options);
                 let variant = variant.map_err(super::evaluate::message)?;
-                let drawn = draw(&variant.draw(), threads).map_err(|stop| stopped(&stop))?;
+                let mut whole = variant.draw();
+                whole.budget = COUNT_BUDGET;
+                let Ok(drawn) = draw(&whole, threads) else {
+                    self.hits = Some(UNCOUNTED.to_string());
+                    return Ok(());
+                };
                 let mut statements = variant.code.statements().iter().zip(&drawn.seen.statements);
                 let found = statements.find(|(extent, _)| **extent == place.extent);
                 let seen = found.map(|(_, seen)| *seen).unwrap_or_default();
@@ -188,26 +201,28 @@ pub fn stopped(stop: &Stop) -> String {
     format!("the pixels around {x},{y} exceeded the operation limit")
 }
 
-/// The place of a breakpoint: the first statement of a file that starts on a line or after it.
+/// The place of a breakpoint: the first statement of a file that starts at a line, from 1, or after it,
+/// until the line `last`.
 ///
 /// # Errors
 /// A message if there is none.
 pub fn place_at(
     debuggee: &Debuggee,
     file: FileId,
-    (line, column): (u32, Option<u32>),
+    ((line, column), last): ((u32, Option<u32>), u32),
 ) -> Result<StopPlace, String> {
     let program = debuggee.program().ok_or("the program is gone")?;
     let text = program
         .sources
         .file(file)
         .ok_or("the file is not part of the program")?;
-    let wanted_at = (line, column.unwrap_or(0));
+    let asked_at = (line, column.unwrap_or(0));
     let starts = debuggee.places.iter().filter_map(|place| {
         let is_own = text.span().contains(place.span) && place.returned.is_none();
         let at = text.position(place.span.start);
         let at = (at.line, at.column);
-        (is_own && place.is_user && at >= wanted_at).then_some((at, place))
+        let is_in_range = at >= asked_at && at.0 <= last;
+        (is_own && place.is_user && is_in_range).then_some((at, place))
     });
     let first = starts.min_by_key(|(at, _)| *at);
     first

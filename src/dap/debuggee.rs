@@ -8,7 +8,9 @@ use shaderlint_commands::run::{Loaded, Shot, ShotSetting, UniformText, Unmade, V
 use shaderlint_engine::playback::{Decode, Moment};
 use shaderlint_exec::{CompileOptions, DrawInputs, Location, Pause, Replay, Watch};
 use shaderlint_ir::OpId;
+use shaderlint_port::TextPiece;
 use shaderlint_semantic::{Program, VariableId};
+use shaderlint_text::FileId;
 use std::sync::Arc;
 
 /// Reads programs.
@@ -24,6 +26,9 @@ pub trait Programs {
 
     /// The number of threads that draw.
     fn threads(&self) -> usize;
+
+    /// The text of a file, if it can be read.
+    fn text(&self, path: &str) -> Option<String>;
 
     /// The path that names a file, whatever a client calls it.
     fn path(&self, path: &str) -> String {
@@ -46,7 +51,7 @@ pub struct Debuggee {
 }
 
 /// How code is compiled that a debugger steps through.
-fn stepping() -> CompileOptions {
+pub fn stepping() -> CompileOptions {
     CompileOptions {
         watch: Watch::Numbers,
         steps: true,
@@ -119,6 +124,13 @@ impl Debuggee {
     /// The checked program.
     pub fn program(&self) -> Option<&Program> {
         self.build.program()
+    }
+
+    /// The files that a text was put together from.
+    pub fn pieces(&self, id: FileId) -> &[TextPiece] {
+        let pass = self.build.composed().owner(id);
+        let pass = pass.and_then(|pass| self.loaded.project.passes.get(pass));
+        pass.map_or(&[], |pass| &pass.pieces)
     }
 
     /// Width and height of the image in pixels.

@@ -146,11 +146,15 @@ impl EvaluatedExpression {
         self.ty == Type::BOOL
     }
 
-    /// Draws the last value of each pixel.
+    /// Draws the last value of each pixel, with at most `budget` instructions per thread.
     ///
     /// # Errors
     /// A message about a draw that cannot be run.
-    pub fn image(&self, debuggee: &Debuggee, threads: usize) -> Result<ValueImage, String> {
+    pub fn image(
+        &self,
+        debuggee: &Debuggee,
+        (threads, budget): (usize, u64),
+    ) -> Result<ValueImage, String> {
         let probe = self.probe().ok_or("the value is not stored")?;
         let options = CompileOptions {
             probe: Some(probe),
@@ -158,7 +162,10 @@ impl EvaluatedExpression {
         };
         let build = debuggee.variant(Some((self.pass, self.text.clone())), &options);
         let build = build.map_err(message)?;
-        let drawn = draw(&build.draw(), threads).map_err(|stop| stopped(&stop))?;
+        let mut whole = build.draw();
+        whole.budget = budget;
+        let drawn = draw(&whole, threads).map_err(|stop| stopped(&stop))?;
+        drop(whole);
         Ok(ValueImage {
             code: build.code,
             drawn,

@@ -13,11 +13,13 @@ mod arguments;
 mod breakpoints;
 mod debuggee;
 mod evaluate;
+mod files;
 mod insertion;
 mod places;
 mod scopes;
 mod stepping;
 mod timeline;
+mod uninitialized;
 mod value;
 
 pub use adapter::Adapter;

@@ -142,7 +142,7 @@ pub fn written(
     // The statement that writes is the one before the stop that sees the write.
     timeline.scan_back(draw, before.saturating_add(1), &mut |replay, passed| {
         let pause = passed.pause?;
-        let has_written = replay.writes().any(|written| written == variable);
+        let has_written = replay.writes().any(|(written, _)| written == variable);
         let is_changed = part.clone().is_none_or(|part| {
             let new = replay.scalars(variable, lane, part.end);
             let new = new.and_then(|bits| bits.get(part).map(<[u32]>::to_vec));

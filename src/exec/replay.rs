@@ -8,6 +8,7 @@ use super::draw::{Draw, Stop};
 use super::render::tile_of;
 use super::row::{LANES, Row};
 use super::vm::{Fault, Vm, VmState};
+use shaderlint_ir::OpId;
 use shaderlint_semantic::VariableId;
 
 /// The number of pixels of a quad.
@@ -88,13 +89,13 @@ impl<'d> Replay<'d> {
         self.vm.watched.fault
     }
 
-    /// The variables that the pixel wrote since they were forgotten, in order. The code has to be compiled
+    /// The variables that the pixel wrote since they were forgotten, with the stores, in order. The code has to be compiled
     /// with [`CompileOptions::trace`](crate::CompileOptions::trace), too.
-    pub fn writes(&self) -> impl Iterator<Item = VariableId> {
+    pub fn writes(&self) -> impl Iterator<Item = (VariableId, OpId)> {
         let sites = self.vm.written.iter();
         let sites = sites.filter_map(|site| self.draw.code.traces.get(*site as usize));
         sites.filter_map(|site| match site.value {
-            TracedValue::Written(variable, _) => Some(variable),
+            TracedValue::Written(variable, op) => Some((variable, op)),
             _ => None,
         })
     }

@@ -70,6 +70,19 @@ pub struct ProjectPass {
     pub draw: PassDraw,
     /// Path of its file; `None` in an export.
     pub file: Option<String>,
+    /// The files that its code was put together from, in order; empty if it is one file.
+    pub pieces: Vec<TextPiece>,
+}
+
+/// A part of the code of a pass that is from one file, up to the next part.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct TextPiece {
+    /// Its first line in the code, from 1.
+    pub start: u32,
+    /// Path of the file, relative to the folder of the shader; empty for the shader itself.
+    pub file: String,
+    /// Its first line in the file, from 1.
+    pub line: u32,
 }
 
 /// Who declares the uniforms, the output and `main` of a pass.
@@ -363,6 +376,7 @@ impl ProjectPass {
             stage: Stage::Fragment,
             draw: PassDraw::default(),
             file: None,
+            pieces: Vec::new(),
         }
     }
 

@@ -268,6 +268,7 @@ fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, Sha
         stage: best.stage,
         inputs: given.collect(),
         output: Some(planned.output),
+        pieces: planned.pieces,
         ..ProjectPass::new(planned.kind, best.code)
     })
 }

@@ -59,4 +59,8 @@ impl Programs for SentPrograms {
     fn threads(&self) -> usize {
         1
     }
+
+    fn text(&self, _: &str) -> Option<String> {
+        None
+    }
 }

@@ -82,6 +82,10 @@ impl Programs for DiskPrograms {
         Some(decode)
     }
 
+    fn text(&self, path: &str) -> Option<String> {
+        std::fs::read_to_string(path).ok()
+    }
+
     fn threads(&self) -> usize {
         thread::available_parallelism().map_or(1, usize::from)
     }

@@ -297,7 +297,7 @@ impl Session {
     pub(super) fn image(&mut self, asked: &Asked, threads: usize) -> Answer {
         let (.., frame) = self.frame(asked.frame_id)?;
         let evaluated = self.compiled(&frame, &asked.expression)?;
-        let image = evaluated.image(&self.debuggee, threads)?;
+        let image = evaluated.image(&self.debuggee, (threads, u64::MAX))?;
         let bitmap = image.bitmap(&asked.expression);
         let [width, height] = bitmap.size;
         let png = png_of(&bitmap.bytes, bitmap.size)?;

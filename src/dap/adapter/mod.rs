@@ -166,7 +166,7 @@ impl<'p> Adapter<'p> {
             }
             "setFunctionBreakpoints" => return Ok(Reply::with(json!({ "breakpoints": [] }))),
             "configurationDone" => return self.configured(),
-            "restart" | "shaderlint/reload" => return self.reload(read(&request.arguments)?),
+            "restart" | "shaderlint/reload" => return self.reload(&request.arguments),
             "disconnect" | "terminate" => return Ok(self.end(&request.command)),
             _ => {}
         }
@@ -186,7 +186,7 @@ impl<'p> Adapter<'p> {
             "evaluate" => session.evaluate(&asked),
             "source" => session.source(&asked),
             "loadedSources" => Ok(session.loaded_sources()),
-            "breakpointLocations" => session.breakpoint_locations(client, &asked),
+            "breakpointLocations" => session.breakpoint_locations(client, self.programs, &asked),
             "exceptionInfo" => Ok(session.exception()),
             "dataBreakpointInfo" => Ok(session.data_breakpoint(&asked)),
             "setDataBreakpoints" => Ok(session.set_data_breakpoints(&asked)),

@@ -1,11 +1,12 @@
 //! Requests that go to another moment.
 
-use super::session::{Session, focused};
+use super::session::{Session, StopCause, focused};
 use super::{Answer, Event, Reply};
 use crate::arguments::Asked;
 use crate::breakpoints::stopped;
 use crate::evaluate::EvaluatedExpression;
 use crate::stepping::{StepKind, StepStart, moment_of, next, step, written};
+use crate::uninitialized;
 use serde_json::{Value, json};
 use shaderlint_exec::{Fault, FaultKind};
 use shaderlint_semantic::VariableId;
@@ -18,7 +19,7 @@ struct Goal {
     moment: u32,
     reason: &'static str,
     breakpoints: Vec<u32>,
-    fault: Option<Fault>,
+    cause: Option<StopCause>,
 }
 
 /// An event with output.
@@ -79,15 +80,16 @@ impl Session {
             moment,
             reason: "step",
             breakpoints: Vec::new(),
-            fault: None,
+            cause: None,
         });
         // A breakpoint or a chosen fault inside a call ends the step over it.
-        let goal = match (is_forwards, goal) {
-            (true, Some(goal)) if goal.moment > from + 1 => match self.forwards()? {
-                Some(first) if first.moment < goal.moment => Some(first),
-                _ => Some(goal),
+        let is_next = goal.as_ref().is_some_and(|goal| goal.moment <= from + 1);
+        let goal = match is_forwards && !is_next {
+            true => match (self.forwards()?, goal) {
+                (Some(first), Some(goal)) if first.moment >= goal.moment => Some(goal),
+                (first, goal) => first.or(goal),
             },
-            (_, goal) => goal,
+            false => goal,
         };
         let to = goal.as_ref().map_or(u32::MAX, |goal| goal.moment);
         let messages = match is_forwards {
@@ -125,7 +127,7 @@ impl Session {
             .filter(|m| *m > from)
             .min();
         // The fault of the current statement was seen if it is shown.
-        let is_shown = self.fault.is_some();
+        let is_shown = self.cause.is_some();
         let watched = self.watched();
         let lane = self.focus;
         let draw = self.debuggee.build.draw();
@@ -144,19 +146,19 @@ impl Session {
                         None => 0,
                     };
                     let is_new = before > from || !is_shown;
-                    let is_written = replay.writes().any(|v| watched.contains(&v));
+                    let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
                     goal = match fault.filter(|_| is_new && passed.pause.is_some()) {
                         Some(fault) => Some(Goal {
                             moment: before,
                             reason: "exception",
                             breakpoints: Vec::new(),
-                            fault: Some(fault),
+                            cause: Some(StopCause::Fault(fault)),
                         }),
                         None if is_written && passed.pause.is_some() => Some(Goal {
                             moment: now,
                             reason: "data breakpoint",
                             breakpoints: Vec::new(),
-                            fault: None,
+                            cause: None,
                         }),
                         None => None,
                     };
@@ -164,6 +166,7 @@ impl Session {
                 })
                 .map_err(|stop| stopped(&stop))?;
         }
+        let goal = self.with_uninitialized(goal, (from + 1, u32::MAX))?;
         Ok(match (goal, first) {
             (Some(goal), first) if first.is_none_or(|first| goal.moment < first) => Some(goal),
             (_, Some(first)) => Some(goal_at(first, &hits)),
@@ -192,29 +195,63 @@ impl Session {
                 timeline.scan_back(&draw, before.saturating_add(1), &mut |replay, passed| {
                     let now = moment_of(&passed.pause?, lane);
                     let fault = passed.fault.filter(|fault| is_chosen(filters, *fault));
-                    let is_written = replay.writes().any(|v| watched.contains(&v));
+                    let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
                     match fault {
                         Some(fault) if now > 1 && now - 1 < before => Some(Goal {
                             moment: now - 1,
                             reason: "exception",
                             breakpoints: Vec::new(),
-                            fault: Some(fault),
+                            cause: Some(StopCause::Fault(fault)),
                         }),
                         _ if is_written && now < before => Some(Goal {
                             moment: now,
                             reason: "data breakpoint",
                             breakpoints: Vec::new(),
-                            fault: None,
+                            cause: None,
                         }),
                         _ => None,
                     }
                 });
             goal = seen.map_err(|stop| stopped(&stop))?;
         }
+        let goal = match self.with_uninitialized(None, (0, before.saturating_sub(1)))? {
+            Some(found) if goal.as_ref().is_none_or(|goal| goal.moment < found.moment) => {
+                Some(found)
+            }
+            _ => goal,
+        };
         Ok(match (goal, last) {
             (Some(goal), last) if last.is_none_or(|last| goal.moment > last) => Some(goal),
             (_, Some(last)) => Some(goal_at(last, &hits)),
             (goal, None) => goal,
+        })
+    }
+
+    /// The earlier of a goal and the read of an uninitialised variable in a range of moments, if the client
+    /// stops at those.
+    fn with_uninitialized(
+        &mut self,
+        goal: Option<Goal>,
+        (first, last): (u32, u32),
+    ) -> Result<Option<Goal>, String> {
+        if !self.filters.iter().any(|filter| filter == "uninitialized") {
+            return Ok(goal);
+        }
+        let pixel = self.pixel();
+        let moment = match self.uninitialized {
+            Some((known, moment)) if known == pixel => moment,
+            _ => uninitialized::first(&self.debuggee, pixel)?,
+        };
+        self.uninitialized = Some((pixel, moment));
+        let moment = moment.filter(|moment| first <= *moment && *moment <= last);
+        Ok(match moment {
+            Some(moment) if goal.as_ref().is_none_or(|goal| moment < goal.moment) => Some(Goal {
+                moment,
+                reason: "exception",
+                breakpoints: Vec::new(),
+                cause: Some(StopCause::Uninitialized),
+            }),
+            _ => goal,
         })
     }
 
@@ -343,14 +380,14 @@ impl Session {
                     moment,
                     reason: if is_forwards { "step" } else { "entry" },
                     breakpoints: Vec::new(),
-                    fault: None,
+                    cause: None,
                 }
             }
         };
         self.moment = goal.moment;
         self.settle();
-        self.fault = goal.fault;
-        let text = goal.fault.map(|fault| self.fault_text(fault));
+        self.cause = goal.cause;
+        let text = goal.cause.map(|cause| self.cause_text(cause));
         let (name, mut event) = self.stopped(goal.reason, text.as_deref());
         if let (false, Some(fields)) = (goal.breakpoints.is_empty(), event.as_object_mut()) {
             fields.insert("hitBreakpointIds".to_string(), json!(goal.breakpoints));
@@ -382,10 +419,14 @@ impl Session {
         Ok(last)
     }
 
-    /// What a fault is, in words.
-    pub fn fault_text(&self, fault: Fault) -> String {
+    /// Why the program has stopped, in words.
+    pub fn cause_text(&self, cause: StopCause) -> String {
         let module = &self.debuggee.build.module;
         let program = self.debuggee.program();
+        let fault = match cause {
+            StopCause::Uninitialized => return "an uninitialised variable is read".to_string(),
+            StopCause::Fault(fault) => fault,
+        };
         match fault {
             Fault::Exhausted(_) => "the loop runs out of iterations".to_string(),
             Fault::Number(op, kind) => {
@@ -412,21 +453,25 @@ fn goal_at(moment: u32, hits: &[(u32, u32)]) -> Goal {
         moment,
         reason: "breakpoint",
         breakpoints: here.map(|(_, id)| *id).collect(),
-        fault: None,
+        cause: None,
     }
 }
 
 /// Whether a client chose to stop at a fault.
 fn is_chosen(filters: &[String], fault: Fault) -> bool {
-    let filter = match fault {
+    filters.iter().any(|chosen| chosen == filter_of(fault))
+}
+
+/// The filter of a fault.
+pub const fn filter_of(fault: Fault) -> &'static str {
+    match fault {
         Fault::Exhausted(_) => "exhausted",
         Fault::Number(_, FaultKind::Nan) => "nan",
         Fault::Number(_, FaultKind::Infinite) => "infinite",
         Fault::Number(_, FaultKind::DivisionByZero) => "division",
         Fault::Number(_, FaultKind::OutOfRange) => "index",
         Fault::Number(_, FaultKind::Undefined) => "undefined",
-    };
-    filters.iter().any(|chosen| chosen == filter)
+    }
 }
 
 /// The parts of a message: text, and expressions in braces.

@@ -3,20 +3,23 @@
 use super::Event;
 use crate::arguments::{DataBreakpointArgument, Launch};
 use crate::breakpoints::{Breakpoint, starts, stopped};
-use crate::debuggee::Debuggee;
+use crate::debuggee::{Debuggee, Programs};
 use crate::evaluate::EvaluatedExpression;
+use crate::files::{FileLine, ProgramFiles};
 use crate::places::StackFrame;
 use crate::stepping::next;
 use crate::timeline::Timeline;
 use crate::value::DebugValue;
 use serde_json::json;
-use shaderlint_exec::{Draw, Fault, Pause, QUAD, Replay, lane_of};
-use shaderlint_semantic::VariableId;
+use shaderlint_exec::{Fault, Pause, QUAD, Replay, lane_of};
+use shaderlint_semantic::{Program, VariableId};
+use shaderlint_text::SourceFile;
 use std::rc::Rc;
 
 /// A program that is debugged.
 pub struct Session {
     pub debuggee: Debuggee,
+    pub files: ProgramFiles,
     pub launch: Launch,
     /// By lane: the moments of its pixel.
     pub timelines: [Timeline; QUAD],
@@ -24,8 +27,10 @@ pub struct Session {
     pub focus: usize,
     /// Its moment.
     pub moment: u32,
-    /// The fault that is shown.
-    pub fault: Option<Fault>,
+    /// Why the program has stopped, unless at a breakpoint or after a step.
+    pub cause: Option<StopCause>,
+    /// A pixel, and the moment at which it reads an uninitialised variable.
+    pub uninitialized: Option<([u32; 2], Option<u32>)>,
     pub breakpoints: Vec<Breakpoint>,
     pub data: Vec<DataBreakpointArgument>,
     pub filters: Vec<String>,
@@ -36,6 +41,14 @@ pub struct Session {
     pub handles: Vec<Handle>,
     /// Expressions that were compiled: the statement, the text, the program.
     pub compiled: Vec<(u32, String, Rc<EvaluatedExpression>)>,
+}
+
+/// What a program stops at besides breakpoints.
+#[derive(Clone, Copy)]
+pub enum StopCause {
+    Fault(Fault),
+    /// An uninitialised variable is read.
+    Uninitialized,
 }
 
 /// What a reference to variables refers to.
@@ -53,9 +66,10 @@ pub enum Handle {
 
 /// A place to come back to after the program has changed.
 pub struct Mark {
-    file: String,
-    line: u32,
-    /// The text from this line on, by which it is found after changes before it.
+    line: FileLine,
+    /// The text with the line: its path and part, and what it has from the line on, by which the line is
+    /// found after changes before it.
+    text: (String, Option<String>),
     rest: String,
     /// How often the statement had been started.
     count: usize,
@@ -69,25 +83,32 @@ pub struct Now<'d> {
 }
 
 impl Mark {
-    /// The line in a text that may have changed.
-    fn line_in(&self, text: &str) -> u32 {
-        match text.strip_suffix(&*self.rest) {
-            Some(before) => before.matches('\n').count() as u32 + 1,
-            None => self.line,
+    /// The line in a text that may have changed before it.
+    fn line_in(&self, file: &SourceFile) -> Option<u32> {
+        if file.path != self.text.0 || file.part != self.text.1 {
+            return None;
         }
+        let before = file.text.strip_suffix(&*self.rest)?;
+        Some(before.matches('\n').count() as u32 + 1)
     }
 }
 
 impl Session {
     /// A session at the first statement of a pixel.
-    pub fn of(debuggee: Debuggee, launch: Launch, pixel: [u32; 2]) -> Result<Session, String> {
+    pub fn of(
+        debuggee: Debuggee,
+        (launch, pixel): (Launch, [u32; 2]),
+        programs: &dyn Programs,
+    ) -> Result<Session, String> {
         let mut session = Session {
+            files: ProgramFiles::of(&debuggee, programs),
             debuggee,
             launch,
             timelines: quad(pixel),
             focus: lane_of(pixel),
             moment: 1,
-            fault: None,
+            cause: None,
+            uninitialized: None,
             breakpoints: Vec::new(),
             data: Vec::new(),
             filters: Vec::new(),
@@ -125,7 +146,7 @@ impl Session {
     /// Forgets what depends on the moment.
     pub fn settle(&mut self) {
         self.handles.clear();
-        self.fault = None;
+        self.cause = None;
     }
 
     /// The pixel that is debugged.
@@ -140,11 +161,11 @@ impl Session {
         lane: usize,
         ask: impl FnOnce(&Debuggee, &mut Now<'_>) -> T,
     ) -> Result<T, String> {
-        let draw = self.debuggee.build.draw();
         let moment = match lane == self.focus {
             true => self.moment,
-            false => self.moment_of_lane(lane, &draw)?,
+            false => self.moment_of_lane(lane)?,
         };
+        let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
         let found = timeline.at(&draw, moment).map_err(|stop| stopped(&stop))?;
         let (replay, pause) = found.ok_or("the pixel does not run")?;
@@ -157,10 +178,11 @@ impl Session {
     }
 
     /// The last moment of another lane before the current one.
-    fn moment_of_lane(&self, lane: usize, draw: &Draw<'_>) -> Result<u32, String> {
-        let mut timeline = Timeline::of(self.pixel());
+    fn moment_of_lane(&mut self, lane: usize) -> Result<u32, String> {
+        let draw = self.debuggee.build.draw();
+        let timeline = focused(&mut self.timelines, self.focus)?;
         let found = timeline
-            .at(draw, self.moment)
+            .at(&draw, self.moment)
             .map_err(|stop| stopped(&stop))?;
         let moment = found.and_then(|(_, pause)| pause.moments.get(lane).copied());
         Ok(moment.unwrap_or(1).max(1))
@@ -192,18 +214,23 @@ impl Session {
         let frame = *self.frames(lane).ok()?.first()?;
         let count = self.count(lane, &frame).ok()?;
         let program = self.debuggee.program()?;
+        let line = self.line_at(program, frame.span.start)?;
         let file = program.sources.file_at(frame.span.start)?;
-        let line = file.position(frame.span.start).line.max(1);
+        let before = file.position(frame.span.start).line.saturating_sub(1);
+        let lines = file.text.split_inclusive('\n');
         Some(Mark {
-            file: file.path.clone(),
             line,
-            rest: file
-                .text
-                .split_inclusive('\n')
-                .skip(line as usize - 1)
-                .collect(),
+            text: (file.path.clone(), file.part.clone()),
+            rest: lines.skip(before as usize).collect(),
             count,
         })
+    }
+
+    /// The line at an address.
+    pub fn line_at(&self, program: &Program, address: u32) -> Option<FileLine> {
+        let id = program.sources.file_id_at(address)?;
+        let line = program.sources.file(id)?.position(address).line;
+        self.files.line(id, line)
     }
 
     /// Goes to a place, as far as it exists.
@@ -218,14 +245,17 @@ impl Session {
         let program = self.debuggee.program()?;
         let files = program.sources.files().iter();
         let lines: Vec<(u32, u32)> = files
-            .filter(|file| file.path == mark.file)
-            .map(|file| (file.base, mark.line_in(&file.text)))
+            .filter_map(|file| Some((file.base, mark.line_in(file)?)))
             .collect();
         let place = self.debuggee.places.iter().find(|place| {
-            let file = program.sources.file_at(place.span.start);
-            let is_it = file.is_some_and(|file| {
-                lines.contains(&(file.base, file.position(place.span.start).line))
-            });
+            let here = program.sources.file_at(place.span.start);
+            let is_it =
+                match here.and_then(|here| lines.iter().find(|(base, _)| *base == here.base)) {
+                    Some((_, line)) => {
+                        here.is_some_and(|here| here.position(place.span.start).line == *line)
+                    }
+                    None => self.line_at(program, place.span.start).as_ref() == Some(&mark.line),
+                };
             is_it && place.returned.is_none() && place.is_user
         });
         let place = *place?;
@@ -243,6 +273,7 @@ impl Session {
             "reason": reason,
             "threadId": self.focus + 1,
             "allThreadsStopped": true,
+            "moment": self.moment,
         });
         if let (Some(text), Some(fields)) = (description, body.as_object_mut()) {
             fields.insert("description".to_string(), text.into());

@@ -1,12 +1,13 @@
 //! Breakpoints of the client.
 
-use super::session::Session;
+use super::motion::filter_of;
+use super::session::{Session, StopCause};
 use super::{Answer, Client, Reply};
 use crate::arguments::{Asked, SetBreakpoints};
 use crate::breakpoints::{Breakpoint, place_at};
 use crate::debuggee::Programs;
+use crate::files::FileLine;
 use serde_json::{Value, json};
-use shaderlint_exec::Fault;
 
 impl Session {
     /// Replaces the breakpoints of a source. Returns them for the client.
@@ -16,7 +17,6 @@ impl Session {
         programs: &dyn Programs,
         set: &SetBreakpoints,
     ) -> Vec<Value> {
-        let file = self.file_of(programs, &set.source);
         let mut old = Vec::new();
         for breakpoint in std::mem::take(&mut self.breakpoints) {
             match breakpoint.source == set.source {
@@ -35,10 +35,17 @@ impl Session {
             let column = given
                 .column
                 .map(|column| (column + 1).saturating_sub(client.first_column));
-            let place = match file {
-                Some(file) => place_at(&self.debuggee, file, (line, column)),
-                None => Err("the file is not part of the program".to_string()),
+            let lines = self.lines_of(programs, (&set.source, line));
+            let mut places = lines
+                .into_iter()
+                .map(|(file, line, last)| place_at(&self.debuggee, file, ((line, column), last)));
+            let first = places.next();
+            let missing = || Err("the file is not part of the program".to_string());
+            let place = match first {
+                Some(Err(_)) => places.find(Result::is_ok).or(first),
+                found => found,
             };
+            let place = place.unwrap_or_else(missing);
             let id = self.next_breakpoint;
             self.next_breakpoint += 1;
             self.breakpoints
@@ -61,10 +68,9 @@ impl Session {
         match &breakpoint.place {
             Ok(place) => {
                 let program = self.debuggee.program();
-                let file = program.and_then(|p| p.sources.file_at(place.span.start));
-                if let Some(file) = file {
-                    let line = file.position(place.span.start).line + self.first_line - 1;
-                    fields.insert("line".to_string(), line.into());
+                let at = program.and_then(|p| self.line_at(p, place.span.start));
+                if let Some(FileLine::Disk(_, line) | FileLine::Virtual(_, line)) = at {
+                    fields.insert("line".to_string(), (line + self.first_line - 1).into());
                 }
                 if let Some(hits) = &breakpoint.hits {
                     fields.insert("message".to_string(), hits.as_str().into());
@@ -112,13 +118,14 @@ impl Session {
     }
 
     pub(super) fn exception(&self) -> Reply {
-        let fault = self.fault;
-        let id = match fault {
-            Some(Fault::Exhausted(_)) => "exhausted",
-            Some(Fault::Number(..)) => "number",
+        let id = match self.cause {
+            Some(StopCause::Fault(fault)) => filter_of(fault),
+            Some(StopCause::Uninitialized) => "uninitialized",
             None => "none",
         };
-        let text = fault.map_or(String::new(), |fault| self.fault_text(fault));
+        let text = self
+            .cause
+            .map_or(String::new(), |cause| self.cause_text(cause));
         Reply::with(json!({
             "exceptionId": id,
             "description": text,
@@ -126,27 +133,27 @@ impl Session {
         }))
     }
 
-    pub(super) fn breakpoint_locations(&self, client: &Client, asked: &Asked) -> Answer {
+    pub(super) fn breakpoint_locations(
+        &self,
+        client: &Client,
+        programs: &dyn Programs,
+        asked: &Asked,
+    ) -> Answer {
         let program = self.debuggee.program().ok_or("the program is gone")?;
         let line = |line: u32| (line + 1).saturating_sub(client.first_line);
         let (from, to) = (line(asked.line), line(asked.end_line.unwrap_or(asked.line)));
-        let places = self
-            .debuggee
-            .places
-            .iter()
-            .filter(|place| place.returned.is_none() && place.is_user);
-        let mut found: Vec<(u32, u32)> = places
-            .filter_map(|place| {
-                let file = program.sources.file_at(place.span.start)?;
-                let at = file.position(place.span.start);
-                let is_own = asked
-                    .source
-                    .path
-                    .as_deref()
-                    .is_none_or(|path| path == file.path);
-                (is_own && from <= at.line && at.line <= to).then_some((at.line, at.column))
-            })
-            .collect();
+        let mut found: Vec<(u32, u32)> = Vec::new();
+        for (file, start, last) in self.lines_of(programs, (&asked.source, from)) {
+            let end = start.saturating_add(to.saturating_sub(from)).min(last);
+            let places = self.debuggee.places.iter();
+            let own = places.filter(|place| place.returned.is_none() && place.is_user);
+            found.extend(own.filter_map(|place| {
+                let at = program.sources.file(file)?.position(place.span.start);
+                let is_own = program.sources.file_id_at(place.span.start) == Some(file);
+                let is_inside = is_own && start <= at.line && at.line <= end;
+                is_inside.then(|| (from + at.line - start, at.column))
+            }));
+        }
         found.sort_unstable();
         found.dedup();
         let rows = found.into_iter().map(|(line, column)| {

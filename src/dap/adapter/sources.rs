@@ -4,56 +4,49 @@ use super::session::Session;
 use super::{Answer, Client, Reply};
 use crate::arguments::{Asked, SourceArgument};
 use crate::debuggee::Programs;
+use crate::files::{FileLine, title};
 use serde_json::{Value, json};
-use shaderlint_text::{FileId, Role, Span};
+use shaderlint_text::{FileId, Span};
 
 impl Session {
-    /// The file that a client names.
-    pub(super) fn file_of(
+    /// The places in texts that a client names by a source and a line: the text, the line there, and the
+    /// last line that belongs to the source.
+    pub(super) fn lines_of(
         &self,
         programs: &dyn Programs,
-        source: &SourceArgument,
-    ) -> Option<FileId> {
-        let program = self.debuggee.program()?;
-        if let Some(number) = source.source_reference.and_then(|n| n.checked_sub(1)) {
-            return Some(FileId(number));
+        (source, line): (&SourceArgument, u32),
+    ) -> Vec<(FileId, u32, u32)> {
+        match (source.source_reference, &source.path) {
+            (Some(number), _) if number > 0 => vec![(FileId(number - 1), line, u32::MAX)],
+            (_, Some(path)) => self.files.texts_with(programs, (path, line)).collect(),
+            _ => Vec::new(),
         }
-        let path = programs.path(source.path.as_deref()?);
-        let mut files = (0..).map(FileId).zip(program.sources.files());
-        let is_it = |path: &str, known: &str| programs.path(known) == path;
-        let found = files.find(|(_, file)| file.role == Role::User && is_it(&path, &file.path));
-        found.map(|(id, _)| id)
     }
 
     /// A text as the client names it.
-    fn source_of(&self, id: FileId) -> Value {
-        let program = self.debuggee.program();
-        let Some(file) = program.and_then(|p| p.sources.file(id)) else {
-            return Value::Null;
-        };
-        let name = file.path.rsplit('/').next().unwrap_or(&file.path);
-        match (&file.part, file.role) {
-            (None, Role::User) => json!({ "name": name, "path": file.path }),
-            (part, _) => {
-                let name = part
-                    .as_ref()
-                    .map_or(name.to_string(), |part| format!("{part} ({name})"));
-                json!({ "name": name, "sourceReference": id.0 + 1 })
+    fn source_of(&self, file: &FileLine) -> Value {
+        match file {
+            FileLine::Disk(path, _) => {
+                let name = path.rsplit('/').next().unwrap_or(path);
+                json!({ "name": name, "path": path })
+            }
+            FileLine::Virtual(id, _) => {
+                let file = self.debuggee.program().and_then(|p| p.sources.file(*id));
+                json!({ "name": file.map_or(String::new(), title), "sourceReference": id.0 + 1 })
             }
         }
     }
 
     /// A range of the source, with its source.
     pub(super) fn range(&self, client: &Client, span: Span) -> Value {
-        let program = self.debuggee.program();
-        let Some((program, id)) =
-            program.and_then(|p| Some((p, p.sources.file_id_at(span.start)?)))
-        else {
-            return json!({ "line": 0, "column": 0 });
-        };
-        let Some(file) = program.sources.file(id) else {
-            return json!({ "line": 0, "column": 0 });
-        };
+        self.known_range(client, span)
+            .unwrap_or_else(|| json!({ "line": 0, "column": 0 }))
+    }
+
+    fn known_range(&self, client: &Client, span: Span) -> Option<Value> {
+        let program = self.debuggee.program()?;
+        let id = program.sources.file_id_at(span.start)?;
+        let file = program.sources.file(id)?;
         let place = |address: u32| {
             let at = file.position(address);
             let before = file
@@ -61,20 +54,22 @@ impl Session {
                 .get(..(address - file.base) as usize)
                 .unwrap_or("");
             let line = before.rsplit('\n').next().unwrap_or("");
-            let column = line.encode_utf16().count() as u32;
             (
-                at.line + client.first_line - 1,
-                column + client.first_column,
+                at.line,
+                line.encode_utf16().count() as u32 + client.first_column,
             )
         };
-        let ((line, column), (end_line, end_column)) = (place(span.start), place(span.end));
-        json!({
-            "source": self.source_of(id),
+        let ((first, column), (last, end_column)) = (place(span.start), place(span.end));
+        let at = self.files.line(id, first)?;
+        let (FileLine::Disk(_, line) | FileLine::Virtual(_, line)) = at;
+        let line = line + client.first_line - 1;
+        Some(json!({
+            "source": self.source_of(&at),
             "line": line,
             "column": column,
-            "endLine": end_line,
+            "endLine": line + last - first,
             "endColumn": end_column,
-        })
+        }))
     }
 
     pub(super) fn source(&self, asked: &Asked) -> Answer {
@@ -93,13 +88,12 @@ impl Session {
     }
 
     pub(super) fn loaded_sources(&self) -> Reply {
-        let program = self.debuggee.program();
-        let files = program.map_or(&[][..], |p| p.sources.files());
-        let own = (0..)
-            .map(FileId)
-            .zip(files)
-            .filter(|(_, file)| file.role == Role::User);
-        let sources: Vec<Value> = own.map(|(id, _)| self.source_of(id)).collect();
+        let sources: Vec<Value> = self
+            .files
+            .all()
+            .iter()
+            .map(|file| self.source_of(file))
+            .collect();
         Reply::with(json!({ "sources": sources }))
     }
 }

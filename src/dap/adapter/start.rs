@@ -7,12 +7,13 @@ use crate::debuggee::Debuggee;
 use serde_json::{Value, json};
 
 /// The faults that a client can choose to stop at: filter, label, and whether it is on by default.
-pub const FILTERS: [(&str, &str, bool); 6] = [
+pub const FILTERS: [(&str, &str, bool); 7] = [
     ("nan", "NaN is computed", false),
     ("infinite", "An infinity is computed", false),
     ("division", "Division by zero", false),
     ("index", "Index out of range", true),
     ("undefined", "Undefined result", false),
+    ("uninitialized", "An uninitialised variable is read", false),
     ("exhausted", "A loop runs out of iterations", false),
 ];
 
@@ -71,7 +72,7 @@ impl Adapter<'_> {
         let pixel = launch.pixel()?;
         let loaded = self.programs.load(&launch)?;
         let debuggee = Debuggee::start(loaded, &launch, self.programs)?;
-        let mut session = Session::of(debuggee, launch, pixel)?;
+        let mut session = Session::of(debuggee, (launch, pixel), self.programs)?;
         session.first_line = self.client.first_line;
         for set in &self.client.breakpoints {
             session.set(&self.client, self.programs, set);
@@ -125,13 +126,20 @@ impl Adapter<'_> {
     }
 
     /// Reads the program again, and goes to the same execution of the same line.
-    pub(super) fn reload(&mut self, changed: Reload) -> Answer {
+    pub(super) fn reload(&mut self, arguments: &Value) -> Answer {
         let old = self.session.as_mut().ok_or("no program is running")?;
         let mark = old.mark();
-        let mut launch = old.launch.clone();
-        launch.text = changed.text.or(launch.text);
-        launch.passes = changed.passes.unwrap_or(launch.passes);
-        launch.channels = changed.channels.unwrap_or(launch.channels);
+        let launch = match arguments.get("arguments") {
+            Some(changed) => read(changed)?,
+            None => {
+                let changed: Reload = read(arguments)?;
+                let mut launch = old.launch.clone();
+                launch.text = changed.text.or(launch.text);
+                launch.passes = changed.passes.unwrap_or(launch.passes);
+                launch.channels = changed.channels.unwrap_or(launch.channels);
+                launch
+            }
+        };
         let mut session = self.start(launch)?;
         session.go_to_mark(&mark);
         let events = vec![session.stopped("goto", Some("the program was read again"))];

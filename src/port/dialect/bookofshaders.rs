@@ -43,6 +43,7 @@ fn plan(clues: &Clues) -> Plan {
             .collect(),
         inputs: Vec::new(),
         is_of_text: true,
+        pieces: Vec::new(),
     });
     let mut all: Vec<PlannedPass> = passes.collect();
     all.extend(image.passes);

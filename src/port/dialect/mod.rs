@@ -34,7 +34,7 @@ pub use complete::{Completion, TextChange};
 pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
-use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
+use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, TextPiece, UniformControl};
 use complete::{completions_after, completions_of, declarations, has_images, modern, without_own};
 use shaderlint_host::{
     Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
@@ -145,6 +145,8 @@ pub struct PlannedPass {
     pub inputs: Vec<Input>,
     /// Whether its code is the text itself, and not a companion file or generated.
     pub is_of_text: bool,
+    /// The files that its code was put together from.
+    pub pieces: Vec<TextPiece>,
 }
 
 impl Plan {
@@ -167,6 +169,7 @@ impl PlannedPass {
             candidates,
             inputs: Vec::new(),
             is_of_text: true,
+            pieces: Vec::new(),
         }
     }
 
@@ -179,6 +182,7 @@ impl PlannedPass {
             candidates,
             inputs: Vec::new(),
             is_of_text: true,
+            pieces: Vec::new(),
         }
     }
 
@@ -193,6 +197,7 @@ impl PlannedPass {
             candidates: vec![Completion::bare(code)],
             inputs: vec![read_buffer("port_buffer", name)],
             is_of_text: false,
+            pieces: Vec::new(),
         }
     }
 }

@@ -157,6 +157,7 @@ impl<'d> ShaderedReader<'_, '_, 'd> {
                 candidates,
                 inputs: Vec::new(),
                 is_of_text: false,
+                pieces: Vec::new(),
             },
         };
         let samplers: Vec<&str> = inner

@@ -10,7 +10,9 @@
 use super::complete::{self, Directive, modern};
 use super::isf::is_identifier;
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
+use crate::{
+    ControlKind, Input, InputKind, OutputId, PassDraw, TextPiece, UniformControl, kind_of_name,
+};
 use shaderlint_host::{OWN, matches_any, preset, shadertoy};
 use shaderlint_semantic::Pass;
 
@@ -98,6 +100,31 @@ struct ChannelComment {
     is_cube: bool,
 }
 
+/// A text with its includes.
+#[derive(Default)]
+struct ExpandedText {
+    code: String,
+    /// The number of complete lines.
+    lines: u32,
+    pieces: Vec<TextPiece>,
+}
+
+impl ExpandedText {
+    fn push(&mut self, text: &str) {
+        self.code.push_str(text);
+        self.lines += text.matches('\n').count() as u32;
+    }
+
+    /// Starts a piece of a file at one of its lines.
+    fn start(&mut self, file: &str, line: u32) {
+        self.pieces.push(TextPiece {
+            start: self.lines + 1,
+            file: file.to_string(),
+            line,
+        });
+    }
+}
+
 /// Builds the plan of a shader and of those that it reads.
 struct VscodeReader<'c, 't> {
     clues: &'c Clues<'t>,
@@ -149,11 +176,14 @@ impl VscodeReader<'_, '_> {
     fn shader(&mut self, path: &str, text: &str) {
         self.seen.push(path.to_string());
         let mut facts = DirectiveFacts::default();
-        let code = self.expand(path, text, &mut facts);
+        let mut expanded = ExpandedText::default();
+        self.expand(path, text, &mut facts, &mut expanded);
+        let code = &expanded.code;
         let inputs = facts.channels.iter().filter_map(|c| self.input(path, c));
         let inputs: Vec<Input> = inputs.collect();
-        let mut pass = PlannedPass::buffer(path, vec![completion(&code, &facts)]);
+        let mut pass = PlannedPass::buffer(path, vec![completion(code, &facts)]);
         pass.is_of_text = path.is_empty();
+        pass.pieces = expanded.pieces;
         pass.inputs = inputs;
         if facts.has_keyboard {
             let keys = sampled("iKeyboard", InputKind::Keyboard, ("nearest", "clamp"));
@@ -171,48 +201,61 @@ impl VscodeReader<'_, '_> {
         }
     }
 
-    /// A text with its directives as comments, and with its includes.
-    fn expand(&mut self, path: &str, text: &str, facts: &mut DirectiveFacts) -> String {
-        let mut code = String::with_capacity(text.len());
+    /// Adds a text with its directives as comments, and with its includes.
+    fn expand(
+        &mut self,
+        path: &str,
+        text: &str,
+        facts: &mut DirectiveFacts,
+        expanded: &mut ExpandedText,
+    ) {
+        expanded.start(path, 1);
         let mut from = 0;
         for directive in directives(text) {
             if directive.start < from {
                 continue;
             }
-            code.push_str(text.get(from..directive.start).unwrap_or(""));
-            code.push_str("//");
-            code.push_str(text.get(directive.start..directive.end).unwrap_or(""));
+            expanded.push(text.get(from..directive.start).unwrap_or(""));
+            expanded.push("//");
+            expanded.push(text.get(directive.start..directive.end).unwrap_or(""));
             from = directive.end;
             if directive.word == "include" {
-                code.push('\n');
-                code.push_str(&self.include(path, directive.rest, facts));
+                expanded.push("\n");
+                self.include(path, directive.rest, facts, expanded);
+                let before = text.get(..from).unwrap_or("");
+                expanded.start(path, before.matches('\n').count() as u32 + 1);
             } else {
                 self.obey(&directive, facts);
             }
         }
-        code + text.get(from..).unwrap_or("")
+        expanded.push(text.get(from..).unwrap_or(""));
     }
 
-    fn include(&mut self, path: &str, rest: &str, facts: &mut DirectiveFacts) -> String {
+    fn include(
+        &mut self,
+        path: &str,
+        rest: &str,
+        facts: &mut DirectiveFacts,
+        expanded: &mut ExpandedText,
+    ) {
         let name = quoted(rest).unwrap_or("");
         let Some((file, text)) = self.load(path, name) else {
-            return String::new();
+            return;
         };
         self.included += text.len().max(1);
         if self.open.contains(&file) {
             self.note(format!("`{name}` includes itself"));
-            return String::new();
+            return;
         }
         if self.included > MAX_INCLUDED {
             self.note(format!(
                 "`{name}` is not included: the included files are too large in total"
             ));
-            return String::new();
+            return;
         }
         self.open.push(file.clone());
-        let code = self.expand(&file, &text, facts);
+        self.expand(&file, &text, facts, expanded);
         self.open.pop();
-        code
     }
 
     /// Path and content of a companion file. A file that has not been read yet is requested.
