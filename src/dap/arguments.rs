@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use serde_json::Value;
 use shaderlint_engine::playback::{Button, Moment, Mouse};
+use std::collections::BTreeMap;
 
 /// The arguments of `launch`.
 #[derive(Clone, Default, Deserialize)]
@@ -12,6 +13,8 @@ pub struct Launch {
     pub program: String,
     /// Its text, if it is not read from a file.
     pub text: Option<String>,
+    /// The texts of the passes of a folder by file name, if they are not read from files.
+    pub passes: BTreeMap<String, String>,
     /// The pixel, from the lower left corner; the centre by default.
     pub pixel: Option<[u32; 2]>,
     /// Width and height of the image in pixels.
@@ -32,6 +35,15 @@ pub struct Launch {
     pub uniforms: Option<Value>,
     /// Whether to stop before the first statement.
     pub stop_on_entry: Option<bool>,
+}
+
+/// The arguments of `restart` and `shaderlint/reload`: texts that have changed since `launch`.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+pub struct Reload {
+    pub text: Option<String>,
+    pub passes: Option<BTreeMap<String, String>>,
+    pub channels: Option<Vec<String>>,
 }
 
 /// The mouse, in pixels from the lower left corner.

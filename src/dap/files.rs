@@ -32,7 +32,7 @@ pub enum FileLine {
 }
 
 impl ProgramFiles {
-    pub fn of(debuggee: &Debuggee, programs: &dyn Programs, has_text: bool) -> ProgramFiles {
+    pub fn of(debuggee: &Debuggee, programs: &dyn Programs) -> ProgramFiles {
         let program = debuggee.program();
         let files = program.map_or(&[][..], |p| p.sources.files());
         let own = (0..)
@@ -51,7 +51,7 @@ impl ProgramFiles {
             ProgramText {
                 id,
                 path: file.path.clone(),
-                is_virtual: has_text || file.part.is_some() || pieces.is_empty() && !is_same(),
+                is_virtual: file.part.is_some() || pieces.is_empty() && !is_same(),
                 pieces: pieces.to_vec(),
             }
         });

@@ -24,6 +24,8 @@ use std::sync::Arc;
 #[derive(Default)]
 pub struct Instance {
     server: InstantServer,
+    #[cfg(feature = "port")]
+    debugger: super::debug::ModuleDebugger,
 }
 
 impl Instance {
@@ -48,6 +50,10 @@ impl Instance {
             ModuleRequest::Rules => Ok(rule_list()),
             ModuleRequest::Lsp(message) => self.server.message(message),
             ModuleRequest::RunChanged => self.server.run_changed(),
+            #[cfg(feature = "port")]
+            ModuleRequest::Debug(message) => Ok(self.debugger.message(&message)),
+            #[cfg(feature = "port")]
+            ModuleRequest::DebugIdle => Ok(self.debugger.idle()),
             #[cfg(feature = "port")]
             ModuleRequest::Port(request) => super::port::port(&request),
             #[cfg(feature = "port")]

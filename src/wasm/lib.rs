@@ -6,6 +6,8 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod configs;
+#[cfg(feature = "port")]
+mod debug;
 mod files;
 mod instance;
 #[cfg(feature = "port")]

@@ -1,6 +1,7 @@
 //! Shaders and exports as projects.
 
 use serde::Deserialize;
+use shaderlint_commands::run::Loaded;
 use shaderlint_port::{ChannelOrder, Composed, PassFile, PassRole, Project, add_stand_ins};
 use shaderlint_text::kind::{Claim, FileKind, decide};
 use std::collections::BTreeMap;
@@ -36,6 +37,20 @@ pub fn load(shader: &ShaderText) -> Result<(Project, Composed), String> {
     add_stand_ins(&mut project);
     let composed = project.renew(composed, name).map_err(|e| wrong(&e))?;
     Ok((project, composed))
+}
+
+/// A shader without errors, to run it.
+pub fn valid(shader: &ShaderText) -> Result<Loaded, String> {
+    let (project, composed) = load(shader)?;
+    let name = shader.name.clone();
+    match composed.has_errors() {
+        true => Err(format!("{name}: the shader has errors")),
+        false => Ok(Loaded {
+            name,
+            project,
+            composed,
+        }),
+    }
 }
 
 /// The project of a shader, an export or a folder of passes, as the command line reads them.

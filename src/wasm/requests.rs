@@ -31,6 +31,12 @@ pub enum ModuleRequest {
     Lsp(Message),
     /// Runs the shaders of documents that changed, for the language server.
     RunChanged,
+    /// Passes a message to the debugger. The answer lists its messages.
+    #[cfg(feature = "port")]
+    Debug(serde_json::Value),
+    /// Counts the pixels that hit new breakpoints, for the debugger.
+    #[cfg(feature = "port")]
+    DebugIdle,
     /// Ports a shader.
     #[cfg(feature = "port")]
     Port(super::port::PortRequest),

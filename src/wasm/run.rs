@@ -1,6 +1,6 @@
 //! The request `run`: draws a frame, traces a pixel or compares two shaders, as `shaderlint run` does.
 
-use super::project::{ShaderText, load};
+use super::project::{ShaderText, valid};
 use super::result::RequestResult;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -84,16 +84,7 @@ impl RunRequest {
 
     /// A shader, ready to draw.
     fn prepared(&self, shader: &ShaderText, show: Option<&Show>) -> Result<(Loaded, Shot), String> {
-        let name = &shader.name;
-        let (project, composed) = load(shader)?;
-        if composed.has_errors() {
-            return Err(format!("{name}: the shader has errors"));
-        }
-        let loaded = Loaded {
-            name: name.clone(),
-            project,
-            composed,
-        };
+        let loaded = valid(shader)?;
         let uniforms = self.uniforms.as_ref().map(Value::to_string);
         let setting = ShotSetting {
             size: self.size()?,

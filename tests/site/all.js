@@ -3,6 +3,7 @@
 //   node all.js [WORD...]   only the tests whose names contain one of the words
 import { launch } from '../browser/browser.js';
 import { builtTests } from './built.js';
+import { debugTests } from './debug.js';
 import { inspectTests } from './inspect.js';
 import { openingTests } from './opening.js';
 import { pageTests } from './pages.js';
@@ -20,7 +21,7 @@ setTimeout(() => {
 }, minutes * 60_000).unref();
 
 const words = process.argv.slice(2);
-const all = [...builtTests, ...pageTests, ...playgroundTests, ...passTests, ...openingTests, ...inspectTests];
+const all = [...builtTests, ...pageTests, ...playgroundTests, ...passTests, ...openingTests, ...inspectTests, ...debugTests];
 const tests = words.length > 0 ? all.filter((test) => words.some((word) => test.name.includes(word))) : all;
 const server = await serve(folder);
 const { browser, kill } = await launch();

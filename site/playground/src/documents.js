@@ -4,7 +4,7 @@ import { existing, readChannels, writeChannels } from './channels.js';
 import { addressOf, client, editorRoot, openEditor, rename } from './editor.js';
 import { CHANNELS, IMAGE, positionOf, startOf } from './passes.js';
 
-/** The files of a shader. It fires `change` when a text or a channel changes, and `files` when files come or go. */
+/** The files of a shader. It fires `change` when a text or a channel changes, `files` when files come or go, and `breakpoints`. */
 export class Documents extends EventTarget {
   #root;
   /** @type {Map<string, import('codemirror').EditorView>} */
@@ -126,7 +126,7 @@ export class Documents extends EventTarget {
 
   /** @param {string} file @param {string} text */
   #create(file, text) {
-    this.#views.set(file, openEditor(this.#root, file, text, () => this.#fire('change')));
+    this.#views.set(file, openEditor(this.#root, file, text, () => this.#fire('change'), () => this.#fire('breakpoints')));
   }
 
   /** @param {string} type */

@@ -10,6 +10,7 @@ import { Compartment, EditorState } from '@codemirror/state';
 import { ViewPlugin, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { EditorView, basicSetup } from 'codemirror';
+import { breakpoints, changesBreakpoints } from './breakpoints.js';
 import controlStyle from './controls.css?inline';
 import style from './editor.css?inline';
 import findingStyle from './finding.css?inline';
@@ -53,6 +54,7 @@ export const client = new LSPClient({
 
 /** What every document has. */
 const common = [
+  breakpoints,
   basicSetup,
   StreamLanguage.define(shader),
   syntaxHighlighting(colors),
@@ -90,10 +92,12 @@ export const addressOf = (file) => `file:///${encodeURIComponent(file)}`;
  * @param {string} file
  * @param {string} text
  * @param {() => void} changed is called after each change
+ * @param {() => void} marked is called after each change of breakpoints
  */
-export function openEditor(root, file, text, changed) {
+export function openEditor(root, file, text, changed, marked) {
   const follow = EditorView.updateListener.of((update) => {
     if (update.docChanged) changed();
+    if (changesBreakpoints(update)) marked();
   });
   const state = EditorState.create({ doc: text, extensions: [common, follow, connection.of(document(file))] });
   return new EditorView({ state, parent: root, root });

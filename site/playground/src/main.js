@@ -1,6 +1,7 @@
 // The playground: editors whose language server runs in a worker. Nothing leaves the page.
 import { formatDocument } from '@codemirror/lsp-client';
 import { addressIn, filesAt } from './address.js';
+import { Debugger } from './debugger.js';
 import { Documents } from './documents.js';
 import { addressOf, client } from './editor.js';
 import { openExamples } from './examples.js';
@@ -26,11 +27,16 @@ const documents = new Documents(at('code'));
 documents.addEventListener('change', () => image.show(documents.files));
 const shader = { image, documents, runner: new Runner() };
 const inspector = new Inspector(shader, { button: at('pick'), image: at('image'), panel: at('pixel') });
+const debug = new Debugger(shader, { button: at('debug-pixel'), image: at('image'), panel: at('debug'), code: at('code') });
+// Both choose a pixel of the same image.
+at('pick').addEventListener('click', () => debug.close());
+at('debug-pixel').addEventListener('click', () => inspector.close());
 const views = new Views(shader, { image: at('image'), select: at('view'), button: at('compare'), status: at('status') });
 
 /** Shows other files in the editor, and their image. @param {import('./passes.js').Files} files */
 function show(files) {
   inspector.close();
+  debug.close();
   views.restart();
   image.restart();
   documents.open(files);

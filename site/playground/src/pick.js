@@ -12,7 +12,8 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 
 /** A layer above the image. It fires `pick` when a pixel is chosen. */
 export class Picker extends EventTarget {
-  #layer = element('div', { className: 'picker', tabIndex: 0, hidden: true });
+  #parent;
+  #layer = element('div', { className: 'picker', tabIndex: 0 });
   #cross = element('div', { className: 'cross' });
   /** @type {Target | undefined} */
   #target;
@@ -22,12 +23,12 @@ export class Picker extends EventTarget {
   /** @param {HTMLElement} parent */
   constructor(parent) {
     super();
+    this.#parent = parent;
     this.#layer.setAttribute('role', 'application');
     this.#layer.ariaLabel = 'Pixel of the image: arrow keys move, with Shift by ten pixels';
     this.#layer.append(this.#cross);
     this.#layer.addEventListener('pointerdown', (event) => this.#clicked(event));
     this.#layer.addEventListener('keydown', (event) => this.#pressed(event));
-    parent.append(this.#layer);
   }
 
   /** Lets a pixel be chosen of an image. @param {Target} target */
@@ -35,7 +36,7 @@ export class Picker extends EventTarget {
     const isOther = this.#target?.size.join() !== target.size.join();
     this.#target = target;
     if (isOther) this.pixel = [Math.floor(target.size[0] / 2), Math.floor(target.size[1] / 2)];
-    this.#layer.hidden = false;
+    this.#parent.append(this.#layer);
     this.#place();
   }
 
@@ -44,7 +45,7 @@ export class Picker extends EventTarget {
   }
 
   close() {
-    this.#layer.hidden = true;
+    this.#layer.remove();
   }
 
   #clicked({ offsetX, offsetY, target }) {

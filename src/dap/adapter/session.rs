@@ -13,6 +13,7 @@ use crate::value::DebugValue;
 use serde_json::json;
 use shaderlint_exec::{Fault, Pause, QUAD, Replay, lane_of};
 use shaderlint_semantic::{Program, VariableId};
+use shaderlint_text::SourceFile;
 use std::rc::Rc;
 
 /// A program that is debugged.
@@ -66,6 +67,10 @@ pub enum Handle {
 /// A place to come back to after the program has changed.
 pub struct Mark {
     line: FileLine,
+    /// The text with the line: its path and part, and what it has from the line on, by which the line is
+    /// found after changes before it.
+    text: (String, Option<String>),
+    rest: String,
     /// How often the statement had been started.
     count: usize,
 }
@@ -77,6 +82,17 @@ pub struct Now<'d> {
     pub lane: usize,
 }
 
+impl Mark {
+    /// The line in a text that may have changed before it.
+    fn line_in(&self, file: &SourceFile) -> Option<u32> {
+        if file.path != self.text.0 || file.part != self.text.1 {
+            return None;
+        }
+        let before = file.text.strip_suffix(&*self.rest)?;
+        Some(before.matches('\n').count() as u32 + 1)
+    }
+}
+
 impl Session {
     /// A session at the first statement of a pixel.
     pub fn of(
@@ -85,7 +101,7 @@ impl Session {
         programs: &dyn Programs,
     ) -> Result<Session, String> {
         let mut session = Session {
-            files: ProgramFiles::of(&debuggee, programs, launch.text.is_some()),
+            files: ProgramFiles::of(&debuggee, programs),
             debuggee,
             launch,
             timelines: quad(pixel),
@@ -199,7 +215,15 @@ impl Session {
         let count = self.count(lane, &frame).ok()?;
         let program = self.debuggee.program()?;
         let line = self.line_at(program, frame.span.start)?;
-        Some(Mark { line, count })
+        let file = program.sources.file_at(frame.span.start)?;
+        let before = file.position(frame.span.start).line.saturating_sub(1);
+        let lines = file.text.split_inclusive('\n');
+        Some(Mark {
+            line,
+            text: (file.path.clone(), file.part.clone()),
+            rest: lines.skip(before as usize).collect(),
+            count,
+        })
     }
 
     /// The line at an address.
@@ -219,9 +243,20 @@ impl Session {
 
     fn moment_of_mark(&mut self, mark: &Mark) -> Option<u32> {
         let program = self.debuggee.program()?;
+        let files = program.sources.files().iter();
+        let lines: Vec<(u32, u32)> = files
+            .filter_map(|file| Some((file.base, mark.line_in(file)?)))
+            .collect();
         let place = self.debuggee.places.iter().find(|place| {
-            let line = self.line_at(program, place.span.start);
-            line.as_ref() == Some(&mark.line) && place.returned.is_none() && place.is_user
+            let here = program.sources.file_at(place.span.start);
+            let is_it =
+                match here.and_then(|here| lines.iter().find(|(base, _)| *base == here.base)) {
+                    Some((_, line)) => {
+                        here.is_some_and(|here| here.position(place.span.start).line == *line)
+                    }
+                    None => self.line_at(program, place.span.start).as_ref() == Some(&mark.line),
+                };
+            is_it && place.returned.is_none() && place.is_user
         });
         let place = *place?;
         let draw = self.debuggee.build.draw();

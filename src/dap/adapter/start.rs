@@ -2,7 +2,7 @@
 
 use super::session::Session;
 use super::{Adapter, Answer, Reply, read};
-use crate::arguments::{Asked, Launch, SetBreakpoints};
+use crate::arguments::{Asked, Launch, Reload, SetBreakpoints};
 use crate::debuggee::Debuggee;
 use serde_json::{Value, json};
 
@@ -131,7 +131,14 @@ impl Adapter<'_> {
         let mark = old.mark();
         let launch = match arguments.get("arguments") {
             Some(changed) => read(changed)?,
-            None => old.launch.clone(),
+            None => {
+                let changed: Reload = read(arguments)?;
+                let mut launch = old.launch.clone();
+                launch.text = changed.text.or(launch.text);
+                launch.passes = changed.passes.unwrap_or(launch.passes);
+                launch.channels = changed.channels.unwrap_or(launch.channels);
+                launch
+            }
         };
         let mut session = self.start(launch)?;
         session.go_to_mark(&mark);

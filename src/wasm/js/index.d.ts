@@ -100,6 +100,25 @@ export interface RunOptions extends ShaderOptions {
   compare?: ShaderOptions & { name: string; text?: string };
 }
 
+/** The arguments of `launch` for `Shaderlint.debug`. */
+export interface DebugLaunch extends Omit<ShaderOptions, "name"> {
+  /** Name of the file, or of the project. */
+  program: string;
+  /** Contents of the file. */
+  text?: string;
+  /** Width and height in pixels; default: 320 and 180. */
+  size?: [number, number];
+  /** The pixel, from the lower left corner; default: the centre. */
+  pixel?: [number, number];
+  time?: number;
+  frame?: number;
+  mouse?: { x: number; y: number; down?: boolean };
+  pass?: string;
+  uniforms?: Record<string, unknown>;
+  /** Whether to stop before the first statement; default: true. */
+  stopOnEntry?: boolean;
+}
+
 /** What `shaderlint run` prints, and the image: three bytes per pixel in base64, top row first. */
 export interface RunResult {
   facts: Record<string, unknown>;
@@ -136,6 +155,8 @@ export class Shaderlint {
     options?: ShaderOptions & { output?: string },
   ): { files: PortedFile[]; errors: number; remarks: string[] };
   run(text: string, options?: RunOptions): RunResult;
+  debug(message: object): object[];
+  debugIdle(): object[];
   playerData(
     text: string,
     options?: ShaderOptions,

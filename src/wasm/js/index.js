@@ -118,6 +118,19 @@ export class Shaderlint {
     return this.request("run", { name: "shader.glsl", text, ...options });
   }
 
+  /**
+   * Passes a message of the Debug Adapter Protocol to the debugger. Returns its messages for the client; only the
+   * module at `portAddress()` has it.
+   */
+  debug(message) {
+    return this.request("debug", message);
+  }
+
+  /** Counts the pixels that hit new breakpoints, when no message waits. Returns messages for the client. */
+  debugIdle() {
+    return this.request("debugIdle");
+  }
+
   /** The page of a rule, compile error or host, in Markdown. */
   explain(name) {
     return this.request("explain", { name });

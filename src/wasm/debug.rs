@@ -1,0 +1,66 @@
+//! The requests `debug` and `debugIdle`: messages of the Debug Adapter Protocol.
+
+use super::project::{ShaderText, valid};
+use serde_json::Value;
+use shaderlint_commands::run::Loaded;
+use shaderlint_dap::{Adapter, Launch, Programs};
+use shaderlint_engine::playback::Decode;
+use std::path::PathBuf;
+
+/// A debugger of the texts that come with `launch`.
+pub struct ModuleDebugger {
+    adapter: Adapter<'static>,
+}
+
+impl Default for ModuleDebugger {
+    fn default() -> ModuleDebugger {
+        ModuleDebugger {
+            adapter: Adapter::new(&SentPrograms),
+        }
+    }
+}
+
+impl ModuleDebugger {
+    /// Handles a message of the client. Returns the messages for it.
+    pub fn message(&mut self, message: &Value) -> Value {
+        let messages = self.adapter.handle(message);
+        if self.adapter.is_done() {
+            *self = ModuleDebugger::default();
+        }
+        messages.into()
+    }
+
+    /// Counts what new breakpoints hit. Returns messages for the client.
+    pub fn idle(&mut self) -> Value {
+        self.adapter.idle().into()
+    }
+}
+
+/// Programs in the arguments of `launch`.
+struct SentPrograms;
+
+impl Programs for SentPrograms {
+    fn load(&self, launch: &Launch) -> Result<Loaded, String> {
+        let passes = launch.passes.iter();
+        valid(&ShaderText {
+            name: launch.program.clone(),
+            text: launch.text.clone().unwrap_or_default(),
+            passes: passes
+                .map(|(name, text)| (PathBuf::from(name), text.clone()))
+                .collect(),
+            channels: launch.channels.clone(),
+        })
+    }
+
+    fn decode(&self) -> Option<Decode> {
+        None
+    }
+
+    fn threads(&self) -> usize {
+        1
+    }
+
+    fn text(&self, _: &str) -> Option<String> {
+        None
+    }
+}
