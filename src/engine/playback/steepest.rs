@@ -368,3 +368,90 @@ fn dot([x, y, z]: [f64; 3], [u, v, w]: [f64; 3]) -> f64 {
 fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DialectChoice, NoFiles, Options, analyze};
+    use shaderlint_flow::{Slope, fields, ray_loops};
+    use shaderlint_lint::Settings;
+
+    /// The bound of the slope of `map`, given by its body, and the steepest slope that was sampled.
+    fn both(body: &str) -> (Option<f64>, f64) {
+        let code = format!(
+            "float map(vec3 p) {{ {body} }}
+            void mainImage(out vec4 o, vec2 q) {{
+                vec3 ro = vec3(0.0, 0.0, -3.0), rd = normalize(vec3(q, 1.0)); float t = 0.0;
+                for (int i = 0; i < 80; i++) {{
+                    float d = map(ro + rd * t); if (d < 0.001 || t > 20.0) break; t += d; }}
+                o = vec4(t); }}"
+        );
+        let settings = Settings::new(&[], &[], &[]).unwrap();
+        let options = Options::new(DialectChoice::default(), settings);
+        let report = analyze("a.glsl", &code, &options, &NoFiles);
+        let analysis = report.analyses.first().unwrap();
+        assert!(!analysis.has_errors, "{body}");
+        let facts = analysis.facts();
+        let rays = ray_loops(facts.ranges(), facts.calls());
+        let [field] = fields(facts.ranges(), rays.iter())[..] else {
+            panic!("{body}");
+        };
+        let found = steepest(
+            (&analysis.program, facts.module()),
+            analysis.host,
+            field,
+            20,
+        );
+        let bound = match shaderlint_flow::slope(facts.ranges(), field) {
+            Slope::AtMost(most) => Some(most),
+            Slope::Unknown(_) => None,
+        };
+        (bound, found.unwrap().unwrap().slope)
+    }
+
+    #[test]
+    fn no_sample_is_steeper_than_what_is_proved() {
+        for body in [
+            "return length(p) - 1.0;",
+            "return length(vec2(length(p.xz) - 1.0, p.y)) - 0.2;",
+            "vec3 d = abs(p) - 1.0; return length(max(d, 0.0)) + min(max(d.x, max(d.y, d.z)), 0.0);",
+            "p.xz *= mat2(cos(iTime), -sin(iTime), sin(iTime), cos(iTime)); return abs(p.x) - 1.0;",
+            "p = mod(p, 4.0) - 2.0; return length(p) - 1.0;",
+            "float a = length(p) - 1.0, b = p.y, h = max(0.3 - abs(a - b), 0.0) / 0.3; return min(a, b) - h * h * 0.075;",
+            "for (int i = 0; i < 4; i++) { p = abs(p) - 0.5; p.xz *= mat2(0.8, 0.6, -0.6, 0.8); } return length(p) - 0.5;",
+            "return length(p) - 1.0 + 0.1 * sin(p.x * 4.0) * sin(p.y * 4.0);",
+            "p *= 3.0; return length(p) - 1.0;",
+            "return length(p / vec3(1.0, 0.5, 0.7)) - 1.0;",
+        ] {
+            let (bound, seen) = both(body);
+            let bound = bound.unwrap_or_else(|| panic!("{body}"));
+            assert!(seen <= bound * 1.001, "{seen} > {bound}: {body}");
+            assert!(seen >= bound * 0.7, "{seen} < {bound}: {body}");
+        }
+    }
+
+    #[test]
+    fn exact_distances_are_never_steep() {
+        for body in [
+            "vec2 q = vec2(length(p.xz), -p.y), c = vec2(0.6, 0.8); float d = length(q - c * max(dot(q, c), 0.0)); return d * (q.x * c.y - q.y * c.x < 0.0 ? -1.0 : 1.0);",
+            "const vec3 k = vec3(-0.8660254, 0.5, 0.57735); vec2 h = vec2(1.0, 0.5); p = abs(p); p.xy -= 2.0 * min(dot(k.xy, p.xy), 0.0) * k.xy; vec2 d = vec2(length(p.xy - vec2(clamp(p.x, -k.z * h.x, k.z * h.x), h.x)) * sign(p.y - h.x), p.z - h.y); return min(max(d.x, d.y), 0.0) + length(max(d, 0.0));",
+        ] {
+            assert!(both(body).1 <= 1.001, "{body}");
+        }
+    }
+
+    #[test]
+    fn steep_places_are_found() {
+        for body in [
+            "float c = cos(4.0 * p.y), s = sin(4.0 * p.y); p.xz = mat2(c, -s, s, c) * p.xz; return length(p.xz - 1.0) - 0.2;",
+            "float c = cos(p.x), s = sin(p.x); p.xy = mat2(c, -s, s, c) * p.xy; return length(p - 1.0) - 0.2;",
+            "return length(p) - 1.0 + 0.2 * sin(10.0 * p.x);",
+            "p.x = mod(p.x, 4.0) - 1.5; return length(p) - 1.0;",
+            "float k = length(p / vec3(1.0, 0.3, 0.7)), l = length(p / vec3(1.0, 0.09, 0.49)); return k * (k - 1.0) / l;",
+        ] {
+            let (bound, seen) = both(body);
+            assert!(seen > 1.1, "{seen}: {body}");
+            assert!(bound.is_none_or(|bound| seen <= bound * 1.001), "{body}");
+        }
+    }
+}

@@ -12,8 +12,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 const CASE_DEPTH: u32 = 14;
 /// How far the operands of a logarithm or square root are followed.
 pub(super) const MAX_NESTING: u32 = 40;
-/// Most gradients that are computed under assumptions.
-const MAX_WORK: u32 = 60_000;
+/// Most gradients and ranges that are computed under assumptions.
+const MAX_WORK: u32 = 100_000;
 
 /// Gradients of the nodes of a function.
 pub(super) struct GradientBounds<'s> {
@@ -207,12 +207,13 @@ impl<'s> GradientBounds<'s> {
         depth: u32,
     ) -> RealSpan {
         let base = self.scalars.span(id);
-        if given.is_empty() || depth > CASE_DEPTH {
+        if given.is_empty() || depth > CASE_DEPTH || self.left == 0 {
             return base;
         }
         if let Some(known) = memo.spans.get(&id) {
             return *known;
         }
+        self.left = self.left.saturating_sub(1);
         let mut operands = Vec::new();
         self.scalars.each(id, |operand| operands.push(operand));
         for operand in operands {
@@ -353,6 +354,11 @@ impl<'s> GradientBounds<'s> {
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
+        // Angles jump where `y` changes its sign on the left, whatever is assumed of it.
+        let (height, side) = (self.scalars.span(y), self.scalars.span(x));
+        if side.lo < 0.0 && height.lo <= 0.0 && height.hi >= 0.0 {
+            return FieldGradient::unknown();
+        }
         let (dy, dx) = (
             self.gradient(y, given, memo, depth),
             self.gradient(x, given, memo, depth),

@@ -44,6 +44,8 @@ pub(super) struct SymbolicExecution<'a> {
     left: u32,
     depth: u32,
     exits: Vec<ScalarId>,
+    /// The function before whose call the execution ends.
+    until: Option<FunctionRef>,
     /// In the step of a loop: the operations of the loop.
     private: Option<Run>,
     /// The values that vectors had.
@@ -75,17 +77,44 @@ impl<'a> SymbolicExecution<'a> {
             left: MAX_OPS,
             depth: 0,
             exits: Vec::new(),
+            until: None,
             private: None,
             vectors: Vec::new(),
         }
     }
 
-    /// The result of a function at a point.
-    pub fn run(&mut self, function: FunctionRef, point: VariableId) -> Executed<ScalarValues> {
+    /// The values of some global variables where a function is called first.
+    pub fn run_until(
+        &mut self,
+        entry: FunctionRef,
+        function: FunctionRef,
+        globals: &[VariableId],
+    ) -> Vec<(VariableId, ScalarValues)> {
+        self.until = Some(function);
+        let body = self.module.function(entry).and_then(|f| f.body);
+        if let (Ok(()), Some(body)) = (self.region(self.module.globals), body) {
+            self.variables.retain(|id, _| !globals.contains(id));
+            // It ends with an error, at the call or before.
+            let _ended = self.region(body);
+        }
+        let known = globals.iter().filter_map(|id| {
+            let values = self.variables.get(id)?;
+            Some((*id, values.clone()))
+        });
+        known.collect()
+    }
+
+    /// The result of a function at a point. `globals` are values of global variables.
+    pub fn run(
+        &mut self,
+        (function, point): (FunctionRef, VariableId),
+        globals: Vec<(VariableId, ScalarValues)>,
+    ) -> Executed<ScalarValues> {
         self.region(self.module.globals)?;
         // What functions write to globals is not known at the call.
         let is_written = |id: &VariableId| self.written.get(id.0 as usize) == Some(&true);
         self.variables.retain(|id, _| !is_written(id));
+        self.variables.extend(globals);
         let found = self.module.function(function);
         let found = found.ok_or_else(|| self.blocked(SlopeObstacle::Body))?;
         for &parameter in self.module.parameters(found) {
@@ -498,7 +527,7 @@ impl<'a> SymbolicExecution<'a> {
         let body = found
             .body
             .ok_or_else(|| self.blocked(SlopeObstacle::Body))?;
-        if self.depth >= MAX_DEPTH {
+        if self.depth >= MAX_DEPTH || self.until == Some(function) {
             return Err(self.blocked(SlopeObstacle::Size));
         }
         let parameters = self.module.parameters(&found);

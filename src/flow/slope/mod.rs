@@ -17,6 +17,7 @@ mod continuity;
 mod execute;
 mod form;
 mod frame;
+mod globals;
 mod gradient;
 mod interval;
 mod node;
@@ -33,7 +34,7 @@ use bound::GradientBounds;
 use execute::SymbolicExecution;
 use form::{ScalarForm, ScalarId};
 use node::Scalars;
-use shaderlint_ir::{Layout, OpKind};
+use shaderlint_ir::Layout;
 use shaderlint_semantic::Type;
 pub use verdict::{Field, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle};
 
@@ -54,9 +55,9 @@ impl Field {
 }
 
 /// The fields that the distance loops of a shader move by, each once.
-pub fn fields(query: Query, rays: &[RayLoop]) -> Vec<Field> {
+pub fn fields<'r>(query: Query, rays: impl Iterator<Item = &'r RayLoop>) -> Vec<Field> {
     let mut found: Vec<Field> = Vec::new();
-    for field in rays.iter().filter_map(|ray| Field::of(query, ray)) {
+    for field in rays.filter_map(|ray| Field::of(query, ray)) {
         if !found.contains(&field) {
             found.push(field);
         }
@@ -80,21 +81,11 @@ fn scalar_at(layout: &Layout, ty: Type, lane: u32) -> Option<u32> {
 /// A bound of the slope of a field, over all points.
 pub fn slope(query: Query, field: Field) -> Slope {
     let module = query.module;
-    let mut written = vec![false; module.variables.len()];
-    for function in &module.functions {
-        for op in function.ops.ops() {
-            if let OpKind::Store(place, _) = module.op(op).kind
-                && let Some(slot) = written.get_mut(module.place(place).variable.0 as usize)
-            {
-                *slot = module
-                    .variable(module.place(place).variable)
-                    .is_some_and(|v| v.function.is_none());
-            }
-        }
-    }
+    let written = globals::written(module);
     let mut scalars = Scalars::new();
+    let settled = globals::settled(query, &written, &mut scalars, field.function);
     let mut execution = SymbolicExecution::new((query.program, module), &written, &mut scalars);
-    let root = match execution.run(field.function, field.point) {
+    let root = match execution.run((field.function, field.point), settled) {
         Ok(values) => values.get(field.scalar as usize).copied(),
         Err(obstacle) => return Slope::Unknown(obstacle),
     };

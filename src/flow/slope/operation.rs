@@ -20,7 +20,12 @@ impl SymbolicExecution<'_> {
                 let kind = self.module.ty(a).scalar_kind();
                 let (a, b) = (self.values(a)?, self.values(b)?);
                 let both = a.into_iter().zip(b);
-                both.map(|(a, b)| self.binary(binary, kind, a, b)).collect()
+                let both: Vec<(ScalarId, ScalarId)> = both.collect();
+                let made = both.into_iter().map(|(a, b)| {
+                    let value = self.binary(binary, kind, a, b);
+                    self.without_overflow(kind, value)
+                });
+                made.collect()
             }
             OpKind::MatrixProduct(a, b) => self.matrix_product(a, b)?,
             OpKind::Same {
@@ -195,6 +200,20 @@ impl SymbolicExecution<'_> {
                 }
                 _ => self.any_of_one(&[a, b]),
             },
+        }
+    }
+
+    /// An integer that is known not to overflow; nothing is known of others.
+    fn without_overflow(&mut self, kind: Option<Kind>, value: ScalarId) -> ScalarId {
+        let (least, most) = match kind {
+            Some(Kind::Int) => (f64::from(i32::MIN), f64::from(i32::MAX)),
+            Some(Kind::Uint) => (0.0, f64::from(u32::MAX)),
+            _ => return value,
+        };
+        let span = self.scalars.span(value);
+        match span.lo >= least && span.hi <= most {
+            true => value,
+            false => self.any_of_one(&[value]),
         }
     }
 

@@ -10,9 +10,13 @@ use shaderlint_semantic::FunctionRef;
 
 /// The slope of `map` in some code.
 fn slope_of(code: &str) -> Slope {
-    let code =
-        format!("{code}\nvoid mainImage(out vec4 o, vec2 q) {{ o = vec4(map(vec3(q, iTime))); }}");
-    let analysis = checked(&code);
+    let main = "void mainImage(out vec4 o, vec2 q) { o = vec4(map(vec3(q, iTime))); }";
+    slope_in(&format!("{code}\n{main}"))
+}
+
+/// The slope of `map` in a shader.
+fn slope_in(code: &str) -> Slope {
+    let analysis = checked(code);
     let module = lower(&analysis.program);
     let calls = Calls::of(&module);
     let defs = ReachingDefinitions::of(&analysis.program, &module, &calls);
@@ -43,7 +47,12 @@ fn check(body: &str, expected: f64) {
 
 #[track_caller]
 fn check_code(code: &str, expected: f64) {
-    match slope_of(code) {
+    check_slope(slope_of(code), expected, code);
+}
+
+#[track_caller]
+fn check_slope(slope: Slope, expected: f64, code: &str) {
+    match slope {
         Slope::AtMost(most) => {
             assert!((most - expected).abs() <= expected * 1e-4, "{most}: {code}");
         }
@@ -274,6 +283,21 @@ fn steeper_fields() {
         "return texture(iChannel0, p.xz).x;",
         SlopeObstacle::Operation,
     );
+}
+
+#[test]
+fn globals_have_the_value_of_their_only_assignment() {
+    let main = "void mainImage(out vec4 o, vec2 q) { turn = mat2(cos(iTime), -sin(iTime), sin(iTime), cos(iTime)); size = q.x;
+        o = vec4(map(vec3(q, iTime))); size = 2.0; }";
+    let map = "mat2 turn; float size; float map(vec3 p) { p.xy *= turn; return abs(p.x) - 1.0; }";
+    let code = format!("{map} {main}");
+    check_slope(slope_in(&code), 1.0, &code);
+    // Two assignments.
+    let map = "mat2 turn; float size; float map(vec3 p) { return size * p.x; }";
+    assert!(matches!(
+        slope_in(&format!("{map} {main}")),
+        Slope::Unknown(_)
+    ));
 }
 
 #[test]
