@@ -40,7 +40,7 @@ pub use loops::{Bound, LoopFacts, Loops};
 pub use rays::{HitTest, RayKind, RayLoop, SceneCall, ray_loops};
 pub use same::is_same;
 pub use slice::backward_slice;
-pub use slope::{Field, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle, fields, slope};
+pub use slope::{DistanceField, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle, fields, slope};
 pub use trace::{Start, origin, trace};
 pub use uniformity::{
     Control, ControlId, Divergence, DivergenceId, LoopControls, Uniformity, Varying,

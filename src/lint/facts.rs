@@ -9,8 +9,8 @@ use rustc_hash::FxHashMap;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use shaderlint_flow::reaching_definitions::ReachingDefinitions;
 use shaderlint_flow::{
-    Calls, DefiniteAssignment, Effects, Field, Gradient, Jump, Liveness, Loops, Slope, Start,
-    Uniformity, Work, Writes, fields, gradients, is_same, jump, origin, slope, trace,
+    Calls, DefiniteAssignment, DistanceField, Effects, Gradient, Jump, Liveness, Loops, Slope,
+    Start, Uniformity, Work, Writes, fields, gradients, is_same, jump, origin, slope, trace,
 };
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, lower};
 use shaderlint_semantic::{
@@ -60,7 +60,7 @@ pub struct CachedFacts {
     uniformity: OnceLock<Uniformity>,
     gradients: OnceLock<Vec<Gradient>>,
     marches: OnceLock<Vec<March>>,
-    slopes: OnceLock<Vec<(Field, Slope)>>,
+    slopes: OnceLock<Vec<(DistanceField, Slope)>>,
 }
 
 impl CachedFacts {
@@ -239,7 +239,7 @@ impl<'a> Facts<'a> {
     }
 
     /// The distance fields that the marching loops move by, and bounds of their slopes.
-    pub fn slopes(&self) -> &[(Field, Slope)] {
+    pub fn slopes(&self) -> &[(DistanceField, Slope)] {
         self.known.slopes.get_or_init(|| {
             let query = self.ranges();
             let rays = self.marches().iter().map(|march| &march.ray);

@@ -5,7 +5,7 @@ use super::place::{position, span};
 use super::shot::{Loaded, Shot};
 use serde::Serialize;
 use shaderlint_engine::playback::{Steepest, steepest};
-use shaderlint_flow::{Field, Obstacle, Slope, SlopeObstacle};
+use shaderlint_flow::{DistanceField, Obstacle, Slope, SlopeObstacle};
 use shaderlint_lint::Facts;
 use shaderlint_semantic::Program;
 
@@ -61,7 +61,7 @@ pub fn rows(program: &Program, loaded: &Loaded, shot: &Shot) -> Option<Vec<Field
 fn row(
     program: &Program,
     shot: &Shot,
-    (field, slope): (Field, Slope),
+    (field, slope): (DistanceField, Slope),
     found: Option<Steepest>,
 ) -> FieldRow {
     let function = program.function(field.function);

@@ -5,7 +5,7 @@
 
 use super::{Moment, Scene};
 use shaderlint_exec::{CompileOptions, Draw, Drawn, draw};
-use shaderlint_flow::Field;
+use shaderlint_flow::DistanceField;
 use shaderlint_host::Preset;
 use shaderlint_ir::{Module, OpKind, Root};
 use shaderlint_math::hash;
@@ -59,7 +59,7 @@ pub enum Unsampled {
 pub fn steepest(
     (program, module): (&Program, &Module),
     host: Option<&'static Preset>,
-    field: Field,
+    field: DistanceField,
     planes: u32,
 ) -> Result<Option<Steepest>, Unsampled> {
     let own = with_callees(module, field.function);
@@ -99,7 +99,7 @@ pub fn steepest(
         .filter(|_| field.scalar < 4)
         .ok_or(Unsampled::Refused)?;
     let has_time = !scene.code.uniforms.is_empty();
-    let mut search = Search {
+    let mut search = SteepSearch {
         point,
         output: (output, field.scalar as usize),
         best: Vec::new(),
@@ -143,7 +143,11 @@ fn with_callees(module: &Module, function: FunctionRef) -> Vec<FunctionRef> {
 }
 
 /// The values of the parameters other than the point, as at the first call that passes constants.
-fn parameters(program: &Program, module: &Module, field: Field) -> Option<Vec<(String, Vec<f32>)>> {
+fn parameters(
+    program: &Program,
+    module: &Module,
+    field: DistanceField,
+) -> Option<Vec<(String, Vec<f32>)>> {
     let function = module.function(field.function)?;
     let all = module.parameters(function);
     let others = (0..).zip(all).filter(|(_, id)| **id != field.point);
@@ -194,12 +198,12 @@ fn written_elsewhere(module: &Module, own: &[FunctionRef]) -> Option<VariableId>
 
 /// A plane in space: its middle, and the steps between pixels.
 #[derive(Clone, Copy)]
-struct Plane {
+struct SampledPlane {
     middle: [f64; 3],
     steps: [[f64; 3]; 2],
 }
 
-struct Search<'c> {
+struct SteepSearch<'c> {
     point: &'c str,
     output: (usize, usize),
     best: Vec<Steepest>,
@@ -208,7 +212,7 @@ struct Search<'c> {
     time: Option<f64>,
 }
 
-impl Search<'_> {
+impl SteepSearch<'_> {
     /// A number from -1 to 1.
     fn random(&mut self) -> f64 {
         self.seed = self.seed.wrapping_add(1);
@@ -267,21 +271,21 @@ impl Search<'_> {
         }
     }
 
-    fn plane(&mut self, middle: [f64; 3], along: [f64; 3], step: f64) -> Plane {
+    fn plane(&mut self, middle: [f64; 3], along: [f64; 3], step: f64) -> SampledPlane {
         let mut other = [0.0; 3];
         while length(other) < 0.1 {
             let free = self.direction();
             other = subtract(free, scale(along, dot(free, along)));
         }
         let other = scale(other, step / length(other));
-        Plane {
+        SampledPlane {
             middle,
             steps: [scale(along, step), other],
         }
     }
 
     /// The steepest pair of neighbours in a plane.
-    fn steepest_in(&mut self, state: &mut Draw<'_>, plane: Plane) -> Option<Steepest> {
+    fn steepest_in(&mut self, state: &mut Draw<'_>, plane: SampledPlane) -> Option<Steepest> {
         let [u, v] = plane.steps;
         let half = [f64::from(SIZE[0]) / 2.0, f64::from(SIZE[1]) / 2.0];
         let origin = subtract(subtract(plane.middle, scale(u, half[0])), scale(v, half[1]));

@@ -1,17 +1,17 @@
-//! Assumptions under which a gradient is bounded.
+//! SlopeAssumptions under which a gradient is bounded.
 
 use super::form::ScalarId;
 use super::interval::RealSpan;
 use rustc_hash::FxHashMap;
 
-/// Assumptions on the ranges of nodes and the truth of conditions.
+/// SlopeAssumptions on the ranges of nodes and the truth of conditions.
 #[derive(Clone, Default, Debug)]
-pub(super) struct Assumptions {
+pub(super) struct SlopeAssumptions {
     pub spans: FxHashMap<ScalarId, RealSpan>,
     pub truths: FxHashMap<ScalarId, bool>,
 }
 
-impl Assumptions {
+impl SlopeAssumptions {
     pub fn is_empty(&self) -> bool {
         self.spans.is_empty() && self.truths.is_empty()
     }

@@ -1,6 +1,6 @@
 //! GradientBounds of gradients: from the operands of a node to the node.
 
-use super::assumptions::Assumptions;
+use super::assumptions::SlopeAssumptions;
 use super::form::{ScalarForm, ScalarFunction, ScalarId};
 use super::frame::Frames;
 use super::gradient::{FieldGradient, Generators};
@@ -63,7 +63,7 @@ impl<'s> GradientBounds<'s> {
             }
         }
         for &node in nodes {
-            let none = Assumptions::default();
+            let none = SlopeAssumptions::default();
             let mut memo = CaseMemo::default();
             let mut made = self.compute(node, &none, &mut memo, 0);
             let target = self.target(node);
@@ -168,7 +168,7 @@ impl<'s> GradientBounds<'s> {
     pub fn gradient(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -202,7 +202,7 @@ impl<'s> GradientBounds<'s> {
     pub fn span(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> RealSpan {
@@ -252,7 +252,7 @@ impl<'s> GradientBounds<'s> {
     fn compute(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -307,7 +307,7 @@ impl<'s> GradientBounds<'s> {
         &mut self,
         id: ScalarId,
         factors: &[(ScalarId, i32)],
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -331,7 +331,7 @@ impl<'s> GradientBounds<'s> {
     fn power(
         &mut self,
         (a, b): (ScalarId, ScalarId),
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -350,7 +350,7 @@ impl<'s> GradientBounds<'s> {
     fn arc_tangent(
         &mut self,
         (id, y, x): (ScalarId, ScalarId, ScalarId),
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -376,7 +376,7 @@ impl<'s> GradientBounds<'s> {
     pub fn truth(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> Option<bool> {
@@ -442,7 +442,7 @@ impl<'s> GradientBounds<'s> {
     fn of_function(
         &mut self,
         (id, function, a): (ScalarId, ScalarFunction, ScalarId),
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -478,7 +478,7 @@ impl<'s> GradientBounds<'s> {
     pub fn resolve(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> ScalarId {
@@ -533,7 +533,7 @@ impl<'s> GradientBounds<'s> {
         &mut self,
         id: ScalarId,
         (a, b): (ScalarId, ScalarId),
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> Option<ScalarId> {

@@ -3,7 +3,7 @@
 //! `length(max(d, 0.0)) + min(max(d.x, d.y), 0.0)` is a sum of two numbers with slope 1, but where one
 //! changes, the other is constant.
 
-use super::assumptions::Assumptions;
+use super::assumptions::SlopeAssumptions;
 use super::bound::{CaseMemo, GradientBounds};
 use super::form::{ScalarForm, ScalarFunction, ScalarId};
 use super::gradient::FieldGradient;
@@ -15,7 +15,7 @@ const MAX_DEPTH: u32 = 6;
 /// Most cases of a node.
 const MAX_CASES: u32 = 64;
 /// Most signs that are tried per assumption.
-const MAX_TRIED: usize = 8;
+const MAX_SIGNS: usize = 8;
 
 /// A sign on which a gradient may depend.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -34,14 +34,14 @@ impl GradientBounds<'_> {
         target: f64,
     ) -> FieldGradient {
         let mut left = MAX_CASES;
-        let none = Assumptions::default();
+        let none = SlopeAssumptions::default();
         self.split((node, plain.clone()), &none, target, MAX_DEPTH, &mut left)
     }
 
     fn split(
         &mut self,
         (node, plain): (ScalarId, FieldGradient),
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         target: f64,
         depth: u32,
         left: &mut u32,
@@ -49,7 +49,7 @@ impl GradientBounds<'_> {
         if depth == 0 || plain.norm <= target * (1.0 + 1e-6) || self.left == 0 {
             return plain;
         }
-        let mut best: Option<(f64, Vec<(Assumptions, FieldGradient)>)> = None;
+        let mut best: Option<(f64, Vec<(SlopeAssumptions, FieldGradient)>)> = None;
         for sign in self.signs(node, given) {
             let mut sides = Vec::new();
             for is_negative in [true, false] {
@@ -98,7 +98,7 @@ impl GradientBounds<'_> {
     }
 
     /// The signs that a node depends on and that are open, those of the nearest operands first.
-    fn signs(&mut self, node: ScalarId, given: &Assumptions) -> Vec<OpenSign> {
+    fn signs(&mut self, node: ScalarId, given: &SlopeAssumptions) -> Vec<OpenSign> {
         let mut found: Vec<OpenSign> = Vec::new();
         let mut memo = CaseMemo::default();
         let mut seen = FxHashSet::default();
@@ -106,7 +106,7 @@ impl GradientBounds<'_> {
         for _ in 0..10 {
             let mut next = Vec::new();
             for id in level {
-                if !seen.insert(id) || !self.scalars.varies(id) || found.len() >= MAX_TRIED {
+                if !seen.insert(id) || !self.scalars.varies(id) || found.len() >= MAX_SIGNS {
                     continue;
                 }
                 let sign = match *self.scalars.get(id) {
@@ -146,10 +146,10 @@ impl GradientBounds<'_> {
     /// Adds an assumption; `None` if it contradicts the others.
     fn assume(
         &mut self,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         sign: OpenSign,
         is_negative: bool,
-    ) -> Option<Assumptions> {
+    ) -> Option<SlopeAssumptions> {
         let mut assumed = given.clone();
         if let Some(condition) = sign.condition {
             assumed.truths.insert(condition, is_negative);
@@ -165,7 +165,7 @@ impl GradientBounds<'_> {
     /// Narrows the range of a node and of what follows for its operands; whether it is possible.
     fn narrow(
         &mut self,
-        given: &mut Assumptions,
+        given: &mut SlopeAssumptions,
         id: ScalarId,
         span: RealSpan,
         depth: u32,

@@ -1,11 +1,11 @@
 //! Polynomials: their partial derivatives, in which terms cancel, and blends of gradients.
 
-use super::assumptions::Assumptions;
+use super::assumptions::SlopeAssumptions;
 use super::bound::{CaseMemo, GradientBounds};
 use super::form::{ScalarForm, ScalarId};
 use super::gradient::FieldGradient;
 use super::interval::RealSpan;
-use super::polynomial::Polynomial;
+use super::polynomial::NodePolynomial;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Most nodes of a polynomial.
@@ -25,7 +25,7 @@ impl GradientBounds<'_> {
             written.push((atom, self.derivative(id, atom, &mut known)));
         }
         made.push(written);
-        if let Some(polynomial) = Polynomial::of_point(self.scalars, id) {
+        if let Some(polynomial) = NodePolynomial::of_point(self.scalars, id) {
             let atoms = polynomial.atoms().into_iter();
             let atoms: Vec<ScalarId> = atoms.filter(|a| self.scalars.varies(*a)).collect();
             let partials = atoms.into_iter().map(|atom| {
@@ -106,7 +106,7 @@ impl GradientBounds<'_> {
         &mut self,
         id: ScalarId,
         plain: FieldGradient,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -150,7 +150,7 @@ impl GradientBounds<'_> {
     pub fn chain(
         &mut self,
         partials: Vec<(ScalarId, ScalarId)>,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -180,7 +180,7 @@ impl GradientBounds<'_> {
     fn blend(
         &mut self,
         terms: &[(FieldGradient, ScalarId)],
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> Option<FieldGradient> {

@@ -6,7 +6,7 @@
 
 use super::form::{ScalarForm, ScalarFunction, ScalarId};
 use super::node::Scalars;
-use super::polynomial::Polynomial;
+use super::polynomial::NodePolynomial;
 use rustc_hash::FxHashMap;
 
 /// Most nodes that are made again.
@@ -96,7 +96,7 @@ pub(super) fn below(scalars: &Scalars, root: ScalarId) -> Vec<ScalarId> {
 
 /// The nodes that are other expressions where a node is zero.
 fn solved(scalars: &mut Scalars, zero: ScalarId) -> Vec<(ScalarId, ScalarId)> {
-    let Some(polynomial) = Polynomial::of(scalars, zero) else {
+    let Some(polynomial) = NodePolynomial::of(scalars, zero) else {
         return Vec::new();
     };
     let mut found = Vec::new();

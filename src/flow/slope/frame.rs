@@ -5,7 +5,7 @@
 
 use super::form::{ScalarForm, ScalarId};
 use super::node::Scalars;
-use super::polynomial::Polynomial;
+use super::polynomial::NodePolynomial;
 use rustc_hash::FxHashMap;
 
 /// Most nodes of which a row consists.
@@ -149,14 +149,14 @@ fn product(scalars: &mut Scalars, a: &LinearRow, b: &LinearRow) -> f64 {
             sum = scalars.add(sum, product);
         }
     }
-    let simple = Polynomial::of(scalars, sum).map(|polynomial| polynomial.node(scalars));
+    let simple = NodePolynomial::of(scalars, sum).map(|polynomial| polynomial.node(scalars));
     scalars.span(simple.unwrap_or(sum)).most()
 }
 
 /// A node as a linear combination of several nodes that depend on the point.
 fn linear(scalars: &mut Scalars, node: ScalarId) -> Option<LinearRow> {
-    let polynomial = Polynomial::of(scalars, node)?;
-    let mut rows: Vec<(ScalarId, Polynomial)> = Vec::new();
+    let polynomial = NodePolynomial::of(scalars, node)?;
+    let mut rows: Vec<(ScalarId, NodePolynomial)> = Vec::new();
     for (monomial, by) in polynomial.0 {
         let varies = |(id, _): &&(ScalarId, i32)| scalars.varies(*id);
         let mut varying = monomial.iter().filter(varies);
@@ -173,7 +173,7 @@ fn linear(scalars: &mut Scalars, node: ScalarId) -> Option<LinearRow> {
             .collect();
         match rows.iter_mut().find(|(known, _)| *known == atom) {
             Some((_, row)) => *row.0.entry(rest).or_insert(0.0) += by,
-            None => rows.push((atom, Polynomial([(rest, by)].into()))),
+            None => rows.push((atom, NodePolynomial([(rest, by)].into()))),
         }
     }
     if rows.len() < 2 || rows.len() > MAX_ATOMS {

@@ -37,7 +37,7 @@ fn stores(module: &Module) -> impl Iterator<Item = (OpId, VariableId)> {
 }
 
 /// The values of such variables when a function is called first.
-pub(super) fn settled(
+pub(super) fn known_globals(
     query: Query,
     written: &[bool],
     scalars: &mut Scalars,

@@ -9,13 +9,13 @@ use super::interval::RealSpan;
 use rustc_hash::FxHashMap;
 
 /// Index of a generator.
-pub(super) type Generator = u32;
+pub(super) type GradientGenerator = u32;
 
 /// A set of gradients.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct FieldGradient {
     /// The ranges of the coefficients, by generator.
-    pub parts: Vec<(Generator, RealSpan)>,
+    pub parts: Vec<(GradientGenerator, RealSpan)>,
     /// An upper bound of the length.
     pub norm: f64,
 }
@@ -101,7 +101,7 @@ impl FieldGradient {
 struct GeneratorSource {
     node: ScalarId,
     /// The generators of which it is a combination.
-    support: Vec<Generator>,
+    support: Vec<GradientGenerator>,
 }
 
 /// All generators of a function.
@@ -110,18 +110,23 @@ pub(super) struct Generators {
     /// By generator: the number of its source.
     sources: Vec<u32>,
     all: Vec<GeneratorSource>,
-    known: FxHashMap<(GeneratorSource, u32), Generator>,
+    known: FxHashMap<(GeneratorSource, u32), GradientGenerator>,
     numbers: FxHashMap<GeneratorSource, u32>,
 }
 
 impl Generators {
     /// The axis of a coordinate.
-    pub fn axis(&mut self, node: ScalarId) -> Generator {
+    pub fn axis(&mut self, node: ScalarId) -> GradientGenerator {
         self.of(node, 0, Vec::new())
     }
 
     /// A direction of a node within the span of other generators.
-    pub fn of(&mut self, node: ScalarId, index: u32, support: Vec<Generator>) -> Generator {
+    pub fn of(
+        &mut self,
+        node: ScalarId,
+        index: u32,
+        support: Vec<GradientGenerator>,
+    ) -> GradientGenerator {
         let source = GeneratorSource { node, support };
         if let Some(known) = self.known.get(&(source.clone(), index)) {
             return *known;
@@ -131,19 +136,19 @@ impl Generators {
         if number == next {
             self.all.push(source.clone());
         }
-        let id = self.sources.len() as Generator;
+        let id = self.sources.len() as GradientGenerator;
         self.sources.push(number);
         self.known.insert((source, index), id);
         id
     }
 
-    fn source(&self, generator: Generator) -> Option<(u32, &GeneratorSource)> {
+    fn source(&self, generator: GradientGenerator) -> Option<(u32, &GeneratorSource)> {
         let number = *self.sources.get(generator as usize)?;
         Some((number, self.all.get(number as usize)?))
     }
 
     /// Whether two generators are orthogonal.
-    fn is_independent(&self, a: Generator, b: Generator, depth: u32) -> bool {
+    fn is_independent(&self, a: GradientGenerator, b: GradientGenerator, depth: u32) -> bool {
         let (Some((first, source)), Some((second, other))) = (self.source(a), self.source(b))
         else {
             return false;
@@ -173,12 +178,13 @@ impl Generators {
             return f64::INFINITY;
         }
         let squares: f64 = rows.iter().map(|row| row.norm * row.norm).sum();
-        let mut all: Vec<Generator> = rows.iter().flat_map(|r| &r.parts).map(|p| p.0).collect();
+        let mut all: Vec<GradientGenerator> =
+            rows.iter().flat_map(|r| &r.parts).map(|p| p.0).collect();
         all.sort_unstable();
         all.dedup();
-        let mut bins: Vec<Vec<Generator>> = Vec::new();
+        let mut bins: Vec<Vec<GradientGenerator>> = Vec::new();
         for generator in all {
-            let is_free = |bin: &&mut Vec<Generator>| {
+            let is_free = |bin: &&mut Vec<GradientGenerator>| {
                 bin.iter()
                     .all(|other| self.is_independent(*other, generator, 12))
             };
@@ -217,8 +223,8 @@ impl Generators {
 }
 
 /// An upper bound of the norm of the matrix of coefficients of some generators.
-fn norm_of(rows: &[&FieldGradient], columns: &[Generator]) -> f64 {
-    let cell = |row: &FieldGradient, column: Generator| {
+fn norm_of(rows: &[&FieldGradient], columns: &[GradientGenerator]) -> f64 {
+    let cell = |row: &FieldGradient, column: GradientGenerator| {
         let found = row.parts.iter().find(|(g, _)| *g == column);
         found.map_or(RealSpan::ZERO, |(_, span)| *span)
     };

@@ -36,17 +36,17 @@ use form::{ScalarForm, ScalarId};
 use node::Scalars;
 use shaderlint_ir::Layout;
 use shaderlint_semantic::Type;
-pub use verdict::{Field, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle};
+pub use verdict::{DistanceField, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle};
 
-impl Field {
+impl DistanceField {
     /// The field that a ray loop moves by; `None` if it is not a function of a point.
-    pub fn of(query: Query, ray: &RayLoop) -> Option<Field> {
+    pub fn of(query: Query, ray: &RayLoop) -> Option<DistanceField> {
         let module = query.module;
         let scene = ray.scene.filter(|_| ray.kind == RayKind::Distance)?;
         let function = module.function(scene.function)?;
         let point = *module.parameters(function).get(scene.point? as usize)?;
         let layout = Layout::of(query.program);
-        Some(Field {
+        Some(DistanceField {
             function: scene.function,
             point,
             scalar: scalar_at(&layout, function.returns, scene.lane)?,
@@ -55,9 +55,9 @@ impl Field {
 }
 
 /// The fields that the distance loops of a shader move by, each once.
-pub fn fields<'r>(query: Query, rays: impl Iterator<Item = &'r RayLoop>) -> Vec<Field> {
-    let mut found: Vec<Field> = Vec::new();
-    for field in rays.filter_map(|ray| Field::of(query, ray)) {
+pub fn fields<'r>(query: Query, rays: impl Iterator<Item = &'r RayLoop>) -> Vec<DistanceField> {
+    let mut found: Vec<DistanceField> = Vec::new();
+    for field in rays.filter_map(|ray| DistanceField::of(query, ray)) {
         if !found.contains(&field) {
             found.push(field);
         }
@@ -79,13 +79,13 @@ fn scalar_at(layout: &Layout, ty: Type, lane: u32) -> Option<u32> {
 }
 
 /// A bound of the slope of a field, over all points.
-pub fn slope(query: Query, field: Field) -> Slope {
+pub fn slope(query: Query, field: DistanceField) -> Slope {
     let module = query.module;
     let written = globals::written(module);
     let mut scalars = Scalars::new();
-    let settled = globals::settled(query, &written, &mut scalars, field.function);
+    let known_globals = globals::known_globals(query, &written, &mut scalars, field.function);
     let mut execution = SymbolicExecution::new((query.program, module), &written, &mut scalars);
-    let root = match execution.run((field.function, field.point), settled) {
+    let root = match execution.run((field.function, field.point), known_globals) {
         Ok(values) => values.get(field.scalar as usize).copied(),
         Err(obstacle) => return Slope::Unknown(obstacle),
     };
@@ -109,7 +109,7 @@ fn slope_of(scalars: &mut Scalars, root: ScalarId, vectors: &[Vec<ScalarId>]) ->
     let norm = |id: ScalarId| known.get(&id).map_or(0.0, |g| g.norm);
     let most = norm(root);
     if !most.is_finite() {
-        return Slope::Unknown(blame(scalars, root, norm));
+        return Slope::Unknown(obstacle_at(scalars, root, norm));
     }
     match continuity::jump(scalars, root, &nodes, |id| norm(id) == 0.0) {
         Some(node) => Slope::Unknown(Obstacle {
@@ -121,7 +121,7 @@ fn slope_of(scalars: &mut Scalars, root: ScalarId, vectors: &[Vec<ScalarId>]) ->
 }
 
 /// The first node without a bound.
-fn blame(scalars: &Scalars, root: ScalarId, norm: impl Fn(ScalarId) -> f64) -> Obstacle {
+fn obstacle_at(scalars: &Scalars, root: ScalarId, norm: impl Fn(ScalarId) -> f64) -> Obstacle {
     let mut at = root;
     loop {
         let mut next = None;

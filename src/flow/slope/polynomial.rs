@@ -12,22 +12,22 @@ type Monomial = Vec<(ScalarId, i32)>;
 
 /// A sum of multiples of monomials.
 #[derive(Clone, Default, Debug)]
-pub(super) struct Polynomial(pub BTreeMap<Monomial, f64>);
+pub(super) struct NodePolynomial(pub BTreeMap<Monomial, f64>);
 
-impl Polynomial {
+impl NodePolynomial {
     /// A node with its sums multiplied out; `None` if there are too many terms.
-    pub fn of(scalars: &Scalars, id: ScalarId) -> Option<Polynomial> {
-        Polynomial::expanded(scalars, id, false)
+    pub fn of(scalars: &Scalars, id: ScalarId) -> Option<NodePolynomial> {
+        NodePolynomial::expanded(scalars, id, false)
     }
 
     /// The same, but factors that do not depend on the point are left as they are, so that they cancel
     /// with their inverses.
-    pub fn of_point(scalars: &Scalars, id: ScalarId) -> Option<Polynomial> {
-        Polynomial::expanded(scalars, id, true)
+    pub fn of_point(scalars: &Scalars, id: ScalarId) -> Option<NodePolynomial> {
+        NodePolynomial::expanded(scalars, id, true)
     }
 
-    fn expanded(scalars: &Scalars, id: ScalarId, keeps: bool) -> Option<Polynomial> {
-        let mut made = Polynomial::default();
+    fn expanded(scalars: &Scalars, id: ScalarId, keeps: bool) -> Option<NodePolynomial> {
+        let mut made = NodePolynomial::default();
         if !scalars.is_shallow(id) {
             return None;
         }
@@ -36,7 +36,7 @@ impl Polynomial {
             ScalarForm::Sum(terms, constant) => {
                 made.add(Vec::new(), constant.get());
                 for (term, by) in terms {
-                    for (monomial, own) in Polynomial::expanded(scalars, *term, keeps)?.0 {
+                    for (monomial, own) in NodePolynomial::expanded(scalars, *term, keeps)?.0 {
                         made.add(monomial, own * by.get());
                     }
                 }
@@ -66,23 +66,23 @@ impl Polynomial {
         scalars: &Scalars,
         (factor, power): (ScalarId, i32),
         keeps: bool,
-    ) -> Option<Polynomial> {
+    ) -> Option<NodePolynomial> {
         let by = match scalars.get(factor) {
             ScalarForm::Sum(..) if power > 0 && !(keeps && !scalars.varies(factor)) => {
-                let by = Polynomial::expanded(scalars, factor, keeps)?;
+                let by = NodePolynomial::expanded(scalars, factor, keeps)?;
                 let mut made = self;
                 for _ in 0..power {
                     made = made.product(&by)?.reduced(scalars)?;
                 }
                 return Some(made);
             }
-            _ => Polynomial([(vec![(factor, power)], 1.0)].into()),
+            _ => NodePolynomial([(vec![(factor, power)], 1.0)].into()),
         };
         self.product(&by)?.reduced(scalars)
     }
 
     /// Replaces squares of sines by those of cosines, so that `sin(a)^2 + cos(a)^2` is 1.
-    fn reduced(mut self, scalars: &Scalars) -> Option<Polynomial> {
+    fn reduced(mut self, scalars: &Scalars) -> Option<NodePolynomial> {
         let find = |monomial: &Monomial| {
             monomial
                 .iter()
@@ -104,8 +104,8 @@ impl Polynomial {
                 false => (id, power),
             });
             let rest: Monomial = rest.filter(|(_, power)| *power != 0).collect();
-            let square = Polynomial([(vec![(cos, 2)], -by)].into());
-            let other = Polynomial([(rest.clone(), 1.0)].into()).product(&square)?;
+            let square = NodePolynomial([(vec![(cos, 2)], -by)].into());
+            let other = NodePolynomial([(rest.clone(), 1.0)].into()).product(&square)?;
             self.add(rest, by);
             for (monomial, by) in other.0 {
                 self.add(monomial, by);
@@ -114,8 +114,8 @@ impl Polynomial {
         None
     }
 
-    fn product(&self, other: &Polynomial) -> Option<Polynomial> {
-        let mut made = Polynomial::default();
+    fn product(&self, other: &NodePolynomial) -> Option<NodePolynomial> {
+        let mut made = NodePolynomial::default();
         for (a, by) in &self.0 {
             for (b, other) in &other.0 {
                 let mut both = a.clone();
@@ -136,7 +136,7 @@ impl Polynomial {
         Some(made.tidy())
     }
 
-    fn tidy(mut self) -> Polynomial {
+    fn tidy(mut self) -> NodePolynomial {
         self.0.retain(|_, by| *by != 0.0);
         self
     }
@@ -169,8 +169,8 @@ impl Polynomial {
     }
 
     /// The partial derivative with respect to an atom.
-    pub fn partial(&self, atom: ScalarId) -> Polynomial {
-        let mut made = Polynomial::default();
+    pub fn partial(&self, atom: ScalarId) -> NodePolynomial {
+        let mut made = NodePolynomial::default();
         for (monomial, by) in &self.0 {
             let Some((_, power)) = monomial.iter().find(|(id, _)| *id == atom) else {
                 continue;
@@ -193,7 +193,7 @@ impl Scalars {
             return true;
         }
         let difference = self.subtract(a, b);
-        let forms = [Polynomial::of, Polynomial::of_point];
+        let forms = [NodePolynomial::of, NodePolynomial::of_point];
         forms.into_iter().any(|form| {
             let rest = form(self, difference);
             rest.is_some_and(|rest| rest.0.values().all(|by| by.abs() <= 1e-6))
@@ -202,7 +202,7 @@ impl Scalars {
 
     /// Whether a node is zero, with its fractions brought to a common denominator.
     pub fn is_zero(&mut self, id: ScalarId) -> bool {
-        let Some(polynomial) = Polynomial::of(self, id) else {
+        let Some(polynomial) = NodePolynomial::of(self, id) else {
             return false;
         };
         let mut below: BTreeMap<ScalarId, i32> = BTreeMap::new();
@@ -211,12 +211,12 @@ impl Scalars {
             *known = (*known).max(-power);
         }
         below.retain(|_, power| *power > 0);
-        let denominator = Polynomial([(below.into_iter().collect(), 1.0)].into());
+        let denominator = NodePolynomial([(below.into_iter().collect(), 1.0)].into());
         let Some(above) = polynomial.product(&denominator) else {
             return false;
         };
         let above = above.node(self);
-        let rest = Polynomial::of(self, above);
+        let rest = NodePolynomial::of(self, above);
         rest.is_some_and(|rest| rest.0.values().all(|by| by.abs() <= 1e-7))
     }
 
@@ -224,7 +224,7 @@ impl Scalars {
     /// same key.
     pub fn key(&mut self, id: ScalarId) -> (f64, ScalarId, f64) {
         let expanded = match self.get(id) {
-            ScalarForm::Sum(..) => Polynomial::of_point(self, id).map(|p| p.tidy()),
+            ScalarForm::Sum(..) => NodePolynomial::of_point(self, id).map(|p| p.tidy()),
             _ => None,
         };
         let node = expanded.map_or(id, |p| p.node(self));

@@ -1,7 +1,7 @@
 //! Square roots and logarithms: their slopes are bounded by what is below them as a whole, not by its
 //! slope and its least value.
 
-use super::assumptions::Assumptions;
+use super::assumptions::SlopeAssumptions;
 use super::bound::{CaseMemo, GradientBounds, MAX_NESTING};
 use super::form::{ScalarForm, ScalarFunction, ScalarId};
 use super::gradient::FieldGradient;
@@ -39,7 +39,7 @@ impl GradientBounds<'_> {
     pub fn log_slope(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> f64 {
@@ -91,7 +91,7 @@ impl GradientBounds<'_> {
         &mut self,
         id: ScalarId,
         a: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> FieldGradient {
@@ -130,7 +130,7 @@ impl GradientBounds<'_> {
         &mut self,
         square: ScalarId,
         rows: &[(f64, ScalarId)],
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> Vec<FieldGradient> {
@@ -170,7 +170,7 @@ impl GradientBounds<'_> {
     fn root_slope(
         &mut self,
         id: ScalarId,
-        given: &Assumptions,
+        given: &SlopeAssumptions,
         memo: &mut CaseMemo,
         depth: u32,
     ) -> f64 {

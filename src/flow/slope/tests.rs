@@ -1,6 +1,6 @@
 //! Tests of bounds on fields with known slopes.
 
-use super::{Field, Slope, SlopeObstacle, slope};
+use super::{DistanceField, Slope, SlopeObstacle, slope};
 use crate::calls::Calls;
 use crate::ranges::{Query, Ranges};
 use crate::reaching_definitions::ReachingDefinitions;
@@ -31,7 +31,7 @@ fn slope_in(code: &str) -> Slope {
     let at = analysis.program.functions.iter().position(is_map).unwrap();
     let function = FunctionRef(at as u32);
     let point = module.parameters(module.function(function).unwrap())[0];
-    let field = Field {
+    let field = DistanceField {
         function,
         point,
         scalar: 0,
@@ -69,7 +69,7 @@ fn check_unknown(body: &str, expected: SlopeObstacle) {
     }
 }
 
-const TURN: &str = "mat2(cos(iTime), -sin(iTime), sin(iTime), cos(iTime))";
+const ROTATION: &str = "mat2(cos(iTime), -sin(iTime), sin(iTime), cos(iTime))";
 const BOX: &str = "vec3 d = abs(p) - vec3(1.0, 2.0, 3.0);
     return length(max(d, 0.0)) + min(max(d.x, max(d.y, d.z)), 0.0);";
 
@@ -161,14 +161,16 @@ fn segments_with_any_ends() {
 
 #[test]
 fn frames_are_rotated() {
-    check(&format!("p.xz *= {TURN}; {BOX}"), 1.0);
+    check(&format!("p.xz *= {ROTATION}; {BOX}"), 1.0);
     check(
-        &format!("p.xz *= {TURN}; p.yz *= mat2(cos(1.0), -sin(1.0), sin(1.0), cos(1.0)); {BOX}"),
+        &format!(
+            "p.xz *= {ROTATION}; p.yz *= mat2(cos(1.0), -sin(1.0), sin(1.0), cos(1.0)); {BOX}"
+        ),
         1.0,
     );
     check(
         &format!(
-            "for (int i = 0; i < 3; i++) {{ p = abs(p) - 0.5; p.xz *= {TURN}; p.xy *= {TURN}; }} {BOX}"
+            "for (int i = 0; i < 3; i++) {{ p = abs(p) - 0.5; p.xz *= {ROTATION}; p.xy *= {ROTATION}; }} {BOX}"
         ),
         1.0,
     );

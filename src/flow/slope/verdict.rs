@@ -8,7 +8,7 @@ pub const STEEPEST_DISTANCE: f64 = 1.0001;
 
 /// A function as a field over a point.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct Field {
+pub struct DistanceField {
     /// The function.
     pub function: FunctionRef,
     /// The parameter that is the point.
