@@ -68,6 +68,13 @@ impl SymbolicExecution<'_> {
                     .map(|a| self.convert(a, from, to))
                     .collect()
             }
+            _ => self.compose(id, op)?,
+        })
+    }
+
+    /// The value of an operation that selects or joins components, or calls a built-in function.
+    fn compose(&mut self, id: OpId, op: &Op) -> Executed<ScalarValues> {
+        Ok(match op.kind {
             OpKind::Splat(a) => {
                 let value = self.values(a)?.first().copied();
                 let value = value.ok_or_else(|| self.blocked(SlopeObstacle::Value))?;
