@@ -37,7 +37,7 @@ fn check(cx: &mut Context) {
     let program = cx.program;
     let mut scenes: Vec<(FunctionRef, StmtId)> = Vec::new();
     for march in facts.marches().iter().filter(|m| m.looped.ends_early) {
-        if let Some(scene) = march.ray.scene
+        if let Some(scene) = march.ray.scene.map(|call| call.function)
             && scenes.iter().all(|(f, _)| *f != scene)
         {
             scenes.push((scene, march.looped.stmt));

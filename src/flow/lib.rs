@@ -17,6 +17,7 @@ mod rays;
 pub mod reaching_definitions;
 mod same;
 mod slice;
+mod slope;
 #[cfg(test)]
 mod test_shader;
 mod trace;
@@ -36,9 +37,10 @@ pub use gradients::{DivergenceCause, Gradient, gradients};
 pub use jumps::{Jump, jump};
 pub use liveness::Liveness;
 pub use loops::{Bound, LoopFacts, Loops};
-pub use rays::{HitTest, RayKind, RayLoop, ray_loops};
+pub use rays::{HitTest, RayKind, RayLoop, SceneCall, ray_loops};
 pub use same::is_same;
 pub use slice::backward_slice;
+pub use slope::{DistanceField, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle, fields, slope};
 pub use trace::{Start, origin, trace};
 pub use uniformity::{
     Control, ControlId, Divergence, DivergenceId, LoopControls, Uniformity, Varying,

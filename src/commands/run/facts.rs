@@ -1,6 +1,7 @@
 //! Statistics of a frame, for people and for programs.
 
 use super::columns::{percent, seconds};
+use super::fields::{self, FieldRow};
 use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
@@ -39,6 +40,9 @@ pub struct RunFacts {
     /// Invalid numbers, with --report.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers: Option<Vec<NumberRow>>,
+    /// The distance fields that rays march along, with --report.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fields: Option<Vec<FieldRow>>,
     /// Notes about inputs that were missing or replaced.
     pub notes: Vec<String>,
 }
@@ -196,6 +200,9 @@ impl RunFacts {
         }
         if let Some(functions) = &self.functions {
             text.push_str(&functions::table(functions));
+        }
+        if let Some(fields) = &self.fields {
+            text.push_str(&fields::lines(fields));
         }
         text.push_str(&written(self.output.as_deref()));
         text

@@ -4,7 +4,7 @@ use super::bitmap::Bitmap;
 use super::facts::{self, CostFacts, OutputFacts, RunFacts};
 use super::setting::{FrameView, HeatMap};
 use super::shot::{Loaded, Shot};
-use super::{functions, heat, loops, numbers, show};
+use super::{fields, functions, heat, loops, numbers, show};
 use shaderlint_engine::playback::{Moment, RenderedImage};
 use shaderlint_exec::Drawn;
 
@@ -38,6 +38,7 @@ pub fn frame(
     if let Some(program) = loaded.program(shot).filter(|_| view.report) {
         facts.loops = Some(loops::rows(program, shot, &drawn.seen));
         facts.functions = Some(functions::rows(program, &drawn.seen));
+        facts.fields = fields::rows(program, loaded, shot);
         facts.numbers = Some(numbers::rows(program, shot, &drawn.seen));
     }
     facts.notes = shot.notes(&loaded.project);
@@ -97,6 +98,7 @@ fn facts_of(
         loops: None,
         functions: None,
         numbers: None,
+        fields: None,
         notes: Vec::new(),
     }
 }

@@ -4,6 +4,7 @@ mod bitmap;
 mod columns;
 mod compare;
 mod facts;
+mod fields;
 pub mod font;
 mod frame;
 mod functions;

@@ -5,6 +5,7 @@ mod moment;
 mod player;
 mod project;
 mod scene;
+mod steepest;
 mod supply;
 mod test;
 mod varyings;
@@ -14,6 +15,7 @@ pub use moment::{Button, Moment, Mouse};
 pub use player::{player_draw, player_gives};
 pub use project::{Decode, Decoded, PlaybackOptions, PlaybackProblem, Played, Player, SOUND_RATE};
 pub use scene::{GivenUniforms, Scene, Unfit};
+pub use steepest::{Steepest, Unsampled, steepest};
 pub(crate) use supply::Supply;
 pub use test::{
     Coverage, CoveredFunction, FileCoverage, FoundValues, RunCounts, SeenCondition, SeenValue,

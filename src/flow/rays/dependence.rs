@@ -1,12 +1,13 @@
 //! What a value in a loop depends on: a backward slice over definitions.
 
+use super::form::SceneCall;
 use crate::loops::is_invariant;
 use crate::ranges::Query;
 use crate::reaching_definitions::{Def, DefId};
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{Binary, Loop, LoopId, OpId, OpKind, Unary};
+use shaderlint_semantic::Scalar;
 use shaderlint_semantic::builtins::Transfer;
-use shaderlint_semantic::{FunctionRef, Scalar};
 use std::cell::Cell;
 
 /// Most values that are followed per query.
@@ -149,18 +150,31 @@ impl<'x> LoopSlice<'x> {
         found
     }
 
-    /// The first function called on the way from a component to these heads.
-    pub fn called(&self, from: &[ValueLane], heads: &[DefId]) -> Option<FunctionRef> {
+    /// The first call on the way from a component to these heads.
+    pub fn called(&self, from: &[ValueLane], heads: &[DefId]) -> Option<SceneCall> {
         let mut found = None;
         for &lane in from {
             self.walk(lane, |node, _| match node {
-                SliceNode::Lane(op, _) => {
-                    if let OpKind::Call(function, list) = self.query.module.op(op).kind {
-                        let arguments = self.query.module.operands(list).iter();
-                        let mut lanes = arguments
-                            .flat_map(|a| (0..self.query.defs.lanes_of(*a)).map(move |l| (*a, l)));
-                        if found.is_none() && lanes.any(|lane| self.depends(lane, heads, false)) {
-                            found = Some(function);
+                SliceNode::Lane(op, lane) => {
+                    if found.is_none()
+                        && let OpKind::Call(function, list) = self.query.module.op(op).kind
+                    {
+                        let depends = |argument: &&OpId| {
+                            let mut lanes = 0..self.query.defs.lanes_of(**argument);
+                            lanes.any(|lane| self.depends((**argument, lane), heads, false))
+                        };
+                        let arguments = (0..).zip(self.query.module.operands(list));
+                        let mut moved = arguments
+                            .filter(|(_, argument)| depends(argument))
+                            .peekable();
+                        if moved.peek().is_some() {
+                            let mut points =
+                                moved.filter(|(_, argument)| self.is_point(**argument));
+                            found = Some(SceneCall {
+                                function,
+                                lane,
+                                point: points.next().map(|(index, _)| index),
+                            });
                         }
                     }
                     found.is_none()

@@ -28,6 +28,17 @@ pub struct HitTest {
     pub is_late: bool,
 }
 
+/// The call of a scene in a ray loop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SceneCall {
+    /// The function.
+    pub function: FunctionRef,
+    /// The component of its result that the step is computed from, as a lane.
+    pub lane: u32,
+    /// The index of the parameter that is the point on the ray; `None` if it is passed in another way.
+    pub point: Option<u32>,
+}
+
 /// A loop that provably moves along a ray.
 #[derive(Clone, Debug)]
 pub struct RayLoop {
@@ -40,7 +51,7 @@ pub struct RayLoop {
     /// How it moves.
     pub kind: RayKind,
     /// The function that is evaluated at each step; `None` if the distance is computed in the loop.
-    pub scene: Option<FunctionRef>,
+    pub scene: Option<SceneCall>,
     /// The condition that ends the loop at a hit; `None` if there is none, or several.
     pub hit: Option<HitTest>,
     /// Whether another condition on the ray ends the loop, such as a maximum distance.

@@ -19,7 +19,7 @@ use super::calls::{Bodies, Calls};
 use super::ranges::Query;
 use dependence::LoopSlice;
 use exits::exits;
-pub use form::{HitTest, RayKind, RayLoop};
+pub use form::{HitTest, RayKind, RayLoop, SceneCall};
 use shaderlint_ir::LoopId;
 use shaderlint_semantic::FunctionRef;
 use start::Starts;
