@@ -24,7 +24,9 @@ mod vm;
 pub use bytecode::{
     Bytecode, InputSlot, MAX_TRACED, OutputSlot, SamplerSlot, TraceSite, TracedValue, UniformSlot,
 };
-pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
+pub use compile::options::{
+    CompileOptions, ErrorDirection, GpuProfile, Probe, RayProbe, Refusal, Watch,
+};
 pub use compile::{compile, start};
 pub use draw::{Draw, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};

@@ -7,6 +7,7 @@ use super::shot::{Loaded, Shot};
 use super::{functions, heat, loops, numbers, show};
 use shaderlint_engine::playback::{Moment, RenderedImage};
 use shaderlint_exec::Drawn;
+use shaderlint_lint::sample::RayOutcome;
 
 /// A frame that was drawn.
 pub struct Frame {
@@ -30,6 +31,11 @@ pub fn frame(
     let drawn = shot.drawn(moment, progress)?;
     let image = RenderedImage::of(shot.code(), &drawn, 0);
     let bitmap = match (view.heat, view.show) {
+        (Some(HeatMap::Slope), _) => {
+            let rays = RayOutcome::all(&drawn.outputs).into_iter();
+            let slopes: Vec<f64> = rays.map(|ray| f64::from(ray.slope)).collect();
+            heat::slopes(drawn.size, &slopes)
+        }
         (Some(heat), _) => heat_map(heat, &image, &drawn),
         (None, Some(show)) => show::render(show, shot.code(), &drawn),
         (None, None) => Bitmap::of(&image),
@@ -62,6 +68,7 @@ fn heat_map(heat: HeatMap, image: &RenderedImage, drawn: &Drawn) -> Bitmap {
             let values = image.pixels.iter().map(|p| f64::from(u8::from(is_bad(p))));
             (values.collect(), "NOT FINITE")
         }
+        HeatMap::Slope => (Vec::new(), ""),
     };
     heat::map(drawn.size, &values, title)
 }
@@ -75,7 +82,7 @@ fn facts_of(
 ) -> RunFacts {
     let code = shot.code();
     let program = loaded.program(shot);
-    let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
+    let outputs = shot.outputs().iter().zip(0..).map(|(slot, at)| {
         let facts = match at {
             0 => image.facts(&drawn.covered),
             at => RenderedImage::of(code, drawn, at).facts(&drawn.covered),
@@ -95,6 +102,7 @@ fn facts_of(
         outputs: outputs.collect(),
         cost: CostFacts::of(drawn),
         loops: None,
+        rays: None,
         functions: None,
         numbers: None,
         notes: Vec::new(),

@@ -1,12 +1,13 @@
 //! Prepares a shader for drawing, and sets its uniforms.
 
 use super::place::{position, span};
-use super::setting::{ShotSetting, UniformText};
-use super::{show, uniforms};
+use super::setting::{ObservedRays, ShotSetting, UniformText};
+use super::{rays, show, uniforms};
 use shaderlint_diagnostic::count;
 use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use shaderlint_exec::{
-    Bytecode, CompileOptions, Drawn, PixelTrace, Refusal, Stop, Watch, draw, trace,
+    Bytecode, CompileOptions, Drawn, OutputSlot, PixelTrace, RayProbe, Refusal, Sampled, Stop,
+    Watch, draw, sample, trace,
 };
 use shaderlint_ir::Module;
 use shaderlint_lint::CachedFacts;
@@ -39,6 +40,8 @@ pub struct Shot {
     pass: usize,
     size: [u32; 2],
     threads: usize,
+    /// Whether the last outputs are those of a ray probe.
+    observes_rays: bool,
 }
 
 /// What draws a pass.
@@ -110,6 +113,39 @@ impl Shot {
                 traced.ok_or_else(|| "the pass has no pixels to trace".to_string())
             }
         }
+    }
+
+    /// Draws some quads of a frame, given by their lower left pixels.
+    ///
+    /// # Errors
+    /// A message about a run that was stopped.
+    pub fn sampled(
+        &mut self,
+        moment: &Moment,
+        quads: &[[u32; 2]],
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<Sampled, String> {
+        match &mut self.play {
+            Playback::Alone(scene) => {
+                let own = scene.draw(self.size, moment);
+                sample(&own, quads).map_err(|stop| stopped(&stop))
+            }
+            Playback::Project(player) => {
+                let sampled = player.sample(moment, (self.pass, quads), progress);
+                let sampled = sampled.map_err(|stop| stopped(&stop))?;
+                sampled.ok_or_else(|| "the pass has no pixels to sample".to_string())
+            }
+        }
+    }
+
+    /// The outputs of the pass.
+    pub fn outputs(&self) -> &[OutputSlot] {
+        let all = &self.code().outputs;
+        let probed = match self.observes_rays {
+            true => RayProbe::OUTPUTS,
+            false => 0,
+        };
+        all.get(..all.len().saturating_sub(probed)).unwrap_or(all)
     }
 
     /// Size of the image in pixels.
@@ -199,7 +235,13 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
         Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
         None => None,
     };
+    let rays = match setting.rays {
+        ObservedRays::Nothing => None,
+        ObservedRays::Camera => Some(rays::camera(program, &known)?),
+        ObservedRays::Probe(probe) => Some(probe),
+    };
     let compile = CompileOptions {
+        rays,
         watch: setting.watch,
         cost: setting.watch != Watch::Nothing,
         probe,
@@ -229,6 +271,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
         pass: unit.pass,
         size,
         threads,
+        observes_rays: rays.is_some(),
     };
     if let Some(uniforms) = setting.uniforms {
         set_uniforms(&mut shot, program, uniforms)?;

@@ -2,6 +2,7 @@
 
 use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use super::plan::{CompilePlan, Releasable};
+use super::ray::RayRegisters;
 use super::registers::Registers;
 use crate::bytecode::{
     Bytecode, CallPath, CheckSite, F1, F2, F3, ImpreciseOp, Instr, InstrIndex, MaskSlot, Reg,
@@ -104,6 +105,8 @@ pub(super) struct Compiler<'p> {
     pub branch_sites: FxHashMap<Provenance, u32>,
     /// The registers of the probe, if there is one.
     pub probed: Option<Probed>,
+    /// The registers of the ray probe, if there is one.
+    pub rays: Option<RayRegisters>,
     next_slot: MaskSlot,
     /// Intermediate results of the current built-in function.
     pub scratch: Vec<Reg>,
@@ -141,6 +144,7 @@ impl<'p> Compiler<'p> {
             call_paths: FxHashMap::default(),
             branch_sites: FxHashMap::default(),
             probed: None,
+            rays: None,
             // Slot 0 is `EMPTY`.
             next_slot: 1,
             scratch: Vec::new(),

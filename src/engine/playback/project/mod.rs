@@ -17,7 +17,9 @@ use super::moment::Moment;
 use super::scene::Unfit;
 use channel::Channel;
 use shader::PassShader;
-use shaderlint_exec::{CompileOptions, Draw, Drawn, PixelTrace, Stop, draw, trace};
+use shaderlint_exec::{
+    CompileOptions, Draw, Drawn, PixelTrace, Sampled, Stop, draw, sample, trace,
+};
 use shaderlint_port::{Composed, Project};
 use shaderlint_semantic::Pass;
 use target::{CUBE_SIDE, ImagePair};
@@ -207,21 +209,46 @@ impl Player {
         (pass, pixel, most): (usize, [u32; 2], usize),
         progress: &mut dyn FnMut(u32),
     ) -> Result<Option<PixelTrace>, Stop> {
+        self.with_draw((moment, pass), progress, |draw| {
+            Ok(trace(draw, pixel, most))
+        })
+    }
+
+    /// Draws some quads of a pass, given by their lower left pixels; `None` if the pass is not drawn as
+    /// an image. Frames that it depends on are drawn first.
+    ///
+    /// # Errors
+    /// Why a draw was stopped.
+    pub fn sample(
+        &mut self,
+        moment: &Moment,
+        (pass, quads): (usize, &[[u32; 2]]),
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<Option<Sampled>, Stop> {
+        self.with_draw((moment, pass), progress, |draw| sample(draw, quads))
+    }
+
+    /// Prepares the draw of a pass in a frame.
+    fn with_draw<T>(
+        &mut self,
+        (moment, pass): (&Moment, usize),
+        progress: &mut dyn FnMut(u32),
+        draw: impl FnOnce(&Draw<'_>) -> Result<T, Stop>,
+    ) -> Result<Option<T>, Stop> {
         self.approach(moment, progress)?;
         self.begin(moment)?;
-        let mut traced = None;
+        let mut made = None;
         for at in self.order().collect::<Vec<_>>() {
             let found = self.passes.get(at).filter(|p| p.index == pass);
             if let Some(found) = found.filter(|p| p.kind != Pass::Cubemap) {
-                let prepared = self.prepare(found, self.size_of(found), moment);
-                traced = Some(trace(&prepared, pixel, most));
+                made = Some(draw(&self.prepare(found, self.size_of(found), moment))?);
                 break;
             }
             self.draw_pass(at, moment)?;
         }
         // The frame is not complete.
         self.restart();
-        Ok(traced)
+        Ok(made)
     }
 
     /// Draws the frames that a frame depends on.
