@@ -31,11 +31,6 @@ pub fn frame(
     let drawn = shot.drawn(moment, progress)?;
     let image = RenderedImage::of(shot.code(), &drawn, 0);
     let bitmap = match (view.heat, view.show) {
-        (Some(HeatMap::Slope), _) => {
-            let rays = RayOutcome::all(&drawn.outputs).into_iter();
-            let slopes: Vec<f64> = rays.map(|ray| f64::from(ray.slope)).collect();
-            heat::slopes(drawn.size, &slopes)
-        }
         (Some(heat), _) => heat_map(heat, &image, &drawn),
         (None, Some(show)) => show::render(show, shot.code(), &drawn),
         (None, None) => Bitmap::of(&image),
@@ -68,7 +63,11 @@ fn heat_map(heat: HeatMap, image: &RenderedImage, drawn: &Drawn) -> Bitmap {
             let values = image.pixels.iter().map(|p| f64::from(u8::from(is_bad(p))));
             (values.collect(), "NOT FINITE")
         }
-        HeatMap::Slope => (Vec::new(), ""),
+        HeatMap::Slope => {
+            let rays = RayOutcome::all(&drawn.outputs).into_iter();
+            let slopes: Vec<f64> = rays.map(|ray| f64::from(ray.slope)).collect();
+            return heat::slopes(drawn.size, &slopes);
+        }
     };
     heat::map(drawn.size, &values, title)
 }

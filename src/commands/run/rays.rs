@@ -8,11 +8,10 @@ use serde::Serialize;
 use shaderlint_engine::playback::Moment;
 use shaderlint_exec::{RayProbe, Sampled, Watch, quads_all_over};
 use shaderlint_ir::Provenance;
+use shaderlint_lint::Facts;
 use shaderlint_lint::march::March;
-use shaderlint_lint::sample::{RayOutcome, StepLength, ray_probe, rounded, slope_probe};
-use shaderlint_lint::{CachedFacts, Facts};
+use shaderlint_lint::sample::{RayOutcome, StepLength, ray_probe, rounded};
 use shaderlint_semantic::Program;
-use std::sync::Arc;
 
 /// Most quads that are sampled.
 const MOST_QUADS: usize = 2048;
@@ -119,18 +118,6 @@ fn sampled(
     };
     let mut observed = shot(loaded, &setting).ok()?;
     observed.sampled(moment, quads, &mut |_| {}).ok()
-}
-
-/// The probe of the first loop that follows rays from the camera by a distance.
-///
-/// # Errors
-/// A message if there is none.
-pub fn camera(program: &Program, known: &Arc<CachedFacts>) -> Result<RayProbe, String> {
-    let facts = Facts::of(program, known);
-    let mut marches = facts.marches().iter().filter(|m| m.ray.start.is_some());
-    marches.find_map(slope_probe).ok_or_else(|| {
-        "--heatmap slope: no loop follows rays from the camera by a distance".to_string()
-    })
 }
 
 /// The lines for people, of the loops with rays that step over a surface.

@@ -2,7 +2,7 @@
 
 use super::place::{position, span};
 use super::setting::{ObservedRays, ShotSetting, UniformText};
-use super::{rays, show, uniforms};
+use super::{show, uniforms};
 use shaderlint_diagnostic::count;
 use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use shaderlint_exec::{
@@ -10,7 +10,8 @@ use shaderlint_exec::{
     Watch, draw, sample, trace,
 };
 use shaderlint_ir::Module;
-use shaderlint_lint::CachedFacts;
+use shaderlint_lint::sample::slope_probe;
+use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
 use shaderlint_semantic::{Pass, Program, Stage, Storage};
 use shaderlint_text::Sources;
@@ -237,7 +238,7 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
     };
     let rays = match setting.rays {
         ObservedRays::Nothing => None,
-        ObservedRays::Camera => Some(rays::camera(program, &known)?),
+        ObservedRays::Camera => Some(camera_rays(program, &known)?),
         ObservedRays::Probe(probe) => Some(probe),
     };
     let compile = CompileOptions {
@@ -277,6 +278,18 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
         set_uniforms(&mut shot, program, uniforms)?;
     }
     Ok(shot)
+}
+
+/// The probe of the first loop that follows rays from the camera by a distance.
+///
+/// # Errors
+/// A message if there is none.
+fn camera_rays(program: &Program, known: &Arc<CachedFacts>) -> Result<RayProbe, String> {
+    let facts = Facts::of(program, known);
+    let mut marches = facts.marches().iter().filter(|m| m.ray.start.is_some());
+    marches.find_map(slope_probe).ok_or_else(|| {
+        "--heatmap slope: no loop follows rays from the camera by a distance".to_string()
+    })
 }
 
 /// The scene of a shader that has one pass and no samplers; `None` for others.

@@ -2,7 +2,6 @@
 
 use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use super::plan::{CompilePlan, Releasable};
-use super::ray::RayRegisters;
 use super::registers::Registers;
 use crate::bytecode::{
     Bytecode, CallPath, CheckSite, F1, F2, F3, ImpreciseOp, Instr, InstrIndex, MaskSlot, Reg,
@@ -35,6 +34,33 @@ pub(super) struct Probed {
     pub scalars: Regs,
     /// All bits set where the probed operation was executed.
     pub reached: Reg,
+}
+
+/// The registers of the ray probe.
+#[derive(Clone, Copy)]
+pub(super) struct RayRegisters {
+    /// All bits set in pixels that have entered the loop, and while they march for the first time.
+    pub entered: Reg,
+    pub marches: Reg,
+    /// The moved scalars before the loop.
+    pub start: Regs,
+    /// The distances from the start at the last two iterations, latest first.
+    pub places: [Reg; 2],
+    /// Whether the last test was a hit, and the distance from the start there.
+    pub hit: Reg,
+    pub tested: Reg,
+    /// The distance from the start of the last place that was no hit.
+    pub passed: Reg,
+    /// The largest slope, and the largest change of the distance relative to itself.
+    pub slope: Reg,
+    pub change: Reg,
+    /// The point on the ray.
+    pub point: [Reg; 3],
+    pub has_point: Reg,
+    /// The point and the distance at the last evaluation, and whether there was one.
+    pub last_point: [Reg; 3],
+    pub last_field: Reg,
+    pub was_evaluated: Reg,
 }
 
 /// The location of a value.

@@ -1,6 +1,6 @@
 //! The ray probe: outputs how the first march of a loop went in each pixel, with steps of another length.
 
-use super::emit::{Compiler, Made, Regs, Value};
+use super::emit::{Compiler, Made, RayRegisters, Regs, Value};
 use super::options::RayProbe;
 use crate::bytecode::{F1, F2, F3, Instr, OutputSlot, Reg};
 use shaderlint_ir::{Binary, LoopId, OpId, OpKind};
@@ -9,33 +9,6 @@ use shaderlint_semantic::{Scalar, Type, Value as Number};
 /// Shortest move, relative to the distance from the start, over which a slope is measured: below it,
 /// rounding errors dominate.
 const LEAST_MOVE: f32 = 1e-3;
-
-/// The registers of the ray probe.
-#[derive(Clone, Copy)]
-pub(super) struct RayRegisters {
-    /// All bits set in pixels that have entered the loop, and while they march for the first time.
-    entered: Reg,
-    marches: Reg,
-    /// The moved scalars before the loop.
-    start: Regs,
-    /// The distances from the start at the last two iterations, latest first.
-    places: [Reg; 2],
-    /// Whether the last test was a hit, and the distance from the start there.
-    hit: Reg,
-    tested: Reg,
-    /// The distance from the start of the last place that was no hit.
-    passed: Reg,
-    /// The largest slope, and the largest change of the distance relative to itself.
-    slope: Reg,
-    change: Reg,
-    /// The point on the ray.
-    point: [Reg; 3],
-    has_point: Reg,
-    /// The point and the distance at the last evaluation, and whether there was one.
-    last_point: [Reg; 3],
-    last_field: Reg,
-    was_evaluated: Reg,
-}
 
 impl Compiler<'_> {
     /// Allocates the registers of the ray probe.

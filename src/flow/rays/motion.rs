@@ -3,7 +3,7 @@
 use super::dependence::{LoopSlice, SliceNode, ValueLane};
 use super::form::{HitTest, RayKind, RayMotion, RayStep};
 use super::step::{Stepped, point_on_ray};
-use crate::reaching_definitions::Def;
+use crate::reaching_definitions::{Def, DefId};
 use shaderlint_ir::{OpId, OpKind};
 
 /// The motion of a loop; empty for loops that do not move by a distance.
@@ -40,6 +40,16 @@ fn field(slice: &LoopSlice, stepped: &Stepped) -> Option<ValueLane> {
     }
 }
 
+/// Whether a definition is the length of a vector, which has a slot of its own.
+fn is_length(slice: &LoopSlice, def: DefId) -> bool {
+    let Def::Head { slot, .. } = slice.query.defs.get(def) else {
+        return false;
+    };
+    let (variable, lane) = slice.query.defs.variable_at(slot);
+    let variable = slice.query.module.variable(variable);
+    variable.is_some_and(|v| v.ty.is_vector() && lane >= v.ty.components())
+}
+
 /// Whether a condition depends on a value that each iteration computes from that of the previous one,
 /// other than the position: a counter, a sum, the smallest distance so far.
 fn is_counted(slice: &LoopSlice, stepped: &Stepped, condition: OpId) -> bool {
@@ -50,7 +60,7 @@ fn is_counted(slice: &LoopSlice, stepped: &Stepped, condition: OpId) -> bool {
             return true;
         };
         let is_head = matches!(defs.get(def), Def::Head { of, .. } if of == slice.id);
-        if is_head && !stepped.heads.contains(&def) {
+        if is_head && !stepped.heads.contains(&def) && !is_length(slice, def) {
             heads.push(def);
         }
         !is_head && slice.is_inside(def)

@@ -8,7 +8,7 @@ use crate::facts::Facts;
 use crate::march::March;
 use shaderlint_exec::{Bytecode, CompileOptions, RayProbe, Sampled};
 use shaderlint_flow::{Bound, RayKind};
-use shaderlint_ir::Module;
+use shaderlint_ir::{Module, Step};
 
 /// The length of steps, in thousandths of that of the shader, and by what the limit of iterations is
 /// multiplied.
@@ -64,10 +64,20 @@ pub fn ray_probe(march: &March, module: &Module, length: StepLength) -> Option<R
         (None, Bound::Open) => None,
         (None, _) => return None,
     };
+    // The condition of the loop is tested before an iteration starts.
+    let is_before = ray.hit.is_some_and(|hit| {
+        let test = module
+            .looped(ray.looped)
+            .map_or(&[][..], |l| module.steps(l.test));
+        let mut steps = module.steps_in(test);
+        steps.any(|step| matches!(step, Step::Run(run) if run.contains(hit.condition)))
+    });
+    let probe = slope_probe(march)?;
     Some(RayProbe {
         thousandths: length.thousandths,
         limit,
-        ..slope_probe(march)?
+        is_late: probe.is_late && !is_before,
+        ..probe
     })
 }
 
@@ -180,7 +190,7 @@ pub struct SteppedOver {
     /// The first such pixel, the time of its frame, and the point of the surface.
     pub first: ([u32; 2], f64, Option<[f32; 3]>),
     /// The longest steps with which nearly all of these rays find the surface.
-    pub mended: Option<StepLength>,
+    pub repair: Option<StepLength>,
 }
 
 /// How many times the budget of a sample run may be spent to confirm and to fix what a few pixels have shown.
@@ -193,7 +203,7 @@ const LEAST_PIXELS: usize = 2;
 const OFTEN: f64 = 0.005;
 /// Share of the affected rays that may still step over the surface with shorter steps.
 const REST: f64 = 0.01;
-/// The lengths of steps that are tried, longest first.
+/// The lengths of steps that are candidate, longest first.
 const LENGTHS: [u32; 8] = [900, 800, 700, 600, 500, 400, 300, 200];
 /// Share of pixels that may look different because the limit of iterations is not raised.
 const UNFINISHED: f64 = 0.005;
@@ -245,7 +255,7 @@ impl Facts<'_> {
             share,
             sampled: more.sampled_note(),
             first: (first.pixel, first.time, first.point),
-            mended: self.mended(march, (&suspects, &missed), [codes[1], codes[2]]),
+            repair: self.repair(march, (&suspects, &missed), [codes[1], codes[2]]),
         })
     }
 
@@ -365,7 +375,7 @@ impl Facts<'_> {
     }
 
     /// The longest steps with which nearly all rays find the surface that they step over.
-    fn mended(
+    fn repair(
         &self,
         march: &March,
         (suspects, missed): (&[SuspectQuads], &[MissedRay]),
@@ -384,15 +394,15 @@ impl Facts<'_> {
         let get = |all: &[Vec<RayOutcome>], (frame, at): (usize, usize)| {
             all.get(frame).and_then(|frame| frame.get(at)).copied()
         };
-        let mends = |thousandths: u32| -> Option<bool> {
+        let is_repaired = |thousandths: u32| -> Option<bool> {
             let length = StepLength::complete(thousandths);
-            let tried = outcomes(&self.with_steps(march, length)?)?;
+            let candidate = outcomes(&self.with_steps(march, length)?)?;
             let rest = missed.iter().filter(|ray| {
-                let all = [&tried, &short, &shortest].map(|all| get(all, ray.at));
-                let [Some(tried), Some(short), Some(shortest)] = all else {
+                let all = [&candidate, &short, &shortest].map(|all| get(all, ray.at));
+                let [Some(candidate), Some(short), Some(shortest)] = all else {
                     return true;
                 };
-                tried.steps_over([&short, &shortest])
+                candidate.steps_over([&short, &shortest])
             });
             Some(rest.count() as f64 <= REST * missed.len() as f64)
         };
@@ -400,7 +410,7 @@ impl Facts<'_> {
         let (mut from, mut to) = (0, LENGTHS.len());
         while from < to {
             let middle = (from + to) / 2;
-            match mends(*LENGTHS.get(middle)?)? {
+            match is_repaired(*LENGTHS.get(middle)?)? {
                 true => to = middle,
                 false => from = middle + 1,
             }
