@@ -202,7 +202,8 @@ impl Compiler<'_> {
         }
         self.push(Instr::MoveActive(rays.hit, hit));
         // A test of what the previous iteration left is of its place.
-        let place = rays.places[usize::from(probe.is_late)];
+        let [last, before] = rays.places;
+        let place = if probe.is_late { before } else { last };
         let is_hit = self.then_two(F2::Equal, hit, one);
         let passed = self.three(F3::Select, is_hit, rays.passed, place);
         self.push(Instr::MoveActive(rays.passed, passed));
