@@ -60,6 +60,7 @@ mod map_inlining;
 mod mediump_noise;
 mod misleading_indentation;
 mod misplaced_sign;
+mod missed_surface;
 mod missing_return_path;
 mod mistyped_constant;
 mod mouse_sign;
@@ -211,6 +212,7 @@ pub static RULES: &[&Rule] = &[
     &mediump_noise::RULE,
     &misleading_indentation::RULE,
     &misplaced_sign::RULE,
+    &missed_surface::RULE,
     &missing_return_path::RULE,
     &mistyped_constant::RULE,
     &mouse_sign::RULE,

@@ -1,6 +1,6 @@
 //! A traced pixel is that of the image: the same bits, the same cost.
 
-use shaderlint::commands::run::{Loaded, ShotSetting, shot};
+use shaderlint::commands::run::{Loaded, ObservedRays, ShotSetting, shot};
 use shaderlint::engine::playback::Moment;
 use shaderlint::exec::{TracedValue, Watch};
 use shaderlint::port::{Project, add_stand_ins};
@@ -21,6 +21,7 @@ const PIXELS: [[u32; 2]; 7] = [
 
 fn setting(trace: bool) -> ShotSetting<'static> {
     ShotSetting {
+        rays: ObservedRays::Nothing,
         size: SIZE,
         threads: 1,
         pass: None,

@@ -84,6 +84,7 @@ impl Debuggee {
                 }),
                 watch: Watch::Nothing,
                 trace: false,
+                rays: false,
                 decode: programs.decode(),
             },
         )?;

@@ -28,7 +28,9 @@ pub use bytecode::{
     Bytecode, InputSlot, Location, MAX_TRACED, OutputSlot, SamplerSlot, StopKind, StopSite,
     TraceSite, TracedValue, UniformSlot,
 };
-pub use compile::options::{CompileOptions, ErrorDirection, GpuProfile, Probe, Refusal, Watch};
+pub use compile::options::{
+    CompileOptions, ErrorDirection, GpuProfile, Probe, RayProbe, Refusal, Watch,
+};
 pub use compile::steps::statements;
 pub use compile::{compile, start};
 pub use draw::{Draw, DrawInputs, Stop};

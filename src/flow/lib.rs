@@ -37,7 +37,7 @@ pub use gradients::{DivergenceCause, Gradient, gradients};
 pub use jumps::{Jump, jump};
 pub use liveness::Liveness;
 pub use loops::{Bound, LoopFacts, Loops};
-pub use rays::{HitTest, RayKind, RayLoop, SceneCall, ray_loops};
+pub use rays::{HitTest, RayKind, RayLoop, RayMotion, RayStep, SceneCall, ray_loops};
 pub use same::is_same;
 pub use slice::backward_slice;
 pub use slope::{DistanceField, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle, fields, slope};

@@ -28,6 +28,7 @@ mod same;
 pub mod sample;
 pub mod screen;
 mod settings;
+pub mod step_edit;
 mod suppress;
 mod words;
 

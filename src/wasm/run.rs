@@ -7,8 +7,8 @@ use base64::prelude::BASE64_STANDARD;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use shaderlint_commands::run::{
-    Bitmap, FrameView, HeatMap, Loaded, Shot, ShotSetting, Show, UniformText, compare,
-    compared_moments, frame, shot, trace,
+    Bitmap, FrameView, HeatMap, Loaded, ObservedRays, Shot, ShotSetting, Show, UniformText,
+    compare, compared_moments, frame, rays, shot, trace,
 };
 use shaderlint_engine::playback::{Button, Moment, Mouse};
 use shaderlint_exec::Watch;
@@ -82,19 +82,30 @@ impl RunRequest {
         Moment::given(self.time, self.frame, self.mouse())
     }
 
-    /// A shader, ready to draw.
-    fn prepared(&self, shader: &ShaderText, show: Option<&Show>) -> Result<(Loaded, Shot), String> {
-        let loaded = valid(shader)?;
-        let uniforms = self.uniforms.as_ref().map(Value::to_string);
-        let setting = ShotSetting {
+    /// The values of uniforms, as JSON.
+    fn uniforms(&self) -> Option<String> {
+        self.uniforms.as_ref().map(Value::to_string)
+    }
+
+    /// The settings of the draw.
+    fn setting<'a>(
+        &'a self,
+        show: Option<&'a Show>,
+        uniforms: Option<&'a str>,
+    ) -> Result<ShotSetting<'a>, String> {
+        Ok(ShotSetting {
             size: self.size()?,
             threads: 1,
             pass: self.pass.as_deref(),
             show,
-            uniforms: uniforms.as_deref().map(|text| UniformText {
+            uniforms: uniforms.map(|text| UniformText {
                 name: "uniforms",
                 text,
             }),
+            rays: match self.heatmap {
+                Some(HeatMap::Slope) => ObservedRays::Camera,
+                _ => ObservedRays::Nothing,
+            },
             watch: match self.compare.is_some() {
                 true => Watch::Nothing,
                 false if self.report || self.pixel.is_some() => Watch::Numbers,
@@ -102,7 +113,14 @@ impl RunRequest {
             },
             trace: self.pixel.is_some(),
             decode: None,
-        };
+        })
+    }
+
+    /// A shader, ready to draw.
+    fn prepared(&self, shader: &ShaderText, show: Option<&Show>) -> Result<(Loaded, Shot), String> {
+        let loaded = valid(shader)?;
+        let uniforms = self.uniforms();
+        let setting = self.setting(show, uniforms.as_deref())?;
         let shot = shot(&loaded, &setting)?;
         Ok((loaded, shot))
     }
@@ -139,7 +157,12 @@ pub fn run(request: &RunRequest) -> RequestResult {
         show: request.show.as_ref(),
         report: request.report,
     };
-    let made = frame(&loaded, &mut own, &moment, view, &mut nobody)?;
+    let mut made = frame(&loaded, &mut own, &moment, view, &mut nobody)?;
+    if request.report {
+        let uniforms = request.uniforms();
+        let setting = request.setting(None, uniforms.as_deref())?;
+        made.facts.rays = rays(&loaded, &own, &setting, &moment);
+    }
     answer(&made.facts, made.facts.text(), Some(&made.bitmap))
 }
 

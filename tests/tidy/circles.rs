@@ -39,6 +39,7 @@ const LEFT: &[&[&str]] = &[
         "src/lint/sample/more_iterations.rs",
         "src/lint/sample/mod.rs",
         "src/lint/sample/pixels.rs",
+        "src/lint/sample/stepped_over.rs",
         "src/lint/sample/verdict.rs",
     ],
     &[

@@ -11,6 +11,7 @@ mod hosts;
 mod includes;
 mod kinds;
 mod links;
+mod marching;
 mod outputs;
 mod parts;
 mod readme;

@@ -40,7 +40,7 @@ const COUNTER: &str = r#"{"info": {"name": "counter"}, "renderpass": [
      "outputs": [{"id": "4dXGR8", "channel": 0}]}]}"#;
 
 /// Width, height and pixels of a PNG.
-fn pixels(scratch: &Scratch, name: &str) -> (u32, u32, Vec<[u8; 3]>) {
+pub(super) fn pixels(scratch: &Scratch, name: &str) -> (u32, u32, Vec<[u8; 3]>) {
     let file = std::fs::File::open(scratch.path(name)).unwrap();
     let decoder = png::Decoder::new(std::io::BufReader::new(file));
     let mut reader = decoder.read_info().unwrap();

@@ -2,7 +2,7 @@
 
 use super::super::color::ColorChoice;
 use super::image_file::decode;
-use crate::commands::run::{FrameView, HeatMap, ShotSetting, Show, UniformText};
+use crate::commands::run::{FrameView, HeatMap, ObservedRays, ShotSetting, Show, UniformText};
 use crate::engine::playback::{Button, Moment, Mouse};
 use crate::exec::Watch;
 use clap::ValueEnum;
@@ -56,7 +56,7 @@ pub struct RunArgs {
     #[arg(long, value_name = "X,Y[,down]", value_parser = mouse_of, help_heading = FRAME)]
     pub mouse: Option<Mouse>,
 
-    /// Draw a heat map of each pixel: steps, cost, overdraw, nan
+    /// Draw a heat map of each pixel: steps, cost, overdraw, nan, slope
     ///
     /// steps: loop iterations. cost: operations. overdraw: percentage of the work of the 8x4 pixel
     /// group that a pixel only waits for. nan: pixels with values that are not finite.
@@ -147,6 +147,8 @@ pub enum Heat {
     Overdraw,
     /// Values that are not finite
     Nan,
+    /// The largest slope of the scene's distance along the ray
+    Slope,
 }
 
 /// The values of `--format`.
@@ -166,6 +168,7 @@ impl Heat {
             Heat::Cost => HeatMap::Cost,
             Heat::Overdraw => HeatMap::Overdraw,
             Heat::Nan => HeatMap::Nan,
+            Heat::Slope => HeatMap::Slope,
         }
     }
 }
@@ -194,6 +197,10 @@ impl RunArgs {
             pass: self.pass.as_deref(),
             show: self.show.as_ref(),
             uniforms,
+            rays: match self.heatmap {
+                Some(Heat::Slope) => ObservedRays::Camera,
+                _ => ObservedRays::Nothing,
+            },
             // Comparisons do not print the cost.
             watch: match self.compare.is_some() {
                 true => Watch::Nothing,

@@ -19,7 +19,7 @@ use super::command::{CLEAN, FAILED, FINDINGS};
 use super::output::Overwrite;
 use super::port::save;
 use crate::commands::run::{
-    Bitmap, Shot, UniformText, compare, compared_moments, frame, shot, trace,
+    Bitmap, Shot, UniformText, compare, compared_moments, frame, rays, shot, trace,
 };
 use crate::port::File;
 use crate::report::Format;
@@ -91,6 +91,10 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     );
     drop(progress);
     let mut made = made?;
+    if args.report {
+        let setting = args.setting(uniforms);
+        made.facts.rays = rays(&loaded.shader, &own, &setting, &moment);
+    }
     let output = write(args, &made.bitmap, &loaded.read)?;
     made.facts.output.clone_from(&output);
     Ok((

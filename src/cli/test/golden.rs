@@ -8,7 +8,7 @@ use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};
 use crate::commands::run::heat::{map, short};
-use crate::commands::run::{Bitmap, Shot, ShotSetting, percent, seconds, shot};
+use crate::commands::run::{Bitmap, ObservedRays, Shot, ShotSetting, percent, seconds, shot};
 use crate::engine::playback::{Moment, RenderedImage};
 use crate::exec::Watch;
 use std::fs;
@@ -176,6 +176,7 @@ fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String>
         Undrawable::Words(words) => words,
     })?;
     let setting = ShotSetting {
+        rays: ObservedRays::Nothing,
         size,
         threads,
         pass: None,

@@ -5,6 +5,7 @@ use super::fields::{self, FieldRow};
 use super::functions::{self, FunctionRow};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
+use super::rays::{self, RayRow};
 use serde::Serialize;
 use shaderlint_diagnostic::count;
 use shaderlint_engine::playback::{Button, ImageFacts, Moment};
@@ -34,6 +35,9 @@ pub struct RunFacts {
     /// Iterations of the loops, with --report.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loops: Option<Vec<LoopRow>>,
+    /// Rays of the marching loops, with --report.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rays: Option<Vec<RayRow>>,
     /// Cost of the functions, with --report.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub functions: Option<Vec<FunctionRow>>,
@@ -194,6 +198,9 @@ impl RunFacts {
         ));
         if let Some(loops) = &self.loops {
             text.push_str(&loops::table(loops));
+        }
+        if let Some(rays) = &self.rays {
+            text.push_str(&rays::lines(rays));
         }
         if let Some(numbers) = &self.numbers {
             text.push_str(&numbers::table(numbers));

@@ -7,6 +7,7 @@ use super::shot::{Loaded, Shot};
 use super::{fields, functions, heat, loops, numbers, show};
 use shaderlint_engine::playback::{Moment, RenderedImage};
 use shaderlint_exec::Drawn;
+use shaderlint_lint::sample::RayOutcome;
 
 /// A frame that was drawn.
 pub struct Frame {
@@ -63,6 +64,11 @@ fn heat_map(heat: HeatMap, image: &RenderedImage, drawn: &Drawn) -> Bitmap {
             let values = image.pixels.iter().map(|p| f64::from(u8::from(is_bad(p))));
             (values.collect(), "NOT FINITE")
         }
+        HeatMap::Slope => {
+            let rays = RayOutcome::all(&drawn.outputs).into_iter();
+            let slopes: Vec<f64> = rays.map(|ray| f64::from(ray.slope)).collect();
+            return heat::slopes(drawn.size, &slopes);
+        }
     };
     heat::map(drawn.size, &values, title)
 }
@@ -76,7 +82,7 @@ fn facts_of(
 ) -> RunFacts {
     let code = shot.code();
     let program = loaded.program(shot);
-    let outputs = code.outputs.iter().zip(0..).map(|(slot, at)| {
+    let outputs = shot.outputs().iter().zip(0..).map(|(slot, at)| {
         let facts = match at {
             0 => image.facts(&drawn.covered),
             at => RenderedImage::of(code, drawn, at).facts(&drawn.covered),
@@ -96,6 +102,7 @@ fn facts_of(
         outputs: outputs.collect(),
         cost: CostFacts::of(drawn),
         loops: None,
+        rays: None,
         functions: None,
         numbers: None,
         fields: None,

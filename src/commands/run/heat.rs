@@ -23,10 +23,13 @@ pub fn color(share: f64) -> [u8; 3] {
     let at = share.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
     let before = (at.floor() as usize).min(RAMP.len() - 2);
     let part = at - before as f64;
-    let (from, to) = match RAMP.get(before..before + 2) {
-        Some([from, to]) => (*from, *to),
-        _ => ([0; 3], [0; 3]),
-    };
+    match RAMP.get(before..before + 2) {
+        Some([from, to]) => mixed([*from, *to], part),
+        _ => [0; 3],
+    }
+}
+
+fn mixed([from, to]: [[u8; 3]; 2], part: f64) -> [u8; 3] {
     let mut mixed = [0; 3];
     for ((lane, from), to) in mixed.iter_mut().zip(from).zip(to) {
         *lane = (f64::from(from) + (f64::from(to) - f64::from(from)) * part).round() as u8;
@@ -57,11 +60,47 @@ pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
         };
         image.set(x, y, color);
     }
-    with_legend(image, title, [least, most])
+    with_legend(image, title, [short(least), short(most)], color)
 }
 
-/// Adds a legend with the title and the ends of the scale.
-fn with_legend(image: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
+/// Colours of slopes from 0 to 1, which steps by the distance allow for, and above.
+const GENTLE: [[u8; 3]; 2] = [[10, 14, 30], [150, 200, 230]];
+const STEEP: [[u8; 3]; 2] = [[255, 120, 96], [150, 0, 0]];
+/// The slope that the legend ends at.
+const STEEPEST: f64 = 2.0;
+/// Slopes above 1 that are due to rounding.
+const ROUNDED: f64 = 0.01;
+
+/// The heat map of slopes, bottom row first, with a legend if there is room: blue up to 1, red above.
+pub fn slopes(size: [u32; 2], values: &[f64]) -> Bitmap {
+    let most = values.iter().copied().fold(0.0, f64::max);
+    let mut image = Bitmap::filled(size, [0; 3]);
+    let places = (0..size[1])
+        .rev()
+        .flat_map(|y| (0..size[0]).map(move |x| (x, y)));
+    for ((x, y), value) in places.zip(values) {
+        image.set(x, y, slope_color(*value / STEEPEST));
+    }
+    let title = format!("SLOPE, RED > 1, MAX {}", short(most));
+    with_legend(image, &title, [0.0, STEEPEST].map(short), slope_color)
+}
+
+/// The colour of a share of the steepest slope of the legend.
+fn slope_color(share: f64) -> [u8; 3] {
+    let slope = share * STEEPEST;
+    match slope <= 1.0 + ROUNDED {
+        true => mixed(GENTLE, slope.clamp(0.0, 1.0)),
+        false => mixed(STEEP, (slope - 1.0).clamp(0.0, 1.0)),
+    }
+}
+
+/// Adds a legend with the title and the ends of the scale, and the colour of each share of it.
+fn with_legend(
+    image: Bitmap,
+    title: &str,
+    [first, number]: [String; 2],
+    color: fn(f64) -> [u8; 3],
+) -> Bitmap {
     let [width, height] = image.size;
     if width < NARROWEST {
         return image;
@@ -74,7 +113,6 @@ fn with_legend(image: Bitmap, title: &str, ends: [f64; 2]) -> Bitmap {
     let baseline = height + margin + (bar - font::HEIGHT * scale) / 2;
     font::write(&mut framed, title, [margin, baseline], scale, TEXT);
     let least = font::width(title, scale) + 2 * margin;
-    let [first, number] = ends.map(short);
     font::write(&mut framed, &first, [least, baseline], scale, TEXT);
     let room = font::width(&number, scale) + margin;
     let left = least + font::width(&first, scale) + margin;

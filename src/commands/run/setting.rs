@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 use shaderlint_engine::playback::Decode;
-use shaderlint_exec::Watch;
+use shaderlint_exec::{RayProbe, Watch};
 
 /// A variable on a source line.
 #[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
@@ -25,6 +25,20 @@ pub enum HeatMap {
     Overdraw,
     /// Values that are not finite.
     Nan,
+    /// The largest slope of the scene's distance along the ray.
+    Slope,
+}
+
+/// Which marching loop is observed.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum ObservedRays {
+    /// None.
+    #[default]
+    Nothing,
+    /// The first loop that follows rays from the camera.
+    Camera,
+    /// The loop of a probe.
+    Probe(RayProbe),
 }
 
 /// A JSON object with the values of uniforms.
@@ -37,6 +51,7 @@ pub struct UniformText<'a> {
 }
 
 /// The settings of a draw.
+#[derive(Clone, Copy)]
 pub struct ShotSetting<'a> {
     /// Size of the image in pixels.
     pub size: [u32; 2],
@@ -48,6 +63,8 @@ pub struct ShotSetting<'a> {
     pub show: Option<&'a Show>,
     /// The values of uniforms.
     pub uniforms: Option<UniformText<'a>>,
+    /// The marching loop that is observed.
+    pub rays: ObservedRays,
     /// What the VM records.
     pub watch: Watch,
     /// Whether pixels can be traced.

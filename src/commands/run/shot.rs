@@ -1,15 +1,17 @@
 //! Prepares a shader for drawing, and sets its uniforms.
 
 use super::place::{position, span};
-use super::setting::{ShotSetting, UniformText};
+use super::setting::{ObservedRays, ShotSetting, UniformText};
 use super::{show, uniforms};
 use shaderlint_diagnostic::count;
 use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
 use shaderlint_exec::{
-    Bytecode, CompileOptions, DrawInputs, Drawn, PixelTrace, Refusal, Stop, Watch, draw, trace,
+    Bytecode, CompileOptions, DrawInputs, Drawn, OutputSlot, PixelTrace, RayProbe, Refusal,
+    Sampled, Stop, Watch, draw, sample, trace,
 };
 use shaderlint_ir::Module;
-use shaderlint_lint::CachedFacts;
+use shaderlint_lint::sample::slope_probe;
+use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
 use shaderlint_semantic::{Pass, Program, Stage, Storage};
 use shaderlint_text::Sources;
@@ -39,6 +41,8 @@ pub struct Shot {
     pass: usize,
     size: [u32; 2],
     threads: usize,
+    /// Whether the last outputs are those of a ray probe.
+    observes_rays: bool,
 }
 
 /// What draws a pass.
@@ -131,6 +135,30 @@ impl Shot {
         self.unit
     }
 
+    /// Draws some quads of a frame, given by their lower left pixels.
+    ///
+    /// # Errors
+    /// A message about a run that was stopped.
+    pub fn sampled(
+        &mut self,
+        moment: &Moment,
+        quads: &[[u32; 2]],
+        progress: &mut dyn FnMut(u32),
+    ) -> Result<Sampled, String> {
+        let inputs = self.prepared(moment, progress)?;
+        sample(&inputs.with(self.code()), quads).map_err(|stop| stopped(&stop))
+    }
+
+    /// The outputs of the pass.
+    pub fn outputs(&self) -> &[OutputSlot] {
+        let all = &self.code().outputs;
+        let probed = match self.observes_rays {
+            true => RayProbe::OUTPUTS,
+            false => 0,
+        };
+        all.get(..all.len().saturating_sub(probed)).unwrap_or(all)
+    }
+
     /// Size of the image in pixels.
     pub const fn size(&self) -> [u32; 2] {
         self.size
@@ -218,7 +246,13 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
         Some(show) => Some(show::probe(show, composed, unit, program, &module)?),
         None => None,
     };
+    let rays = match setting.rays {
+        ObservedRays::Nothing => None,
+        ObservedRays::Camera => Some(camera_rays(program, &known)?),
+        ObservedRays::Probe(probe) => Some(probe),
+    };
     let compile = CompileOptions {
+        rays,
         watch: setting.watch,
         cost: setting.watch != Watch::Nothing,
         probe,
@@ -248,11 +282,24 @@ pub fn shot(loaded: &Loaded, setting: &ShotSetting) -> Result<Shot, String> {
         pass: unit.pass,
         size,
         threads,
+        observes_rays: rays.is_some(),
     };
     if let Some(uniforms) = setting.uniforms {
         set_uniforms(&mut shot, program, uniforms)?;
     }
     Ok(shot)
+}
+
+/// The probe of the first loop that follows rays from the camera by a distance.
+///
+/// # Errors
+/// A message if there is none.
+fn camera_rays(program: &Program, known: &Arc<CachedFacts>) -> Result<RayProbe, String> {
+    let facts = Facts::of(program, known);
+    let mut marches = facts.marches().iter().filter(|m| m.ray.start.is_some());
+    marches.find_map(slope_probe).ok_or_else(|| {
+        "--heatmap slope: no loop follows rays from the camera by a distance".to_string()
+    })
 }
 
 /// The scene of a shader that has one pass and no samplers; `None` for others.

@@ -49,10 +49,12 @@ impl<'m> Visit<'m> for Compiler<'m> {
             self.tick();
             let value = self.operation(op).unwrap_or_default();
             let value = self.narrowed(op, value);
+            let value = self.rescaled(op, value);
             if let Some(slot) = self.values.get_mut(op.0 as usize) {
                 *slot = value;
             }
             self.probe(op);
+            self.note_ray(op);
             self.trace_write(op);
             self.tidy();
             if self.has_failed() {
@@ -92,6 +94,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
             self.push(Instr::Enter(number));
             number
         });
+        self.enter_rays(id);
         self.forget_stop();
         let head = self.here();
         let mut exits = Vec::new();
@@ -101,6 +104,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
         if let Some(number) = watched {
             self.push(Instr::Iterate(number));
         }
+        self.iterate_rays(id);
         if let Some(frame) = self.frames.last_mut() {
             frame.waiting.push(waiting);
         }
@@ -196,6 +200,7 @@ impl Compiler<'_> {
     pub fn run(&mut self, entry: FunctionRef) {
         self.clear_outer();
         self.open_probe();
+        self.open_rays();
         let globals = self.frame(GLOBALS, None);
         self.frames.push(globals);
         self.region(self.module.globals);
@@ -222,6 +227,7 @@ impl Compiler<'_> {
             });
         }
         self.close_probe();
+        self.close_rays();
     }
 
     fn condition(&mut self, op: OpId) -> Reg {

@@ -38,6 +38,33 @@ pub(super) struct Probed {
     pub reached: Reg,
 }
 
+/// The registers of the ray probe.
+#[derive(Clone, Copy)]
+pub(super) struct RayRegisters {
+    /// All bits set in pixels that have entered the loop, and while they march for the first time.
+    pub entered: Reg,
+    pub marches: Reg,
+    /// The moved scalars before the loop.
+    pub start: Regs,
+    /// The distances from the start at the last two iterations, latest first.
+    pub places: [Reg; 2],
+    /// Whether the last test was a hit, and the distance from the start there.
+    pub hit: Reg,
+    pub tested: Reg,
+    /// The distance from the start of the last place that was no hit.
+    pub passed: Reg,
+    /// The largest slope, and the largest change of the distance relative to itself.
+    pub slope: Reg,
+    pub change: Reg,
+    /// The point on the ray.
+    pub point: [Reg; 3],
+    pub has_point: Reg,
+    /// The point and the distance at the last evaluation, and whether there was one.
+    pub last_point: [Reg; 3],
+    pub last_field: Reg,
+    pub was_evaluated: Reg,
+}
+
 /// The location of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(super) enum Value {
@@ -114,6 +141,8 @@ pub(super) struct Compiler<'p> {
     pub statement_sites: FxHashMap<TokenId, u32>,
     /// The statements at which a debugger can stop; none without [`CompileOptions::steps`].
     pub statements: Statements,
+    /// The registers of the ray probe, if there is one.
+    pub rays: Option<RayRegisters>,
     next_slot: MaskSlot,
     /// Intermediate results of the current built-in function.
     pub scratch: Vec<Reg>,
@@ -156,6 +185,7 @@ impl<'p> Compiler<'p> {
                 true => Statements::of(&program.tree),
                 false => Statements::default(),
             },
+            rays: None,
             // Slot 0 is `EMPTY`.
             next_slot: 1,
             scratch: Vec::new(),

@@ -16,6 +16,7 @@ pub(super) mod options;
 mod place;
 mod plan;
 mod probe;
+mod ray;
 mod registers;
 pub(super) mod steps;
 mod traced;

@@ -1,6 +1,6 @@
 //! Compilation options, and the reason for a refusal.
 
-use shaderlint_ir::{OpId, Provenance};
+use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_text::Span;
 
@@ -15,6 +15,8 @@ pub struct CompileOptions {
     pub entry: Option<FunctionRef>,
     /// A value that is output in addition to the outputs of the shader.
     pub probe: Option<Probe>,
+    /// A loop whose first march is output in addition to the outputs of the shader.
+    pub rays: Option<RayProbe>,
     /// Whether [`trace`](crate::trace) can record what a pixel writes.
     pub trace: bool,
     /// Whether a debugger can stop the code before each statement, and read all variables in scope;
@@ -70,6 +72,53 @@ pub enum Probe {
     Value(OpId),
     /// Four scalars of a result, from an index on: a part of a matrix or an array.
     Part(OpId, u32),
+}
+
+/// A loop that marches along a ray, to observe in each pixel when it runs for the first time. Three outputs
+/// of four numbers are appended to [`Bytecode::outputs`](crate::Bytecode::outputs); distances from the
+/// start of the ray are sums over the scalars that move.
+///
+/// 1. whether the loop was reached, the largest slope between two evaluations of the distance, and the
+///    largest change of the distance between them, relative to the first
+/// 2. whether the last test was a hit, the distance from the start at that test, and at the last place that
+///    was tested without a hit
+/// 3. the point at the last test, and whether it is known
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct RayProbe {
+    /// The loop.
+    pub looped: LoopId,
+    /// The variable that moves.
+    pub moved: VariableId,
+    /// The scalars of it that move, at most four.
+    pub scalars: [Option<u32>; 4],
+    /// The sums that move it, with their terms.
+    pub steps: [Option<(OpId, OpId)>; RayProbe::STEPS],
+    /// The condition that tests for a hit, if it is known.
+    pub condition: Option<OpId>,
+    /// The value of the condition for a hit.
+    pub truth: bool,
+    /// Whether the condition tests what the previous iteration has left.
+    pub is_late: bool,
+    /// The point on the ray, if it is not what moves.
+    pub point: Option<OpId>,
+    /// The distance that the scene returns: a scalar of a value.
+    pub field: Option<(OpId, u32)>,
+    /// The length of a step, in thousandths of that of the shader.
+    pub thousandths: u32,
+    /// The constant that limits the number of iterations, and what it is multiplied by.
+    pub limit: Option<(OpId, u32)>,
+}
+
+impl RayProbe {
+    /// Number of outputs that are appended.
+    pub const OUTPUTS: usize = 3;
+    /// Largest number of sums.
+    pub const STEPS: usize = 6;
+
+    /// The scalars that move.
+    pub(super) fn lanes(&self) -> impl Iterator<Item = u32> {
+        self.scalars.into_iter().flatten()
+    }
 }
 
 /// The statistics recorded at run time. Each level includes the previous ones.

@@ -69,8 +69,12 @@ impl<'x> LoopSlice<'x> {
     /// Calls `visit` with the nodes that a component depends on, data only, the component itself first,
     /// and whether there is a point on the way. Where `visit` returns `false`, the walk does not go
     /// further. Returns whether the walk was complete.
-    pub fn walk(&self, from: ValueLane, mut visit: impl FnMut(SliceNode, bool) -> bool) -> bool {
-        let mut todo = vec![(SliceNode::Lane(from.0, from.1), false)];
+    pub fn walk(&self, from: ValueLane, visit: impl FnMut(SliceNode, bool) -> bool) -> bool {
+        self.walk_from(SliceNode::Lane(from.0, from.1), visit)
+    }
+
+    fn walk_from(&self, from: SliceNode, mut visit: impl FnMut(SliceNode, bool) -> bool) -> bool {
+        let mut todo = vec![(from, false)];
         let mut seen = FxHashSet::default();
         while let Some((node, via)) = todo.pop() {
             if !seen.insert((node, via)) {
@@ -79,8 +83,9 @@ impl<'x> LoopSlice<'x> {
             if seen.len() > MAX_NODES || self.spend().is_none() {
                 return false;
             }
+            let is_first = |op| matches!(from, SliceNode::Lane(first, _) if first == op);
             let via =
-                via || matches!(node, SliceNode::Lane(op, _) if op != from.0 && self.is_point(op));
+                via || matches!(node, SliceNode::Lane(op, _) if !is_first(op) && self.is_point(op));
             if visit(node, via) {
                 self.operands(node, |next| todo.push((next, via)));
             }
@@ -146,6 +151,22 @@ impl<'x> LoopSlice<'x> {
             let is_head = heads.contains(&def);
             found |= is_head && (via || !via_point);
             !is_head && !found && self.is_inside(def)
+        });
+        found
+    }
+
+    /// Whether a definition in the loop depends on the value that a head has at the start of an
+    /// iteration, other than through the position along the ray.
+    pub fn def_depends(&self, from: DefId, head: DefId, moved: &[ValueLane]) -> bool {
+        let mut found = false;
+        let from = self.query.defs.unrefined(from);
+        self.walk_from(SliceNode::Def(from), |node, _| {
+            let def = match node {
+                SliceNode::Lane(op, lane) => return !moved.contains(&(op, lane)),
+                SliceNode::Def(def) => def,
+            };
+            found |= def == head;
+            def != head && !found && self.is_inside(def)
         });
         found
     }

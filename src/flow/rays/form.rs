@@ -1,7 +1,7 @@
 //! What is known of a ray loop.
 
 use shaderlint_ir::{LoopId, OpId, Provenance};
-use shaderlint_semantic::FunctionRef;
+use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::StmtId;
 
 /// How a ray loop moves its point.
@@ -61,4 +61,30 @@ pub struct RayLoop {
     /// Where rays start, if they do not start at a point that another ray loop found: the components
     /// of the position, in the function that computes them. Empty for rays from the origin.
     pub start: Option<Vec<(OpId, u32)>>,
+    /// How it moves, for loops that move by a distance.
+    pub motion: RayMotion,
+}
+
+/// What a ray loop moves, and by which operations.
+#[derive(Clone, Default, Debug)]
+pub struct RayMotion {
+    /// The ray parameter or point: its variable, and the scalars of it that move.
+    pub moved: Option<(VariableId, Vec<u32>)>,
+    /// The sums of the ray parameter or point and a step.
+    pub steps: Vec<RayStep>,
+    /// The point on the ray, if it is not what moves.
+    pub point: Option<OpId>,
+    /// The distance that the scene returns: a component of a value.
+    pub field: Option<(OpId, u32)>,
+    /// Whether the test for a hit depends on the number of steps.
+    pub is_counted: bool,
+}
+
+/// A sum of a ray parameter or point and a step.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct RayStep {
+    /// The sum.
+    pub sum: OpId,
+    /// The step: its right operand, or its left one.
+    pub term: OpId,
 }

@@ -10,6 +10,7 @@
 mod dependence;
 mod exits;
 mod form;
+mod motion;
 mod start;
 mod step;
 #[cfg(test)]
@@ -19,7 +20,7 @@ use super::calls::{Bodies, Calls};
 use super::ranges::Query;
 use dependence::LoopSlice;
 use exits::exits;
-pub use form::{HitTest, RayKind, RayLoop, SceneCall};
+pub use form::{HitTest, RayKind, RayLoop, RayMotion, RayStep, SceneCall};
 use shaderlint_ir::LoopId;
 use shaderlint_semantic::FunctionRef;
 use start::Starts;
@@ -67,6 +68,7 @@ fn ray_loop(query: Query, id: LoopId, function: FunctionRef) -> Option<(RayLoop,
         ends_far,
         accumulates: step::accumulates(&slice, &stepped),
         start: None,
+        motion: motion::motion(&slice, &stepped, hit.as_ref()),
     };
     Some((ray, stepped))
 }

@@ -1,7 +1,7 @@
 //! The step of a ray loop: what is added to a ray parameter, a point or a cell in each iteration.
 
 use super::dependence::{LoopSlice, SliceNode, ValueLane};
-use super::form::RayKind;
+use super::form::{RayKind, RayStep};
 use crate::reaching_definitions::{Def, DefId};
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{Binary, OpId, OpKind};
@@ -20,6 +20,10 @@ pub(super) struct Stepped {
     pub distance: Vec<ValueLane>,
     /// The sums of a head and what is added to it.
     pub moved: Vec<ValueLane>,
+    /// The same sums, with what is added.
+    pub steps: Vec<RayStep>,
+    /// The variable of the heads, with their components.
+    pub variable: (VariableId, Vec<u32>),
     /// Where rays start.
     pub origin: RayOrigin,
 }
@@ -43,6 +47,13 @@ struct CarriedVariable {
     ty: Type,
     /// Its heads, by component.
     heads: Vec<(DefId, u32)>,
+}
+
+impl CarriedVariable {
+    fn slots(&self) -> (VariableId, Vec<u32>) {
+        let lanes = self.heads.iter().map(|(_, lane)| *lane);
+        (self.variable, lanes.collect())
+    }
 }
 
 /// The step of a loop; `None` if it is not a ray loop.
@@ -103,6 +114,8 @@ fn parameter(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
         init: vec![init],
         distance,
         moved: added.sums,
+        steps: added.steps,
+        variable: carried.slots(),
         origin,
     })
 }
@@ -116,11 +129,13 @@ fn point(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
         return None;
     }
     let heads: Vec<DefId> = carried.heads.iter().map(|(head, _)| *head).collect();
-    let (mut inits, mut distance, mut moved) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut inits, mut distance) = (Vec::new(), Vec::new());
+    let (mut moved, mut steps) = (Vec::new(), Vec::new());
     for &(head, _) in &carried.heads {
         let (init, added) = added(slice, head)?;
         inits.push(init);
         moved.extend(added.sums);
+        steps.extend(added.steps);
         for term in added.terms {
             distance.push(along(slice, term, &heads, 8)?);
         }
@@ -131,6 +146,8 @@ fn point(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
         init: inits,
         distance,
         moved,
+        steps,
+        variable: carried.slots(),
         origin: RayOrigin::Init,
     })
 }
@@ -205,6 +222,8 @@ fn cell(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
         init: inits,
         distance: steps,
         moved: Vec::new(),
+        steps: Vec::new(),
+        variable: carried.slots(),
         origin: RayOrigin::Init,
     })
 }
@@ -238,6 +257,8 @@ fn fixed(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
         init: vec![init],
         distance,
         moved: added.sums,
+        steps: added.steps,
+        variable: carried.slots(),
         origin: RayOrigin::Unknown,
     })
 }
@@ -269,6 +290,16 @@ struct StepTerms {
     terms: Vec<ValueLane>,
     /// The sums with the head.
     sums: Vec<ValueLane>,
+    /// The same sums, with their terms.
+    steps: Vec<RayStep>,
+}
+
+impl StepTerms {
+    fn push(&mut self, (sum, lane): ValueLane, term: OpId) {
+        self.terms.push((term, lane));
+        self.sums.push((sum, lane));
+        self.steps.push(RayStep { sum, term });
+    }
 }
 
 /// The value of a head before the loop, and what an iteration adds to it; `None` if it changes in
@@ -318,20 +349,18 @@ fn sum(
         OpKind::Load(_) => sum_def(slice, defs.seen(op, lane), head, added, rest),
         OpKind::Binary(Binary::Add, a, b) => {
             if sum(slice, (a, lane), head, added, rest) {
-                added.terms.push((b, lane));
-                added.sums.push((op, lane));
+                added.push((op, lane), b);
                 return true;
             }
             added.terms.truncate(known);
+            added.steps.truncate(known);
             let is_sum = sum(slice, (b, lane), head, added, rest);
-            added.terms.push((a, lane));
-            added.sums.push((op, lane));
+            added.push((op, lane), a);
             is_sum
         }
         OpKind::Binary(Binary::Subtract, a, b) => {
             let is_sum = sum(slice, (a, lane), head, added, rest);
-            added.terms.push((b, lane));
-            added.sums.push((op, lane));
+            added.push((op, lane), b);
             is_sum
         }
         OpKind::Select {
@@ -358,22 +387,8 @@ fn sum(
 /// on it.
 fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[ValueLane]) -> RayOrigin {
     let module = slice.query.module;
-    let mut points: Vec<OpId> = Vec::new();
-    for &lane in distance {
-        slice.walk(lane, |node, _| match node {
-            SliceNode::Lane(op, _) => {
-                if slice.is_point(op) && slice.looped.ops.contains(op) {
-                    points.push(op);
-                }
-                true
-            }
-            SliceNode::Def(def) => !heads.contains(&def) && slice.is_inside(def),
-        });
-    }
-    points.sort_unstable();
-    points.dedup();
     let mut has_direction = false;
-    for op in points {
+    for op in points(slice, heads, distance) {
         match module.op(op).kind {
             OpKind::Binary(Binary::Add | Binary::Subtract, a, b) => {
                 match (slice.is_invariant(a), slice.is_invariant(b)) {
@@ -392,6 +407,37 @@ fn origin(slice: &LoopSlice, heads: &[DefId], distance: &[ValueLane]) -> RayOrig
         true => RayOrigin::Zero,
         false => RayOrigin::Unknown,
     }
+}
+
+/// The point `origin + direction * t` of a ray that is given by a parameter.
+pub(super) fn point_on_ray(slice: &LoopSlice, stepped: &Stepped) -> Option<OpId> {
+    let module = slice.query.module;
+    let mut all = points(slice, &stepped.heads, &stepped.distance).into_iter();
+    all.find(|op| match module.op(*op).kind {
+        OpKind::Binary(Binary::Add | Binary::Subtract, a, b) => {
+            slice.is_invariant(a) != slice.is_invariant(b)
+        }
+        _ => false,
+    })
+}
+
+/// The points in a loop that a distance depends on, in order of evaluation.
+fn points(slice: &LoopSlice, heads: &[DefId], distance: &[ValueLane]) -> Vec<OpId> {
+    let mut points: Vec<OpId> = Vec::new();
+    for &lane in distance {
+        slice.walk(lane, |node, _| match node {
+            SliceNode::Lane(op, _) => {
+                if slice.is_point(op) && slice.looped.ops.contains(op) {
+                    points.push(op);
+                }
+                true
+            }
+            SliceNode::Def(def) => !heads.contains(&def) && slice.is_inside(def),
+        });
+    }
+    points.sort_unstable();
+    points.dedup();
+    points
 }
 
 /// Whether a loop sums up something else along the ray, other than the distance itself.

@@ -148,6 +148,14 @@ impl Bench {
         (pixels >= least).then_some(pixels as usize / 4 / INSTANTS.len())
     }
 
+    /// Number of pixels that fit into the budget at this price.
+    pub(super) fn affordable(&self, price: u64) -> usize {
+        match self.limit.insists {
+            true => usize::MAX,
+            false => (BUDGET / price.max(1)) as usize,
+        }
+    }
+
     /// Continues a sample run from one number of quads per instant to another; `None` if they exceed the
     /// budget.
     pub(super) fn extend(
@@ -175,6 +183,21 @@ impl Bench {
         quads: &[[u32; 2]],
     ) -> Option<Sampled> {
         self.sample_draw(supplier.draw(code, SIZE, instant), quads)
+    }
+
+    /// Runs some quads at an instant, of which a few may use the whole budget; `None` if they exceed it
+    /// this many times over.
+    pub fn sample_costly(
+        &self,
+        code: &Bytecode,
+        supplier: &dyn Supplier,
+        instant: &Instant,
+        (quads, times): (&[[u32; 2]], u64),
+    ) -> Option<Sampled> {
+        let mut draw = supplier.draw(code, SIZE, instant);
+        let budget = self.budget.saturating_mul(times);
+        (draw.fuel, draw.budget) = (budget.min(MOST_FUEL), budget);
+        sample(&draw, quads).ok()
     }
 
     /// Runs some quads of a draw; `None` if they exceed the budget.

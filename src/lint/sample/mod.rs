@@ -7,6 +7,7 @@ mod initial_value;
 mod more_iterations;
 mod open;
 mod pixels;
+mod stepped_over;
 mod verdict;
 
 use super::facts::Facts;
@@ -25,6 +26,7 @@ pub use hit::{Hit, MarchOutcome, RayCounts};
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};
 pub use shaderlint_diagnostic::grouped;
+pub use stepped_over::{RayOutcome, StepLength, SteppedOver, ray_probe, slope_probe};
 pub use verdict::{OFTEN, UnreportedFault, Verdict};
 
 use shaderlint_exec::{Bytecode, Draw};

@@ -1,0 +1,141 @@
+//! Rays that step over a surface, by marching loop.
+
+use super::columns::percent;
+use super::place::{position, span};
+use super::setting::{ObservedRays, ShotSetting};
+use super::shot::{Loaded, Shot, shot};
+use serde::Serialize;
+use shaderlint_engine::playback::Moment;
+use shaderlint_exec::{RayProbe, Sampled, Watch, quads_all_over};
+use shaderlint_ir::Provenance;
+use shaderlint_lint::Facts;
+use shaderlint_lint::march::March;
+use shaderlint_lint::sample::{RayOutcome, StepLength, ray_probe, rounded};
+use shaderlint_semantic::Program;
+
+/// Most quads that are sampled.
+const MOST_QUADS: usize = 2048;
+
+/// A loop that marches by a distance, and its rays: the first of each sampled pixel.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct RayRow {
+    /// Position of the loop: `file:line:column`.
+    pub at: String,
+    /// Name of the enclosing function.
+    pub function: String,
+    /// Number of rays.
+    pub rays: u64,
+    /// Share of the rays that step over a surface, which marches with a quarter and a tenth of the step
+    /// length find.
+    pub stepped_over: f64,
+    /// The first of them.
+    pub first: Option<MissedPoint>,
+    /// Largest slope of the distance between two steps of a ray.
+    pub slope: f32,
+}
+
+/// A point of a surface that a ray steps over.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct MissedPoint {
+    /// The pixel, from the lower left corner.
+    pub pixel: [u32; 2],
+    /// The point, if it is known.
+    pub point: Option<[f32; 3]>,
+}
+
+/// The marching loops of a frame. Loops are left out whose hits are unknown or that cannot be run with
+/// shorter steps; `None` if there is no other.
+pub fn rays(
+    loaded: &Loaded,
+    own: &Shot,
+    setting: &ShotSetting,
+    moment: &Moment,
+) -> Option<Vec<RayRow>> {
+    let program = loaded.program(own)?;
+    let facts = Facts::of(program, &own.known);
+    let marches = facts.marches().iter();
+    let rows = marches.filter_map(|march| row((loaded, program), own, (setting, moment), march));
+    let rows: Vec<RayRow> = rows.collect();
+    (!rows.is_empty()).then_some(rows)
+}
+
+fn row(
+    (loaded, program): (&Loaded, &Program),
+    own: &Shot,
+    (setting, moment): (&ShotSetting, &Moment),
+    march: &March,
+) -> Option<RayRow> {
+    let quads = quads_all_over(own.size(), MOST_QUADS, 0);
+    let [short, shortest] = StepLength::SHORTER;
+    let runs = [StepLength::FULL, short, shortest].map(|length| {
+        let probe = ray_probe(march, &own.module, length)?;
+        sampled(loaded, (setting, moment), probe, &quads)
+    });
+    let [full, short, shortest] = runs;
+    let full = full?;
+    let [short, shortest] = [short?, shortest?].map(|run| RayOutcome::all(&run.outputs));
+    let all = RayOutcome::all(&full.outputs);
+    let reached = all.iter().filter(|ray| ray.is_reached);
+    let (rays, slope) = (reached.clone().count(), reached.map(|ray| ray.slope));
+    let slope = slope.fold(0.0, f32::max);
+    let pairs = all
+        .iter()
+        .zip(short.iter().zip(&shortest))
+        .zip(&full.pixels);
+    let mut missed = pairs.filter_map(|((real, (short, shortest)), pixel)| {
+        real.steps_over([short, shortest]).then_some(MissedPoint {
+            pixel: *pixel,
+            point: shortest.point,
+        })
+    });
+    let first = missed.next();
+    let count = missed.count() + usize::from(first.is_some());
+    let place = span(program, Provenance::Stmt(march.looped.stmt))?;
+    let function = program.function(march.looped.function);
+    Some(RayRow {
+        at: position(&program.sources, place)?,
+        function: function.map_or(String::new(), |f| program.names.text(f.name).to_string()),
+        rays: rays as u64,
+        stepped_over: count as f64 / rays.max(1) as f64,
+        first,
+        slope,
+    })
+}
+
+/// Draws some quads with an observed loop.
+fn sampled(
+    loaded: &Loaded,
+    (setting, moment): (&ShotSetting, &Moment),
+    probe: RayProbe,
+    quads: &[[u32; 2]],
+) -> Option<Sampled> {
+    let setting = ShotSetting {
+        show: None,
+        rays: ObservedRays::Probe(probe),
+        watch: Watch::Nothing,
+        trace: false,
+        ..*setting
+    };
+    let mut observed = shot(loaded, &setting).ok()?;
+    observed.sampled(moment, quads, &mut |_| {}).ok()
+}
+
+/// The lines for people, of the loops with rays that step over a surface.
+pub fn lines(rows: &[RayRow]) -> String {
+    let missed = rows.iter().filter_map(|row| {
+        let MissedPoint {
+            pixel: [x, y],
+            point,
+        } = row.first?;
+        let place = point.map_or(String::new(), |point| {
+            let numbers = point.map(|n| rounded((f64::from(n) * 1e3).round() / 1e3));
+            format!(", at ({})", numbers.join(", "))
+        });
+        let share = percent(row.stepped_over);
+        Some(format!(
+            "  {}: {share} of the rays step over the surface, first at pixel {x},{y}{place}\n",
+            row.at
+        ))
+    });
+    missed.collect()
+}
