@@ -4,8 +4,8 @@
 //! `DIR/shadertoy`.
 
 use serde_json::{Value, json};
-use shaderlint::commands::run::{Loaded, Shot, ShotSetting, Variant, shot};
-use shaderlint::dap::{Adapter, Launch, Programs};
+use shaderlint::commands::run::{Loaded, ObservedRays, Shot, ShotSetting, Variant, shot};
+use shaderlint::dap::{Adapter, Launch, ProgramSource};
 use shaderlint::engine::playback::{Decode, Moment};
 use shaderlint::exec::{CompileOptions, Replay, TracedValue, Watch, lane_of};
 use shaderlint::port::{Project, add_stand_ins};
@@ -27,6 +27,7 @@ fn setting(trace: bool) -> ShotSetting<'static> {
         uniforms: None,
         watch: Watch::Nothing,
         trace,
+        rays: ObservedRays::Nothing,
         decode: None,
     }
 }
@@ -160,10 +161,10 @@ fn compare(loaded: &Loaded, traced: &mut Shot, (moment, pixel): (&Moment, [u32; 
     compared
 }
 
-/// Programs that are already loaded.
+/// ProgramSource that are already loaded.
 struct Given;
 
-impl Programs for Given {
+impl ProgramSource for Given {
     fn load(&self, launch: &Launch) -> Result<Loaded, String> {
         loaded(Path::new(&launch.program)).ok_or_else(|| "the shader has errors".to_string())
     }

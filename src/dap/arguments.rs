@@ -131,7 +131,7 @@ pub struct BreakpointArgument {
 /// The arguments of requests about a thread, a frame, a value or an expression.
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub struct Asked {
+pub struct DebugArguments {
     pub thread_id: u32,
     pub frame_id: Option<u32>,
     pub variables_reference: u32,

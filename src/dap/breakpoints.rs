@@ -1,7 +1,7 @@
 //! Breakpoints: the moments at which a pixel hits them, and how many pixels of the image do.
 
 use super::arguments::{BreakpointArgument, SourceArgument};
-use super::debuggee::Debuggee;
+use super::debuggee::{Debuggee, message, stopped};
 use super::evaluate::EvaluatedExpression;
 use super::places::{StackFrame, StopPlace};
 use super::stepping::moment_of;
@@ -142,7 +142,7 @@ impl Breakpoint {
                     ..CompileOptions::default()
                 };
                 let variant = debuggee.variant(None, &options);
-                let variant = variant.map_err(super::evaluate::message)?;
+                let variant = variant.map_err(message)?;
                 let mut whole = variant.draw();
                 whole.budget = COUNT_BUDGET;
                 let Ok(drawn) = draw(&whole, threads) else {
@@ -193,12 +193,6 @@ pub fn frame(debuggee: &Debuggee, place: &StopPlace) -> Result<StackFrame, Strin
     let frames = site.map(|(site, _)| debuggee.frames(site));
     let frame = frames.and_then(|frames| frames.first().copied());
     frame.ok_or_else(|| "the statement is gone".to_string())
-}
-
-/// The message about a run that was stopped.
-pub fn stopped(stop: &Stop) -> String {
-    let Stop::OutOfFuel { pixel: [x, y] } = stop;
-    format!("the pixels around {x},{y} exceeded the operation limit")
 }
 
 /// The place of a breakpoint: the first statement of a file that starts at a line, from 1, or after it,

@@ -2,11 +2,13 @@
 
 use super::arguments::Launch;
 use super::places::{StackFrame, StopPlaces, frames};
-use super::scopes::Scopes;
+use super::scopes::VariableScopes;
 use super::value::{DebugValue, MOST};
-use shaderlint_commands::run::{Loaded, Shot, ShotSetting, UniformText, Unmade, Variant, shot};
+use shaderlint_commands::run::{
+    Loaded, ObservedRays, Shot, ShotSetting, UniformText, Unmade, Variant, shot,
+};
 use shaderlint_engine::playback::{Decode, Moment};
-use shaderlint_exec::{CompileOptions, DrawInputs, Location, Pause, Replay, Watch};
+use shaderlint_exec::{CompileOptions, DrawInputs, Location, Pause, Replay, Stop, Watch};
 use shaderlint_ir::OpId;
 use shaderlint_port::TextPiece;
 use shaderlint_semantic::{Program, VariableId};
@@ -14,7 +16,7 @@ use shaderlint_text::FileId;
 use std::sync::Arc;
 
 /// Reads programs.
-pub trait Programs {
+pub trait ProgramSource {
     /// Loads what a client launches.
     ///
     /// # Errors
@@ -47,7 +49,7 @@ pub struct Debuggee {
     pub build: Variant,
     /// The places at which it stops.
     pub places: StopPlaces,
-    scopes: Scopes,
+    scopes: VariableScopes,
 }
 
 /// How code is compiled that a debugger steps through.
@@ -68,7 +70,7 @@ impl Debuggee {
     pub fn start(
         loaded: Loaded,
         launch: &Launch,
-        programs: &dyn Programs,
+        programs: &dyn ProgramSource,
     ) -> Result<Debuggee, String> {
         let uniforms = launch.uniforms.as_ref().map(ToString::to_string);
         let mut shot = shot(
@@ -84,7 +86,7 @@ impl Debuggee {
                 }),
                 watch: Watch::Nothing,
                 trace: false,
-                rays: false,
+                rays: ObservedRays::Nothing,
                 decode: programs.decode(),
             },
         )?;
@@ -97,7 +99,7 @@ impl Debuggee {
             })?;
         let program = build.program().ok_or("the pass is gone")?;
         let places = StopPlaces::of(program, &build.code);
-        let scopes = Scopes::of(program, &build.module);
+        let scopes = VariableScopes::of(program, &build.module);
         Ok(Debuggee {
             places,
             scopes,
@@ -199,4 +201,17 @@ impl Debuggee {
         let bits = replay.scalars_at(location, lane, MOST)?;
         (!ty.is_void()).then_some(DebugValue { ty, bits })
     }
+}
+
+/// The message of a variant that was not made.
+pub fn message(unmade: Unmade) -> String {
+    match unmade {
+        Unmade::Error(message, _) | Unmade::Other(message) => message,
+    }
+}
+
+/// The message about a run that was stopped.
+pub fn stopped(stop: &Stop) -> String {
+    let Stop::OutOfFuel { pixel: [x, y] } = stop;
+    format!("the pixels around {x},{y} exceeded the operation limit")
 }

@@ -1,12 +1,11 @@
 //! Evaluates expressions: by the values of variables if that is enough, else by the compiler.
 
-use super::breakpoints::stopped;
-use super::debuggee::Debuggee;
+use super::debuggee::{Debuggee, message, stopped};
 use super::insertion::{InsertedText, InsertionPlace, NAME};
 use super::places::{StackFrame, StopPlaces};
 use super::timeline::Timeline;
 use super::value::{DebugValue, MOST};
-use shaderlint_commands::run::{Bitmap, Unmade, Variant, value_image};
+use shaderlint_commands::run::{Bitmap, Variant, value_image};
 use shaderlint_exec::{Bytecode, CompileOptions, Drawn, Probe, Replay, Stop, draw};
 use shaderlint_ir::OpKind;
 use shaderlint_semantic::{Program, Type, VariableId};
@@ -220,13 +219,6 @@ impl ValueImage {
             [.., value, reached] => [value, reached],
             _ => [&[], &[]],
         }
-    }
-}
-
-/// The message of a variant that was not made.
-pub fn message(unmade: Unmade) -> String {
-    match unmade {
-        Unmade::Error(message, _) | Unmade::Other(message) => message,
     }
 }
 

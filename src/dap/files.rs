@@ -1,6 +1,6 @@
 //! The files of a program, and the lines of its texts that come from them.
 
-use super::debuggee::{Debuggee, Programs};
+use super::debuggee::{Debuggee, ProgramSource};
 use shaderlint_port::TextPiece;
 use shaderlint_text::{FileId, Role, SourceFile};
 
@@ -32,7 +32,7 @@ pub enum FileLine {
 }
 
 impl ProgramFiles {
-    pub fn of(debuggee: &Debuggee, programs: &dyn Programs) -> ProgramFiles {
+    pub fn of(debuggee: &Debuggee, programs: &dyn ProgramSource) -> ProgramFiles {
         let program = debuggee.program();
         let files = program.map_or(&[][..], |p| p.sources.files());
         let own = (0..)
@@ -86,7 +86,7 @@ impl ProgramFiles {
     /// The texts that have a line of a file, with the line there and the last one of the same piece.
     pub fn texts_with<'f>(
         &'f self,
-        programs: &'f dyn Programs,
+        programs: &'f dyn ProgramSource,
         (path, line): (&'f str, u32),
     ) -> impl Iterator<Item = (FileId, u32, u32)> + 'f {
         let path = programs.path(path);

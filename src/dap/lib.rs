@@ -24,4 +24,4 @@ mod value;
 
 pub use adapter::Adapter;
 pub use arguments::Launch;
-pub use debuggee::Programs;
+pub use debuggee::ProgramSource;

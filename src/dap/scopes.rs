@@ -5,7 +5,7 @@ use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::ast::{Extent, StmtKind, TokenId};
 
 /// The variables of a program, with their scopes.
-pub struct Scopes {
+pub struct VariableScopes {
     /// Parameters and local variables, in the order of their declarations.
     locals: Vec<Local>,
     /// Global variables, inputs and outputs.
@@ -23,9 +23,9 @@ struct Local {
     end: TokenId,
 }
 
-impl Scopes {
-    pub fn of(program: &Program, module: &Module) -> Scopes {
-        let mut scopes = Scopes {
+impl VariableScopes {
+    pub fn of(program: &Program, module: &Module) -> VariableScopes {
+        let mut scopes = VariableScopes {
             locals: Vec::new(),
             globals: Vec::new(),
             uniforms: Vec::new(),

@@ -3,7 +3,7 @@
 //! A moment is the number of stops of the pixel's lane so far, so the first stop is moment 1. Going back
 //! restores the nearest checkpoint and runs from there.
 
-use shaderlint_exec::{Checkpoint, Draw, Fault, Pause, Replay, Stop, lane_of};
+use shaderlint_exec::{Draw, Fault, Pause, Replay, ReplayCheckpoint, Stop, lane_of};
 
 /// The number of moments between checkpoints, until there are too many.
 const EVERY: u32 = 1024;
@@ -15,7 +15,7 @@ pub struct Timeline {
     /// The pixel, from the lower left corner.
     pub pixel: [u32; 2],
     /// In order of moments.
-    checkpoints: Vec<(u32, Checkpoint)>,
+    checkpoints: Vec<(u32, ReplayCheckpoint)>,
     /// The number of moments between checkpoints.
     every: u32,
 }

@@ -27,9 +27,9 @@ pub fn first(debuggee: &Debuggee, pixel: [u32; 2]) -> Result<Option<u32>, String
         ..stepping()
     };
     let other = debuggee.variant(None, &options);
-    let other = other.map_err(super::evaluate::message)?;
+    let other = other.map_err(super::debuggee::message)?;
     let found = compare(&debuggee.build, &other, pixel);
-    found.map_err(|stop| super::breakpoints::stopped(&stop))
+    found.map_err(|stop| super::debuggee::stopped(&stop))
 }
 
 fn compare(own: &Variant, other: &Variant, pixel: [u32; 2]) -> Result<Option<u32>, Stop> {

@@ -31,7 +31,7 @@ pub use bytecode::{
 pub use compile::options::{
     CompileOptions, ErrorDirection, GpuProfile, Probe, RayProbe, Refusal, Watch,
 };
-pub use compile::steps::statements;
+pub use compile::statements::statements;
 pub use compile::{compile, start};
 pub use draw::{Draw, DrawInputs, Stop};
 pub use equal::{COMPARED_SIZE, Equality, equality};
@@ -41,7 +41,7 @@ pub use observations::{
     NumberObservation, Observations, OperationCost, SiteObservation, StatementObservation, Witness,
 };
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample, sample_cases};
-pub use replay::{Checkpoint, Pause, QUAD, Replay, lane_of};
-pub use row::LANES;
+pub use replay::{Pause, Replay, ReplayCheckpoint, lane_of};
+pub use row::{LANES, QUAD};
 pub use trace::{PixelTrace, trace};
 pub use vm::{Fault, TraceStep};

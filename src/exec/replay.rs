@@ -6,13 +6,10 @@
 use super::bytecode::{Location, StopSite, TracedValue};
 use super::draw::{Draw, Stop};
 use super::render::tile_of;
-use super::row::{LANES, Row};
+use super::row::QUAD;
 use super::vm::{Fault, Vm, VmState};
 use shaderlint_ir::OpId;
 use shaderlint_semantic::VariableId;
-
-/// The number of pixels of a quad.
-pub const QUAD: usize = 4;
 
 /// A quad that stops before each statement that one of its pixels executes. The code has to be
 /// compiled with [`CompileOptions::steps`](crate::CompileOptions::steps).
@@ -36,7 +33,7 @@ pub struct Pause {
 }
 
 /// The state of a replay between two stops.
-pub struct Checkpoint {
+pub struct ReplayCheckpoint {
     state: VmState,
     moments: [u32; QUAD],
 }
@@ -167,33 +164,16 @@ impl<'d> Replay<'d> {
     }
 
     /// The state, to go back to.
-    pub fn checkpoint(&self) -> Checkpoint {
-        Checkpoint {
+    pub fn checkpoint(&self) -> ReplayCheckpoint {
+        ReplayCheckpoint {
             state: self.vm.state(),
             moments: self.moments,
         }
     }
 
     /// Goes to a state of a replay of the same draw and quad.
-    pub fn restore(&mut self, checkpoint: &Checkpoint) {
+    pub fn restore(&mut self, checkpoint: &ReplayCheckpoint) {
         self.vm.restore(&checkpoint.state);
         self.moments = checkpoint.moments;
     }
-}
-
-/// The lanes of a quad, of which a row holds copies.
-pub(super) fn quad_of(row: &Row) -> [u32; QUAD] {
-    let (first, _) = row.0.as_chunks::<QUAD>();
-    first.first().copied().unwrap_or_default()
-}
-
-/// A row with copies of a quad.
-pub(super) fn row_of(quad: [u32; QUAD]) -> Row {
-    let mut row = [0; LANES];
-    for chunk in row.chunks_mut(QUAD) {
-        for (slot, bits) in chunk.iter_mut().zip(quad) {
-            *slot = bits;
-        }
-    }
-    Row(row)
 }

@@ -119,3 +119,23 @@ pub(super) fn mask_by_parts<S: Simd>(mask_of: impl Fn(usize) -> mask32x8<S>) -> 
     }
     mask
 }
+
+/// The number of pixels of a quad.
+pub const QUAD: usize = 4;
+
+/// The lanes of a quad, of which a row holds copies.
+pub fn quad_of(row: &Row) -> [u32; QUAD] {
+    let (first, _) = row.0.as_chunks::<QUAD>();
+    first.first().copied().unwrap_or_default()
+}
+
+/// A row with copies of a quad.
+pub fn row_of(quad: [u32; QUAD]) -> Row {
+    let mut row = [0; LANES];
+    for chunk in row.chunks_mut(QUAD) {
+        for (slot, bits) in chunk.iter_mut().zip(quad) {
+            *slot = bits;
+        }
+    }
+    Row(row)
+}

@@ -3,7 +3,7 @@
 use super::project::{ShaderText, valid};
 use serde_json::Value;
 use shaderlint_commands::run::Loaded;
-use shaderlint_dap::{Adapter, Launch, Programs};
+use shaderlint_dap::{Adapter, Launch, ProgramSource};
 use shaderlint_engine::playback::Decode;
 use std::path::PathBuf;
 
@@ -36,10 +36,10 @@ impl ModuleDebugger {
     }
 }
 
-/// Programs in the arguments of `launch`.
+/// ProgramSource in the arguments of `launch`.
 struct SentPrograms;
 
-impl Programs for SentPrograms {
+impl ProgramSource for SentPrograms {
     fn load(&self, launch: &Launch) -> Result<Loaded, String> {
         let passes = launch.passes.iter();
         valid(&ShaderText {

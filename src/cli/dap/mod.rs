@@ -3,7 +3,7 @@
 use super::framing;
 use super::run::{Undrawable, decode, read};
 use crate::commands::run::{Loaded, position};
-use crate::dap::{Adapter, Launch, Programs};
+use crate::dap::{Adapter, Launch, ProgramSource};
 use crate::diagnostic::Severity;
 use crate::engine::playback::Decode;
 use crate::port::Composed;
@@ -65,10 +65,10 @@ fn write(messages: Vec<Value>) -> io::Result<()> {
     output.flush()
 }
 
-/// Programs on disk.
+/// ProgramSource on disk.
 struct DiskPrograms;
 
-impl Programs for DiskPrograms {
+impl ProgramSource for DiskPrograms {
     fn load(&self, launch: &Launch) -> Result<Loaded, String> {
         let path = Path::new(&launch.program);
         match read(path, launch.host.as_deref(), &launch.channels) {

@@ -2,7 +2,7 @@
 //! `buffer_a at frame 3` for a pass of the project in the same folder.
 
 use super::super::run::{Undrawable, decode, read};
-use crate::commands::run::{ShotSetting, shot};
+use crate::commands::run::{ObservedRays, ShotSetting, shot};
 use crate::engine::playback::{Moment, RenderedImage, TextureMark};
 use crate::exec::{Filter, Image, ImageShape, Sampling, Texels, Texture, Watch, Wrap};
 use crate::port::{ChannelOrder, ChannelSource};
@@ -126,6 +126,7 @@ fn buffer(folder: &Path, pass: &str, frame: u32) -> Result<Image, String> {
         uniforms: None,
         watch: Watch::Nothing,
         trace: false,
+        rays: ObservedRays::Nothing,
         decode: Some(decode),
     };
     let mut ready = shot(&loaded.shader, &setting)?;

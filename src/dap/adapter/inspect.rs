@@ -1,8 +1,8 @@
 //! Requests about the moment that is shown: frames, variables, expressions.
 
-use super::session::{Handle, Session};
-use super::{Answer, Client, Reply};
-use crate::arguments::Asked;
+use super::reply::{ClientState, DebugAnswer, Reply};
+use super::session::{DebugSession, Handle};
+use crate::arguments::DebugArguments;
 use crate::evaluate::{EvaluatedExpression, named};
 use crate::places::StackFrame;
 use crate::value::{DebugValue, is_simple};
@@ -23,7 +23,7 @@ const SCOPES: [(&str, &str); 3] = [
 /// Maximum number of expressions that stay compiled.
 const MOST_COMPILED: usize = 64;
 
-impl Session {
+impl DebugSession {
     pub(super) fn threads(&self) -> Reply {
         let threads = self.timelines.iter().zip(1..).map(|(timeline, id)| {
             let [x, y] = timeline.pixel;
@@ -33,12 +33,12 @@ impl Session {
     }
 
     /// The lane of a thread.
-    fn lane(&self, asked: &Asked) -> usize {
+    fn lane(&self, asked: &DebugArguments) -> usize {
         let lane = (asked.thread_id as usize).checked_sub(1);
         lane.filter(|lane| *lane < QUAD).unwrap_or(self.focus)
     }
 
-    pub(super) fn stack(&mut self, client: &Client, asked: &Asked) -> Answer {
+    pub(super) fn stack(&mut self, client: &ClientState, asked: &DebugArguments) -> DebugAnswer {
         let lane = self.lane(asked);
         let frames = self.frames(lane)?;
         let levels = if asked.levels == 0 {
@@ -78,7 +78,7 @@ impl Session {
         Ok((lane, at, frame.ok_or("there is no such frame")?))
     }
 
-    pub(super) fn scopes(&mut self, asked: &Asked) -> Answer {
+    pub(super) fn scopes(&mut self, asked: &DebugArguments) -> DebugAnswer {
         let (lane, at, frame) = self.frame(asked.frame_id)?;
         let variables = self.debuggee.variables(&frame);
         let mut scopes = Vec::new();
@@ -102,7 +102,7 @@ impl Session {
         Ok(Reply::with(json!({ "scopes": scopes })))
     }
 
-    pub(super) fn variables(&mut self, asked: &Asked) -> Answer {
+    pub(super) fn variables(&mut self, asked: &DebugArguments) -> DebugAnswer {
         let at = (asked.variables_reference as usize).checked_sub(1);
         let handle = at.and_then(|at| self.handles.get(at)).cloned();
         let mut rows = match handle.ok_or("these variables are no longer shown")? {
@@ -227,13 +227,13 @@ impl Session {
         row
     }
 
-    pub(super) fn evaluate(&mut self, asked: &Asked) -> Answer {
+    pub(super) fn evaluate(&mut self, asked: &DebugArguments) -> DebugAnswer {
         let value = self.value_of(asked)?;
         Ok(Reply::with(self.shown(&value, &asked.expression, None)))
     }
 
     /// The value of an expression in a frame.
-    fn value_of(&mut self, asked: &Asked) -> Result<DebugValue, String> {
+    fn value_of(&mut self, asked: &DebugArguments) -> Result<DebugValue, String> {
         let (lane, at, frame) = self.frame(asked.frame_id)?;
         let variables = self.debuggee.variables(&frame).concat();
         let simple = self.at(lane, |debuggee, now| {
@@ -251,7 +251,7 @@ impl Session {
         let count = self.count(lane, &frame)?;
         let pixel = self.timelines.get(lane).map_or([0; 2], |t| t.pixel);
         let values = evaluated.values(pixel, count);
-        let mut values = values.map_err(|stop| crate::breakpoints::stopped(&stop))?;
+        let mut values = values.map_err(|stop| crate::debuggee::stopped(&stop))?;
         let is_reached = at == 0 || values.len() == count;
         let value = values.pop().filter(|_| is_reached);
         let value = value.ok_or("the expression has no value at this moment")?;
@@ -294,7 +294,7 @@ impl Session {
     }
 
     /// The image of an expression over the screen, as a PNG.
-    pub(super) fn image(&mut self, asked: &Asked, threads: usize) -> Answer {
+    pub(super) fn image(&mut self, asked: &DebugArguments, threads: usize) -> DebugAnswer {
         let (.., frame) = self.frame(asked.frame_id)?;
         let evaluated = self.compiled(&frame, &asked.expression)?;
         let image = evaluated.image(&self.debuggee, (threads, u64::MAX))?;
@@ -312,7 +312,7 @@ impl Session {
     /// The variable of a request, and which of its scalars are meant.
     pub(super) fn part_of(
         &mut self,
-        asked: &Asked,
+        asked: &DebugArguments,
     ) -> Result<(VariableId, Option<Range<usize>>), String> {
         let expression = match asked.expression.as_str() {
             "" => asked.name.as_str(),

@@ -5,46 +5,36 @@
 
 mod inspect;
 mod motion;
+mod reply;
 mod session;
 mod set;
 mod sources;
 mod start;
 
-use super::arguments::{Asked, SetBreakpoints};
-use super::debuggee::Programs;
+use super::arguments::DebugArguments;
+use super::debuggee::ProgramSource;
 use super::stepping::StepKind;
+use reply::{ClientState, DebugAnswer, Reply};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
-use session::Session;
+use session::DebugSession;
 
 /// A debugger for one client.
 pub struct Adapter<'p> {
-    programs: &'p dyn Programs,
-    session: Option<Session>,
+    programs: &'p dyn ProgramSource,
+    session: Option<DebugSession>,
     /// What the client asked before a program was launched.
-    client: Client,
+    client: ClientState,
     /// The number of the last message.
     sequence: u64,
     /// Whether the client has disconnected.
     is_done: bool,
 }
 
-/// What a client said about itself and about breakpoints, which outlives programs.
-#[derive(Default)]
-struct Client {
-    /// 1 if the first line or column is 1.
-    first_line: u32,
-    first_column: u32,
-    breakpoints: Vec<SetBreakpoints>,
-    /// The filters of faults.
-    filters: Vec<String>,
-    is_configured: bool,
-}
-
 /// A request.
 #[derive(Deserialize)]
-struct Request {
+struct DebugRequest {
     #[serde(default)]
     seq: u64,
     #[serde(default)]
@@ -53,37 +43,16 @@ struct Request {
     arguments: Value,
 }
 
-/// What a request leads to: the body of its answer, and events.
-struct Reply {
-    body: Value,
-    events: Vec<Event>,
-}
-
-/// An event: its name and body.
-type Event = (&'static str, Value);
-
-/// The answer to a request, or a message about what is wrong.
-type Answer = Result<Reply, String>;
-
-impl Reply {
-    fn with(body: Value) -> Reply {
-        Reply {
-            body,
-            events: Vec::new(),
-        }
-    }
-}
-
 impl<'p> Adapter<'p> {
     /// An adapter that reads programs in this way.
-    pub fn new(programs: &'p dyn Programs) -> Adapter<'p> {
+    pub fn new(programs: &'p dyn ProgramSource) -> Adapter<'p> {
         Adapter {
             programs,
             session: None,
-            client: Client {
+            client: ClientState {
                 first_line: 1,
                 first_column: 1,
-                ..Client::default()
+                ..ClientState::default()
             },
             sequence: 0,
             is_done: false,
@@ -97,7 +66,7 @@ impl<'p> Adapter<'p> {
 
     /// Handles a message. Returns the messages for the client.
     pub fn handle(&mut self, message: &Value) -> Vec<Value> {
-        let Ok(request) = Request::deserialize(message) else {
+        let Ok(request) = DebugRequest::deserialize(message) else {
             return Vec::new();
         };
         if message.get("type").and_then(Value::as_str) != Some("request") {
@@ -156,14 +125,14 @@ impl<'p> Adapter<'p> {
         }
     }
 
-    fn answer(&mut self, request: &Request) -> Answer {
+    fn answer(&mut self, request: &DebugRequest) -> DebugAnswer {
         match request.command.as_str() {
             "initialize" => return self.initialize(&request.arguments),
             "launch" => return self.launch(&request.arguments),
             "attach" => return Err("there is nothing to attach to; use `launch`".to_string()),
             "setBreakpoints" => return self.set_breakpoints(read(&request.arguments)?),
             "setExceptionBreakpoints" => {
-                return self.set_filters(read::<Asked>(&request.arguments)?.filters);
+                return self.set_filters(read::<DebugArguments>(&request.arguments)?.filters);
             }
             "setFunctionBreakpoints" => return Ok(Reply::with(json!({ "breakpoints": [] }))),
             "configurationDone" => return self.configured(),
@@ -171,7 +140,7 @@ impl<'p> Adapter<'p> {
             "disconnect" | "terminate" => return Ok(self.end(&request.command)),
             _ => {}
         }
-        let asked: Asked = read(&request.arguments)?;
+        let asked: DebugArguments = read(&request.arguments)?;
         match request.command.as_str() {
             "shaderlint/pixel" => return self.moved(&asked),
             "shaderlint/image" => return self.image(&asked),

@@ -1,9 +1,9 @@
 //! Requests that go to another moment.
 
-use super::session::{Session, StopCause, focused};
-use super::{Answer, Event, Reply};
-use crate::arguments::Asked;
-use crate::breakpoints::stopped;
+use super::reply::{DebugAnswer, DebugEvent, Reply, output};
+use super::session::{DebugSession, StopCause, focused};
+use crate::arguments::DebugArguments;
+use crate::debuggee::stopped;
 use crate::evaluate::EvaluatedExpression;
 use crate::stepping::{StepKind, StepStart, moment_of, next, step, written};
 use crate::uninitialized;
@@ -15,22 +15,16 @@ use shaderlint_semantic::VariableId;
 const MOST_MESSAGES: usize = 1000;
 
 /// Where a motion ends, and why.
-struct Goal {
+struct MotionGoal {
     moment: u32,
     reason: &'static str,
     breakpoints: Vec<u32>,
     cause: Option<StopCause>,
 }
 
-/// An event with output.
-pub fn output(category: &str, text: &str) -> Event {
-    let body = json!({ "category": category, "output": format!("{text}\n") });
-    ("output", body)
-}
-
-impl Session {
+impl DebugSession {
     /// Chooses the pixel that a request is about.
-    fn focus_on(&mut self, asked: &Asked) -> Result<(), String> {
+    fn focus_on(&mut self, asked: &DebugArguments) -> Result<(), String> {
         let lane = (asked.thread_id as usize)
             .checked_sub(1)
             .unwrap_or(self.focus);
@@ -42,7 +36,7 @@ impl Session {
     }
 
     /// Runs to the next breakpoint or fault, or to the end.
-    pub fn resume(&mut self, asked: &Asked) -> Answer {
+    pub fn resume(&mut self, asked: &DebugArguments) -> DebugAnswer {
         self.focus_on(asked)?;
         let from = self.moment;
         let goal = self.forwards()?;
@@ -52,14 +46,14 @@ impl Session {
     }
 
     /// Runs back to the last breakpoint or fault, or to the beginning.
-    pub fn reverse(&mut self, asked: &Asked) -> Answer {
+    pub fn reverse(&mut self, asked: &DebugArguments) -> DebugAnswer {
         self.focus_on(asked)?;
         let goal = self.backwards()?;
         self.arrive(goal, (false, Value::Null), Vec::new())
     }
 
     /// Steps.
-    pub fn step(&mut self, asked: &Asked, kind: StepKind) -> Answer {
+    pub fn step(&mut self, asked: &DebugArguments, kind: StepKind) -> DebugAnswer {
         self.focus_on(asked)?;
         let (lane, from) = (self.focus, self.moment);
         let place = self.at(lane, |debuggee, now| {
@@ -76,7 +70,7 @@ impl Session {
         let moment = moment.map_err(|stop| stopped(&stop))?;
         drop(draw);
         let is_forwards = !matches!(kind, StepKind::Back | StepKind::BackIn | StepKind::BackOut);
-        let goal = moment.map(|moment| Goal {
+        let goal = moment.map(|moment| MotionGoal {
             moment,
             reason: "step",
             breakpoints: Vec::new(),
@@ -100,7 +94,7 @@ impl Session {
     }
 
     /// Goes back to the statement that wrote a variable or a part of it.
-    pub fn written(&mut self, asked: &Asked) -> Answer {
+    pub fn written(&mut self, asked: &DebugArguments) -> DebugAnswer {
         let (variable, part) = self.part_of(asked)?;
         let lane = self.focus;
         let draw = self.debuggee.build.draw();
@@ -110,7 +104,7 @@ impl Session {
         drop(draw);
         let moment = moment.ok_or("nothing has written it before")?;
         self.moment = moment;
-        self.settle();
+        self.forget_shown();
         Ok(Reply {
             body: Value::Null,
             events: vec![self.stopped("goto", Some("written here"))],
@@ -118,7 +112,7 @@ impl Session {
     }
 
     /// The first breakpoint or chosen fault after the current moment.
-    fn forwards(&mut self) -> Result<Option<Goal>, String> {
+    fn forwards(&mut self) -> Result<Option<MotionGoal>, String> {
         let from = self.moment;
         let hits = self.hits()?;
         let first = hits
@@ -148,13 +142,13 @@ impl Session {
                     let is_new = before > from || !is_shown;
                     let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
                     goal = match fault.filter(|_| is_new && passed.pause.is_some()) {
-                        Some(fault) => Some(Goal {
+                        Some(fault) => Some(MotionGoal {
                             moment: before,
                             reason: "exception",
                             breakpoints: Vec::new(),
                             cause: Some(StopCause::Fault(fault)),
                         }),
-                        None if is_written && passed.pause.is_some() => Some(Goal {
+                        None if is_written && passed.pause.is_some() => Some(MotionGoal {
                             moment: now,
                             reason: "data breakpoint",
                             breakpoints: Vec::new(),
@@ -175,7 +169,7 @@ impl Session {
     }
 
     /// The last breakpoint or chosen fault before the current moment.
-    fn backwards(&mut self) -> Result<Option<Goal>, String> {
+    fn backwards(&mut self) -> Result<Option<MotionGoal>, String> {
         let before = self.moment;
         let hits = self.hits()?;
         let last = hits
@@ -197,13 +191,13 @@ impl Session {
                     let fault = passed.fault.filter(|fault| is_chosen(filters, *fault));
                     let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
                     match fault {
-                        Some(fault) if now > 1 && now - 1 < before => Some(Goal {
+                        Some(fault) if now > 1 && now - 1 < before => Some(MotionGoal {
                             moment: now - 1,
                             reason: "exception",
                             breakpoints: Vec::new(),
                             cause: Some(StopCause::Fault(fault)),
                         }),
-                        _ if is_written && now < before => Some(Goal {
+                        _ if is_written && now < before => Some(MotionGoal {
                             moment: now,
                             reason: "data breakpoint",
                             breakpoints: Vec::new(),
@@ -231,9 +225,9 @@ impl Session {
     /// stops at those.
     fn with_uninitialized(
         &mut self,
-        goal: Option<Goal>,
+        goal: Option<MotionGoal>,
         (first, last): (u32, u32),
-    ) -> Result<Option<Goal>, String> {
+    ) -> Result<Option<MotionGoal>, String> {
         if !self.filters.iter().any(|filter| filter == "uninitialized") {
             return Ok(goal);
         }
@@ -245,12 +239,14 @@ impl Session {
         self.uninitialized = Some((pixel, moment));
         let moment = moment.filter(|moment| first <= *moment && *moment <= last);
         Ok(match moment {
-            Some(moment) if goal.as_ref().is_none_or(|goal| moment < goal.moment) => Some(Goal {
-                moment,
-                reason: "exception",
-                breakpoints: Vec::new(),
-                cause: Some(StopCause::Uninitialized),
-            }),
+            Some(moment) if goal.as_ref().is_none_or(|goal| moment < goal.moment) => {
+                Some(MotionGoal {
+                    moment,
+                    reason: "exception",
+                    breakpoints: Vec::new(),
+                    cause: Some(StopCause::Uninitialized),
+                })
+            }
             _ => goal,
         })
     }
@@ -273,8 +269,8 @@ impl Session {
     }
 
     /// What breakpoints print between two moments.
-    fn messages(&mut self, after: u32, until: u32) -> Vec<Event> {
-        let mut messages: Vec<(u32, Event)> = Vec::new();
+    fn messages(&mut self, after: u32, until: u32) -> Vec<DebugEvent> {
+        let mut messages: Vec<(u32, DebugEvent)> = Vec::new();
         for at in 0..self.breakpoints.len() {
             if let Err(message) = self.add_messages(at, (after, until), &mut messages) {
                 messages.push((0, output("stderr", &message)));
@@ -283,7 +279,7 @@ impl Session {
         messages.sort_by_key(|(moment, _)| *moment);
         let cut = messages.len().saturating_sub(MOST_MESSAGES);
         messages.truncate(MOST_MESSAGES);
-        let mut events: Vec<Event> = messages.into_iter().map(|(_, event)| event).collect();
+        let mut events: Vec<DebugEvent> = messages.into_iter().map(|(_, event)| event).collect();
         if cut > 0 {
             events.push(output(
                 "console",
@@ -297,7 +293,7 @@ impl Session {
         &mut self,
         at: usize,
         (after, until): (u32, u32),
-        messages: &mut Vec<(u32, Event)>,
+        messages: &mut Vec<(u32, DebugEvent)>,
     ) -> Result<(), String> {
         let lane = self.focus;
         let draw = self.debuggee.build.draw();
@@ -364,10 +360,10 @@ impl Session {
     /// Goes to a goal; without one, to the end or the beginning.
     fn arrive(
         &mut self,
-        goal: Option<Goal>,
+        goal: Option<MotionGoal>,
         (is_forwards, body): (bool, Value),
-        mut events: Vec<Event>,
-    ) -> Answer {
+        mut events: Vec<DebugEvent>,
+    ) -> DebugAnswer {
         let goal = match goal {
             Some(goal) => goal,
             None => {
@@ -376,7 +372,7 @@ impl Session {
                     events.push(("terminated", Value::Null));
                     return Ok(Reply { body, events });
                 }
-                Goal {
+                MotionGoal {
                     moment,
                     reason: if is_forwards { "step" } else { "entry" },
                     breakpoints: Vec::new(),
@@ -385,7 +381,7 @@ impl Session {
             }
         };
         self.moment = goal.moment;
-        self.settle();
+        self.forget_shown();
         self.cause = goal.cause;
         let text = goal.cause.map(|cause| self.cause_text(cause));
         let (name, mut event) = self.stopped(goal.reason, text.as_deref());
@@ -447,9 +443,9 @@ impl Session {
 }
 
 /// The breakpoints at a moment.
-fn goal_at(moment: u32, hits: &[(u32, u32)]) -> Goal {
+fn goal_at(moment: u32, hits: &[(u32, u32)]) -> MotionGoal {
     let here = hits.iter().filter(|(at, _)| *at == moment);
-    Goal {
+    MotionGoal {
         moment,
         reason: "breakpoint",
         breakpoints: here.map(|(_, id)| *id).collect(),

@@ -1,9 +1,9 @@
 //! A program that is debugged: the moment that is shown, and what the client asked about.
 
-use super::Event;
+use super::reply::DebugEvent;
 use crate::arguments::{DataBreakpointArgument, Launch};
-use crate::breakpoints::{Breakpoint, starts, stopped};
-use crate::debuggee::{Debuggee, Programs};
+use crate::breakpoints::{Breakpoint, starts};
+use crate::debuggee::{Debuggee, ProgramSource, stopped};
 use crate::evaluate::EvaluatedExpression;
 use crate::files::{FileLine, ProgramFiles};
 use crate::places::StackFrame;
@@ -17,7 +17,7 @@ use shaderlint_text::SourceFile;
 use std::rc::Rc;
 
 /// A program that is debugged.
-pub struct Session {
+pub struct DebugSession {
     pub debuggee: Debuggee,
     pub files: ProgramFiles,
     pub launch: Launch,
@@ -93,14 +93,14 @@ impl Mark {
     }
 }
 
-impl Session {
+impl DebugSession {
     /// A session at the first statement of a pixel.
     pub fn of(
         debuggee: Debuggee,
         (launch, pixel): (Launch, [u32; 2]),
-        programs: &dyn Programs,
-    ) -> Result<Session, String> {
-        let mut session = Session {
+        programs: &dyn ProgramSource,
+    ) -> Result<DebugSession, String> {
+        let mut session = DebugSession {
             files: ProgramFiles::of(&debuggee, programs),
             debuggee,
             launch,
@@ -130,7 +130,7 @@ impl Session {
         for breakpoint in &mut self.breakpoints {
             breakpoint.forget();
         }
-        self.settle();
+        self.forget_shown();
         Ok(())
     }
 
@@ -144,7 +144,7 @@ impl Session {
     }
 
     /// Forgets what depends on the moment.
-    pub fn settle(&mut self) {
+    pub fn forget_shown(&mut self) {
         self.handles.clear();
         self.cause = None;
     }
@@ -238,7 +238,7 @@ impl Session {
         if let Some(moment) = mark.as_ref().and_then(|mark| self.moment_of_mark(mark)) {
             self.moment = moment;
         }
-        self.settle();
+        self.forget_shown();
     }
 
     fn moment_of_mark(&mut self, mark: &Mark) -> Option<u32> {
@@ -268,7 +268,7 @@ impl Session {
     }
 
     /// The event that the program has stopped.
-    pub fn stopped(&self, reason: &str, description: Option<&str>) -> Event {
+    pub fn stopped(&self, reason: &str, description: Option<&str>) -> DebugEvent {
         let mut body = json!({
             "reason": reason,
             "threadId": self.focus + 1,
@@ -283,15 +283,15 @@ impl Session {
     }
 
     /// Notes about inputs that were missing or replaced.
-    pub fn notes(&self) -> Vec<Event> {
+    pub fn notes(&self) -> Vec<DebugEvent> {
         let notes = self.debuggee.notes().into_iter();
         notes
-            .map(|note| super::motion::output("console", &format!("note: {note}")))
+            .map(|note| super::reply::output("console", &format!("note: {note}")))
             .collect()
     }
 
     /// Counts the pixels that hit breakpoints, and tells the client.
-    pub fn count_hits(&mut self, threads: usize) -> Vec<Event> {
+    pub fn count_hits(&mut self, threads: usize) -> Vec<DebugEvent> {
         let mut events = Vec::new();
         for at in 0..self.breakpoints.len() {
             let Some(breakpoint) = self.breakpoints.get_mut(at) else {

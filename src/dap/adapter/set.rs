@@ -1,20 +1,20 @@
 //! Breakpoints of the client.
 
 use super::motion::filter_of;
-use super::session::{Session, StopCause};
-use super::{Answer, Client, Reply};
-use crate::arguments::{Asked, SetBreakpoints};
+use super::reply::{ClientState, DebugAnswer, Reply};
+use super::session::{DebugSession, StopCause};
+use crate::arguments::{DebugArguments, SetBreakpoints};
 use crate::breakpoints::{Breakpoint, place_at};
-use crate::debuggee::Programs;
+use crate::debuggee::ProgramSource;
 use crate::files::FileLine;
 use serde_json::{Value, json};
 
-impl Session {
+impl DebugSession {
     /// Replaces the breakpoints of a source. Returns them for the client.
     pub(super) fn set(
         &mut self,
-        client: &Client,
-        programs: &dyn Programs,
+        client: &ClientState,
+        programs: &dyn ProgramSource,
         set: &SetBreakpoints,
     ) -> Vec<Value> {
         let mut old = Vec::new();
@@ -83,13 +83,13 @@ impl Session {
         row
     }
 
-    pub(super) fn data_breakpoint(&mut self, asked: &Asked) -> Reply {
+    pub(super) fn data_breakpoint(&mut self, asked: &DebugArguments) -> Reply {
         let found = match asked.variables_reference {
             0 => self.part_of(asked).ok().map(|(id, _)| id),
             _ => self
-                .part_of(&Asked {
+                .part_of(&DebugArguments {
                     name: asked.name.clone(),
-                    ..Asked::default()
+                    ..DebugArguments::default()
                 })
                 .ok()
                 .map(|(id, _)| id),
@@ -108,7 +108,7 @@ impl Session {
         })
     }
 
-    pub(super) fn set_data_breakpoints(&mut self, asked: &Asked) -> Reply {
+    pub(super) fn set_data_breakpoints(&mut self, asked: &DebugArguments) -> Reply {
         self.data.clone_from(&asked.breakpoints);
         let known = asked.breakpoints.iter();
         let rows: Vec<Value> = known
@@ -135,10 +135,10 @@ impl Session {
 
     pub(super) fn breakpoint_locations(
         &self,
-        client: &Client,
-        programs: &dyn Programs,
-        asked: &Asked,
-    ) -> Answer {
+        client: &ClientState,
+        programs: &dyn ProgramSource,
+        asked: &DebugArguments,
+    ) -> DebugAnswer {
         let program = self.debuggee.program().ok_or("the program is gone")?;
         let line = |line: u32| (line + 1).saturating_sub(client.first_line);
         let (from, to) = (line(asked.line), line(asked.end_line.unwrap_or(asked.line)));

@@ -1,19 +1,19 @@
 //! The texts of the program: files, and passes of exports, which have no file of their own.
 
-use super::session::Session;
-use super::{Answer, Client, Reply};
-use crate::arguments::{Asked, SourceArgument};
-use crate::debuggee::Programs;
+use super::reply::{ClientState, DebugAnswer, Reply};
+use super::session::DebugSession;
+use crate::arguments::{DebugArguments, SourceArgument};
+use crate::debuggee::ProgramSource;
 use crate::files::{FileLine, title};
 use serde_json::{Value, json};
 use shaderlint_text::{FileId, Span};
 
-impl Session {
+impl DebugSession {
     /// The places in texts that a client names by a source and a line: the text, the line there, and the
     /// last line that belongs to the source.
     pub(super) fn lines_of(
         &self,
-        programs: &dyn Programs,
+        programs: &dyn ProgramSource,
         (source, line): (&SourceArgument, u32),
     ) -> Vec<(FileId, u32, u32)> {
         match (source.source_reference, &source.path) {
@@ -38,12 +38,12 @@ impl Session {
     }
 
     /// A range of the source, with its source.
-    pub(super) fn range(&self, client: &Client, span: Span) -> Value {
+    pub(super) fn range(&self, client: &ClientState, span: Span) -> Value {
         self.known_range(client, span)
             .unwrap_or_else(|| json!({ "line": 0, "column": 0 }))
     }
 
-    fn known_range(&self, client: &Client, span: Span) -> Option<Value> {
+    fn known_range(&self, client: &ClientState, span: Span) -> Option<Value> {
         let program = self.debuggee.program()?;
         let id = program.sources.file_id_at(span.start)?;
         let file = program.sources.file(id)?;
@@ -72,7 +72,7 @@ impl Session {
         }))
     }
 
-    pub(super) fn source(&self, asked: &Asked) -> Answer {
+    pub(super) fn source(&self, asked: &DebugArguments) -> DebugAnswer {
         let number = asked
             .source
             .source_reference

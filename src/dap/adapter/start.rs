@@ -1,8 +1,9 @@
 //! Requests about the session as a whole.
 
-use super::session::Session;
-use super::{Adapter, Answer, Reply, read};
-use crate::arguments::{Asked, Launch, Reload, SetBreakpoints};
+use super::reply::{DebugAnswer, Reply};
+use super::session::DebugSession;
+use super::{Adapter, read};
+use crate::arguments::{DebugArguments, Launch, Reload, SetBreakpoints};
 use crate::debuggee::Debuggee;
 use serde_json::{Value, json};
 
@@ -18,7 +19,7 @@ pub const FILTERS: [(&str, &str, bool); 7] = [
 ];
 
 impl Adapter<'_> {
-    pub(super) fn initialize(&mut self, arguments: &Value) -> Answer {
+    pub(super) fn initialize(&mut self, arguments: &Value) -> DebugAnswer {
         let starts = |name: &str| {
             let is_one = arguments.get(name).and_then(Value::as_bool);
             u32::from(is_one.unwrap_or(true))
@@ -49,7 +50,7 @@ impl Adapter<'_> {
         })
     }
 
-    pub(super) fn launch(&mut self, arguments: &Value) -> Answer {
+    pub(super) fn launch(&mut self, arguments: &Value) -> DebugAnswer {
         let launch: Launch = read(arguments)?;
         let session = self.start(launch)?;
         let notes = session.notes();
@@ -65,14 +66,14 @@ impl Adapter<'_> {
     }
 
     /// Loads a program, with the breakpoints that the client has set.
-    fn start(&self, launch: Launch) -> Result<Session, String> {
+    fn start(&self, launch: Launch) -> Result<DebugSession, String> {
         if launch.program.is_empty() {
             return Err("`program` is missing: the shader, export or folder of passes".to_string());
         }
         let pixel = launch.pixel()?;
         let loaded = self.programs.load(&launch)?;
         let debuggee = Debuggee::start(loaded, &launch, self.programs)?;
-        let mut session = Session::of(debuggee, (launch, pixel), self.programs)?;
+        let mut session = DebugSession::of(debuggee, (launch, pixel), self.programs)?;
         session.first_line = self.client.first_line;
         for set in &self.client.breakpoints {
             session.set(&self.client, self.programs, set);
@@ -81,7 +82,7 @@ impl Adapter<'_> {
         Ok(session)
     }
 
-    pub(super) fn configured(&mut self) -> Answer {
+    pub(super) fn configured(&mut self) -> DebugAnswer {
         self.client.is_configured = true;
         let events = self.first_stop();
         Ok(Reply {
@@ -91,20 +92,20 @@ impl Adapter<'_> {
     }
 
     /// Stops at the entry, or runs to the first breakpoint.
-    fn first_stop(&mut self) -> Vec<super::Event> {
+    fn first_stop(&mut self) -> Vec<super::reply::DebugEvent> {
         let Some(session) = &mut self.session else {
             return Vec::new();
         };
         if session.launch.stop_on_entry.unwrap_or(true) {
             return vec![session.stopped("entry", None)];
         }
-        match session.resume(&Asked::default()) {
+        match session.resume(&DebugArguments::default()) {
             Ok(reply) => reply.events,
-            Err(message) => vec![super::motion::output("stderr", &message)],
+            Err(message) => vec![super::reply::output("stderr", &message)],
         }
     }
 
-    pub(super) fn set_breakpoints(&mut self, set: SetBreakpoints) -> Answer {
+    pub(super) fn set_breakpoints(&mut self, set: SetBreakpoints) -> DebugAnswer {
         self.client
             .breakpoints
             .retain(|known| known.source != set.source);
@@ -117,7 +118,7 @@ impl Adapter<'_> {
         Ok(Reply::with(json!({ "breakpoints": body })))
     }
 
-    pub(super) fn set_filters(&mut self, filters: Vec<String>) -> Answer {
+    pub(super) fn set_filters(&mut self, filters: Vec<String>) -> DebugAnswer {
         if let Some(session) = &mut self.session {
             session.filters.clone_from(&filters);
         }
@@ -126,7 +127,7 @@ impl Adapter<'_> {
     }
 
     /// Reads the program again, and goes to the same execution of the same line.
-    pub(super) fn reload(&mut self, arguments: &Value) -> Answer {
+    pub(super) fn reload(&mut self, arguments: &Value) -> DebugAnswer {
         let old = self.session.as_mut().ok_or("no program is running")?;
         let mark = old.mark();
         let launch = match arguments.get("arguments") {
@@ -151,7 +152,7 @@ impl Adapter<'_> {
     }
 
     /// Goes to another pixel, time, frame or pass.
-    pub(super) fn moved(&mut self, asked: &Asked) -> Answer {
+    pub(super) fn moved(&mut self, asked: &DebugArguments) -> DebugAnswer {
         let old = self.session.as_mut().ok_or("no program is running")?;
         let mark = old.mark();
         let mut launch = old.launch.clone();
@@ -183,7 +184,7 @@ impl Adapter<'_> {
         })
     }
 
-    pub(super) fn image(&mut self, asked: &Asked) -> Answer {
+    pub(super) fn image(&mut self, asked: &DebugArguments) -> DebugAnswer {
         let threads = self.programs.threads();
         let session = self.session.as_mut().ok_or("no program is running")?;
         session.image(asked, threads)

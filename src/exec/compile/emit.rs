@@ -3,7 +3,7 @@
 use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use super::plan::{CompilePlan, Releasable};
 use super::registers::Registers;
-use super::steps::Statements;
+use super::statements::Statements;
 use crate::bytecode::{
     Bytecode, CallPath, CheckSite, F1, F2, F3, ImpreciseOp, Instr, InstrIndex, MaskSlot, Reg,
 };

@@ -18,7 +18,8 @@ mod plan;
 mod probe;
 mod ray;
 mod registers;
-pub(super) mod steps;
+pub(super) mod statements;
+mod steps;
 mod traced;
 
 use super::bytecode::Bytecode;

@@ -1,7 +1,7 @@
 //! The state of a VM that runs a single quad.
 
 use super::{ActiveLanes, Vm};
-use crate::replay::{QUAD, quad_of, row_of};
+use crate::row::{QUAD, quad_of, row_of};
 
 /// The state between two instructions. All lanes hold copies of one quad.
 pub(crate) struct VmState {
