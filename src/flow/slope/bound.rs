@@ -175,10 +175,10 @@ impl<'s> GradientBounds<'s> {
         if !self.scalars.varies(id) {
             return FieldGradient::ZERO;
         }
-        if depth > CASE_DEPTH || given.is_empty() || self.left == 0 {
-            if let Some(known) = self.known.get(&id) {
-                return known.clone();
-            }
+        if (depth > CASE_DEPTH || given.is_empty() || self.left == 0)
+            && let Some(known) = self.known.get(&id)
+        {
+            return known.clone();
         }
         if let Some(known) = memo.gradients.get(&id) {
             return known.clone();

@@ -478,7 +478,7 @@ impl<'a> SymbolicExecution<'a> {
 
     fn op(&mut self, id: OpId) -> Executed<()> {
         self.scalars.at = Some(id);
-        self.left = self.left.checked_sub(1).unwrap_or_default();
+        self.left = self.left.saturating_sub(1);
         if self.left == 0 || self.scalars.is_full() {
             return Err(self.blocked(SlopeObstacle::Size));
         }

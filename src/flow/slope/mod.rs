@@ -70,8 +70,8 @@ fn scalar_at(layout: &Layout, ty: Type, lane: u32) -> Option<u32> {
     if ty.is_scalar() {
         return (lane == 0).then_some(0);
     }
-    let parts = (0..layout.count(ty)).filter_map(|index| layout.part(ty, index));
-    let part = parts.filter(|part| part.lane <= lane).last()?;
+    let mut parts = (0..layout.count(ty)).filter_map(|index| layout.part(ty, index));
+    let part = parts.rfind(|part| part.lane <= lane)?;
     let inner = lane - part.lane;
     let is_inside = inner < layout.lanes(part.ty);
     let scalar = scalar_at(layout, part.ty, inner).filter(|_| is_inside)?;

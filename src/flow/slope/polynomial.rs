@@ -68,7 +68,7 @@ impl NodePolynomial {
         keeps: bool,
     ) -> Option<NodePolynomial> {
         let by = match scalars.get(factor) {
-            ScalarForm::Sum(..) if power > 0 && !(keeps && !scalars.varies(factor)) => {
+            ScalarForm::Sum(..) if power > 0 && (!keeps || scalars.varies(factor)) => {
                 let by = NodePolynomial::expanded(scalars, factor, keeps)?;
                 let mut made = self;
                 for _ in 0..power {
