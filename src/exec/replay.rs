@@ -7,7 +7,8 @@ use super::bytecode::{Location, StopSite, TracedValue};
 use super::draw::{Draw, Stop};
 use super::render::tile_of;
 use super::row::QUAD;
-use super::vm::{Fault, Vm, VmState};
+use super::vm::state::VmState;
+use super::vm::{Fault, Vm};
 use shaderlint_ir::OpId;
 use shaderlint_semantic::VariableId;
 

@@ -5,18 +5,13 @@ use super::{CompileOptions, Draw, Pause, QUAD, Replay, StopKind, draw};
 use shaderlint_ir::lower;
 use shaderlint_semantic::{Program, analyze_fragment};
 
-const STEPS: CompileOptions = CompileOptions {
-    steps: true,
-    watch: super::Watch::Nothing,
-    cost: false,
-    entry: None,
-    probe: None,
-    trace: false,
-    undefined: 0,
-    undefined_at: None,
-    gpu_profile: super::GpuProfile::Exact,
-    most: None,
-};
+/// Options for code that stops.
+fn stepping() -> CompileOptions {
+    CompileOptions {
+        steps: true,
+        ..CompileOptions::default()
+    }
+}
 
 const SHADER: &str = "#version 300 es
 precision highp float; out vec4 color; uniform float x;
@@ -112,7 +107,7 @@ color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3
 #[test]
 fn stops_before_each_statement() {
     let analysis = analyze_fragment(SHADER);
-    let code = compiled(SHADER, &STEPS);
+    let code = compiled(SHADER, &stepping());
     let mut ready = Draw::new(&code, [4, 2]);
     ready.set("x", &[0.25]);
     let mut replay = Replay::new(&ready, [0, 0]).unwrap();
@@ -134,7 +129,7 @@ fn stops_before_each_statement() {
 #[test]
 fn a_replay_ends_as_the_draw() {
     let plain = compiled(SHADER, &CompileOptions::default());
-    let code = compiled(SHADER, &STEPS);
+    let code = compiled(SHADER, &stepping());
     let mut drawn = Draw::new(&plain, [4, 2]);
     drawn.set("x", &[0.25]);
     let image = draw(&drawn, 1).unwrap();
@@ -150,7 +145,7 @@ fn a_replay_ends_as_the_draw() {
 
 #[test]
 fn a_checkpoint_brings_back_every_bit() {
-    let code = compiled(SHADER, &STEPS);
+    let code = compiled(SHADER, &stepping());
     let ready = Draw::new(&code, [4, 2]);
     let program = &analyze_fragment(SHADER).program;
     let count = lower(program).variables.len() as u32;
@@ -179,7 +174,7 @@ fn a_checkpoint_brings_back_every_bit() {
 #[test]
 fn a_draw_counts_statements() {
     let analysis = analyze_fragment(SHADER);
-    let code = compiled(SHADER, &STEPS);
+    let code = compiled(SHADER, &stepping());
     let ready = Draw::new(&code, [4, 2]);
     let seen = draw(&ready, 1).unwrap().seen.statements;
     let find = |text: &str| {

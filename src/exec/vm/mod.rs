@@ -7,7 +7,7 @@ mod active;
 mod arithmetic;
 mod array;
 mod following;
-mod state;
+pub(super) mod state;
 mod texture;
 mod tracing;
 mod watch;
@@ -22,7 +22,6 @@ use shaderlint_math::{Faster, baseline, faster};
 use shaderlint_semantic::Scalar;
 use watch::Watched;
 
-pub(super) use state::VmState;
 pub(super) use tracing::TraceLog;
 pub use tracing::TraceStep;
 pub use watch::Fault;
