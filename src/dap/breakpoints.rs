@@ -173,8 +173,8 @@ pub fn starts(
 ) -> Result<Vec<u32>, Stop> {
     let lane = timeline.lane();
     let mut moments = Vec::new();
-    timeline.scan(draw, 0, &mut |_, passed| {
-        if let Some(pause) = passed.pause
+    timeline.scan(draw, 0, &mut |_, pause| {
+        if let Some(pause) = pause
             && let Some(found) = debuggee.places.at(pause.site)
             && found.extent == place.extent
             && found.returned.is_none()

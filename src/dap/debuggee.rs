@@ -9,9 +9,10 @@ use shaderlint_commands::run::{
 };
 use shaderlint_engine::playback::{Decode, Moment};
 use shaderlint_exec::{CompileOptions, DrawInputs, Location, Pause, Replay, Stop, Watch};
-use shaderlint_ir::OpId;
+use shaderlint_ir::{LoopId, OpId, Step};
 use shaderlint_port::TextPiece;
 use shaderlint_semantic::{Program, VariableId};
+use shaderlint_syntax::ast::{StmtId, StmtKind};
 use shaderlint_text::FileId;
 use std::sync::Arc;
 
@@ -134,6 +135,31 @@ impl Debuggee {
         let pass = self.build.composed().owner(id);
         let pass = pass.and_then(|pass| self.loaded.project.passes.get(pass));
         pass.map_or(&[], |pass| &pass.pieces)
+    }
+
+    /// Whether a loop has an exit besides its condition: it searches, and may run out of iterations.
+    pub fn ends_early(&self, id: LoopId) -> bool {
+        let module = &self.build.module;
+        let Some((looped, program)) = module.looped(id).zip(self.program()) else {
+            return false;
+        };
+        let tree = &program.tree;
+        let is_own = |jump: StmtId| {
+            let at = tree.stmt(jump).extent;
+            let around = (0..).map(StmtId).zip(&tree.stmts).filter(|(_, s)| {
+                let is_left = s.kind.is_loop() || matches!(s.kind, StmtKind::Switch { .. });
+                is_left && s.extent.contains(at)
+            });
+            let innermost = around.min_by_key(|(_, s)| s.extent.last - s.extent.first);
+            innermost.is_some_and(|(id, _)| id == looped.stmt)
+        };
+        module
+            .steps_in(module.steps(looped.body))
+            .any(|step| match step {
+                Step::Return(..) => true,
+                Step::Break(stmt) => is_own(*stmt),
+                _ => false,
+            })
     }
 
     /// Width and height of the image in pixels.

@@ -117,8 +117,8 @@ impl EvaluatedExpression {
         let mut values = Vec::new();
         // The depth of the store that is not done yet.
         let mut pending: Option<u32> = None;
-        timeline.scan(&draw, 0, &mut |replay, passed| {
-            let place = passed.pause.and_then(|pause| self.places.at(pause.site));
+        timeline.scan(&draw, 0, &mut |replay, pause| {
+            let place = pause.and_then(|pause| self.places.at(pause.site));
             let is_done = |depth: &u32| {
                 place.is_none_or(|place| place.depth <= *depth && place.returned.is_none())
             };

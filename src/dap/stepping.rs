@@ -97,8 +97,8 @@ pub fn next(
 ) -> Result<Option<u32>, Stop> {
     let lane = timeline.lane();
     let mut found = None;
-    timeline.scan(draw, from, &mut |_, passed| {
-        found = passed.pause.and_then(|pause| {
+    timeline.scan(draw, from, &mut |_, pause| {
+        found = pause.and_then(|pause| {
             let place = debuggee.places.at(pause.site)?;
             let is_found = place.is_user && is_chosen(place);
             is_found.then(|| moment_of(&pause, lane))
@@ -117,8 +117,7 @@ pub fn last(
     is_chosen: &mut dyn FnMut(u32, &StopPlace) -> bool,
 ) -> Result<Option<u32>, Stop> {
     let lane = timeline.lane();
-    timeline.scan_back(draw, before, &mut |_, passed| {
-        let pause = passed.pause?;
+    timeline.scan_back(draw, before, &mut |_, pause| {
         let place = debuggee.places.at(pause.site)?;
         let moment = moment_of(&pause, lane);
         (place.is_user && is_chosen(moment, place)).then_some(moment)
@@ -140,8 +139,7 @@ pub fn written(
     // Unknown at the first stop after a checkpoint.
     let mut old: Option<Option<Vec<u32>>> = None;
     // The statement that writes is the one before the stop that sees the write.
-    timeline.scan_back(draw, before.saturating_add(1), &mut |replay, passed| {
-        let pause = passed.pause?;
+    timeline.scan_back(draw, before.saturating_add(1), &mut |replay, pause| {
         let has_written = replay.writes().any(|(written, _)| written == variable);
         let is_changed = part.clone().is_none_or(|part| {
             let new = replay.scalars(variable, lane, part.end);

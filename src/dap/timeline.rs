@@ -3,7 +3,7 @@
 //! A moment is the number of stops of the pixel's lane so far, so the first stop is moment 1. Going back
 //! restores the nearest checkpoint and runs from there.
 
-use shaderlint_exec::{Draw, Fault, Pause, Replay, ReplayCheckpoint, Stop, lane_of};
+use shaderlint_exec::{Draw, Pause, Replay, ReplayCheckpoint, Stop, lane_of};
 
 /// The number of moments between checkpoints, until there are too many.
 const EVERY: u32 = 1024;
@@ -18,15 +18,6 @@ pub struct Timeline {
     checkpoints: Vec<(u32, ReplayCheckpoint)>,
     /// The number of moments between checkpoints.
     every: u32,
-}
-
-/// What happened in a statement.
-#[derive(Clone, Copy)]
-pub struct PassedStatement {
-    /// The next stop of the lane; `None` at the end.
-    pub pause: Option<Pause>,
-    /// A fault of the statement before it.
-    pub fault: Option<Fault>,
 }
 
 impl Timeline {
@@ -54,8 +45,8 @@ impl Timeline {
         moment: u32,
     ) -> Result<Option<(Replay<'d>, Pause)>, Stop> {
         let mut found = None;
-        let mut replay = self.scan(draw, moment.saturating_sub(1), &mut |_, passed| {
-            found = passed.pause;
+        let mut replay = self.scan(draw, moment.saturating_sub(1), &mut |_, pause| {
+            found = pause;
             true
         })?;
         // What earlier statements did is not what this one does.
@@ -72,7 +63,7 @@ impl Timeline {
         &mut self,
         draw: &'d Draw<'d>,
         from: u32,
-        visit: &mut dyn FnMut(&mut Replay<'d>, &PassedStatement) -> bool,
+        visit: &mut dyn FnMut(&mut Replay<'d>, Option<Pause>) -> bool,
     ) -> Result<Replay<'d>, Stop> {
         let lane = self.lane();
         let mut replay = Replay::new(draw, self.pixel)?;
@@ -88,11 +79,9 @@ impl Timeline {
             if pause.is_some_and(|pause| pause.lanes >> lane & 1 == 0) {
                 continue;
             }
-            if moment >= from || pause.is_none() {
-                let fault = replay.fault();
-                if visit(&mut replay, &PassedStatement { pause, fault }) || pause.is_none() {
-                    return Ok(replay);
-                }
+            let is_seen = moment >= from || pause.is_none();
+            if is_seen && visit(&mut replay, pause) || pause.is_none() {
+                return Ok(replay);
             }
             replay.forget();
             moment += 1;
@@ -108,7 +97,7 @@ impl Timeline {
         &mut self,
         draw: &'d Draw<'d>,
         before: u32,
-        choose: &mut dyn FnMut(&mut Replay<'d>, &PassedStatement) -> Option<T>,
+        choose: &mut dyn FnMut(&mut Replay<'d>, Pause) -> Option<T>,
     ) -> Result<Option<T>, Stop> {
         let mut end = before;
         loop {
@@ -116,15 +105,15 @@ impl Timeline {
             let start = starts.rev().find(|at| *at + 2 < end).unwrap_or(0);
             let lane = self.lane();
             let mut found = None;
-            self.scan(draw, start, &mut |replay, passed| {
-                let Some(pause) = passed.pause else {
+            self.scan(draw, start, &mut |replay, pause| {
+                let Some(pause) = pause else {
                     return true;
                 };
                 let moment = pause.moments.get(lane).copied().unwrap_or(0);
                 if moment >= end {
                     return true;
                 }
-                if let Some(chosen) = choose(replay, passed) {
+                if let Some(chosen) = choose(replay, pause) {
                     found = Some(chosen);
                 }
                 false

@@ -82,9 +82,9 @@ impl<'d> Replay<'d> {
         }))
     }
 
-    /// The last fault of the pixel, until it is forgotten.
-    pub const fn fault(&self) -> Option<Fault> {
-        self.vm.watched.fault
+    /// The first faults of the pixel since they were forgotten.
+    pub fn faults(&self) -> &[Fault] {
+        &self.vm.watched.faults
     }
 
     /// The variables that the pixel wrote since they were forgotten, with the stores, in order. The code has to be compiled
@@ -98,10 +98,10 @@ impl<'d> Replay<'d> {
         })
     }
 
-    /// Forgets the writes and the fault so far.
+    /// Forgets the writes and faults so far.
     pub fn forget(&mut self) {
         self.vm.written.clear();
-        self.vm.watched.fault = None;
+        self.vm.watched.faults.clear();
     }
 
     /// The site with this index.

@@ -132,7 +132,8 @@ impl LineLayout<'_> {
         let is_plain = |i: &FormatItem| i.token().is_some() && !i.keeps;
         let mut statements = self.statements(row);
         statements.dedup();
-        let form = statements.pop()?;
+        // Empty statements stay where they are.
+        let form = statements.pop().filter(|form| form.len() > 1)?;
         (items.iter().all(is_plain) && statements.is_empty()).then_some(form)
     }
 

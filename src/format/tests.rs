@@ -290,6 +290,14 @@ fn lists_of_equal_statements_are_filled_again() {
     );
 }
 
+/// However long their line is.
+#[test]
+fn empty_statements_stay_on_their_line() {
+    let empty = ";".repeat(130);
+    body(&format!("{empty}\na();"), &format!("{empty}\na();"));
+    check(&format!("{empty}S x;"), &format!("{empty}\nS x;\n"));
+}
+
 #[test]
 fn rows_of_tables_may_be_too_long() {
     let style = Style {

@@ -101,6 +101,33 @@ test("faults that a client chose", async () => {
   assert.equal(await session.stack(), "mainImage:9");
 });
 
+test("each fault is found by its own filter", async () => {
+  const faulty = file("faults.glsl", `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    float zero = fragCoord.x - 4.5;
+    float up = 1.0 / zero;
+    float sum = 0.0;
+    for (int i = 0; i < 3; i++) sum += up;
+    for (int i = 0; i < 5; i++) {
+        if (sum < 0.0) break;
+        sum += 1.0;
+    }
+    vec2 later;
+    later.x = sum;
+    float both = later.x + later.y;
+    fragColor = vec4(both);
+}
+`);
+  const places = { division: 3, exhausted: 6, uninitialized: 12 };
+  for (const [filter, line] of Object.entries(places)) {
+    const given = { program: faulty, size: [8, 6], pixel: [4, 3] };
+    const session = await launched(given, { filters: [filter] });
+    assert.equal((await session.move("continue")).reason, "exception");
+    assert.equal(await session.stack(), `mainImage:${line}`, filter);
+    const { exceptionId } = await session.ask("exceptionInfo", { threadId: 1 });
+    assert.equal(exceptionId, filter);
+  }
+});
+
 test("a data breakpoint stops after each write", async () => {
   const session = await launched(small);
   while (!(await session.stack()).endsWith(":12")) await session.to("next");

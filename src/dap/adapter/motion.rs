@@ -3,12 +3,12 @@
 use super::reply::{DebugAnswer, DebugEvent, Reply, output};
 use super::session::{DebugSession, StopCause, focused};
 use crate::arguments::DebugArguments;
-use crate::debuggee::stopped;
+use crate::debuggee::{Debuggee, stopped};
 use crate::evaluate::EvaluatedExpression;
 use crate::stepping::{StepKind, StepStart, moment_of, next, step, written};
 use crate::uninitialized;
 use serde_json::{Value, json};
-use shaderlint_exec::{Fault, FaultKind};
+use shaderlint_exec::{Fault, FaultKind, Replay};
 use shaderlint_semantic::VariableId;
 
 /// Maximum number of messages of breakpoints per motion.
@@ -126,29 +126,27 @@ impl DebugSession {
         let lane = self.focus;
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
-        let filters = &self.filters;
+        let (debuggee, filters) = (&self.debuggee, &self.filters);
         let mut goal = None;
         if !filters.is_empty() || !watched.is_empty() {
             timeline
-                .scan(&draw, from, &mut |replay, passed| {
-                    let now = passed
-                        .pause
-                        .map_or(u32::MAX, |pause| moment_of(&pause, lane));
-                    let fault = passed.fault.filter(|fault| is_chosen(filters, *fault));
-                    let before = match passed.pause {
+                .scan(&draw, from, &mut |replay, pause| {
+                    let now = pause.map_or(u32::MAX, |pause| moment_of(&pause, lane));
+                    let fault = chosen_fault(debuggee, filters, replay);
+                    let before = match pause {
                         Some(_) => now.saturating_sub(1),
                         None => 0,
                     };
                     let is_new = before > from || !is_shown;
                     let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
-                    goal = match fault.filter(|_| is_new && passed.pause.is_some()) {
+                    goal = match fault.filter(|_| is_new && pause.is_some()) {
                         Some(fault) => Some(MotionGoal {
                             moment: before,
                             reason: "exception",
                             breakpoints: Vec::new(),
                             cause: Some(StopCause::Fault(fault)),
                         }),
-                        None if is_written && passed.pause.is_some() => Some(MotionGoal {
+                        None if is_written && pause.is_some() => Some(MotionGoal {
                             moment: now,
                             reason: "data breakpoint",
                             breakpoints: Vec::new(),
@@ -181,31 +179,30 @@ impl DebugSession {
         let lane = self.focus;
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
-        let filters = &self.filters;
+        let (debuggee, filters) = (&self.debuggee, &self.filters);
         let mut goal = None;
         if !filters.is_empty() || !watched.is_empty() {
             // The fault of a statement is known at the stop after it.
-            let seen =
-                timeline.scan_back(&draw, before.saturating_add(1), &mut |replay, passed| {
-                    let now = moment_of(&passed.pause?, lane);
-                    let fault = passed.fault.filter(|fault| is_chosen(filters, *fault));
-                    let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
-                    match fault {
-                        Some(fault) if now > 1 && now - 1 < before => Some(MotionGoal {
-                            moment: now - 1,
-                            reason: "exception",
-                            breakpoints: Vec::new(),
-                            cause: Some(StopCause::Fault(fault)),
-                        }),
-                        _ if is_written && now < before => Some(MotionGoal {
-                            moment: now,
-                            reason: "data breakpoint",
-                            breakpoints: Vec::new(),
-                            cause: None,
-                        }),
-                        _ => None,
-                    }
-                });
+            let seen = timeline.scan_back(&draw, before.saturating_add(1), &mut |replay, pause| {
+                let now = moment_of(&pause, lane);
+                let fault = chosen_fault(debuggee, filters, replay);
+                let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
+                match fault {
+                    Some(fault) if now > 1 && now - 1 < before => Some(MotionGoal {
+                        moment: now - 1,
+                        reason: "exception",
+                        breakpoints: Vec::new(),
+                        cause: Some(StopCause::Fault(fault)),
+                    }),
+                    _ if is_written && now < before => Some(MotionGoal {
+                        moment: now,
+                        reason: "data breakpoint",
+                        breakpoints: Vec::new(),
+                        cause: None,
+                    }),
+                    _ => None,
+                }
+            });
             goal = seen.map_err(|stop| stopped(&stop))?;
         }
         let goal = match self.with_uninitialized(None, (0, before.saturating_sub(1)))? {
@@ -403,8 +400,8 @@ impl DebugSession {
         }
         let mut last = self.moment;
         let places = &self.debuggee.places;
-        let ended = timeline.scan(&draw, self.moment, &mut |_, passed| {
-            if let Some(pause) = passed.pause
+        let ended = timeline.scan(&draw, self.moment, &mut |_, pause| {
+            if let Some(pause) = pause
                 && places.at(pause.site).is_some_and(|place| place.is_user)
             {
                 last = moment_of(&pause, lane);
@@ -453,9 +450,15 @@ fn goal_at(moment: u32, hits: &[(u32, u32)]) -> MotionGoal {
     }
 }
 
-/// Whether a client chose to stop at a fault.
-fn is_chosen(filters: &[String], fault: Fault) -> bool {
-    filters.iter().any(|chosen| chosen == filter_of(fault))
+/// A fault that a client chose to stop at.
+fn chosen_fault(debuggee: &Debuggee, filters: &[String], replay: &Replay<'_>) -> Option<Fault> {
+    let faults = replay.faults().iter().copied();
+    let mut chosen = faults.filter(|fault| filters.iter().any(|f| f == filter_of(*fault)));
+    chosen.find(|fault| match *fault {
+        // Others end this way as a rule.
+        Fault::Exhausted(id) => debuggee.ends_early(id),
+        Fault::Number(..) => true,
+    })
 }
 
 /// The filter of a fault.

@@ -52,7 +52,7 @@ impl Vm<'_> {
         (self.active, self.live) = (state.active, state.live);
         (self.fuel, self.once, self.at) = (state.fuel, state.once, state.at);
         self.expanded = ActiveLanes::of(self.active, self.requested);
-        self.watched.fault = None;
+        self.watched.faults.clear();
         self.written.clear();
     }
 }

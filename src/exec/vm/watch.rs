@@ -13,6 +13,8 @@ use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_math as math;
 use shaderlint_semantic::{ComparedWith, Comparing, FunctionRef, OperandTest, Scalar, Undefined};
 
+/// Maximum number of faults that are kept for a debugger.
+const MOST_FAULTS: usize = 16;
 /// The last bucket of iteration histograms.
 const MAX_ITERATIONS: usize = 1024;
 
@@ -36,8 +38,8 @@ pub(crate) struct Watched {
     compared: Vec<Ends>,
     /// By statement: the lanes that started it in this tile.
     started: Vec<u32>,
-    /// The last fault, until a debugger asks.
-    pub fault: Option<Fault>,
+    /// The first faults, until a debugger forgets them.
+    pub faults: Vec<Fault>,
     seen: Observations,
 }
 
@@ -92,7 +94,7 @@ impl Watched {
             paid: vec![0; code.charges.len()],
             loops: loops.collect(),
             started: vec![0; code.statements().len()],
-            fault: None,
+            faults: Vec::new(),
             visits: vec![0; code.checks.len()],
             compared: code.compared.iter().map(|_| Ends::default()).collect(),
             seen: Observations {
@@ -184,6 +186,10 @@ impl Watched {
         if let (Some(count), Some(seen)) = (count, seen) {
             count.exhausted |= lanes;
             seen.exhausted += lanes.count_ones() as u64;
+            let fault = Fault::Exhausted(seen.id);
+            if lanes != 0 {
+                self.note(fault);
+            }
         }
     }
 
@@ -270,8 +276,15 @@ impl Watched {
         }
     }
 
+    /// Keeps a fault for a debugger.
+    fn note(&mut self, fault: Fault) {
+        if self.faults.len() < MOST_FAULTS {
+            self.faults.push(fault);
+        }
+    }
+
     fn number(&mut self, op: OpId, kind: FaultKind, times: u64, witness: impl FnOnce() -> Witness) {
-        self.fault = Some(Fault::Number(op, kind));
+        self.note(Fault::Number(op, kind));
         let same = |n: &&mut NumberObservation| n.op == op && n.kind == kind;
         if let Some(known) = self.seen.numbers.iter_mut().find(same) {
             known.times += times;
