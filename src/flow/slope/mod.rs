@@ -6,7 +6,7 @@
 //! combinations of generators, which know what is orthogonal; with cases for the signs that matter, and
 //! partial derivatives where terms cancel. It must be continuous, too.
 //!
-//! Related work: Galin, Guérin, Paris and Peytavie, *Segment Tracing Using Local Lipschitz GradientBounds*, 2020;
+//! Related work: Galin, Guérin, Paris and Peytavie, *Segment Tracing Using Local Lipschitz Bounds*, 2020;
 //! Sharp and Jacobson, *Spelunking the Deep*, 2022.
 
 mod assumptions;
