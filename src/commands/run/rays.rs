@@ -2,6 +2,7 @@
 
 use super::columns::percent;
 use super::place::{position, span};
+use super::scalars::decimal;
 use super::setting::{ObservedRays, ShotSetting};
 use super::shot::{Loaded, Shot, shot};
 use serde::Serialize;
@@ -31,7 +32,7 @@ pub struct RayRow {
     /// The first of them.
     pub first: Option<MissedPoint>,
     /// Largest slope of the distance between two steps of a ray.
-    pub slope: f32,
+    pub slope: f64,
 }
 
 /// A point of a surface that a ray steps over.
@@ -40,7 +41,7 @@ pub struct MissedPoint {
     /// The pixel, from the lower left corner.
     pub pixel: [u32; 2],
     /// The point, if it is known.
-    pub point: Option<[f32; 3]>,
+    pub point: Option<[f64; 3]>,
 }
 
 /// The marching loops of a frame. Loops are left out whose hits are unknown or that cannot be run with
@@ -85,7 +86,7 @@ fn row(
     let mut missed = pairs.filter_map(|((real, (short, shortest)), pixel)| {
         real.steps_over([short, shortest]).then_some(MissedPoint {
             pixel: *pixel,
-            point: shortest.point,
+            point: shortest.point.map(|point| point.map(decimal)),
         })
     });
     let first = missed.next();
@@ -98,7 +99,7 @@ fn row(
         rays: rays as u64,
         stepped_over: count as f64 / rays.max(1) as f64,
         first,
-        slope,
+        slope: decimal(slope),
     })
 }
 
@@ -128,7 +129,7 @@ pub fn lines(rows: &[RayRow]) -> String {
             point,
         } = row.first?;
         let place = point.map_or(String::new(), |point| {
-            let numbers = point.map(|n| rounded((f64::from(n) * 1e3).round() / 1e3));
+            let numbers = point.map(|n| rounded((n * 1e3).round() / 1e3));
             format!(", at ({})", numbers.join(", "))
         });
         let share = percent(row.stepped_over);

@@ -47,7 +47,7 @@ impl TracedScalar {
 }
 
 /// The shortest decimal number that is this `float`.
-fn decimal(n: f32) -> f64 {
+pub fn decimal(n: f32) -> f64 {
     n.to_string().parse().unwrap_or(f64::from(n))
 }
 
