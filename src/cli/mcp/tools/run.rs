@@ -63,7 +63,8 @@ pub struct RunTool {
     /// Draw the value of a variable on a line, such as `d@42`
     show: Option<String>,
     /// Draw a heat map: loop iterations (steps), operations (cost), work of the pixel group that a
-    /// pixel only waits for (overdraw), or values that are not finite (nan)
+    /// pixel only waits for (overdraw), values that are not finite (nan), or the slope of the distance
+    /// along marching rays (slope)
     #[schemars(schema_with = "one_of::<Heat>")]
     #[serde(default)]
     heatmap: Option<String>,
