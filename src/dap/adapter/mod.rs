@@ -179,7 +179,7 @@ impl<'p> Adapter<'p> {
     }
 }
 
-/// Whether a client shows the error of a request in a message: not that of one that it sends by itself,
+/// Whether a client shows the error of a request in a message: not that of one that it sends unasked,
 /// which a step may have outdated, nor of one whose errors it shows in place.
 fn is_asked_by_user(command: &str) -> bool {
     matches!(

@@ -400,7 +400,7 @@ impl SymbolicExecution<'_> {
         each.collect()
     }
 
-    /// A component of a built-in function that works on each by itself.
+    /// A component of a built-in function that works on each separately.
     fn component(&mut self, function: BuiltinId, arguments: &[ScalarId]) -> Option<ScalarId> {
         use BuiltinId::*;
         let s = &mut *self.scalars;
