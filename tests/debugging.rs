@@ -4,7 +4,9 @@
 //! `DIR/shadertoy`.
 
 use serde_json::{Value, json};
-use shaderlint::commands::run::{Loaded, ObservedRays, Shot, ShotSetting, Variant, shot};
+use shaderlint::commands::run::{
+    FrameDraw, Loaded, ObservedRays, Shot, ShotSetting, Variant, shot,
+};
 use shaderlint::dap::{Adapter, Launch, ProgramSource};
 use shaderlint::engine::playback::{Decode, Moment};
 use shaderlint::exec::{CompileOptions, Replay, TracedValue, Watch, lane_of};
@@ -121,7 +123,13 @@ fn compare(loaded: &Loaded, traced: &mut Shot, (moment, pixel): (&Moment, [u32; 
         trace: true,
         ..CompileOptions::default()
     };
-    let build = Variant::of(loaded, (&*traced, &prepared, moment), None, &options).unwrap();
+    let build = Variant::of(
+        loaded,
+        FrameDraw::of(traced, &prepared, moment),
+        None,
+        &options,
+    )
+    .unwrap();
     let draw = build.draw();
     let mut replay = Replay::new(&draw, pixel).unwrap();
     let lane = lane_of(pixel);

@@ -1,7 +1,7 @@
 //! Breakpoints: the moments at which a pixel hits them, and how many pixels of the image do.
 
 use super::arguments::{BreakpointArgument, SourceArgument};
-use super::debuggee::{Debuggee, message, stopped};
+use super::debuggee::{Debuggee, message};
 use super::evaluate::EvaluatedExpression;
 use super::places::{StackFrame, StopPlace};
 use super::stepping::moment_of;
@@ -94,14 +94,15 @@ impl Breakpoint {
         let Ok(place) = &self.place else {
             return Ok(Vec::new());
         };
-        let mut moments = starts(debuggee, timeline, draw, place).map_err(|stop| stopped(&stop))?;
+        let mut moments =
+            starts(debuggee, timeline, draw, place).map_err(|stop| stop.to_string())?;
         if let Some(condition) = &self.given.condition {
             let evaluated = EvaluatedExpression::of(debuggee, &frame(debuggee, place)?, condition)?;
             if !evaluated.is_condition() {
                 return Err(format!("the condition `{condition}` is not a `bool`"));
             }
             let values = evaluated.values(timeline.pixel, usize::MAX);
-            let values = values.map_err(|stop| stopped(&stop))?;
+            let values = values.map_err(|stop| stop.to_string())?;
             let mut values = values.iter();
             moments.retain(|_| values.next().is_some_and(|value| value.is_true()));
         }

@@ -1,14 +1,15 @@
 //! The program that is debugged: one pass of a shader, in one frame.
 
 use super::arguments::Launch;
+use super::pending::PendingInputs;
 use super::places::{StackFrame, StopPlaces, frames};
 use super::scopes::VariableScopes;
 use super::value::{DebugValue, MOST};
 use shaderlint_commands::run::{
-    Loaded, ObservedRays, Shot, ShotSetting, UniformText, Unmade, Variant, shot,
+    FrameDraw, Loaded, ObservedRays, ShotSetting, UniformText, Unmade, Variant, shot,
 };
 use shaderlint_engine::playback::{Decode, Moment};
-use shaderlint_exec::{CompileOptions, DrawInputs, Location, Pause, Replay, Stop, Watch};
+use shaderlint_exec::{CompileOptions, Location, Pause, Replay, Watch};
 use shaderlint_ir::{LoopId, OpId, Step};
 use shaderlint_port::TextPiece;
 use shaderlint_semantic::{Program, VariableId};
@@ -42,10 +43,15 @@ pub trait ProgramSource {
 /// A pass with the inputs of a frame, compiled for stepping.
 pub struct Debuggee {
     loaded: Loaded,
-    shot: Shot,
-    prepared: DrawInputs,
-    /// The frame.
-    pub moment: Moment,
+    /// Index of the compile unit.
+    unit: usize,
+    size: [u32; 2],
+    notes: Vec<String>,
+    /// What the frame depends on, unless it is drawn.
+    pending: Option<PendingInputs>,
+    /// Why it cannot be drawn.
+    failure: Option<String>,
+    moment: Moment,
     /// The code that steps.
     pub build: Variant,
     /// The places at which it stops.
@@ -92,12 +98,14 @@ impl Debuggee {
             },
         )?;
         let moment = launch.moment();
-        let prepared = shot.prepared(&moment, &mut |_| {})?;
-        let given = (&shot, &prepared, &moment);
-        let build =
-            Variant::of(&loaded, given, None, &stepping()).map_err(|unmade| match unmade {
-                Unmade::Error(message, _) | Unmade::Other(message) => message,
-            })?;
+        let inputs = shot.undrawn(&moment)?;
+        let from = FrameDraw::of(&shot, &inputs, &moment);
+        let build = Variant::of(&loaded, from, None, &stepping()).map_err(message)?;
+        let (unit, size, notes) = (shot.unit(), shot.size(), shot.notes(&loaded.project));
+        let pending = match shot.depends(&moment) {
+            true => Some(PendingInputs::start(Box::new(shot), &moment)?),
+            false => None,
+        };
         let program = build.program().ok_or("the pass is gone")?;
         let places = StopPlaces::of(program, &build.code);
         let scopes = VariableScopes::of(program, &build.module);
@@ -105,8 +113,11 @@ impl Debuggee {
             places,
             scopes,
             loaded,
-            shot,
-            prepared,
+            unit,
+            size,
+            notes,
+            pending,
+            failure: None,
             moment,
             build,
         })
@@ -121,8 +132,41 @@ impl Debuggee {
         text: Option<(usize, Arc<str>)>,
         options: &CompileOptions,
     ) -> Result<Variant, Unmade> {
-        let given = (&self.shot, &self.prepared, &self.moment);
-        Variant::of(&self.loaded, given, text, options)
+        let from = FrameDraw {
+            unit: self.unit,
+            size: self.size,
+            moment: &self.moment,
+            code: &self.build.code,
+            inputs: self.build.inputs(),
+        };
+        Variant::of(&self.loaded, from, text, options)
+    }
+
+    /// Whether what the frame depends on is not drawn yet. Only the first stop is right until then.
+    pub const fn is_pending(&self) -> bool {
+        self.pending.is_some()
+    }
+
+    /// Whether another thread draws what the frame depends on.
+    pub fn is_drawing(&self) -> bool {
+        self.pending.as_ref().is_some_and(PendingInputs::is_drawing)
+    }
+
+    /// Waits for what the frame depends on.
+    ///
+    /// # Errors
+    /// A message about a run that was stopped.
+    pub fn complete(&mut self) -> Result<(), String> {
+        if let Some(pending) = self.pending.take() {
+            match pending.complete() {
+                Ok((shot, inputs)) => self.build.take_over(shot.code(), &inputs),
+                Err(message) => self.failure = Some(message),
+            }
+        }
+        match &self.failure {
+            Some(message) => Err(message.clone()),
+            None => Ok(()),
+        }
     }
 
     /// The checked program.
@@ -164,12 +208,12 @@ impl Debuggee {
 
     /// Width and height of the image in pixels.
     pub const fn size(&self) -> [u32; 2] {
-        self.shot.size()
+        self.size
     }
 
     /// Notes about inputs that were missing or replaced.
-    pub fn notes(&self) -> Vec<String> {
-        self.shot.notes(&self.loaded.project)
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The functions that run at a site, innermost first.
@@ -234,10 +278,4 @@ pub fn message(unmade: Unmade) -> String {
     match unmade {
         Unmade::Error(message, _) | Unmade::Other(message) => message,
     }
-}
-
-/// The message about a run that was stopped.
-pub fn stopped(stop: &Stop) -> String {
-    let Stop::OutOfFuel { pixel: [x, y] } = stop;
-    format!("the pixels around {x},{y} exceeded the operation limit")
 }

@@ -1,6 +1,6 @@
 //! Evaluates expressions: by the values of variables if that is enough, else by the compiler.
 
-use super::debuggee::{Debuggee, message, stopped};
+use super::debuggee::{Debuggee, message};
 use super::insertion::{InsertedText, InsertionPlace, NAME};
 use super::places::{StackFrame, StopPlaces};
 use super::timeline::Timeline;
@@ -163,7 +163,7 @@ impl EvaluatedExpression {
         let build = build.map_err(message)?;
         let mut whole = build.draw();
         whole.budget = budget;
-        let drawn = draw(&whole, threads).map_err(|stop| stopped(&stop))?;
+        let drawn = draw(&whole, threads).map_err(|stop| stop.to_string())?;
         drop(whole);
         Ok(ValueImage {
             code: build.code,

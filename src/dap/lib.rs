@@ -15,6 +15,7 @@ mod debuggee;
 mod evaluate;
 mod files;
 mod insertion;
+mod pending;
 mod places;
 mod scopes;
 mod stepping;

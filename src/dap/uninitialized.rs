@@ -29,7 +29,7 @@ pub fn first(debuggee: &Debuggee, pixel: [u32; 2]) -> Result<Option<u32>, String
     let other = debuggee.variant(None, &options);
     let other = other.map_err(super::debuggee::message)?;
     let found = compare(&debuggee.build, &other, pixel);
-    found.map_err(|stop| super::debuggee::stopped(&stop))
+    found.map_err(|stop| stop.to_string())
 }
 
 fn compare(own: &Variant, other: &Variant, pixel: [u32; 2]) -> Result<Option<u32>, Stop> {

@@ -3,6 +3,9 @@
 use super::bytecode::{Bytecode, InputSlot, UniformSlot};
 use super::image::Texture;
 use shaderlint_semantic::Scalar;
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Default fuel per group of pixels.
 const FUEL: u64 = 50_000_000;
@@ -17,6 +20,8 @@ pub struct Draw<'c> {
     pub fuel: u64,
     /// The number of instructions that all groups of one thread may execute together.
     pub budget: u64,
+    /// A request to stop drawing.
+    pub cancelled: Option<Arc<AtomicBool>>,
     /// The uniforms, followed by the large constants.
     pub(super) memory: Vec<u32>,
     /// The bound textures, by sampler.
@@ -47,6 +52,7 @@ impl DrawInputs {
             size: self.size,
             fuel: self.fuel,
             budget: self.budget,
+            cancelled: None,
             memory: self.memory.clone(),
             textures: self.textures.clone(),
             inputs: self.inputs.clone(),
@@ -91,6 +97,22 @@ pub enum Stop {
         /// The first pixel of the group.
         pixel: [u32; 2],
     },
+    /// Its result is no longer needed.
+    Cancelled,
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Stop::OutOfFuel { pixel: [x, y] } => {
+                write!(
+                    f,
+                    "the pixels around ({x}, {y}) exceeded the operation limit"
+                )
+            }
+            Stop::Cancelled => f.write_str("the run was cancelled"),
+        }
+    }
 }
 
 impl<'c> Draw<'c> {
@@ -113,11 +135,18 @@ impl<'c> Draw<'c> {
             size,
             fuel: FUEL,
             budget: u64::MAX,
+            cancelled: None,
             memory,
             textures: vec![None; code.samplers.len()],
             inputs: code.inputs.iter().map(planes).collect(),
             by_case: vec![None; code.inputs.len()],
         }
+    }
+
+    /// Whether the draw has to stop.
+    pub(super) fn is_cancelled(&self) -> bool {
+        let flag = self.cancelled.as_ref();
+        flag.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
     /// The draw call without its code.

@@ -219,6 +219,9 @@ pub fn draw(draw: &Draw<'_>, threads: usize) -> Result<Drawn, Stop> {
             let Some((below, mut band)) = next.lock().ok().and_then(|mut next| next.next()) else {
                 return Ok(vm.finish());
             };
+            if draw.is_cancelled() {
+                return Err(Stop::Cancelled);
+            }
             band.draw(&mut vm, draw, below)?;
         }
     };

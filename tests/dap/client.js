@@ -78,6 +78,10 @@ export class Session {
     client.on("output", ({ body }) => {
       this.output += body.output;
     });
+    this.progress = [];
+    for (const kind of ["progressStart", "progressEnd"]) {
+      client.on(kind, ({ body }) => this.progress.push([kind, body.progressId]));
+    }
   }
 
   /** The body of the answer to a request. */

@@ -56,6 +56,25 @@ test("a pass of a folder, in a frame", async () => {
   assert.ok(sources.some((known) => known.path?.endsWith("buffer_a.glsl")));
 });
 
+test("the first stop waits for no other pass", async () => {
+  const image = file("slow/image.glsl", IMAGE);
+  file("slow/buffer_a.glsl", `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    float sum = 0.0;
+    for (int i = 0; i < 100000; i++) sum += 1.0;
+    fragColor = vec4(sum);
+}
+`);
+  file("slow/channels.toml", "0 = \"buffer_a\"\n");
+  const start = { supportsProgressReporting: true };
+  const session = await launched({ program: path.dirname(image), size: [8, 6] }, { start });
+  assert.equal(session.progress.length, 1);
+  assert.equal(await session.value("fragCoord"), "vec2(4.5, 3.5)");
+  await session.move("next");
+  assert.equal(await session.value("count.x"), "100000.0");
+  const [[, id]] = session.progress;
+  assert.deepEqual(session.progress, [["progressStart", id], ["progressEnd", id]]);
+});
+
 test("an included file", async () => {
   const tint = file("tint.glsl", "vec3 tint(float x) {\n    vec3 c = vec3(x);\n    return c;\n}\n");
   const program = file("tinted.glsl", `#include "tint.glsl"

@@ -10,8 +10,12 @@ use crate::port::Composed;
 use serde_json::Value;
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
 use std::thread;
+use std::time::Duration;
+
+/// How often is looked whether a drawing is done, while no message comes.
+const DRAWING: Duration = Duration::from_millis(20);
 
 /// Serves a client until it disconnects.
 ///
@@ -53,6 +57,16 @@ fn next(
         Ok(body) => return body,
         Err(TryRecvError::Disconnected) => return Ok(None),
         Err(TryRecvError::Empty) => write(adapter.idle())?,
+    }
+    while adapter.is_drawing() {
+        match messages.recv_timeout(DRAWING) {
+            Ok(body) => return body,
+            Err(RecvTimeoutError::Disconnected) => return Ok(None),
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        if !adapter.is_drawing() {
+            write(adapter.idle())?;
+        }
     }
     messages.recv().unwrap_or(Ok(None))
 }

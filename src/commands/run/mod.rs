@@ -32,4 +32,4 @@ pub use setting::{FrameView, HeatMap, ObservedRays, ShotSetting, Show, UniformTe
 pub use shot::{Loaded, Shot, shot};
 pub use show::value_image;
 pub use trace::{TraceFacts, trace};
-pub use variant::{Unmade, Variant};
+pub use variant::{FrameDraw, Unmade, Variant};

@@ -15,6 +15,7 @@ use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
 use shaderlint_semantic::{Pass, Program, Stage, Storage};
 use shaderlint_text::Sources;
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, OnceLock};
 
 /// A shader without errors.
@@ -107,6 +108,36 @@ impl Shot {
                 let inputs = inputs.map_err(|stop| stopped(&stop))?;
                 inputs.ok_or_else(|| "the pass is not drawn as an image".to_string())
             }
+        }
+    }
+
+    /// What [`Shot::prepared`] returns, but with images of other passes that are not drawn yet.
+    ///
+    /// # Errors
+    /// A message about a run that was stopped before.
+    pub fn undrawn(&mut self, moment: &Moment) -> Result<DrawInputs, String> {
+        match &mut self.play {
+            Playback::Alone(scene) => Ok(scene.draw(self.size, moment).into_inputs()),
+            Playback::Project(player) => {
+                let inputs = player.undrawn(moment, self.pass);
+                let inputs = inputs.map_err(|stop| stopped(&stop))?;
+                inputs.ok_or_else(|| "the pass is not drawn as an image".to_string())
+            }
+        }
+    }
+
+    /// Whether other passes or frames are drawn before a frame of the pass.
+    pub fn depends(&self, moment: &Moment) -> bool {
+        match &self.play {
+            Playback::Alone(_) => false,
+            Playback::Project(player) => player.depends(moment, self.pass),
+        }
+    }
+
+    /// Draws stop when this flag is set.
+    pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
+        if let Playback::Project(player) = &mut self.play {
+            player.cancelled = Some(flag);
         }
     }
 
@@ -211,11 +242,7 @@ impl Shot {
 
 /// The message about a run that was stopped.
 fn stopped(stop: &Stop) -> String {
-    match stop {
-        Stop::OutOfFuel { pixel: [x, y] } => {
-            format!("stopped: the pixels around ({x}, {y}) exceeded the operation limit")
-        }
-    }
+    format!("stopped: {stop}")
 }
 
 impl Loaded {

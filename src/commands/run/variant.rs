@@ -21,6 +21,34 @@ pub struct Variant {
     inputs: DrawInputs,
 }
 
+/// The draw of a frame, whose inputs a variant takes over.
+#[derive(Clone, Copy)]
+pub struct FrameDraw<'d> {
+    /// Index of the compile unit.
+    pub unit: usize,
+    /// Width and height of the image in pixels.
+    pub size: [u32; 2],
+    /// The frame.
+    pub moment: &'d Moment,
+    /// The code that the inputs are for.
+    pub code: &'d Bytecode,
+    /// The inputs.
+    pub inputs: &'d DrawInputs,
+}
+
+impl<'d> FrameDraw<'d> {
+    /// The draw that a shot has prepared.
+    pub fn of(shot: &'d Shot, inputs: &'d DrawInputs, moment: &'d Moment) -> FrameDraw<'d> {
+        FrameDraw {
+            unit: shot.unit(),
+            size: shot.size(),
+            moment,
+            code: shot.code(),
+            inputs,
+        }
+    }
+}
+
 /// Why there is no variant.
 #[derive(Debug)]
 pub enum Unmade {
@@ -31,14 +59,13 @@ pub enum Unmade {
 }
 
 impl Variant {
-    /// Compiles the pass that a shot shows, for the frame whose draw is `prepared`. `text` replaces the
-    /// code of a pass of the project, given by its index.
+    /// Compiles the pass of a draw. `text` replaces the code of a pass of the project, given by its index.
     ///
     /// # Errors
     /// Why it cannot be run.
     pub fn of(
         loaded: &Loaded,
-        (shot, prepared, moment): (&Shot, &DrawInputs, &Moment),
+        from: FrameDraw<'_>,
         text: Option<(usize, Arc<str>)>,
         options: &CompileOptions,
     ) -> Result<Variant, Unmade> {
@@ -51,8 +78,7 @@ impl Variant {
         let composed = compose(&project, &loaded.name);
         let composed =
             composed.ok_or_else(|| Unmade::Other("the text is too large".to_string()))?;
-        let number = shot.unit();
-        let unit = composed.units.get(number);
+        let unit = composed.units.get(from.unit);
         let unit = unit.ok_or_else(|| Unmade::Other("the pass is gone".to_string()))?;
         let checked = composed.analysis(unit);
         let mut found = checked.diagnostics.iter();
@@ -65,10 +91,10 @@ impl Variant {
         let code = code.map_err(|refusal| {
             Unmade::Other(refused(&composed.sources, program, &loaded.name, &refusal))
         })?;
-        let mut inputs = fresh(loaded, unit, (&code, shot.size(), moment));
-        inputs.take_over(&code, prepared, shot.code());
+        let mut inputs = fresh(loaded, unit, (&code, from.size, from.moment));
+        inputs.take_over(&code, from.inputs, from.code);
         Ok(Variant {
-            unit: number,
+            unit: from.unit,
             module,
             code,
             inputs,
@@ -85,6 +111,16 @@ impl Variant {
     /// The texts of the passes.
     pub const fn composed(&self) -> &Composed {
         &self.composed
+    }
+
+    /// The inputs of the draw.
+    pub const fn inputs(&self) -> &DrawInputs {
+        &self.inputs
+    }
+
+    /// Takes over the inputs of another draw of the same frame.
+    pub fn take_over(&mut self, code: &Bytecode, inputs: &DrawInputs) {
+        self.inputs.take_over(&self.code, inputs, code);
     }
 
     /// The draw of the frame.

@@ -251,7 +251,7 @@ impl DebugSession {
         let count = self.count(lane, &frame)?;
         let pixel = self.timelines.get(lane).map_or([0; 2], |t| t.pixel);
         let values = evaluated.values(pixel, count);
-        let mut values = values.map_err(|stop| crate::debuggee::stopped(&stop))?;
+        let mut values = values.map_err(|stop| stop.to_string())?;
         let is_reached = at == 0 || values.len() == count;
         let value = values.pop().filter(|_| is_reached);
         let value = value.ok_or("the expression has no value at this moment")?;
@@ -278,6 +278,7 @@ impl DebugSession {
         frame: &StackFrame,
         expression: &str,
     ) -> Result<Rc<EvaluatedExpression>, String> {
+        self.complete()?;
         let at = frame.extent.first;
         let mut known = self.compiled.iter();
         if let Some((.., known)) = known.find(|(place, text, _)| *place == at && text == expression)

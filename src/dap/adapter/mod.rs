@@ -14,7 +14,7 @@ mod start;
 use super::arguments::DebugArguments;
 use super::debuggee::ProgramSource;
 use super::stepping::StepKind;
-use reply::{ClientState, DebugAnswer, Reply};
+use reply::{ClientState, DebugAnswer, DebugEvent, Reply};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -30,6 +30,8 @@ pub struct Adapter<'p> {
     sequence: u64,
     /// Whether the client has disconnected.
     is_done: bool,
+    /// The number of the progress that the client shows.
+    progress: Option<u64>,
 }
 
 /// A request.
@@ -56,12 +58,19 @@ impl<'p> Adapter<'p> {
             },
             sequence: 0,
             is_done: false,
+            progress: None,
         }
     }
 
     /// Whether the client has disconnected.
     pub const fn is_done(&self) -> bool {
         self.is_done
+    }
+
+    /// Whether another thread draws, so that [`Adapter::idle`] will have more to do.
+    pub fn is_drawing(&self) -> bool {
+        let session = self.session.as_ref();
+        session.is_some_and(|session| session.debuggee.is_drawing())
     }
 
     /// Handles a message. Returns the messages for the client.
@@ -93,9 +102,7 @@ impl<'p> Adapter<'p> {
                 fields.insert("body".to_string(), body);
             }
         }
-        let events = events
-            .into_iter()
-            .map(|(event, body)| json!({ "type": "event", "event": event, "body": body }));
+        let events = self.sent(events);
         let mut messages: Vec<Value> = std::iter::once(response).chain(events).collect();
         self.number(&mut messages);
         messages
@@ -108,12 +115,31 @@ impl<'p> Adapter<'p> {
             Some(session) if self.client.is_configured => session.count_hits(threads),
             _ => Vec::new(),
         };
-        let events = events.into_iter();
-        let mut messages: Vec<Value> = events
-            .map(|(event, body)| json!({ "type": "event", "event": event, "body": body }))
-            .collect();
+        let mut messages = self.sent(events);
         self.number(&mut messages);
         messages
+    }
+
+    /// Events as messages, with that of a progress which begins or ends.
+    fn sent(&mut self, mut events: Vec<DebugEvent>) -> Vec<Value> {
+        let is_drawing = self.client.shows_progress && self.is_drawing();
+        match self.progress {
+            None if is_drawing => {
+                self.progress = Some(self.sequence);
+                let title = "Drawing the frames and passes before";
+                let body = json!({ "progressId": self.sequence.to_string(), "title": title });
+                events.push(("progressStart", body));
+            }
+            Some(id) if !is_drawing => {
+                self.progress = None;
+                events.push(("progressEnd", json!({ "progressId": id.to_string() })));
+            }
+            _ => {}
+        }
+        let events = events.into_iter();
+        let messages =
+            events.map(|(event, body)| json!({ "type": "event", "event": event, "body": body }));
+        messages.collect()
     }
 
     fn number(&mut self, messages: &mut [Value]) {

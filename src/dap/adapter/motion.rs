@@ -3,7 +3,7 @@
 use super::reply::{DebugAnswer, DebugEvent, Reply, output};
 use super::session::{DebugSession, StopCause, focused};
 use crate::arguments::DebugArguments;
-use crate::debuggee::{Debuggee, stopped};
+use crate::debuggee::Debuggee;
 use crate::evaluate::EvaluatedExpression;
 use crate::stepping::{StepKind, StepStart, moment_of, next, step, written};
 use crate::uninitialized;
@@ -25,6 +25,7 @@ struct MotionGoal {
 impl DebugSession {
     /// Chooses the pixel that a request is about.
     fn focus_on(&mut self, asked: &DebugArguments) -> Result<(), String> {
+        self.complete()?;
         let lane = (asked.thread_id as usize)
             .checked_sub(1)
             .unwrap_or(self.focus);
@@ -67,7 +68,7 @@ impl DebugSession {
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
         let moment = step(&self.debuggee, timeline, &draw, (kind, start));
-        let moment = moment.map_err(|stop| stopped(&stop))?;
+        let moment = moment.map_err(|stop| stop.to_string())?;
         drop(draw);
         let is_forwards = !matches!(kind, StepKind::Back | StepKind::BackIn | StepKind::BackOut);
         let goal = moment.map(|moment| MotionGoal {
@@ -95,12 +96,13 @@ impl DebugSession {
 
     /// Goes back to the statement that wrote a variable or a part of it.
     pub fn written(&mut self, asked: &DebugArguments) -> DebugAnswer {
+        self.complete()?;
         let (variable, part) = self.part_of(asked)?;
         let lane = self.focus;
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
         let moment = written(timeline, &draw, self.moment, (variable, part));
-        let moment = moment.map_err(|stop| stopped(&stop))?;
+        let moment = moment.map_err(|stop| stop.to_string())?;
         drop(draw);
         let moment = moment.ok_or("nothing has written it before")?;
         self.moment = moment;
@@ -156,7 +158,7 @@ impl DebugSession {
                     };
                     goal.is_some() || first.is_some_and(|first| now >= first)
                 })
-                .map_err(|stop| stopped(&stop))?;
+                .map_err(|stop| stop.to_string())?;
         }
         let goal = self.with_uninitialized(goal, (from + 1, u32::MAX))?;
         Ok(match (goal, first) {
@@ -203,7 +205,7 @@ impl DebugSession {
                     _ => None,
                 }
             });
-            goal = seen.map_err(|stop| stopped(&stop))?;
+            goal = seen.map_err(|stop| stop.to_string())?;
         }
         let goal = match self.with_uninitialized(None, (0, before.saturating_sub(1)))? {
             Some(found) if goal.as_ref().is_none_or(|goal| goal.moment < found.moment) => {
@@ -311,7 +313,7 @@ impl DebugSession {
             return Ok(());
         };
         let starts = crate::breakpoints::starts(&self.debuggee, timeline, &draw, &place);
-        let starts = starts.map_err(|stop| stopped(&stop))?;
+        let starts = starts.map_err(|stop| stop.to_string())?;
         let frame = crate::breakpoints::frame(&self.debuggee, &place)?;
         let mut parts = Vec::new();
         for (is_expression, part) in interpolated(&text) {
@@ -319,7 +321,7 @@ impl DebugSession {
                 true => {
                     let evaluated = EvaluatedExpression::of(&self.debuggee, &frame, part)?;
                     let values = evaluated.values(self.timelines_pixel(lane), usize::MAX);
-                    let values = values.map_err(|stop| stopped(&stop))?;
+                    let values = values.map_err(|stop| stop.to_string())?;
                     let program = evaluated.program().ok_or("the program is gone")?;
                     values.iter().map(|value| value.text(program)).collect()
                 }
@@ -396,7 +398,7 @@ impl DebugSession {
         let lane = timeline.lane();
         if !is_forwards {
             let first = next(&self.debuggee, timeline, &draw, 0, &mut |_| true);
-            return Ok(first.map_err(|stop| stopped(&stop))?.unwrap_or(1));
+            return Ok(first.map_err(|stop| stop.to_string())?.unwrap_or(1));
         }
         let mut last = self.moment;
         let places = &self.debuggee.places;
@@ -408,7 +410,7 @@ impl DebugSession {
             }
             false
         });
-        ended.map_err(|stop| stopped(&stop))?;
+        ended.map_err(|stop| stop.to_string())?;
         Ok(last)
     }
 

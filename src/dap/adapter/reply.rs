@@ -13,6 +13,7 @@ pub struct ClientState {
     /// The filters of faults.
     pub filters: Vec<String>,
     pub is_configured: bool,
+    pub shows_progress: bool,
 }
 
 /// What a request leads to: the body of its answer, and events.

@@ -3,7 +3,7 @@
 use super::reply::DebugEvent;
 use crate::arguments::{DataBreakpointArgument, Launch};
 use crate::breakpoints::{Breakpoint, starts};
-use crate::debuggee::{Debuggee, ProgramSource, stopped};
+use crate::debuggee::{Debuggee, ProgramSource};
 use crate::evaluate::EvaluatedExpression;
 use crate::files::{FileLine, ProgramFiles};
 use crate::places::StackFrame;
@@ -139,8 +139,20 @@ impl DebugSession {
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, self.focus)?;
         let first = next(&self.debuggee, timeline, &draw, 0, &mut |_| true);
-        let first = first.map_err(|stop| stopped(&stop))?;
+        let first = first.map_err(|stop| stop.to_string())?;
         first.ok_or_else(|| "the shader has no statement that this pixel runs".to_string())
+    }
+
+    /// Waits for what the frame depends on. Nothing that is known beyond the first stop is right before.
+    pub fn complete(&mut self) -> Result<(), String> {
+        let is_new = self.debuggee.is_pending();
+        self.debuggee.complete()?;
+        if is_new {
+            self.timelines = self.timelines.each_ref().map(|t| Timeline::of(t.pixel));
+            self.breakpoints.iter_mut().for_each(Breakpoint::forget);
+            self.uninitialized = None;
+        }
+        Ok(())
     }
 
     /// Forgets what depends on the moment.
@@ -167,7 +179,9 @@ impl DebugSession {
         };
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
-        let found = timeline.at(&draw, moment).map_err(|stop| stopped(&stop))?;
+        let found = timeline
+            .at(&draw, moment)
+            .map_err(|stop| stop.to_string())?;
         let (replay, pause) = found.ok_or("the pixel does not run")?;
         let mut now = Now {
             replay,
@@ -183,7 +197,7 @@ impl DebugSession {
         let timeline = focused(&mut self.timelines, self.focus)?;
         let found = timeline
             .at(&draw, self.moment)
-            .map_err(|stop| stopped(&stop))?;
+            .map_err(|stop| stop.to_string())?;
         let moment = found.and_then(|(_, pause)| pause.moments.get(lane).copied());
         Ok(moment.unwrap_or(1).max(1))
     }
@@ -204,7 +218,7 @@ impl DebugSession {
         let draw = self.debuggee.build.draw();
         let timeline = focused(&mut self.timelines, lane)?;
         let starts = starts(&self.debuggee, timeline, &draw, &place);
-        let starts = starts.map_err(|stop| stopped(&stop))?;
+        let starts = starts.map_err(|stop| stop.to_string())?;
         Ok(starts.partition_point(|start| *start <= moment.unwrap_or(0)))
     }
 
@@ -235,7 +249,8 @@ impl DebugSession {
 
     /// Goes to a place, as far as it exists.
     pub fn go_to_mark(&mut self, mark: &Option<Mark>) {
-        if let Some(moment) = mark.as_ref().and_then(|mark| self.moment_of_mark(mark)) {
+        let mark = mark.as_ref().filter(|_| self.complete().is_ok());
+        if let Some(moment) = mark.and_then(|mark| self.moment_of_mark(mark)) {
             self.moment = moment;
         }
         self.forget_shown();
@@ -284,7 +299,7 @@ impl DebugSession {
 
     /// Notes about inputs that were missing or replaced.
     pub fn notes(&self) -> Vec<DebugEvent> {
-        let notes = self.debuggee.notes().into_iter();
+        let notes = self.debuggee.notes().iter();
         notes
             .map(|note| super::reply::output("console", &format!("note: {note}")))
             .collect()
@@ -293,11 +308,19 @@ impl DebugSession {
     /// Counts the pixels that hit breakpoints, and tells the client.
     pub fn count_hits(&mut self, threads: usize) -> Vec<DebugEvent> {
         let mut events = Vec::new();
+        let is_counted = |known: &Breakpoint| known.hits.is_some() || known.place.is_err();
+        if self.debuggee.is_drawing() || self.breakpoints.iter().all(is_counted) {
+            return events;
+        }
+        // The message is that of the motion that needs it.
+        if self.complete().is_err() {
+            return events;
+        }
         for at in 0..self.breakpoints.len() {
             let Some(breakpoint) = self.breakpoints.get_mut(at) else {
                 continue;
             };
-            if breakpoint.hits.is_some() || breakpoint.place.is_err() {
+            if is_counted(breakpoint) {
                 continue;
             }
             if let Err(message) = breakpoint.count(&self.debuggee, threads) {

@@ -26,6 +26,8 @@ impl Adapter<'_> {
         };
         self.client.first_line = starts("linesStartAt1");
         self.client.first_column = starts("columnsStartAt1");
+        let progress = arguments.get("supportsProgressReporting");
+        self.client.shows_progress = progress.and_then(Value::as_bool).unwrap_or(false);
         let filters = FILTERS.map(|(filter, label, is_default)| {
             json!({ "filter": filter, "label": label, "default": is_default })
         });

@@ -2,7 +2,7 @@
 
 use super::shader::PassShader;
 use super::signal::Signal;
-use super::stand_in::{Film, StandIns};
+use super::stand_in::{Film, SubstituteImage};
 use super::still::{Decode, Stills};
 use super::target::ImagePair;
 use super::{PlaybackProblem, Player};
@@ -30,6 +30,8 @@ enum ChannelFeed {
     /// No texture is bound.
     Nothing,
     Still(Arc<Image>),
+    /// A substitute for a file, by its index in the player.
+    StandIn(usize),
     /// A render target of passes.
     Target(usize),
     /// A substitute for a video, drawn for each frame.
@@ -54,6 +56,11 @@ impl Channel {
         }
     }
 
+    /// Whether its image is drawn for each frame.
+    pub const fn is_film(&self) -> bool {
+        matches!(self.source, ChannelFeed::Film(_))
+    }
+
     /// Whether its content depends on previous frames.
     pub fn remembers(&self) -> bool {
         matches!(&self.source, ChannelFeed::Signal(signal) if signal.remembers())
@@ -69,7 +76,10 @@ impl Channel {
             ChannelFeed::Nothing => (None, 0.0),
             ChannelFeed::Still(image) => (Some(Arc::clone(image)), 0.0),
             ChannelFeed::Target(target) => (player.targets.get(*target).map(ImagePair::image), 0.0),
-            ChannelFeed::Film(film) => (film.image(), film.time()),
+            ChannelFeed::StandIn(at) => {
+                (player.stand_ins.get(*at).map(SubstituteImage::image), 0.0)
+            }
+            ChannelFeed::Film(film) => (Some(film.image()), film.time()),
             ChannelFeed::Signal(signal) => (signal.image(), signal.time()),
         };
         // The player sets no resolution for cube maps from files, nor for the keyboard in the cube
@@ -109,7 +119,7 @@ pub(super) fn open(
     project: &Project,
     decode: Option<Decode>,
 ) -> Result<(), PlaybackProblem> {
-    let mut stand_ins = StandIns::new(player.threads);
+    let mut stand_ins = Vec::new();
     let mut stills = Stills::new(decode);
     let mut opened = Vec::new();
     let mut notes = Vec::new();
@@ -137,6 +147,7 @@ pub(super) fn open(
         opened.push(channels);
     }
     player.notes.append(&mut notes);
+    player.stand_ins = stand_ins;
     for (pass, channels) in player.passes.iter_mut().zip(opened) {
         pass.channels = channels;
     }
@@ -187,7 +198,7 @@ fn source(
     player: &Player,
     project: &Project,
     input: &Input,
-    stand_ins: &mut StandIns,
+    stand_ins: &mut Vec<SubstituteImage>,
 ) -> Result<ChannelFeed, PlaybackProblem> {
     let draws_cube = player.passes.iter().any(|p| p.kind == Pass::Cubemap);
     match input.kind {
@@ -210,7 +221,8 @@ fn source(
         let film = Film::new(&stand_in, input)?;
         return Ok(ChannelFeed::Film(Box::new(film)));
     }
-    Ok(ChannelFeed::Still(stand_ins.get(&stand_in, input)?))
+    let at = SubstituteImage::index(stand_ins, &stand_in, input)?;
+    Ok(ChannelFeed::StandIn(at))
 }
 
 /// The source of a channel that names a buffer: the render target of the pass that draws it, or an
@@ -239,15 +251,25 @@ fn still([width, height, depth]: [u32; 3]) -> ChannelFeed {
     })
 }
 
-/// Updates the sources that change with each frame.
-pub(super) fn update(player: &mut Player, moment: &Moment) -> Result<(), Stop> {
+/// Updates the sources that change with each frame. `paints` is whether images are painted; else they
+/// only have their sizes and times.
+pub(super) fn update(player: &mut Player, moment: &Moment, paints: bool) -> Result<(), Stop> {
     let threads = player.threads;
+    if paints {
+        for stand_in in &mut player.stand_ins {
+            stand_in.paint(threads)?;
+        }
+    }
     for channel in player.passes.iter_mut().flat_map(|p| &mut p.channels) {
         let has_levels = channel.sampling.filter == Filter::Mipmap;
         match &mut channel.source {
-            ChannelFeed::Film(film) => film.update(moment.time, threads)?,
+            ChannelFeed::Film(film) if paints => film.update(moment.time, threads)?,
+            ChannelFeed::Film(film) => film.seek(moment.time),
             ChannelFeed::Signal(signal) => signal.update(moment.time, has_levels),
-            ChannelFeed::Nothing | ChannelFeed::Still(_) | ChannelFeed::Target(_) => {}
+            ChannelFeed::Nothing
+            | ChannelFeed::Still(_)
+            | ChannelFeed::StandIn(_)
+            | ChannelFeed::Target(_) => {}
         }
     }
     Ok(())

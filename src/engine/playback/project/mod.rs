@@ -20,6 +20,9 @@ use shader::PassShader;
 use shaderlint_exec::{CompileOptions, Draw, DrawInputs, Drawn, Stop, draw};
 use shaderlint_port::{Composed, Project};
 use shaderlint_semantic::Pass;
+use stand_in::SubstituteImage;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use target::{CUBE_SIDE, ImagePair};
 
 pub use problem::PlaybackProblem;
@@ -34,11 +37,15 @@ pub struct Player {
     /// The passes in the order of the project.
     passes: Vec<PlayedPass>,
     targets: Vec<ImagePair>,
+    /// The images that replace files.
+    stand_ins: Vec<SubstituteImage>,
     /// The image after the last frame.
     canvas: Vec<[f32; 4]>,
     /// Number of the next frame.
     next: u32,
     notes: Vec<String>,
+    /// A request to stop drawing.
+    pub cancelled: Option<Arc<AtomicBool>>,
 }
 
 /// A pass that can be run.
@@ -92,9 +99,11 @@ impl Player {
             threads: options.threads.max(1),
             passes: Vec::new(),
             targets: Vec::new(),
+            stand_ins: Vec::new(),
             canvas: vec![[0.0, 0.0, 0.0, 1.0]; area(options.size)],
             next: 0,
             notes: Vec::new(),
+            cancelled: None,
         };
         for unit in units {
             let Some(pass) = project.passes.get(unit.pass) else {
@@ -208,7 +217,7 @@ impl Player {
         progress: &mut dyn FnMut(u32),
     ) -> Result<Option<DrawInputs>, Stop> {
         self.approach(moment, progress)?;
-        self.begin(moment)?;
+        self.begin(moment, true)?;
         let mut inputs = None;
         for at in self.order().collect::<Vec<_>>() {
             let found = self.passes.get(at).filter(|p| p.index == pass);
@@ -222,6 +231,35 @@ impl Player {
         // The frame is not complete.
         self.restart();
         Ok(inputs)
+    }
+
+    /// What [`Player::prepared`] returns, but with images of other passes and of files' substitutes that are
+    /// not drawn yet.
+    ///
+    /// # Errors
+    /// Why a draw of an input was stopped.
+    pub fn undrawn(&mut self, moment: &Moment, pass: usize) -> Result<Option<DrawInputs>, Stop> {
+        self.begin(moment, false)?;
+        let mut passes = self.passes.iter();
+        let found = passes.find(|p| p.index == pass && p.kind != Pass::Cubemap);
+        let inputs = found.map(|found| {
+            let prepared = self.prepare(found, self.size_of(found), moment);
+            prepared.into_inputs()
+        });
+        self.restart();
+        Ok(inputs)
+    }
+
+    /// Whether [`Player::prepared`] draws anything.
+    pub fn depends(&self, moment: &Moment, pass: usize) -> bool {
+        let first = self.order().next().and_then(|at| self.passes.get(at));
+        let is_first = first.is_some_and(|first| first.index == pass);
+        let is_painted = self.stand_ins.iter().all(SubstituteImage::is_painted);
+        let has_film = self
+            .passes
+            .iter()
+            .any(|p| p.channels.iter().any(Channel::is_film));
+        !is_first || !is_painted || has_film || moment.frame > 0 && self.remembers()
     }
 
     /// Draws the frames that a frame depends on.
@@ -257,7 +295,7 @@ impl Player {
     /// # Errors
     /// Why a draw was stopped.
     pub fn frame(&mut self, moment: &Moment) -> Result<Played, Stop> {
-        self.begin(moment)?;
+        self.begin(moment, true)?;
         let mut passes = Vec::new();
         for at in self.order().collect::<Vec<_>>() {
             passes.extend(self.draw_pass(at, moment)?);
@@ -272,12 +310,12 @@ impl Player {
         })
     }
 
-    /// Prepares what changes once per frame.
-    fn begin(&mut self, moment: &Moment) -> Result<(), Stop> {
+    /// Prepares what changes once per frame. `paints` is whether images are painted that replace files.
+    fn begin(&mut self, moment: &Moment, paints: bool) -> Result<(), Stop> {
         if moment.frame == 0 {
             self.restart();
         }
-        channel::update(self, moment)
+        channel::update(self, moment, paints)
     }
 
     /// Draws a pass. Returns its index in the project, and its draw.
@@ -304,6 +342,7 @@ impl Player {
             .map(|channel| (channel, channel.read(self, pass.kind)))
             .collect();
         channel::bind(&mut draw, &pass.shader, &given);
+        draw.cancelled.clone_from(&self.cancelled);
         draw
     }
 

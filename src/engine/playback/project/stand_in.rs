@@ -11,10 +11,12 @@ use shaderlint_semantic::analyze_alone;
 use shaderlint_text::Role;
 use std::sync::Arc;
 
-/// The substitutes of a project, each drawn once.
-pub(super) struct StandIns {
-    threads: usize,
-    made: Vec<(StandInKey, Arc<Image>)>,
+/// A substitute for a file. It is black until it is painted.
+pub(super) struct SubstituteImage {
+    code: Bytecode,
+    key: StandInKey,
+    image: Arc<Image>,
+    is_painted: bool,
 }
 
 /// The inputs that determine a substitute.
@@ -35,31 +37,62 @@ impl StandInKey {
             has_levels: input.sampler.has_mipmaps(),
         }
     }
-}
 
-impl StandIns {
-    pub fn new(threads: usize) -> StandIns {
-        StandIns {
-            threads,
-            made: Vec::new(),
+    /// The shape of the image, and its width, height and number of layers.
+    const fn shape(&self) -> (ImageShape, [u32; 3]) {
+        let [width, height, depth] = self.stand_in.size;
+        match self.kind {
+            InputKind::Cubemap => (ImageShape::Cube, [width, height, 6]),
+            InputKind::Volume => (ImageShape::Volume, [width, height, depth]),
+            _ => (ImageShape::Flat, [width, height, 1]),
         }
     }
 
-    /// The image that replaces the file of an input.
-    pub fn get(
-        &mut self,
+    /// A black image of the shape.
+    fn black(&self) -> Option<Image> {
+        let (shape, size) = self.shape();
+        let count = size.iter().map(|n| *n as usize).product();
+        Image::new(shape, size, Texels::Unorm8(vec![[0; 4]; count])).ok()
+    }
+}
+
+impl SubstituteImage {
+    /// The index of the substitute for the file of an input in `known`, to which it is added.
+    pub fn index(
+        known: &mut Vec<SubstituteImage>,
         stand_in: &StandIn,
         input: &Input,
-    ) -> Result<Arc<Image>, PlaybackProblem> {
+    ) -> Result<usize, PlaybackProblem> {
         let key = StandInKey::of(stand_in, input);
-        if let Some((_, image)) = self.made.iter().find(|(made, _)| *made == key) {
-            return Ok(Arc::clone(image));
+        if let Some(at) = known.iter().position(|one| one.key == key) {
+            return Ok(at);
         }
-        let code = code_of(stand_in)?;
-        let image = paint(&code, &key, 0.0, self.threads).ok().flatten();
-        let image = Arc::new(image.ok_or(no_stand_in(stand_in))?);
-        self.made.push((key, Arc::clone(&image)));
-        Ok(image)
+        known.push(SubstituteImage {
+            code: code_of(stand_in)?,
+            image: Arc::new(key.black().ok_or(no_stand_in(stand_in))?),
+            key,
+            is_painted: false,
+        });
+        Ok(known.len() - 1)
+    }
+
+    pub fn image(&self) -> Arc<Image> {
+        self.image.clone()
+    }
+
+    pub const fn is_painted(&self) -> bool {
+        self.is_painted
+    }
+
+    /// Paints it, once.
+    pub fn paint(&mut self, threads: usize) -> Result<(), Stop> {
+        if !self.is_painted {
+            if let Some(image) = paint(&self.code, &self.key, 0.0, threads)? {
+                self.image = Arc::new(image);
+            }
+            self.is_painted = true;
+        }
+        Ok(())
     }
 }
 
@@ -68,21 +101,27 @@ pub(super) struct Film {
     code: Bytecode,
     key: StandInKey,
     time: f64,
-    image: Option<Arc<Image>>,
+    image: Arc<Image>,
 }
 
 impl Film {
     pub fn new(stand_in: &StandIn, input: &Input) -> Result<Film, PlaybackProblem> {
+        let key = StandInKey::of(stand_in, input);
         Ok(Film {
             code: code_of(stand_in)?,
-            key: StandInKey::of(stand_in, input),
+            image: Arc::new(key.black().ok_or(no_stand_in(stand_in))?),
+            key,
             time: 0.0,
-            image: None,
         })
     }
 
-    pub fn image(&self) -> Option<Arc<Image>> {
+    pub fn image(&self) -> Arc<Image> {
         self.image.clone()
+    }
+
+    /// Goes to a time, without its image.
+    pub fn seek(&mut self, time: f64) {
+        self.time = time;
     }
 
     pub fn time(&self) -> f64 {
@@ -91,7 +130,9 @@ impl Film {
 
     pub fn update(&mut self, time: f64, threads: usize) -> Result<(), Stop> {
         self.time = time;
-        self.image = paint(&self.code, &self.key, time, threads)?.map(Arc::new);
+        if let Some(image) = paint(&self.code, &self.key, time, threads)? {
+            self.image = Arc::new(image);
+        }
         Ok(())
     }
 }
@@ -117,12 +158,7 @@ fn paint(
     time: f64,
     threads: usize,
 ) -> Result<Option<Image>, Stop> {
-    let [width, height, depth] = key.stand_in.size;
-    let (shape, layers) = match key.kind {
-        InputKind::Cubemap => (ImageShape::Cube, 6),
-        InputKind::Volume => (ImageShape::Volume, depth),
-        _ => (ImageShape::Flat, 1),
-    };
+    let (shape, [width, height, layers]) = key.shape();
     let mut one = Draw::new(code, [width, height]);
     one.set("size", &[f64::from(width), f64::from(height)]);
     one.set("flip", &[f64::from(u8::from(key.vflip))]);
