@@ -37,7 +37,7 @@ impl DebugValue {
             return self
                 .bits
                 .first()
-                .map_or(String::new(), |bits| literal(scalar, *bits));
+                .map_or(String::new(), |bits| scalar.literal(*bits));
         }
         let mut words = Vec::new();
         for part in self.scalars_or_parts(program) {
@@ -153,16 +153,6 @@ pub fn scalars_of(program: &Program, ty: Type) -> usize {
         None => ty.element().components() as usize,
     };
     one * ty.array.max(1) as usize
-}
-
-/// A scalar as a GLSL literal; NaN and infinity by their names.
-fn literal(scalar: Scalar, bits: u32) -> String {
-    match scalar {
-        Scalar::Bool => (bits != 0).to_string(),
-        Scalar::Int => (bits as i32).to_string(),
-        Scalar::Uint => format!("{bits}u"),
-        Scalar::Float => format!("{:?}", f32::from_bits(bits)),
-    }
 }
 
 /// Whether values of a type have no parts.

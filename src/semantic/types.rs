@@ -26,6 +26,16 @@ impl Scalar {
         }
     }
 
+    /// The literal in GLSL of a value given by its bits; NaN and infinity by their names.
+    pub fn literal(self, bits: u32) -> String {
+        match self {
+            Scalar::Bool => (bits != 0).to_string(),
+            Scalar::Int => (bits as i32).to_string(),
+            Scalar::Uint => format!("{bits}u"),
+            Scalar::Float => format!("{:?}", f32::from_bits(bits)),
+        }
+    }
+
     /// Whether it is `int` or `uint`.
     pub const fn is_integer(self) -> bool {
         matches!(self, Scalar::Int | Scalar::Uint)

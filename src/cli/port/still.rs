@@ -3,7 +3,7 @@
 //! The budget counts operations, so that the same shader gives the same image on every machine. Each
 //! image is drawn only if a smaller one showed that it is within the budget.
 
-use crate::cli::run::{decode, png};
+use crate::cli::run::decode;
 use crate::commands::run::Bitmap;
 use crate::engine::playback::{Moment, PlaybackOptions, Played, Player, RenderedImage};
 use crate::exec::{CompileOptions, Drawn};
@@ -70,7 +70,7 @@ fn draw_still(project: &Project, composed: &Composed, frames: u32) -> Result<Sti
 
 /// The file of an image, which is made smaller until the file is small enough.
 fn encoded(image: &Bitmap) -> Result<Still, String> {
-    let png = png(image)?;
+    let png = image.png()?;
     let smaller = SIZES.into_iter().find(|size| *size < image.size);
     match smaller {
         Some(size) if png.len() > MAX_FILE => encoded(&image.shrunk(size)),

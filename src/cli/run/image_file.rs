@@ -86,12 +86,11 @@ fn check_size([width, height]: [u32; 2], most: u64) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::run::png;
     use crate::commands::run::Bitmap;
 
     #[test]
     fn an_image_is_as_large_as_it_may_be() {
-        let file = png(&Bitmap::filled([3, 2], [1, 2, 3])).unwrap();
+        let file = Bitmap::filled([3, 2], [1, 2, 3]).png().unwrap();
         assert_eq!(of_png(&file, 6).unwrap().colors, [[1, 2, 3, 255]; 6]);
         let message = "the image has 3x2 pixels; the limit is 5 pixels";
         assert_eq!(of_png(&file, 5).unwrap_err(), message);

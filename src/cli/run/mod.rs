@@ -12,7 +12,7 @@ pub use args::RunArgs;
 pub(super) use args::{Heat, size_of, time_of};
 pub(super) use image_file::decode;
 pub(super) use load::{LoadedFiles, Trouble, Undrawable, read};
-pub(super) use png::{of_png, png};
+pub(super) use png::of_png;
 pub(super) use progress::Progress;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
@@ -182,7 +182,7 @@ fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<Str
     let Some(path) = &args.output else {
         return Ok(None);
     };
-    let content = png(bitmap)?;
+    let content = bitmap.png()?;
     if path.as_os_str() == "-" {
         io::stdout().lock().write_all(&content)?;
         return Ok(None);

@@ -18,25 +18,6 @@ pub fn of_png(bytes: &[u8]) -> Result<Bitmap, String> {
     })
 }
 
-/// Encodes a PNG file.
-///
-/// # Errors
-/// A message if the image cannot be encoded.
-pub fn png(bitmap: &Bitmap) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let [width, height] = bitmap.size;
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    // Fast compression: a smaller file took a tenth of the total time.
-    encoder.set_compression(png::Compression::Fast);
-    let written = encoder.write_header().and_then(|mut writer| {
-        writer.write_image_data(&bitmap.bytes)?;
-        writer.finish()
-    });
-    written.map(|()| bytes).map_err(|e| e.to_string())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -46,7 +27,7 @@ mod tests {
         let mut bitmap = Bitmap::filled([3, 2], [1, 2, 3]);
         bitmap.set(2, 1, [250, 0, 9]);
         bitmap.set(3, 0, [9; 3]);
-        let file = png(&bitmap).unwrap();
+        let file = bitmap.png().unwrap();
         assert_eq!(of_png(&file), Ok(bitmap));
         assert!(of_png(&file[..20]).is_err());
     }

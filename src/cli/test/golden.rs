@@ -3,7 +3,7 @@
 
 use super::super::output::{Overwrite, write};
 use super::super::port;
-use super::super::run::{Undrawable, decode, of_png, png, read, size_of, time_of};
+use super::super::run::{Undrawable, decode, of_png, read, size_of, time_of};
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};
@@ -284,7 +284,7 @@ impl Golden {
             true => Overwrite::Allowed,
             false => Overwrite::Never,
         };
-        let content = png(&map(size, distances, "DIFFERENCE"))?;
+        let content = map(size, distances, "DIFFERENCE").png()?;
         write(&path, &content, overwrite).map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => {
                 format!("{shown} already exists; use --force to overwrite it")
@@ -297,7 +297,7 @@ impl Golden {
     /// Writes the golden image, replacing an existing one.
     fn bless(&self, drawn: &Bitmap, subject: &GoldenSubject, row: TestRow) -> TestRow {
         let shown = self.shown();
-        let written = png(drawn).and_then(|content| {
+        let written = drawn.png().and_then(|content| {
             let written = write(&self.path, &content, Overwrite::Allowed);
             written.map_err(|error| error.to_string())
         });

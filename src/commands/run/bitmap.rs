@@ -1,6 +1,6 @@
 //! 8-bit images.
 
-use shaderlint_engine::playback::RenderedImage;
+use shaderlint_engine::playback::{RenderedImage, png};
 
 /// An image of three bytes per pixel, top row first.
 #[derive(Clone, PartialEq, Debug)]
@@ -27,6 +27,14 @@ impl Bitmap {
             size,
             bytes: color.repeat(pixels),
         }
+    }
+
+    /// The image as a PNG file.
+    ///
+    /// # Errors
+    /// A message if it has no pixels.
+    pub fn png(&self) -> Result<Vec<u8>, String> {
+        png(self.size, &self.bytes).map_err(|e| e.to_string())
     }
 
     /// The pixel at a position from the upper left corner; black outside.

@@ -301,7 +301,7 @@ impl DebugSession {
         let image = evaluated.image(&self.debuggee, (threads, u64::MAX))?;
         let bitmap = image.bitmap(&asked.expression);
         let [width, height] = bitmap.size;
-        let png = png_of(&bitmap.bytes, bitmap.size)?;
+        let png = bitmap.png()?;
         Ok(Reply::with(json!({
             "width": width,
             "height": height,
@@ -351,18 +351,4 @@ impl DebugSession {
         let range = range.ok_or_else(|| format!("`{expression}` is not a part of a variable"))?;
         Ok((id, Some(range)))
     }
-}
-
-/// An image of three bytes per pixel as a PNG.
-fn png_of(bytes: &[u8], [width, height]: [u32; 2]) -> Result<Vec<u8>, String> {
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let written = encoder.write_header().and_then(|mut writer| {
-        writer.write_image_data(bytes)?;
-        writer.finish()
-    });
-    written.map_err(|e| e.to_string())?;
-    Ok(file)
 }

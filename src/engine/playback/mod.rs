@@ -3,6 +3,7 @@
 mod image;
 mod moment;
 mod player;
+mod png;
 mod project;
 mod scene;
 mod steepest;
@@ -13,6 +14,7 @@ mod varyings;
 pub use image::{ImageFacts, RenderedImage};
 pub use moment::{Button, Moment, Mouse};
 pub use player::{player_draw, player_gives};
+pub use png::png;
 pub use project::{Decode, Decoded, PlaybackOptions, PlaybackProblem, Played, Player, SOUND_RATE};
 pub use scene::{GivenUniforms, Scene, Unfit};
 pub use steepest::{Steepest, Unsampled, steepest};

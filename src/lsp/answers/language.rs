@@ -5,7 +5,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use gen_lsp_types::*;
 use shaderlint_engine::Analysis;
-use shaderlint_engine::playback::RenderedImage;
+use shaderlint_engine::playback::{RenderedImage, png};
 use shaderlint_ide::{self as ide, CompletionKind, Proposal, Symbol, SymbolKind, image_of};
 use shaderlint_lint::Page;
 use shaderlint_rules::page;
@@ -98,33 +98,28 @@ fn rendered(document: &ide::Document, offset: u32) -> Option<String> {
     let line = Span::new(code.base + start, code.base + end);
     let analysis: &Analysis = spot.analysis;
     let image = image_of(analysis, variable, line)?;
-    let png = png(&image)?;
+    let file = enlarged(&image)?;
     Some(format!(
         "\n![its values over the whole frame](data:image/png;base64,{})\n",
-        STANDARD.encode(png)
+        STANDARD.encode(file)
     ))
 }
 
-fn png(image: &RenderedImage) -> Option<Vec<u8>> {
+/// The image as a PNG file, enlarged.
+fn enlarged(image: &RenderedImage) -> Option<Vec<u8>> {
     /// Each pixel of the frame is scaled up to this many pixels.
     const ZOOM: usize = 3;
-    let [width, height] = image.size.map(|n| n as usize);
+    let [width, height] = image.size;
     let bytes = image.bytes();
-    let mut out = Vec::new();
-    let mut encoder = png::Encoder::new(&mut out, (width * ZOOM) as u32, (height * ZOOM) as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    let mut writer = encoder.write_header().ok()?;
     let mut rows = Vec::with_capacity(bytes.len() * ZOOM * ZOOM);
-    for row in bytes.chunks_exact(width * 3) {
+    for row in bytes.chunks_exact(width as usize * 3) {
         for _ in 0..ZOOM {
             for pixel in row.chunks_exact(3) {
                 (0..ZOOM).for_each(|_| rows.extend_from_slice(pixel));
             }
         }
     }
-    writer.write_image_data(&rows).ok()?;
-    drop(writer);
-    Some(out)
+    png([width, height].map(|n| n * ZOOM as u32), &rows).ok()
 }
 
 /// The completions at a position.

@@ -221,12 +221,8 @@ impl TestedPixel<'_> {
 /// A value as GLSL source text; only the first four components are shown.
 fn written(program: &Program, ty: Type, bits: [u32; 4]) -> String {
     let count = ty.components().max(1) * ty.array.max(1);
-    let one = |bits: u32| match ty.scalar_kind() {
-        Some(Scalar::Bool) => (bits != 0).to_string(),
-        Some(Scalar::Int) => (bits as i32).to_string(),
-        Some(Scalar::Uint) => format!("{bits}u"),
-        Some(Scalar::Float) | None => format!("{:?}", f32::from_bits(bits)),
-    };
+    let scalar = ty.scalar_kind().unwrap_or(Scalar::Float);
+    let one = |bits: u32| scalar.literal(bits);
     let shown: Vec<String> = bits.into_iter().take(count as usize).map(one).collect();
     let rest = if count > 4 { ", ..." } else { "" };
     match &shown[..] {
