@@ -11,10 +11,8 @@ use shaderlint_commands::run::{
 use shaderlint_engine::playback::{Decode, Moment};
 use shaderlint_exec::{CompileOptions, Location, Pause, Replay, Watch};
 use shaderlint_ir::{LoopId, OpId, Step};
-use shaderlint_port::TextPiece;
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{StmtId, StmtKind};
-use shaderlint_text::FileId;
 use std::sync::Arc;
 
 /// Reads programs.
@@ -172,13 +170,6 @@ impl Debuggee {
     /// The checked program.
     pub fn program(&self) -> Option<&Program> {
         self.build.program()
-    }
-
-    /// The files that a text was put together from.
-    pub fn pieces(&self, id: FileId) -> &[TextPiece] {
-        let pass = self.build.composed().owner(id);
-        let pass = pass.and_then(|pass| self.loaded.project.passes.get(pass));
-        pass.map_or(&[], |pass| &pass.pieces)
     }
 
     /// Whether a loop has an exit besides its condition: it searches, and may run out of iterations.

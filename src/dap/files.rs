@@ -1,22 +1,17 @@
 //! The files of a program, and the lines of its texts that come from them.
 
 use super::debuggee::{Debuggee, ProgramSource};
-use shaderlint_port::TextPiece;
-use shaderlint_text::{FileId, Role, SourceFile};
+use shaderlint_text::{FileId, Role, SourceFile, TextPiece};
 
 /// The texts of a program, and where they are on disk.
 pub struct ProgramFiles {
     texts: Vec<ProgramText>,
-    /// The folder of the program.
-    folder: String,
 }
 
 /// A text of a program.
 struct ProgramText {
     id: FileId,
-    /// Its path.
-    path: String,
-    /// The files that it was put together from.
+    /// The files that it was put together from, by path.
     pieces: Vec<TextPiece>,
     /// Whether it differs from its file, or has none.
     is_virtual: bool,
@@ -39,10 +34,13 @@ impl ProgramFiles {
             .map(FileId)
             .zip(files)
             .filter(|(_, file)| file.role == Role::User);
-        let first = own.clone().next().map_or("", |(_, file)| &file.path);
-        let folder = first.rsplit_once('/').map_or("", |(folder, _)| folder);
         let texts = own.map(|(id, file)| {
-            let pieces = debuggee.pieces(id);
+            let starts = file.pieces.iter().map(|piece| piece.start);
+            let starts = starts.chain(file.pieces.is_empty().then_some(1));
+            let pieces = starts.map(|start| {
+                let (file, line) = file.origin(start);
+                TextPiece { start, file, line }
+            });
             let is_same = || {
                 programs
                     .text(&file.path)
@@ -50,14 +48,12 @@ impl ProgramFiles {
             };
             ProgramText {
                 id,
-                path: file.path.clone(),
-                is_virtual: file.part.is_some() || pieces.is_empty() && !is_same(),
-                pieces: pieces.to_vec(),
+                is_virtual: file.part.is_some() || file.pieces.is_empty() && !is_same(),
+                pieces: pieces.collect(),
             }
         });
         ProgramFiles {
             texts: texts.collect(),
-            folder: folder.to_string(),
         }
     }
 
@@ -68,19 +64,9 @@ impl ProgramFiles {
             return Some(FileLine::Virtual(id, line));
         }
         let after = text.pieces.partition_point(|piece| piece.start <= line);
-        let piece = after.checked_sub(1).and_then(|at| text.pieces.get(at));
-        Some(match piece {
-            Some(piece) => FileLine::Disk(self.path(text, piece), piece.line + line - piece.start),
-            None => FileLine::Disk(text.path.clone(), line),
-        })
-    }
-
-    fn path(&self, text: &ProgramText, piece: &TextPiece) -> String {
-        match (piece.file.as_str(), self.folder.as_str()) {
-            ("", _) => text.path.clone(),
-            (file, "") => file.to_string(),
-            (file, folder) => format!("{folder}/{file}"),
-        }
+        let piece = after.checked_sub(1).and_then(|at| text.pieces.get(at))?;
+        let line = piece.line + line - piece.start;
+        Some(FileLine::Disk(piece.file.clone(), line))
     }
 
     /// The texts that have a line of a file, with the line there and the last one of the same piece.
@@ -95,18 +81,12 @@ impl ProgramFiles {
         texts.flat_map(move |text| {
             let ends = text.pieces.iter().skip(1).map(|next| next.start - 1);
             let ends = ends.chain([u32::MAX]);
-            let mut found: Vec<(FileId, u32, u32)> = text
-                .pieces
-                .iter()
-                .zip(ends)
-                .filter(|(piece, _)| is_it(&self.path(text, piece)) && piece.line <= line)
+            let pieces = text.pieces.iter().zip(ends);
+            pieces
+                .filter(|(piece, _)| is_it(&piece.file) && piece.line <= line)
                 .map(|(piece, end)| (text.id, piece.start + line - piece.line, end))
                 .filter(|(_, at, end)| at <= end)
-                .collect();
-            if text.pieces.is_empty() && is_it(&text.path) {
-                found.push((text.id, line, u32::MAX));
-            }
-            found
+                .collect::<Vec<_>>()
         })
     }
 
@@ -114,9 +94,8 @@ impl ProgramFiles {
     pub fn all(&self) -> Vec<FileLine> {
         let mut all: Vec<FileLine> = Vec::new();
         for text in &self.texts {
-            let starts = text.pieces.iter().map(|piece| piece.start);
-            for start in starts.chain(text.pieces.is_empty().then_some(1)) {
-                let found = match self.line(text.id, start) {
+            for piece in &text.pieces {
+                let found = match self.line(text.id, piece.start) {
                     Some(FileLine::Disk(path, _)) => FileLine::Disk(path, 0),
                     Some(FileLine::Virtual(id, _)) => FileLine::Virtual(id, 0),
                     None => continue,

@@ -208,7 +208,9 @@ fn add(
         .map(|(i, pass)| {
             let part = project.is_export.then(|| pass.title(i));
             let (code, path) = (pass.code.clone(), pass.file.as_deref().unwrap_or(path));
-            Some((i, sources.add(path, part, Role::User, code)?))
+            let id = sources.add(path, part, Role::User, code)?;
+            sources.set_pieces(id, &pass.pieces);
+            Some((i, id))
         })
         .collect()
 }

@@ -72,8 +72,7 @@ pub use order::{BadExtension, Destination, MainChoice, Order, Target};
 pub use output::{Build, BuildError, File, Remark};
 pub use parts::{PartsError, PassFile, PassRole, saver_roles, unknown_pass};
 pub use project::{
-    Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, TextPiece,
-    Wrapper,
+    Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,
 };
 pub use repair::add_repairs;
 pub use rewrite::{NotSafe, rewrite};

@@ -3,6 +3,7 @@
 use super::{Bindings, PassDraw, StandIn, UniformControl};
 use shaderlint_host::Preset;
 use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
+use shaderlint_text::TextPiece;
 use std::sync::Arc;
 
 /// A ShaderToy project, or a complete shader of another host.
@@ -72,17 +73,6 @@ pub struct ProjectPass {
     pub file: Option<String>,
     /// The files that its code was put together from, in order; empty if it is one file.
     pub pieces: Vec<TextPiece>,
-}
-
-/// A part of the code of a pass that is from one file, up to the next part.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct TextPiece {
-    /// Its first line in the code, from 1.
-    pub start: u32,
-    /// Path of the file, relative to the folder of the shader; empty for the shader itself.
-    pub file: String,
-    /// Its first line in the file, from 1.
-    pub line: u32,
 }
 
 /// Who declares the uniforms, the output and `main` of a pass.

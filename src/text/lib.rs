@@ -19,6 +19,6 @@ pub use content::{Content, Encoding};
 pub use edit::{Edit, EditError, apply_edits};
 pub use line_index::{LineIndex, Position};
 pub use removal::remove_lines;
-pub use source::{CompiledText, FileId, Role, SourceFile, Sources};
+pub use source::{CompiledText, FileId, Role, SourceFile, Sources, TextPiece};
 pub use span::Span;
 pub use words::WordIndex;

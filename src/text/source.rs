@@ -23,6 +23,17 @@ pub enum Role {
     Prelude,
 }
 
+/// Lines of a text that are from one file, up to the next piece.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct TextPiece {
+    /// Its first line in the text, from 1.
+    pub start: u32,
+    /// Path of the file, relative to the folder of the text; empty for the text's own file.
+    pub file: String,
+    /// Its first line in the file, from 1.
+    pub line: u32,
+}
+
 /// One file, or one pass of a ShaderToy export.
 #[derive(Clone, Debug)]
 pub struct SourceFile {
@@ -36,6 +47,8 @@ pub struct SourceFile {
     pub text: Arc<str>,
     /// Address of the first byte.
     pub base: u32,
+    /// The files that the text was put together from, if several.
+    pub pieces: Vec<TextPiece>,
     lines: OnceLock<LineIndex>,
 }
 
@@ -48,6 +61,21 @@ impl SourceFile {
     /// The line offsets, computed on first use.
     pub fn lines(&self) -> &LineIndex {
         self.lines.get_or_init(|| LineIndex::new(&self.text))
+    }
+
+    /// The file that a line is from, and its line there.
+    pub fn origin(&self, line: u32) -> (String, u32) {
+        let after = self.pieces.partition_point(|piece| piece.start <= line);
+        let piece = after.checked_sub(1).and_then(|at| self.pieces.get(at));
+        let Some(piece) = piece else {
+            return (self.path.clone(), line);
+        };
+        let path = match (piece.file.as_str(), self.path.rsplit_once('/')) {
+            ("", _) => self.path.clone(),
+            (file, None) => file.to_string(),
+            (file, Some((folder, _))) => format!("{folder}/{file}"),
+        };
+        (path, piece.line + line - piece.start)
     }
 
     /// Line and columns of an address in this file; addresses outside are clamped.
@@ -126,9 +154,17 @@ impl Sources {
             role,
             text,
             base,
+            pieces: Vec::new(),
             lines: OnceLock::new(),
         });
         Some(id)
+    }
+
+    /// Sets the files that a text was put together from.
+    pub fn set_pieces(&mut self, id: FileId, pieces: &[TextPiece]) {
+        if let Some(file) = self.files.get_mut(id.0 as usize) {
+            file.pieces = pieces.to_vec();
+        }
     }
 
     /// Adds an embedded piece of a file that starts at this offset, with code of the same length.

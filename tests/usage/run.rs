@@ -176,6 +176,29 @@ fn a_variable_can_be_shown_at_a_line() {
 }
 
 #[test]
+fn places_are_those_of_included_files() {
+    let scratch = Scratch::new(&[
+        (
+            "parts/tint.glsl",
+            "float tint(float x) {\n    float c = x * 2.0;\n    return c;\n}\n",
+        ),
+        (
+            "a.glsl",
+            "#include \"parts/tint.glsl\"\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {\n    \
+             float a = tint(fragCoord.x);\n    fragColor = vec4(a);\n}\n",
+        ),
+    ]);
+    let ran = scratch.run(&["run", "a.glsl", "--size", "8x8", "--pixel", "3,4"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    for place in ["parts/tint.glsl:2:11  tint", "a.glsl:3:11", "a.glsl:4:5"] {
+        assert!(ran.out.contains(place), "{}", ran.out);
+    }
+    let ran = scratch.run(&["run", "a.glsl", "--size", "8x8", "--show", "a@8"]);
+    let message = "`a` is not used on line 8; it is used on lines 3, 4";
+    assert!(ran.err.contains(message), "{}", ran.err);
+}
+
+#[test]
 fn heatmaps_have_a_legend() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     for heat in ["steps", "cost", "overdraw", "nan"] {

@@ -18,5 +18,6 @@ pub fn span(program: &Program, from: Provenance) -> Option<Span> {
 pub fn position(sources: &Sources, span: Span) -> Option<String> {
     let file = sources.file_at(span.start)?;
     let at = file.position(span.start);
-    Some(format!("{}:{}:{}", file.path, at.line, at.column))
+    let (path, line) = file.origin(at.line);
+    Some(format!("{path}:{line}:{}", at.column))
 }

@@ -27,17 +27,21 @@ pub fn probe(
     let in_file = uses
         .iter()
         .filter_map(|(variable, span)| Some((*variable, line_of(file?, *span)?)));
-    let lines: BTreeSet<(u32, VariableId)> = in_file.map(|(v, line)| (line, v)).collect();
-    let found = lines.iter().find(|(line, _)| *line == show.line);
-    let within = file.and_then(|file| full_line(file, show.line));
-    if let (Some((_, variable)), Some(within)) = (found, within) {
+    // By the line in its file: the line in the text.
+    let lines: BTreeSet<(u32, u32, VariableId)> = in_file
+        .filter_map(|(v, line)| Some((file?.origin(line).1, line, v)))
+        .collect();
+    let found = lines.iter().find(|(line, ..)| *line == show.line);
+    let within = found.zip(file);
+    let within = within.and_then(|((_, line, _), file)| full_line(file, *line));
+    if let (Some((.., variable)), Some(within)) = (found, within) {
         return Ok(Probe::Variable {
             variable: *variable,
             within,
         });
     }
     let name = &show.name;
-    let others: BTreeSet<u32> = lines.iter().map(|(line, _)| *line).collect();
+    let others: BTreeSet<u32> = lines.iter().map(|(line, ..)| *line).collect();
     let others: Vec<String> = others.iter().map(u32::to_string).collect();
     Err(match others.len() {
         0 => format!("--show: the shader reads or writes no variable `{name}`"),

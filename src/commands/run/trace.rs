@@ -224,7 +224,7 @@ impl<'a> Sites<'a> {
         Some(TraceRow {
             at: position(sources, span)?,
             pass: pass.map(|pass| pass.slug().to_string()),
-            line: start.line,
+            line: file.origin(start.line).1,
             column: start.column,
             name: name.to_string(),
             ty: program.type_name(site.ty),

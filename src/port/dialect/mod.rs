@@ -34,12 +34,13 @@ pub use complete::{Completion, TextChange};
 pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
-use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, TextPiece, UniformControl};
+use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_after, completions_of, declarations, has_images, modern, without_own};
 use shaderlint_host::{
     Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
 };
 use shaderlint_semantic::{Pass, Program, Stage};
+use shaderlint_text::TextPiece;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -10,11 +10,10 @@
 use super::complete::{self, Directive, modern};
 use super::isf::is_identifier;
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::{
-    ControlKind, Input, InputKind, OutputId, PassDraw, TextPiece, UniformControl, kind_of_name,
-};
+use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
 use shaderlint_host::{OWN, matches_any, preset, shadertoy};
 use shaderlint_semantic::Pass;
+use shaderlint_text::TextPiece;
 
 /// The name of its preset.
 const HOST: &str = "vscode-shader-toy";
