@@ -170,12 +170,12 @@ impl Adapter<'_> {
             true => {
                 old.show_pixel(launch.pixel()?)?;
                 old.go_to_mark(&mark);
-                old.stopped("goto", None)
+                old.stopped("goto", Some("at another pixel"))
             }
             false => {
                 let mut session = self.start(launch)?;
                 session.go_to_mark(&mark);
-                let event = session.stopped("goto", None);
+                let event = session.stopped("goto", Some("in another frame or pass"));
                 self.session = Some(session);
                 event
             }
