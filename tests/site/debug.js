@@ -269,7 +269,7 @@ async function links(browser, address) {
   });
   // A shader with errors shows them; another one does not open the debugger for it.
   await within(browser, address, { fragment: `${linkTo('float f() { return 1; }\n')}&debug` }, async (page) => {
-    await findings(page, { has: ['return-type'] });
+    await findings(page, { has: ['int-float-mix'] });
     assert.ok(await panel(page).isHidden());
   });
 }
