@@ -103,7 +103,7 @@ pub fn page(snapshot: &Snapshot, buffer: &TextBuffer, shown: ShownShader) -> Ans
         shows: input.shows,
     });
     Ok(ShaderPage {
-        html: html(&shown.project, &shown.composed, None).whole(),
+        html: html(&shown.project, &shown.composed, None, None).whole(),
         shader: shown.shader,
         value: shown.value,
         assumed: assumed.collect(),

@@ -27,7 +27,10 @@ pub fn build(project: &Project, composed: &Composed, order: Order) -> Result<Bui
     match order.target {
         Target::Html => Ok(Build::of(match order.poster {
             Some(poster) => embedded(project, composed, poster, order),
-            None => paged(order, &html(project, composed, order.version)),
+            None => paged(
+                order,
+                &html(project, composed, order.version, order.playground),
+            ),
         })),
         Target::Json => Ok(one(json(project))),
         Target::Module => Ok(Build::of(typed(output, module(project, composed)))),

@@ -62,6 +62,20 @@ impl PageAddress {
         }
     }
 
+    /// Parses the address of a folder such as `https://example.org/shaders/`.
+    ///
+    /// # Errors
+    /// A message if it is not an absolute address of the web.
+    pub fn read_folder(text: &str) -> Result<PageAddress, String> {
+        PageAddress::read(text).map(|address| address.folder())
+    }
+
+    /// The address as text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+
     /// The address as that of a folder, whose files are inside of it.
     #[must_use]
     pub fn folder(&self) -> PageAddress {
@@ -181,6 +195,7 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
         },
         start: START,
         version: None,
+        playground: None,
     })
 }
 

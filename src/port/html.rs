@@ -7,10 +7,12 @@
 use super::payload::payload;
 use super::pieces::PlayerParts;
 use super::script::{MOUNT, escape};
-use super::{Composed, Project, credits};
+use super::{Composed, Project, Wrapper, credits};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
+use shaderlint_semantic::Stage;
+use shaderlint_text::Role;
 use std::fmt::Write;
 
 const PAGE: &str = include_str!("player/page/page.html");
@@ -19,6 +21,7 @@ pub(super) const COLORS: &str = include_str!("player/min/page_colors.css");
 const STYLE: &str = include_str!("player/min/page_page.css");
 const PANEL_STYLE: &str = include_str!("player/min/page_tools.css");
 const EXTRAS: &str = include_str!("player/page/extras.html");
+const DEBUG: &str = include_str!("player/page/debug.html");
 const MORE: &str = include_str!("player/page/more.html");
 const PANEL: &str = include_str!("player/page/panel.html");
 
@@ -32,21 +35,34 @@ const LIVE: [&str; 2] = [
     include_str!("player/min/live.js"),
 ];
 
+/// Script of a page that offers the debugger of a playground.
+const DEBUGGER: &str = include_str!("player/min/page_debug.js");
+
 /// Script of a page inside another one, which sends the project.
 const RECEIVE: [&str; 2] = [
     include_str!("player/min/page_state.js"),
     include_str!("player/min/page_receive.js"),
 ];
 
-/// The page. A served page has a version and reloads itself when there is a newer one.
-pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> PlayerPage {
-    let start = match version {
+/// The page. A served page has a version and reloads itself when there is a newer one. With the address
+/// of a playground the page opens its debugger.
+pub fn html(
+    project: &Project,
+    composed: &Composed,
+    version: Option<&str>,
+    playground: Option<&str>,
+) -> PlayerPage {
+    let playground = playground.filter(|_| is_debugged(project, composed));
+    let mut start = match version {
         Some(version) => format!(
             "{}const player = openPage();\nfollowChanges('{version}', player);\n",
             LIVE.concat()
         ),
         None => "openPage();\n".to_string(),
     };
+    if playground.is_some() {
+        start.insert_str(0, DEBUGGER);
+    }
     let title = match project.info.name.as_str() {
         "" => "shader",
         name => name,
@@ -59,8 +75,19 @@ pub fn html(project: &Project, composed: &Composed, version: Option<&str>) -> Pl
         needs: PlayerParts::of(project, composed, true),
         start: &start,
         version,
+        playground,
         ..PageParts::default()
     })
+}
+
+/// Whether the playground can open the project: the passes of a ShaderToy project, or a text that is
+/// complete. It does not debug vertex shaders.
+fn is_debugged(project: &Project, composed: &Composed) -> bool {
+    let files = composed.sources.files().iter();
+    let own = files.filter(|file| file.role != Role::Prelude).count();
+    let mut passes = project.passes.iter();
+    passes
+        .all(|pass| pass.stage == Stage::Fragment && (pass.wrapper == Wrapper::Player || own == 1))
 }
 
 /// A page without a shader: the page around it sends [`player_data`] in a message.
@@ -98,6 +125,8 @@ pub(super) struct PageParts<'a> {
     pub(super) start: &'a str,
     /// The version of a served page.
     pub(super) version: Option<&'a str>,
+    /// The address of the playground whose debugger the page offers.
+    pub(super) playground: Option<&'a str>,
 }
 
 /// A page with the player, in its parts.
@@ -128,6 +157,10 @@ impl PlayerPage {
             parts.start
         );
         let of_panel = |text| if has_panel { text } else { "" };
+        let debug = parts.playground.map_or(String::new(), |address| {
+            fill(DEBUG, &[("playground", &attribute(address))])
+        });
+        let extras = fill(EXTRAS, &[("debug", &debug)]);
         let body = fill(
             PAGE,
             &[
@@ -138,7 +171,7 @@ impl PlayerPage {
                 ("style", MARK),
                 ("classes", if has_panel { "" } else { " class=\"framed\"" }),
                 ("poster", parts.poster.unwrap_or("")),
-                ("extras", of_panel(EXTRAS)),
+                ("extras", of_panel(&extras)),
                 ("more", of_panel(MORE)),
                 ("panel", of_panel(PANEL)),
                 ("project", parts.project),
@@ -278,7 +311,7 @@ mod tests {
     #[test]
     fn the_page_cannot_end_its_elements() {
         let texts = LIVE.iter().chain(&RECEIVE);
-        for text in texts.chain(&[COLORS, STYLE, PANEL_STYLE, MOUNT]) {
+        for text in texts.chain(&[COLORS, STYLE, PANEL_STYLE, MOUNT, DEBUGGER]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
     }

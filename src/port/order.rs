@@ -190,6 +190,8 @@ pub struct Order<'a> {
     pub poster: Option<&'a Poster>,
     /// Whether the script and the style of a page are files beside it.
     pub split: bool,
+    /// The address of the playground whose debugger a page offers.
+    pub playground: Option<&'a str>,
 }
 
 /// The destination of a build.

@@ -43,6 +43,7 @@ pub fn port(PortRequest { shader, output }: &PortRequest) -> RequestResult {
         version: None,
         poster: None,
         split: false,
+        playground: None,
     };
     let made = build(&project, &composed, order);
     let made = made.map_err(|e| format!("{}: {e}", shader.name))?;

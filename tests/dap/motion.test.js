@@ -111,6 +111,27 @@ test("the pixels of the quad are threads", async () => {
   assert.equal(await session.stack(3), "mainImage:10");
 });
 
+test("a motion that fails stays where it was", async () => {
+  const session = await launched({ program: file("still.glsl", BALL), size: [8, 8] });
+  const stopped = session.client.waitForEvent("stopped");
+  assert.ok(await session.refused("next", { threadId: 9 }));
+  assert.deepEqual([(await stopped).body.reason, (await stopped).body.threadId], ["pause", session.first.threadId]);
+  assert.equal(await session.stack(), "mainImage:9");
+});
+
+test("reads a program in the head of a loop", async () => {
+  const session = await launched({ program: file("head.glsl", BALL), size: [8, 8] });
+  const column = async () => (await session.frames())[0].column;
+  while ((await session.stack()) !== "mainImage:12") await session.move("next");
+  for (const at of [10, 21, 28, 21]) {
+    assert.equal(await column(), at);
+    await session.move("shaderlint/reload");
+    assert.equal(await column(), at);
+    await session.move("shaderlint/nextIteration");
+    if (at === 21) await session.move("shaderlint/stepBackIn");
+  }
+});
+
 test("reads an edited program at the same place", async () => {
   const edited = file("edited.glsl", BALL);
   const session = await launched({ program: edited, size: [8, 8] }, { breakpoints: [{ line: 14 }] });

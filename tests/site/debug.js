@@ -232,6 +232,48 @@ async function passes(browser, address) {
   });
 }
 
+/** A link opens the debugger at its pixel, and the debugger writes such a link. */
+async function links(browser, address) {
+  const files = {
+    'buffer_a.glsl': 'uniform float bright;\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(p + 0.5, iTime, float(iFrame));\n}\n',
+    'image.glsl': 'void mainImage(out vec4 c, in vec2 p) {\n    c = texelFetch(iChannel0, ivec2(p), 0) + iMouse;\n}\n',
+    'channels.toml': '[image]\n0 = "buffer_a"\n',
+  };
+  const words = '&debug&pixel=7,170&size=1920x1080&time=1.5&frame=75&pass=buffer_a&mouse=3,4';
+  const fragment = `${linkTo(JSON.stringify(files))}${words}`;
+  await within(browser, address, { fragment }, async (page) => {
+    await says(page, 'mainImage, Buffer A, line 3');
+    await panel(page).locator('h2', { hasText: 'pixel 7, 170 at 1.5 s' }).waitFor();
+    await step(page, 'Over');
+    assert.equal(await value(page, 'p'), 'vec2(7.5, 170.5)');
+    assert.equal(await value(page, 'c'), 'vec4(8.0, 171.0, 1.5, 75.0)');
+    // The image has that size, and is not larger than its place.
+    const [width, height] = await page.locator('#image').evaluate((image) => [image.clientWidth, image.clientHeight]);
+    const cross = await page.locator('.picker .cross').evaluate((mark) => [parseFloat(mark.style.left), parseFloat(mark.style.top)]);
+    assert.ok(cross[0] > 0 && cross[0] < width / 20 && cross[1] > height / 2 && cross[1] < height, `${cross}`);
+    await page.locator('#share').click();
+    await page.waitForFunction((old) => location.hash !== old, fragment);
+    const hash = await page.evaluate(() => location.hash);
+    assert.equal(hash.slice(hash.indexOf('&')), words);
+    // Without the debugger there is only the code.
+    await panel(page).getByRole('button', { name: 'Close', exact: true }).click();
+    await page.locator('#share').click();
+    await page.waitForFunction(() => !location.hash.includes('&'));
+  });
+  // Words that make no sense are ignored: the pixel in the middle.
+  const wrong = `${linkTo(MARCH)}&debug&pixel=1,x&size=0x9&time=-1&frame=1.5&pass=../x&mouse=1&u.x=<b>&other=1`;
+  await within(browser, address, { fragment: wrong }, async (page) => {
+    await says(page, 'At the start');
+    await step(page, 'Over');
+    assert.match(await value(page, 'uv'), /^vec2\(0\.50\d*, 0\.50\d*\)$/);
+  });
+  // A shader with errors shows them; another one does not open the debugger for it.
+  await within(browser, address, { fragment: `${linkTo('float f() { return 1; }\n')}&debug` }, async (page) => {
+    await findings(page, { has: ['int-float-mix'] });
+    assert.ok(await panel(page).isHidden());
+  });
+}
+
 async function looks(browser, address) {
   for (const width of [1280, 390]) {
     for (const colorScheme of ['light', 'dark']) {
@@ -266,5 +308,6 @@ export const debugTests = [
   { name: 'the debugger shows a value over the screen', run: images },
   { name: 'the debugger goes on after edits', run: editing },
   { name: 'the debugger steps through passes', run: passes },
+  { name: 'links open the debugger at a pixel', run: links },
   { name: 'the debugger fits wide and narrow windows, light and dark', run: looks },
 ];

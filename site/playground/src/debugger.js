@@ -1,6 +1,7 @@
 // Debugs a pixel of the image: steps forwards and backwards, breakpoints, and values.
 import { breakpointsIn, changeBreakpoint } from './breakpoints.js';
 import { DebugClient } from './debug-client.js';
+import { debugWords } from './debug-link.js';
 import { DebugPanel } from './debug-panel.js';
 import { DebugValues } from './debug-values.js';
 import { element } from './element.js';
@@ -37,6 +38,9 @@ export class Debugger {
   #panel;
   #values;
   #client = new DebugClient();
+  #parent;
+  /** What a link opens the debugger for. @type {import('./debug-link.js').DebugStart | undefined} */
+  #link;
   #over = element('img', { className: 'drawn', hidden: true });
   /** What the debugger was started with; undefined while it has no program. @type {any} */
   #launch;
@@ -63,6 +67,7 @@ export class Debugger {
     this.#documents = documents;
     this.#button = button;
     this.#code = code;
+    this.#parent = parent;
     this.#picker = new Picker(parent);
     parent.append(this.#over);
     this.#values = new DebugValues((command, args) => this.#ask(command, args));
@@ -80,8 +85,22 @@ export class Debugger {
     return this.#button.getAttribute('aria-pressed') === 'true';
   }
 
+  /** What follows the code in a link to what is debugged; nothing without a program. */
+  get words() {
+    return this.#launch ? debugWords(this.#launch) : '';
+  }
+
+  /** Opens for what a link names, as soon as its image is there. @param {import('./debug-link.js').DebugStart} link */
+  openAt(link) {
+    this.#link = link;
+    const file = `${link.pass}.glsl`;
+    if (this.#documents.names.includes(file)) this.#documents.select(file);
+    this.#parent.addEventListener('drawn', () => { if (this.#link === link && !this.isOpen) this.#open(); }, { once: true });
+  }
+
   /** Ends the session; the image plays on. */
   close() {
+    this.#link = undefined;
     if (!this.isOpen) return;
     clearTimeout(this.#timer);
     if (this.#state?.isPlaying) this.#image.pause(false);
@@ -157,6 +176,8 @@ export class Debugger {
     this.#panel.open();
     this.#panel.say('Debugger', 'Starting…');
     this.#state = undefined;
+    const { pixel, ...known } = this.#link ?? {};
+    this.#link = undefined;
     // A frame that is busy drawing answers late.
     for (let tries = 0; tries < MOST_TRIES && !this.#state && this.isOpen; tries++) this.#state = await this.#image.state();
     if (!this.isOpen) return;
@@ -165,7 +186,8 @@ export class Debugger {
       return;
     }
     this.#image.pause(true);
-    this.#picker.open(this.#state);
+    for (const name of ['size', 'time', 'frame']) this.#state[name] = known[name] ?? this.#state[name];
+    this.#picker.open(this.#state, pixel);
     this.#picker.focus();
     this.#do(() => this.#start());
   }

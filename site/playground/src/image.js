@@ -23,6 +23,8 @@ export class ShaderImage {
   #asked = [];
   /** The shader for the next frame. */
   #project;
+  /** Size and uniforms of a link. @type {import('./debug-link.js').DebugStart | undefined} */
+  #start;
   /** What somebody answered about a shader that takes many operations: drawn pixels per pixel. */
   #answer;
   /** Whether the next shader is another one, and not a change of the last. */
@@ -63,12 +65,18 @@ export class ShaderImage {
     this.#isOther = false;
   }
 
-  /** Forgets the image, the time and the mouse of another shader, and what its port would still answer. */
-  restart() {
+  /**
+   * Forgets the image, the time and the mouse of another shader, and what its port would still answer.
+   * @param {import('./debug-link.js').DebugStart} [start] what the next image shows, standing still
+   */
+  restart(start) {
     clearTimeout(this.#timer);
     this.#number++;
     this.#isOther = true;
-    this.#state = undefined;
+    this.#start = start;
+    const [x, y] = start?.mouse ?? [];
+    const mouse = start?.mouse && { x, y, clickX: x, clickY: y };
+    this.#state = start?.time === undefined ? undefined : { time: start.time, isPlaying: false, mouse };
     this.#answer = undefined;
     this.#forget();
   }
@@ -92,7 +100,8 @@ export class ShaderImage {
     this.#parent.querySelector('.question')?.remove();
     this.#project = project;
     const { clientWidth, clientHeight } = this.#parent;
-    const { operations: all, divisor } = frameCost(operations, clientWidth * clientHeight * devicePixelRatio ** 2);
+    const [width, height] = this.#start?.size ?? [clientWidth * devicePixelRatio, clientHeight * devicePixelRatio];
+    const { operations: all, divisor } = frameCost(operations, width * height);
     if (divisor > 1 && this.#answer === undefined) this.#ask(all, isMore, divisor);
     else this.#draw(divisor > 1 ? this.#answer : 1);
   }
@@ -127,7 +136,11 @@ export class ShaderImage {
     frame.allow = 'autoplay; fullscreen';
     frame.className = 'next';
     frame.inert = true;
-    frame.dataset.settings = share < 1 ? `scale=${Math.sqrt(share).toFixed(3)}` : '';
+    const { size, uniforms = [] } = this.#start ?? {};
+    const settings = new URLSearchParams(uniforms);
+    if (share < 1) settings.set('scale', Math.sqrt(share).toFixed(3));
+    else if (size) settings.set('size', size.join('x'));
+    frame.dataset.settings = settings.toString();
     this.#next = frame;
     this.#load(frame).catch(() => {});
   }

@@ -1,6 +1,6 @@
 // Links that contain a shader: after `#code=` the UTF-8 text of the only file, or of a JSON object with the
 // texts of several files by name, compressed with raw deflate, as base64url without padding. An export of
-// ShaderToy is JSON too, but its keys are not file names.
+// ShaderToy is JSON too, but its keys are not file names. `debug-link.js` reads what may follow.
 import { readText } from './limit.js';
 import { single } from './passes.js';
 
@@ -39,7 +39,7 @@ export async function fragmentOf(files) {
 
 /** The files in the fragment of a link; null if there are none. @param {string} fragment */
 export async function filesOf(fragment) {
-  const found = /^#code=([\w-]+)$/.exec(fragment);
+  const found = /^#code=([\w-]+)(?:&|$)/.exec(fragment);
   if (!found) return null;
   const base64 = found[1].replaceAll('-', '+').replaceAll('_', '/');
   const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0));

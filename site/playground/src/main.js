@@ -1,6 +1,7 @@
 // The playground: editors whose language server runs in a worker. Nothing leaves the page.
 import { formatDocument } from '@codemirror/lsp-client';
 import { addressIn, filesAt } from './address.js';
+import { debugStartIn } from './debug-link.js';
 import { Debugger } from './debugger.js';
 import { Documents } from './documents.js';
 import { addressOf, client } from './editor.js';
@@ -33,14 +34,19 @@ at('pick').addEventListener('click', () => debug.close());
 at('debug-pixel').addEventListener('click', () => inspector.close());
 const views = new Views(shader, { image: at('image'), select: at('view'), button: at('compare'), status: at('status') });
 
-/** Shows other files in the editor, and their image. @param {import('./passes.js').Files} files */
-function show(files) {
+/**
+ * Shows other files in the editor, and their image.
+ * @param {import('./passes.js').Files} files
+ * @param {import('./debug-link.js').DebugStart} [start] what is debugged
+ */
+function show(files, start) {
   inspector.close();
   debug.close();
   views.restart();
-  image.restart();
+  image.restart(start);
   documents.open(files);
   image.show(files);
+  if (start) debug.openAt(start);
 }
 
 /** Shows what went wrong; nothing without a message. @param {string} [message] */
@@ -73,7 +79,7 @@ async function openLink() {
     const files = await (address ? loaded(address) : filesOf(hash));
     if (!isLatest()) return true;
     warn();
-    if (files) show(files);
+    if (files) show(files, debugStartIn(hash));
     return files !== null;
   } catch (error) {
     if (!isLatest()) return true;
@@ -84,7 +90,7 @@ async function openLink() {
 }
 
 async function share() {
-  const fragment = await fragmentOf(documents.files);
+  const fragment = await fragmentOf(documents.files) + debug.words;
   history.replaceState(null, '', fragment);
   try {
     await navigator.clipboard.writeText(location.href);

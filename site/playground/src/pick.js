@@ -31,11 +31,12 @@ export class Picker extends EventTarget {
     this.#layer.addEventListener('keydown', (event) => this.#pressed(event));
   }
 
-  /** Lets a pixel be chosen of an image. @param {Target} target */
-  open(target) {
+  /** Lets a pixel be chosen of an image. @param {Target} target @param {number[]} [pixel] the first one */
+  open(target, pixel) {
     const isOther = this.#target?.size.join() !== target.size.join();
     this.#target = target;
     if (isOther) this.pixel = [Math.floor(target.size[0] / 2), Math.floor(target.size[1] / 2)];
+    if (pixel) this.pixel = this.#inside(pixel);
     this.#parent.append(this.#layer);
     this.#place();
   }
@@ -64,9 +65,14 @@ export class Picker extends EventTarget {
     this.#choose([this.pixel[0] + by * arrow[0], this.pixel[1] + by * arrow[1]]);
   }
 
+  /** The nearest pixel of the image. @returns {[number, number]} */
+  #inside([x, y]) {
+    const { size: [width, height] } = this.#target;
+    return [Math.min(Math.max(0, x), width - 1), Math.min(Math.max(0, y), height - 1)];
+  }
+
   #choose(pixel) {
-    const { size } = this.#target;
-    this.pixel = pixel.map((at, axis) => Math.min(Math.max(0, at), size[axis] - 1));
+    this.pixel = this.#inside(pixel);
     this.#place();
     this.dispatchEvent(new Event('pick'));
   }

@@ -112,6 +112,12 @@ pub struct PortArgs {
     #[arg(long, value_name = "ADDRESS", value_parser = PageAddress::read, requires_all = ["embed", "output"])]
     #[arg(help_heading = OUTPUT)]
     pub(super) url: Option<PageAddress>,
+    /// Address of the playground whose debugger the page offers: `https://example.org/playground/`
+    ///
+    /// A button opens it with the shader, at the time of the page and the pixel that was clicked last.
+    #[arg(long, value_name = "ADDRESS", value_parser = PageAddress::read_folder)]
+    #[arg(conflicts_with_all = ["diff", "embed"], help_heading = OUTPUT)]
+    pub(super) playground: Option<PageAddress>,
 
     /// Repair code that does not compile where only one fix is possible
     ///
@@ -190,6 +196,12 @@ Exit codes:
   1  Shaders with errors were left out
   2  Wrong usage, or a file cannot be read or written";
 
+/// The playground of the site of the program, once that has an address.
+const PLAYGROUND: Option<&str> = match env!("CARGO_PKG_HOMEPAGE").is_empty() {
+    true => None,
+    false => Some(concat!(env!("CARGO_PKG_HOMEPAGE"), "playground/")),
+};
+
 const INPUT: &str = "Input";
 const OUTPUT: &str = "Output";
 const CHECKS: &str = "Repair and verification";
@@ -220,7 +232,7 @@ fn targets() -> impl TypedValueParser<Value = Target> {
 impl PortArgs {
     /// The build order that these arguments describe.
     pub(super) fn order<'a>(
-        &self,
+        &'a self,
         target: Target,
         output: Destination<'a>,
         version: Option<&'a str>,
@@ -233,6 +245,10 @@ impl PortArgs {
             version,
             poster,
             split: self.split,
+            playground: self
+                .playground
+                .as_ref()
+                .map_or(PLAYGROUND, |own| Some(own.text())),
             #[cfg(feature = "naga")]
             interface: self.interface,
             #[cfg(feature = "naga")]
@@ -258,7 +274,11 @@ impl PortArgs {
                 Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display()))?
             }
         };
-        let page = [("--embed", self.embed), ("--split", self.split)];
+        let page = [
+            ("--embed", self.embed),
+            ("--split", self.split),
+            ("--playground", self.playground.is_some()),
+        ];
         match page.iter().find(|(_, is_given)| *is_given) {
             Some((option, _)) if target != Target::Html => Err(format!(
                 "`{option}` requires an HTML page; use `-o NAME.html`"

@@ -84,7 +84,7 @@ impl<'p> Adapter<'p> {
         let answer = self.answer(&request);
         let (body, events, error) = match answer {
             Ok(reply) => (reply.body, reply.events, None),
-            Err(message) => (Value::Null, Vec::new(), Some(message)),
+            Err(message) => (Value::Null, self.still(&request.command), Some(message)),
         };
         let mut response = json!({
             "type": "response",
@@ -140,6 +140,14 @@ impl<'p> Adapter<'p> {
         let messages =
             events.map(|(event, body)| json!({ "type": "event", "event": event, "body": body }));
         messages.collect()
+    }
+
+    /// After a motion that has failed: that the program stands where it stood. Some clients take it for
+    /// running otherwise, and send no further motion.
+    fn still(&self, command: &str) -> Vec<DebugEvent> {
+        let session = self.session.as_ref();
+        let session = session.filter(|_| MOTIONS.contains(&command));
+        session.map_or(Vec::new(), |session| vec![session.stopped("pause", None)])
     }
 
     fn number(&mut self, messages: &mut [Value]) {
@@ -208,19 +216,18 @@ impl<'p> Adapter<'p> {
 /// Whether a client shows the error of a request in a message: not that of one that it sends unasked,
 /// which a step may have outdated, nor of one whose errors it shows in place.
 fn is_asked_by_user(command: &str) -> bool {
-    matches!(
-        command,
-        "launch"
-            | "attach"
-            | "restart"
-            | "continue"
-            | "reverseContinue"
-            | "next"
-            | "stepIn"
-            | "stepOut"
-            | "stepBack"
-    )
+    matches!(command, "launch" | "attach" | "restart") || MOTIONS.contains(&command)
 }
+
+/// The motions of the protocol.
+const MOTIONS: [&str; 6] = [
+    "continue",
+    "reverseContinue",
+    "next",
+    "stepIn",
+    "stepOut",
+    "stepBack",
+];
 
 /// Reads the arguments of a request.
 fn read<T: DeserializeOwned + Default>(arguments: &Value) -> Result<T, String> {

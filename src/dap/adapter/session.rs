@@ -6,7 +6,7 @@ use crate::breakpoints::{Breakpoint, starts};
 use crate::debuggee::{Debuggee, ProgramSource};
 use crate::evaluate::EvaluatedExpression;
 use crate::files::{FileLine, ProgramFiles};
-use crate::places::StackFrame;
+use crate::places::{StackFrame, StopPlace};
 use crate::stepping::next;
 use crate::timeline::Timeline;
 use crate::value::DebugValue;
@@ -67,6 +67,7 @@ pub enum Handle {
 /// A place to come back to after the program has changed.
 pub struct Mark {
     line: FileLine,
+    column: u32,
     /// The text with the line: its path and part, and what it has from the line on, by which the line is
     /// found after changes before it.
     text: (String, Option<String>),
@@ -230,10 +231,12 @@ impl DebugSession {
         let program = self.debuggee.program()?;
         let line = self.line_at(program, frame.span.start)?;
         let file = program.sources.file_at(frame.span.start)?;
-        let before = file.position(frame.span.start).line.saturating_sub(1);
+        let position = file.position(frame.span.start);
+        let before = position.line.saturating_sub(1);
         let lines = file.text.split_inclusive('\n');
         Some(Mark {
             line,
+            column: position.column,
             text: (file.path.clone(), file.part.clone()),
             rest: lines.skip(before as usize).collect(),
             count,
@@ -262,7 +265,7 @@ impl DebugSession {
         let lines: Vec<(u32, u32)> = files
             .filter_map(|file| Some((file.base, mark.line_in(file)?)))
             .collect();
-        let place = self.debuggee.places.iter().find(|place| {
+        let mut on_line = self.debuggee.places.iter().filter(|place| {
             let here = program.sources.file_at(place.span.start);
             let is_it =
                 match here.and_then(|here| lines.iter().find(|(base, _)| *base == here.base)) {
@@ -273,7 +276,15 @@ impl DebugSession {
                 };
             is_it && place.returned.is_none() && place.is_user
         });
-        let place = *place?;
+        // Such as the parts of `for`, of which each is a statement.
+        let column = |place: &StopPlace| {
+            let file = program.sources.file_at(place.span.start);
+            file.map(|file| file.position(place.span.start).column)
+        };
+        let first = on_line.next()?;
+        let mut all = std::iter::once(first).chain(on_line);
+        let place = all.find(|place| column(place) == Some(mark.column));
+        let place = *place.unwrap_or(first);
         let draw = self.debuggee.build.draw();
         let timeline = self.timelines.get_mut(self.focus)?;
         let starts = starts(&self.debuggee, timeline, &draw, &place).ok()?;

@@ -61,7 +61,12 @@ impl DebugSession {
         let Some(breakpoint) = self.breakpoints.get(at) else {
             return Value::Null;
         };
-        let mut row = json!({ "id": breakpoint.id, "verified": breakpoint.place.is_ok() });
+        // Without a line, nvim-dap takes a row for that of all breakpoints of the file.
+        let mut row = json!({
+            "id": breakpoint.id,
+            "verified": breakpoint.place.is_ok(),
+            "line": breakpoint.given.line,
+        });
         let Some(fields) = row.as_object_mut() else {
             return row;
         };

@@ -114,7 +114,12 @@ impl Adapter<'_> {
         let body = match &mut self.session {
             Some(session) => session.set(&self.client, self.programs, &set),
             // Verified when the program is known.
-            None => vec![json!({ "verified": false }); set.breakpoints.len()],
+            None => {
+                let lines = set.breakpoints.iter().map(|given| given.line);
+                lines
+                    .map(|line| json!({ "verified": false, "line": line }))
+                    .collect()
+            }
         };
         self.client.breakpoints.push(set);
         Ok(Reply::with(json!({ "breakpoints": body })))

@@ -27,6 +27,11 @@ class Clock {
     document.addEventListener('visibilitychange', this.rebase);
   }
 
+  /** Number of the last frame. */
+  get shown() {
+    return Math.max(0, this.number - 1);
+  }
+
   dispose() {
     window.removeEventListener('focus', this.rebase);
     document.removeEventListener('visibilitychange', this.rebase);

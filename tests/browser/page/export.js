@@ -1,5 +1,6 @@
 // Images, recordings, and the author of the shader.
 import assert from 'node:assert/strict';
+import zlib from 'node:zlib';
 import { shader } from '../cases.js';
 import { desk, MOVING, openTab, saved, show, time } from './show.js';
 
@@ -125,10 +126,74 @@ async function words(context) {
   assert.deepEqual(complaints, []);
 }
 
+const PLAYGROUND = 'http://page.test/playground/';
+
+/** What the page opens: the words of the fragment, and the shader in it. */
+async function opened(context, act) {
+  await context.route(`${PLAYGROUND}**`, (route) => route.fulfill({ body: 'the playground' }));
+  const [other] = await Promise.all([context.waitForEvent('page'), act()]);
+  await other.waitForURL(`${PLAYGROUND}**`);
+  const { hash, search } = new URL(other.url());
+  assert.equal(search, '');
+  assert.equal(await other.evaluate(() => globalThis.opener), null);
+  await other.close();
+  const { code, ...words } = Object.fromEntries(new URLSearchParams(hash.slice(1)));
+  return { words, text: zlib.inflateRawSync(Buffer.from(code, 'base64url')).toString() };
+}
+
+async function debugged(context) {
+  const { page, complaints } = await show(context, 'debugged', MOVING, '#size=320x180&t=1.5&paused', '--playground', PLAYGROUND);
+  const middle = await opened(context, () => page.click('#debug'));
+  assert.equal(middle.text, MOVING);
+  const frame = String(await page.evaluate(() => globalThis.shaderport.player.clock.shown));
+  assert.deepEqual(middle.words, { debug: '', pixel: '160,90', size: '320x180', time: '1.5', frame });
+  // The key takes the pixel under the mouse, and code and numbers as they are now.
+  await page.evaluate(() => globalThis.shaderport.player.setCode(globalThis.shaderport.player.project.files.findIndex((file) => !file.hidden), 'void mainImage(out vec4 O, vec2 U) { O = vec4(0.5); }'));
+  const box = await page.locator('canvas').boundingBox();
+  await page.mouse.move(box.x + 10.5, box.y + 179.5);
+  await page.mouse.down();
+  await page.mouse.up();
+  const under = await opened(context, () => page.keyboard.press('d'));
+  assert.match(under.text, /vec4\(0\.5\)/);
+  assert.equal(under.words.pixel, '10,0');
+  assert.equal(under.words.mouse, '10,0');
+  assert.deepEqual(complaints, []);
+}
+
+async function debuggedPasses(context) {
+  const code = (line) => `void mainImage(out vec4 O, vec2 U) { O = ${line}; }`;
+  const sampler = { filter: 'linear', wrap: 'repeat' };
+  const toy = shader(
+    { type: 'image', name: 'Image', outputs: [{ id: '4dfGRr' }], code: code('texture(iChannel0, U) + texture(iChannel1, U) + texture(iChannel2, U)'),
+      inputs: [{ id: 'XsXGR8', type: 'buffer', channel: 0, sampler }, { id: '4dXGRr', type: 'keyboard', channel: 1, sampler }, { id: '4dX3Rr', type: 'texture', channel: 2, src: '/media/a/x.jpg', sampler }] },
+    { type: 'buffer', name: 'Buffer B', inputs: [], outputs: [{ id: 'XsXGR8' }], code: code('shared_()') },
+    { type: 'common', name: 'Common', inputs: [], outputs: [], code: 'vec4 shared_() { return vec4(1.0); }' },
+  );
+  const { page } = await show(context, 'passes', toy, '#size=32x18&paused', '--playground', PLAYGROUND);
+  const files = JSON.parse((await opened(context, () => page.click('#debug'))).text);
+  const [image, buffer, common] = toy.renderpass.map((pass) => pass.code);
+  assert.deepEqual(files, {
+    'common.glsl': common,
+    'image.glsl': image,
+    'buffer_b.glsl': buffer,
+    'channels.toml': '[image]\n0 = "buffer_b,linear,repeat"\n1 = "keyboard"\n',
+  });
+}
+
+async function notDebugged(context) {
+  const { page } = await show(context, 'no-playground', MOVING, '#paused');
+  assert.equal(await page.locator('#debug').count(), 0);
+  await page.keyboard.press('?');
+  assert.doesNotMatch(await page.locator('#keys').innerText(), /Debug/);
+}
+
 export const exportTests = [
   { name: 'page: saving an image', run: shot, context: desk },
   { name: 'page: recording frame by frame, with sound', run: exactFilm, context: desk },
   { name: 'page: a stopped recording', run: stopped, context: desk },
   { name: 'page: recording in real time', run: liveFilm, context: desk },
+  { name: 'page: the debugger of the playground opens at a pixel', run: debugged, context: desk },
+  { name: 'page: the debugger gets all passes and their channels', run: debuggedPasses, context: desk },
+  { name: 'page: no debugger without a playground', run: notDebugged, context: desk },
   { name: 'page: descriptions are text and links', run: words, context: desk },
 ];

@@ -31,5 +31,5 @@ function makeButton(text, act, title = '') {
   return button;
 }
 
-/** What only some pages have. @type {{showChannels?: (player: Player) => void, showSliders?: (player: Player) => void, takeValues?: (player: Player) => void}} */
+/** What only some pages have. @type {{showChannels?: (player: Player) => void, showDebug?: (player: Player) => void, showSliders?: (player: Player) => void, takeValues?: (player: Player) => void}} */
 const pageParts = {};

@@ -16,6 +16,7 @@ function openPage() {
   pageParts.showSliders?.(player);
   showCode(player);
   showExport(player);
+  pageParts.showDebug?.(player);
   fitCanvas(player);
   attach(player);
   listenToHelp(player);

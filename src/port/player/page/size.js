@@ -27,8 +27,8 @@ function fitCanvas(player) {
   const asked = readAddress();
   if (asked.size) {
     const [width, height] = asked.size;
-    canvas.style.width = `${width}px`;
-    canvas.style.height = `${height}px`;
+    canvas.style.width = `min(${width}px, 100cqw, ${(100 * width) / height}cqh)`;
+    canvas.style.aspectRatio = `${width} / ${height}`;
     canvas.classList.add('sized');
     scale.hidden = true;
     canvasSize.fit = () => player.resize(width, height);

@@ -7,8 +7,7 @@ function stateOf({ canvas, clock, controls, mouse, isPlaying }) {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   return {
     time: clock.time,
-    // The number is that of the next frame, unless the clock stands.
-    frame: Math.max(0, clock.number - (isPlaying ? 1 : 0)),
+    frame: clock.shown,
     isPlaying,
     mouse: { x, y, clickX, clickY },
     tab,
@@ -22,7 +21,8 @@ function stateOf({ canvas, clock, controls, mouse, isPlaying }) {
 function takeState(player, state) {
   Object.assign(player.mouse, state.mouse);
   if (state.tab) openTab(state.tab);
-  player.seek(state.time);
   if (state.isPlaying) player.play();
   else player.pause();
+  // A player that stands still draws the frame of the new time.
+  player.seek(state.time);
 }
