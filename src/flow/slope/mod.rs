@@ -20,6 +20,8 @@ mod frame;
 mod globals;
 mod gradient;
 mod interval;
+mod joint;
+mod linear;
 mod node;
 mod operation;
 mod polynomial;
@@ -102,7 +104,7 @@ pub fn slope(query: Query, field: DistanceField) -> Slope {
 }
 
 fn slope_of(scalars: &mut Scalars, root: ScalarId, vectors: &[Vec<ScalarId>]) -> Slope {
-    let nodes = continuity::below(scalars, root);
+    let nodes = scalars.below(root);
     let mut bounds = GradientBounds::new(scalars, &nodes);
     bounds.solve(&nodes, vectors);
     let known = std::mem::take(&mut bounds.known);
@@ -111,7 +113,7 @@ fn slope_of(scalars: &mut Scalars, root: ScalarId, vectors: &[Vec<ScalarId>]) ->
     if !most.is_finite() {
         return Slope::Unknown(obstacle_at(scalars, root, norm));
     }
-    match continuity::jump(scalars, root, &nodes, |id| norm(id) == 0.0) {
+    match continuity::jump(scalars, &nodes, |id| norm(id) == 0.0) {
         Some(node) => Slope::Unknown(Obstacle {
             why: SlopeObstacle::Discontinuity,
             at: scalars.op(node),

@@ -5,7 +5,7 @@
 
 use super::form::{ScalarBits, ScalarForm, ScalarFunction, ScalarId};
 use super::interval::RealSpan;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::OpId;
 
 /// Most nodes of a function.
@@ -44,10 +44,6 @@ impl Scalars {
             at: None,
             fixed: 0,
         }
-    }
-
-    pub fn len(&self) -> usize {
-        self.all.len()
     }
 
     /// Whether there are too many nodes to go on.
@@ -108,6 +104,21 @@ impl Scalars {
             | ScalarForm::And(a, b) => [*a, *b].into_iter().for_each(each),
             ScalarForm::Select(a, b, c) => [*a, *b, *c].into_iter().for_each(each),
         }
+    }
+
+    /// All nodes that a node consists of, in topological order.
+    pub fn below(&self, root: ScalarId) -> Vec<ScalarId> {
+        let mut seen = FxHashSet::default();
+        let mut todo = vec![root];
+        let mut found = Vec::new();
+        while let Some(id) = todo.pop() {
+            if seen.insert(id) {
+                found.push(id);
+                self.each(id, |operand| todo.push(operand));
+            }
+        }
+        found.sort_unstable();
+        found
     }
 
     fn add_node(&mut self, node: ScalarForm) -> ScalarId {

@@ -114,7 +114,7 @@ impl NodePolynomial {
         None
     }
 
-    fn product(&self, other: &NodePolynomial) -> Option<NodePolynomial> {
+    pub fn product(&self, other: &NodePolynomial) -> Option<NodePolynomial> {
         let mut made = NodePolynomial::default();
         for (a, by) in &self.0 {
             for (b, other) in &other.0 {
