@@ -368,7 +368,7 @@ impl<'s> WallProof<'s> {
             }
         }
         rest.0.insert(vec![(atom, 1)], first);
-        let square = rest.product(&rest)?;
+        let square = rest.product(self.scalars, &rest)?;
         let made = rest.node(self.scalars);
         is_near(polynomial, &square).then_some(made)
     }

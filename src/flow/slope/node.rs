@@ -7,6 +7,7 @@ use super::form::{ScalarBits, ScalarForm, ScalarFunction, ScalarId};
 use super::interval::RealSpan;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::OpId;
+use std::cell::Cell;
 
 /// Most nodes of a function.
 const MAX_SCALARS: usize = 40_000;
@@ -30,6 +31,8 @@ pub(super) struct Scalars {
     /// The operation that is evaluated.
     pub at: Option<OpId>,
     fixed: u32,
+    /// How many more terms of polynomials may be multiplied.
+    products: Cell<u32>,
 }
 
 impl Scalars {
@@ -43,7 +46,20 @@ impl Scalars {
             ops: Vec::new(),
             at: None,
             fixed: 0,
+            products: Cell::new(0),
         }
+    }
+
+    /// How many terms of polynomials may be multiplied from now on.
+    pub fn allow_products(&self, count: u32) {
+        self.products.set(count);
+    }
+
+    /// Multiplies some terms, if so many may be multiplied.
+    pub fn spend_products(&self, count: usize) -> Option<()> {
+        let left = self.products.get().checked_sub(count as u32)?;
+        self.products.set(left);
+        Some(())
     }
 
     /// Whether there are too many nodes to go on.
