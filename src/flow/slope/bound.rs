@@ -13,7 +13,7 @@ const CASE_DEPTH: u32 = 14;
 /// How far the operands of a logarithm or square root are followed.
 pub(super) const MAX_NESTING: u32 = 40;
 /// Most gradients and ranges that are computed under assumptions.
-const MAX_WORK: u32 = 50_000;
+const MAX_WORK: u32 = 30_000;
 
 /// Gradients of the nodes of a function.
 pub(super) struct GradientBounds<'s> {

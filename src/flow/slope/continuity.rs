@@ -11,7 +11,7 @@ use super::polynomial::NodePolynomial;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Most nodes that are made again.
-const MAX_WORK: u32 = 400_000;
+const MAX_WORK: u32 = 100_000;
 /// Most nodes that are made again to prove that a condition is continuous by cases.
 const MAX_PROOF: u32 = 20_000;
 /// Most nodes through which all uses of a condition go, that are tried.

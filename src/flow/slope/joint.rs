@@ -392,7 +392,7 @@ impl<'s> WallProof<'s> {
     }
 
     fn is_implied(&mut self, row: &Inequality, case: &WallCase) -> bool {
-        *self.left = self.left.saturating_sub(4);
+        *self.left = self.left.saturating_sub(16);
         let mut rows = case.known.clone();
         let used = rows.iter().chain([row]).flat_map(|row| row.factors.keys());
         let mut nodes: Vec<ScalarId> = used.copied().collect();
