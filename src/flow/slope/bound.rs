@@ -13,7 +13,7 @@ const CASE_DEPTH: u32 = 14;
 /// How far the operands of a logarithm or square root are followed.
 pub(super) const MAX_NESTING: u32 = 40;
 /// Most gradients and ranges that are computed under assumptions.
-const MAX_WORK: u32 = 100_000;
+const MAX_WORK: u32 = 30_000;
 
 /// Gradients of the nodes of a function.
 pub(super) struct GradientBounds<'s> {
@@ -54,8 +54,9 @@ impl<'s> GradientBounds<'s> {
 
     /// Computes the gradients of nodes, given in topological order.
     pub fn solve(&mut self, nodes: &[ScalarId], vectors: &[Vec<ScalarId>]) {
+        let components: FxHashSet<ScalarId> = vectors.iter().flatten().copied().collect();
         let mut uses = self.uses(nodes);
-        uses.extend(vectors.iter().flatten());
+        uses.extend(&components);
         let mut by_last: FxHashMap<ScalarId, Vec<&Vec<ScalarId>>> = FxHashMap::default();
         for vector in vectors {
             if let Some(last) = vector.iter().max() {
@@ -66,7 +67,10 @@ impl<'s> GradientBounds<'s> {
             let none = SlopeAssumptions::default();
             let mut memo = CaseMemo::default();
             let mut made = self.compute(node, &none, &mut memo, 0);
-            let target = self.target(node);
+            let mut target = self.target(node);
+            if components.contains(&node) {
+                target = target.min(self.least_term(node));
+            }
             if uses.contains(&node) && made.norm > target * (1.0 + 1e-6) {
                 let better = self.by_cases(node, &made, target);
                 if better.norm < made.norm {
@@ -162,6 +166,19 @@ impl<'s> GradientBounds<'s> {
             }
             _ => f64::INFINITY,
         }
+    }
+
+    /// The least slope of the terms of a sum: a folded coordinate, `x - 2.0 * min(dot(p, k), 0.0) * k.x`,
+    /// is as steep as `x`, however long `k` is.
+    fn least_term(&self, node: ScalarId) -> f64 {
+        let ScalarForm::Sum(terms, _) = self.scalars.get(node) else {
+            return f64::INFINITY;
+        };
+        let norms = terms.iter().filter_map(|(term, by)| {
+            let norm = self.known.get(term)?.norm * by.get().abs();
+            (norm > 0.0).then_some(norm)
+        });
+        norms.fold(f64::INFINITY, f64::min)
     }
 
     /// The gradient of a node under assumptions.

@@ -19,12 +19,7 @@ impl GradientBounds<'_> {
             return known.clone();
         }
         let mut made = Vec::new();
-        let mut written = Vec::new();
-        for atom in self.atoms(id) {
-            let mut known = FxHashMap::default();
-            written.push((atom, self.derivative(id, atom, &mut known)));
-        }
-        made.push(written);
+        made.extend(self.written_partials(id));
         if let Some(polynomial) = NodePolynomial::of_point(self.scalars, id) {
             let atoms = polynomial.atoms().into_iter();
             let atoms: Vec<ScalarId> = atoms.filter(|a| self.scalars.varies(*a)).collect();
@@ -38,8 +33,19 @@ impl GradientBounds<'_> {
         made
     }
 
-    /// The nodes that depend on the point and of which a node is a polynomial.
-    pub fn atoms(&self, id: ScalarId) -> Vec<ScalarId> {
+    /// The partial derivatives of a node as it is written; `None` if it is too large.
+    pub fn written_partials(&mut self, id: ScalarId) -> Option<Vec<(ScalarId, ScalarId)>> {
+        let mut written = Vec::new();
+        for atom in self.atoms(id)? {
+            let mut known = FxHashMap::default();
+            written.push((atom, self.derivative(id, atom, &mut known)?));
+        }
+        Some(written)
+    }
+
+    /// The nodes that depend on the point and of which a node is a polynomial; `None` if there are too
+    /// many.
+    pub fn atoms(&self, id: ScalarId) -> Option<Vec<ScalarId>> {
         let mut seen = FxHashSet::default();
         let mut todo = vec![id];
         let mut found = Vec::new();
@@ -55,8 +61,7 @@ impl GradientBounds<'_> {
             }
         }
         found.sort_unstable();
-        found.truncate(MAX_ATOMS);
-        found
+        (found.len() <= MAX_ATOMS).then_some(found)
     }
 
     pub fn derivative(
@@ -64,27 +69,29 @@ impl GradientBounds<'_> {
         id: ScalarId,
         atom: ScalarId,
         known: &mut FxHashMap<ScalarId, ScalarId>,
-    ) -> ScalarId {
+    ) -> Option<ScalarId> {
         if id == atom {
-            return self.scalars.number(1.0);
+            return Some(self.scalars.number(1.0));
         }
         if !self.scalars.varies(id) {
-            return self.scalars.number(0.0);
+            return Some(self.scalars.number(0.0));
         }
         if let Some(known) = known.get(&id) {
-            return *known;
+            return Some(*known);
         }
         let mut sum = self.scalars.number(0.0);
         match self.scalars.get(id).clone() {
             ScalarForm::Sum(terms, _) => {
+                self.scalars.spend_products(terms.len())?;
                 for (term, by) in terms {
-                    let part = self.derivative(term, atom, known);
+                    let part = self.derivative(term, atom, known)?;
                     sum = self.scalars.combine((sum, 1.0), (part, by.get()));
                 }
             }
             ScalarForm::Product(factors) => {
+                self.scalars.spend_products(factors.len() * 2)?;
                 for (at, (factor, power)) in factors.iter().enumerate() {
-                    let inner = self.derivative(*factor, atom, known);
+                    let inner = self.derivative(*factor, atom, known)?;
                     let mut rest = factors.clone();
                     if let Some((_, own)) = rest.get_mut(at) {
                         *own -= 1;
@@ -97,7 +104,7 @@ impl GradientBounds<'_> {
             _ => {}
         }
         known.insert(id, sum);
-        sum
+        Some(sum)
     }
 
     /// A better bound for a polynomial, if there is one: by the frame that it belongs to, or by its

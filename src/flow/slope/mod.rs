@@ -20,6 +20,8 @@ mod frame;
 mod globals;
 mod gradient;
 mod interval;
+mod joint;
+mod linear;
 mod node;
 mod operation;
 mod polynomial;
@@ -32,11 +34,15 @@ use super::ranges::Query;
 use super::rays::{RayKind, RayLoop};
 use bound::GradientBounds;
 use execute::SymbolicExecution;
-use form::{ScalarForm, ScalarId};
+use form::{ScalarForm, ScalarFunction, ScalarId};
 use node::Scalars;
+use rustc_hash::FxHashSet;
 use shaderlint_ir::Layout;
 use shaderlint_semantic::Type;
 pub use verdict::{DistanceField, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle};
+
+/// Most terms of polynomials that are multiplied to find a bound, and to prove that there is no jump.
+const MAX_PRODUCTS: u32 = 300_000;
 
 impl DistanceField {
     /// The field that a ray loop moves by; `None` if it is not a function of a point.
@@ -102,7 +108,11 @@ pub fn slope(query: Query, field: DistanceField) -> Slope {
 }
 
 fn slope_of(scalars: &mut Scalars, root: ScalarId, vectors: &[Vec<ScalarId>]) -> Slope {
-    let nodes = continuity::below(scalars, root);
+    let nodes = scalars.below(root);
+    if let Some(obstacle) = opaque(scalars, root) {
+        return Slope::Unknown(obstacle);
+    }
+    scalars.allow_products(MAX_PRODUCTS);
     let mut bounds = GradientBounds::new(scalars, &nodes);
     bounds.solve(&nodes, vectors);
     let known = std::mem::take(&mut bounds.known);
@@ -111,13 +121,40 @@ fn slope_of(scalars: &mut Scalars, root: ScalarId, vectors: &[Vec<ScalarId>]) ->
     if !most.is_finite() {
         return Slope::Unknown(obstacle_at(scalars, root, norm));
     }
-    match continuity::jump(scalars, root, &nodes, |id| norm(id) == 0.0) {
+    scalars.allow_products(MAX_PRODUCTS);
+    match continuity::jump(scalars, &nodes, |id| norm(id) == 0.0) {
         Some(node) => Slope::Unknown(Obstacle {
             why: SlopeObstacle::Discontinuity,
             at: scalars.op(node),
         }),
         None => Slope::AtMost(most),
     }
+}
+
+/// A node of which nothing is known and from which the gradient follows.
+fn opaque(scalars: &Scalars, root: ScalarId) -> Option<Obstacle> {
+    let mut seen = FxHashSet::default();
+    let mut todo = vec![root];
+    while let Some(id) = todo.pop() {
+        match *scalars.get(id) {
+            ScalarForm::Unknown(_) => {
+                return Some(Obstacle {
+                    why: SlopeObstacle::Operation,
+                    at: scalars.op(id),
+                });
+            }
+            ScalarForm::Of(ScalarFunction::Floor, _) => {}
+            ScalarForm::Select(_, a, b) => {
+                todo.extend([a, b].into_iter().filter(|id| seen.insert(*id)))
+            }
+            _ => scalars.each(id, |operand| {
+                if scalars.varies(operand) && seen.insert(operand) {
+                    todo.push(operand);
+                }
+            }),
+        }
+    }
+    None
 }
 
 /// The first node without a bound.

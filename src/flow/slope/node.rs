@@ -5,8 +5,9 @@
 
 use super::form::{ScalarBits, ScalarForm, ScalarFunction, ScalarId};
 use super::interval::RealSpan;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::OpId;
+use std::cell::Cell;
 
 /// Most nodes of a function.
 const MAX_SCALARS: usize = 40_000;
@@ -30,6 +31,8 @@ pub(super) struct Scalars {
     /// The operation that is evaluated.
     pub at: Option<OpId>,
     fixed: u32,
+    /// How many more terms of polynomials may be multiplied.
+    products: Cell<u32>,
 }
 
 impl Scalars {
@@ -43,11 +46,20 @@ impl Scalars {
             ops: Vec::new(),
             at: None,
             fixed: 0,
+            products: Cell::new(0),
         }
     }
 
-    pub fn len(&self) -> usize {
-        self.all.len()
+    /// How many terms of polynomials may be multiplied from now on.
+    pub fn allow_products(&self, count: u32) {
+        self.products.set(count);
+    }
+
+    /// Multiplies some terms, if so many may be multiplied.
+    pub fn spend_products(&self, count: usize) -> Option<()> {
+        let left = self.products.get().checked_sub(count as u32)?;
+        self.products.set(left);
+        Some(())
     }
 
     /// Whether there are too many nodes to go on.
@@ -108,6 +120,21 @@ impl Scalars {
             | ScalarForm::And(a, b) => [*a, *b].into_iter().for_each(each),
             ScalarForm::Select(a, b, c) => [*a, *b, *c].into_iter().for_each(each),
         }
+    }
+
+    /// All nodes that a node consists of, in topological order.
+    pub fn below(&self, root: ScalarId) -> Vec<ScalarId> {
+        let mut seen = FxHashSet::default();
+        let mut todo = vec![root];
+        let mut found = Vec::new();
+        while let Some(id) = todo.pop() {
+            if seen.insert(id) {
+                found.push(id);
+                self.each(id, |operand| todo.push(operand));
+            }
+        }
+        found.sort_unstable();
+        found
     }
 
     fn add_node(&mut self, node: ScalarForm) -> ScalarId {

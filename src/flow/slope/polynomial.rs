@@ -72,13 +72,13 @@ impl NodePolynomial {
                 let by = NodePolynomial::expanded(scalars, factor, keeps)?;
                 let mut made = self;
                 for _ in 0..power {
-                    made = made.product(&by)?.reduced(scalars)?;
+                    made = made.product(scalars, &by)?.reduced(scalars)?;
                 }
                 return Some(made);
             }
             _ => NodePolynomial([(vec![(factor, power)], 1.0)].into()),
         };
-        self.product(&by)?.reduced(scalars)
+        self.product(scalars, &by)?.reduced(scalars)
     }
 
     /// Replaces squares of sines by those of cosines, so that `sin(a)^2 + cos(a)^2` is 1.
@@ -105,7 +105,7 @@ impl NodePolynomial {
             });
             let rest: Monomial = rest.filter(|(_, power)| *power != 0).collect();
             let square = NodePolynomial([(vec![(cos, 2)], -by)].into());
-            let other = NodePolynomial([(rest.clone(), 1.0)].into()).product(&square)?;
+            let other = NodePolynomial([(rest.clone(), 1.0)].into()).product(scalars, &square)?;
             self.add(rest, by);
             for (monomial, by) in other.0 {
                 self.add(monomial, by);
@@ -114,7 +114,8 @@ impl NodePolynomial {
         None
     }
 
-    fn product(&self, other: &NodePolynomial) -> Option<NodePolynomial> {
+    pub fn product(&self, scalars: &Scalars, other: &NodePolynomial) -> Option<NodePolynomial> {
+        scalars.spend_products(self.0.len() * other.0.len())?;
         let mut made = NodePolynomial::default();
         for (a, by) in &self.0 {
             for (b, other) in &other.0 {
@@ -212,7 +213,7 @@ impl Scalars {
         }
         below.retain(|_, power| *power > 0);
         let denominator = NodePolynomial([(below.into_iter().collect(), 1.0)].into());
-        let Some(above) = polynomial.product(&denominator) else {
+        let Some(above) = polynomial.product(self, &denominator) else {
             return false;
         };
         let above = above.node(self);

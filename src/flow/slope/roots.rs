@@ -137,13 +137,16 @@ impl GradientBounds<'_> {
         let mut frozen = Vec::new();
         let atoms = match self.scalars.is_shallow(square) {
             true => self.atoms(square),
-            false => Vec::new(),
+            false => None,
         };
-        for atom in atoms {
+        for atom in atoms.into_iter().flatten() {
             if matches!(self.scalars.get(atom), ScalarForm::Coordinate(_)) {
                 continue;
             }
             let derivative = self.derivative(square, atom, &mut FxHashMap::default());
+            let Some(derivative) = derivative else {
+                break;
+            };
             let derivative = self.resolve(derivative, given, memo, depth);
             if self.scalars.is_zero(derivative) {
                 frozen.push(atom);
@@ -155,7 +158,9 @@ impl GradientBounds<'_> {
             return gradients;
         }
         for (by, row) in rows {
-            let partials = self.partials(*row).into_iter().next().unwrap_or_default();
+            let Some(partials) = self.written_partials(*row) else {
+                return vec![FieldGradient::unknown()];
+            };
             let partials = partials
                 .into_iter()
                 .filter(|(atom, _)| !frozen.contains(atom));

@@ -316,3 +316,170 @@ fn several_results_and_iterations() {
     );
     check("if (p.y > 1.0) return p.y; return max(p.y, 1.0);", 1.0);
 }
+
+/// The exact distances of shapes whose distance is put together from parts: where the choice between
+/// parts changes, they are equal.
+#[test]
+fn exact_distances_by_parts() {
+    let check = |name: &str, body: &str| {
+        let code = format!("float map(vec3 p3) {{ {body} }}");
+        assert!(
+            slope_of(&code).is_distance(),
+            "{name}: {:?}",
+            slope_of(&code)
+        );
+    };
+    check(
+        "cone",
+        "vec3 p = p3;
+        vec2 c = vec2(0.5, 0.8660254); float h = 1.3;
+        vec2 q = h * vec2(c.x / c.y, -1.0);
+        vec2 w = vec2(length(p.xz), p.y);
+        vec2 a = w - q * clamp(dot(w, q) / dot(q, q), 0.0, 1.0);
+        vec2 b = w - q * vec2(clamp(w.x / q.x, 0.0, 1.0), 1.0);
+        float k = sign(q.y);
+        float d = min(dot(a, a), dot(b, b));
+        float s = max(k * (w.x * q.y - w.y * q.x), k * (w.y - q.y));
+        return sqrt(d) * sign(s);",
+    );
+    check(
+        "cone without end",
+        "vec3 p = p3;
+        vec2 c = vec2(0.6, 0.8);
+        vec2 q = vec2(length(p.xz), -p.y);
+        float d = length(q - c * max(dot(q, c), 0.0));
+        return d * ((q.x * c.y - q.y * c.x < 0.0) ? -1.0 : 1.0);",
+    );
+    check(
+        "cone with round ends",
+        "vec3 p = p3;
+        float r1 = 0.7, r2 = 0.3, h = 1.2;
+        float b = (r1 - r2) / h;
+        float a = sqrt(1.0 - b * b);
+        vec2 q = vec2(length(p.xz), p.y);
+        float k = dot(q, vec2(-b, a));
+        if (k < 0.0) return length(q) - r1;
+        if (k > a * h) return length(q - vec2(0.0, h)) - r2;
+        return dot(q, vec2(a, b)) - r1;",
+    );
+    check(
+        "octahedron",
+        "vec3 p = p3;
+        float s = 1.1;
+        p = abs(p);
+        float m = p.x + p.y + p.z - s;
+        vec3 q;
+        if (3.0 * p.x < m) q = p.xyz;
+        else if (3.0 * p.y < m) q = p.yzx;
+        else if (3.0 * p.z < m) q = p.zxy;
+        else return m * 0.57735027;
+        float k = clamp(0.5 * (q.z - q.y + s), 0.0, s);
+        return length(vec3(q.x, q.y - s + k, q.z - k));",
+    );
+    check(
+        "equilateral triangle",
+        "vec2 p = p3.xy; float r = 1.0; const float k = 1.7320508;
+        p.x = abs(p.x) - r;
+        p.y = p.y + r / k;
+        if (p.x + k * p.y > 0.0) p = vec2(p.x - k * p.y, -k * p.x - p.y) / 2.0;
+        p.x -= clamp(p.x, -2.0 * r, 0.0);
+        return -length(p) * sign(p.y);",
+    );
+    check(
+        "triangle",
+        "vec2 p = p3.xy, p0 = vec2(-0.5, -0.6), p1 = vec2(0.9, -0.2), p2 = vec2(0.1, 0.8);
+        vec2 e0 = p1 - p0, e1 = p2 - p1, e2 = p0 - p2;
+        vec2 v0 = p - p0, v1 = p - p1, v2 = p - p2;
+        vec2 pq0 = v0 - e0 * clamp(dot(v0, e0) / dot(e0, e0), 0.0, 1.0);
+        vec2 pq1 = v1 - e1 * clamp(dot(v1, e1) / dot(e1, e1), 0.0, 1.0);
+        vec2 pq2 = v2 - e2 * clamp(dot(v2, e2) / dot(e2, e2), 0.0, 1.0);
+        float s = sign(e0.x * e2.y - e0.y * e2.x);
+        vec2 d = min(min(vec2(dot(pq0, pq0), s * (v0.x * e0.y - v0.y * e0.x)),
+        vec2(dot(pq1, pq1), s * (v1.x * e1.y - v1.y * e1.x))),
+        vec2(dot(pq2, pq2), s * (v2.x * e2.y - v2.y * e2.x)));
+        return -sqrt(d.x) * sign(d.y);",
+    );
+    check(
+        "arc",
+        "vec2 p = p3.xy, sc = vec2(0.8, 0.6); float ra = 0.8, rb = 0.1;
+        p.x = abs(p.x);
+        return ((sc.y * p.x > sc.x * p.y) ? length(p - sc * ra) : abs(length(p) - ra)) - rb;",
+    );
+    check(
+        "pie",
+        "vec2 p = p3.xy, c = vec2(0.8, 0.6); float r = 0.9;
+        p.x = abs(p.x);
+        float l = length(p) - r;
+        float m = length(p - c * clamp(dot(p, c), 0.0, r));
+        return max(l, m * sign(c.y * p.x - c.x * p.y));",
+    );
+    check(
+        "hollow sphere, cut",
+        "vec3 p = p3;
+        float r = 1.0, h = 0.3, t = 0.1; float w = sqrt(r * r - h * h);
+        vec2 q = vec2(length(p.xz), p.y);
+        return ((h * q.x < w * q.y) ? length(q - vec2(w, h)) : abs(length(q) - r)) - t;",
+    );
+    check(
+        "solid angle",
+        "vec3 p = p3;
+        vec2 c = vec2(0.6, 0.8); float ra = 1.0;
+        vec2 q = vec2(length(p.xz), p.y);
+        float l = length(q) - ra;
+        float m = length(q - c * clamp(dot(q, c), 0.0, ra));
+        return max(l, m * sign(c.y * q.x - c.x * q.y));",
+    );
+    check(
+        "rhombus",
+        "vec2 p = abs(p3.xy), b = vec2(0.9, 0.5);
+        float h = clamp((b.x * (b.x - 2.0 * p.x) - b.y * (b.y - 2.0 * p.y)) / dot(b, b), -1.0, 1.0);
+        float d = length(p - 0.5 * b * vec2(1.0 - h, 1.0 + h));
+        return d * sign(p.x * b.y + p.y * b.x - b.x * b.y);",
+    );
+    check(
+        "vesica",
+        "vec2 p = abs(p3.xy); float r = 1.0, d = 0.5; float b = sqrt(r * r - d * d);
+        return ((p.y - b) * d > p.x * b) ? length(p - vec2(0.0, b)) : length(p - vec2(-d, 0.0)) - r;",
+    );
+}
+
+#[test]
+fn parts_that_are_not_equal_are_found() {
+    for body in [
+        // The axis of a cone, of which one side was forgotten; an arc with a direction of another length.
+        "vec2 q = vec2(length(p.xz), -p.y), c = vec2(0.6, 0.8);
+        return length(q - c * max(dot(q, c), 0.0)) * sign(q.x * c.y - q.y * c.x + 0.1);",
+        "p.x = abs(p.x); vec2 c = vec2(0.8, 0.7);
+        return c.y * p.x > c.x * p.y ? length(p.xy - c) : abs(length(p.xy) - 1.0);",
+        // Two conditions that change on the same surface.
+        "float s = p.x < 0.0 ? 1.0 : 0.0, t = p.x * 2.0 + p.x < 0.0 ? s : 0.0; return p.y + t;",
+        "float s = p.x < 0.0 ? 1.0 : 0.0, t = -p.x > 0.0 ? s : 0.0; return p.y + t;",
+        "return p.y + sign(p.x) * 0.1;",
+        // A hexagon that is cut off too early.
+        "p.xy = abs(p.xy); vec2 k = vec2(-0.8660254, 0.5); p.xy -= 2.0 * min(dot(k, p.xy), 0.0) * k;
+        p.xy -= vec2(clamp(p.x, -0.4, 0.4), 1.0); return length(p.xy) * sign(p.y);",
+    ] {
+        check_unknown(body, SlopeObstacle::Discontinuity);
+    }
+}
+
+#[test]
+fn repetition_with_limits() {
+    check(
+        "p -= 2.0 * clamp(round(p / 2.0), vec3(-3.0, -1.0, 0.0), vec3(3.0, 1.0, 0.0)); return length(p) - 0.5;",
+        1.0,
+    );
+    check(
+        &format!("p.xz -= 2.0 * clamp(floor(p.xz / 2.0 + 0.5), -2.0, 2.0); {BOX}"),
+        1.0,
+    );
+    // Not mirrored, or with a limit between two cells.
+    check_unknown(
+        "p -= 2.0 * clamp(round(p / 2.0), -3.0, 3.0); return length(p - 0.1) - 0.5;",
+        SlopeObstacle::Discontinuity,
+    );
+    check_unknown(
+        "p -= 2.0 * clamp(round(p / 2.0), -2.5, 2.5); return length(p) - 0.5;",
+        SlopeObstacle::Discontinuity,
+    );
+}
