@@ -317,19 +317,18 @@ fn several_results_and_iterations() {
     check("if (p.y > 1.0) return p.y; return max(p.y, 1.0);", 1.0);
 }
 
+/// Asserts that the body of a function of `p3` is proved to be a distance.
+#[track_caller]
+fn check_distance(name: &str, body: &str) {
+    let slope = slope_of(&format!("float map(vec3 p3) {{ {body} }}"));
+    assert!(slope.is_distance(), "{name}: {slope:?}");
+}
+
 /// The exact distances of shapes whose distance is put together from parts: where the choice between
 /// parts changes, they are equal.
 #[test]
 fn exact_distances_by_parts() {
-    let check = |name: &str, body: &str| {
-        let code = format!("float map(vec3 p3) {{ {body} }}");
-        assert!(
-            slope_of(&code).is_distance(),
-            "{name}: {:?}",
-            slope_of(&code)
-        );
-    };
-    check(
+    check_distance(
         "cone",
         "vec3 p = p3;
         vec2 c = vec2(0.5, 0.8660254); float h = 1.3;
@@ -342,7 +341,7 @@ fn exact_distances_by_parts() {
         float s = max(k * (w.x * q.y - w.y * q.x), k * (w.y - q.y));
         return sqrt(d) * sign(s);",
     );
-    check(
+    check_distance(
         "cone without end",
         "vec3 p = p3;
         vec2 c = vec2(0.6, 0.8);
@@ -350,7 +349,7 @@ fn exact_distances_by_parts() {
         float d = length(q - c * max(dot(q, c), 0.0));
         return d * ((q.x * c.y - q.y * c.x < 0.0) ? -1.0 : 1.0);",
     );
-    check(
+    check_distance(
         "cone with round ends",
         "vec3 p = p3;
         float r1 = 0.7, r2 = 0.3, h = 1.2;
@@ -362,7 +361,7 @@ fn exact_distances_by_parts() {
         if (k > a * h) return length(q - vec2(0.0, h)) - r2;
         return dot(q, vec2(a, b)) - r1;",
     );
-    check(
+    check_distance(
         "octahedron",
         "vec3 p = p3;
         float s = 1.1;
@@ -376,7 +375,11 @@ fn exact_distances_by_parts() {
         float k = clamp(0.5 * (q.z - q.y + s), 0.0, s);
         return length(vec3(q.x, q.y - s + k, q.z - k));",
     );
-    check(
+}
+
+#[test]
+fn exact_flat_distances_by_parts() {
+    check_distance(
         "equilateral triangle",
         "vec2 p = p3.xy; float r = 1.0; const float k = 1.7320508;
         p.x = abs(p.x) - r;
@@ -385,7 +388,7 @@ fn exact_distances_by_parts() {
         p.x -= clamp(p.x, -2.0 * r, 0.0);
         return -length(p) * sign(p.y);",
     );
-    check(
+    check_distance(
         "triangle",
         "vec2 p = p3.xy, p0 = vec2(-0.5, -0.6), p1 = vec2(0.9, -0.2), p2 = vec2(0.1, 0.8);
         vec2 e0 = p1 - p0, e1 = p2 - p1, e2 = p0 - p2;
@@ -399,13 +402,13 @@ fn exact_distances_by_parts() {
         vec2(dot(pq2, pq2), s * (v2.x * e2.y - v2.y * e2.x)));
         return -sqrt(d.x) * sign(d.y);",
     );
-    check(
+    check_distance(
         "arc",
         "vec2 p = p3.xy, sc = vec2(0.8, 0.6); float ra = 0.8, rb = 0.1;
         p.x = abs(p.x);
         return ((sc.y * p.x > sc.x * p.y) ? length(p - sc * ra) : abs(length(p) - ra)) - rb;",
     );
-    check(
+    check_distance(
         "pie",
         "vec2 p = p3.xy, c = vec2(0.8, 0.6); float r = 0.9;
         p.x = abs(p.x);
@@ -413,14 +416,14 @@ fn exact_distances_by_parts() {
         float m = length(p - c * clamp(dot(p, c), 0.0, r));
         return max(l, m * sign(c.y * p.x - c.x * p.y));",
     );
-    check(
+    check_distance(
         "hollow sphere, cut",
         "vec3 p = p3;
         float r = 1.0, h = 0.3, t = 0.1; float w = sqrt(r * r - h * h);
         vec2 q = vec2(length(p.xz), p.y);
         return ((h * q.x < w * q.y) ? length(q - vec2(w, h)) : abs(length(q) - r)) - t;",
     );
-    check(
+    check_distance(
         "solid angle",
         "vec3 p = p3;
         vec2 c = vec2(0.6, 0.8); float ra = 1.0;
@@ -429,14 +432,14 @@ fn exact_distances_by_parts() {
         float m = length(q - c * clamp(dot(q, c), 0.0, ra));
         return max(l, m * sign(c.y * q.x - c.x * q.y));",
     );
-    check(
+    check_distance(
         "rhombus",
         "vec2 p = abs(p3.xy), b = vec2(0.9, 0.5);
         float h = clamp((b.x * (b.x - 2.0 * p.x) - b.y * (b.y - 2.0 * p.y)) / dot(b, b), -1.0, 1.0);
         float d = length(p - 0.5 * b * vec2(1.0 - h, 1.0 + h));
         return d * sign(p.x * b.y + p.y * b.x - b.x * b.y);",
     );
-    check(
+    check_distance(
         "vesica",
         "vec2 p = abs(p3.xy); float r = 1.0, d = 0.5; float b = sqrt(r * r - d * d);
         return ((p.y - b) * d > p.x * b) ? length(p - vec2(0.0, b)) : length(p - vec2(-d, 0.0)) - r;",
