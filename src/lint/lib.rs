@@ -18,6 +18,7 @@ pub mod indent;
 mod look;
 pub mod loop_invariant;
 pub mod march;
+pub mod march_limit;
 mod misspelled;
 mod option;
 mod page;

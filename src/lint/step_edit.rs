@@ -20,22 +20,6 @@ pub fn step_edits(facts: &Facts, march: &March, factor: f64) -> Option<Vec<Edit>
     edits.collect()
 }
 
-/// The edit that multiplies the literal limit of a loop; `None` for other limits.
-pub fn limit_edit(program: &Program, march: &March, times: u32) -> Option<Edit> {
-    let limit = march.looped.given?;
-    let expr = program.tree.expr(limit);
-    let times_int = i32::try_from(times).ok()?;
-    let text = match expr.kind {
-        ExprKind::Int(n) => n.checked_mul(times_int)?.to_string(),
-        ExprKind::Uint(n) => format!("{}u", n.checked_mul(times)?),
-        ExprKind::Float(n) => literal(f64::from(n) * f64::from(times)),
-        _ => return None,
-    };
-    program
-        .is_direct(expr.extent)
-        .then(|| Edit::replace(program.expr_span(limit), text))
-}
-
 /// The expressions that are added to the ray parameter or point.
 fn step_terms(facts: &Facts, march: &March) -> Option<Vec<ExprId>> {
     let (program, module) = (facts.program(), facts.module());
@@ -91,7 +75,7 @@ fn literal_factor(program: &Program, expr: ExprId) -> Option<(ExprId, f64)> {
 }
 
 /// A float literal with a few significant digits.
-fn literal(value: f64) -> String {
+pub(super) fn literal(value: f64) -> String {
     let digits = DIGITS - 1 - value.abs().log10().floor() as i32;
     let scale = 10_f64.powi(digits.clamp(0, 12));
     let text = ((value * scale).round() / scale).to_string();

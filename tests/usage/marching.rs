@@ -157,6 +157,39 @@ fn a_limit_is_raised_if_more_steps_are_necessary() {
 }
 
 #[test]
+fn a_limit_with_a_name_is_raised_at_its_definition() {
+    let named = PARAMETER.replace("i < 120", "i < STEPS");
+    let tested = named
+        .replace("for (int i = 0", "int i;\n    for (i = 0")
+        .replace(
+            "return vec2(20.0, 0.0)",
+            "return vec2(i == STEPS ? t : 20.0, 0.0)",
+        );
+    let counted = named.replace("vec2(20.0, 0.0)", "vec2(20.0 + 0.0 * float(STEPS), 0.0)");
+    for (definition, march, is_raised) in [
+        ("#define STEPS 24", &named, true),
+        ("#define STEPS (24)", &tested, true),
+        ("const int STEPS = 24;", &named, true),
+        ("const int STEPS = 24;", &tested, true),
+        ("#define STEPS 24", &counted, false),
+        ("const int STEPS = 24;", &counted, false),
+        ("#define STEPS 24\n#if STEPS > 99\n#endif", &named, false),
+        ("#define STEPS (12 * 2)", &named, false),
+        ("const int STEPS = 12 * 2;", &named, false),
+    ] {
+        let march = format!("{definition}\n{march}");
+        let scratch = Scratch::new(&[("a.glsl", &shader(STEEP[2], [&march, LIGHT]))]);
+        let found = lint(&scratch, &["--unsafe-fixes"]);
+        let fixed = scratch.read("a.glsl");
+        let raised = definition.replace("24", "120");
+        let is_fixed = fixed.contains("t += d * 0.2;") && fixed.contains(&raised);
+        assert_eq!(is_fixed, is_raised, "{definition}\n{found}\n{fixed}");
+        let is_advised = found.contains("the number of steps by 5");
+        assert_eq!(is_advised, !is_raised, "{definition}\n{found}");
+    }
+}
+
+#[test]
 fn glow_volumes_and_soft_shadows_are_no_holes() {
     let glow = PARAMETER
         .replace("vec2 march", "float glow;\nvec2 march")
