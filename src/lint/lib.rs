@@ -15,6 +15,7 @@ pub mod formula;
 pub mod given;
 mod inactive_words;
 pub mod indent;
+pub mod longer_steps;
 mod look;
 pub mod loop_invariant;
 pub mod march;

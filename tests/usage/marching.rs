@@ -282,3 +282,67 @@ fn slopes_have_an_image() {
         ran.err
     );
 }
+
+/// What lints a shader with the rule about needlessly short steps.
+const SHORT_STEPS: [&str; 6] = [
+    "a.glsl",
+    "--run-samples",
+    "4096",
+    "--only",
+    "short-steps",
+    "--info",
+];
+
+#[test]
+fn steps_are_as_long_as_the_scene_permits() {
+    let lint = |scratch: &Scratch| {
+        scratch.run(&[&SHORT_STEPS[..], &["--unsafe-fixes"]].concat());
+        scratch.read("a.glsl")
+    };
+    let with = |march: &str, from: &str, to: &str, scene: usize| {
+        let text = shader(GENTLE[scene], [&march.replace(from, to), LIGHT]);
+        Scratch::new(&[("a.glsl", &text)])
+    };
+    for (step, fixed) in [
+        ("t += d * 0.4;", "t += d;"),
+        ("t += 0.4 * d;", "t += d;"),
+        ("t += d / 2.5;", "t += d;"),
+        ("t += 0.8 * d * 0.5;", "t += 2.0 * d * 0.5;"),
+    ] {
+        let scratch = with(PARAMETER, "t += d;", step, 3);
+        let ran = scratch.run(&[
+            "run", "a.glsl", "--size", "96x54", "--time", "1", "--report",
+        ]);
+        let line = "steps could be 2.5 times as long: 6 instead of 15 iterations per ray";
+        assert!(ran.out.contains(line), "{step}: {}", ran.out);
+        let text = lint(&scratch);
+        assert!(text.contains(fixed), "{step}: {text}");
+        assert!(
+            !scratch
+                .run(&["run", "a.glsl", "--report"])
+                .out
+                .contains("as long")
+        );
+    }
+    assert!(lint(&with(POINT, "rd * d * 0.9", "rd * 0.5 * d", 0)).contains("p += rd * d;"));
+}
+
+#[test]
+fn short_steps_that_a_scene_needs_are_left_alone() {
+    let half = PARAMETER.replace("t += d;", "t += 0.5 * d;");
+    let glow = half
+        .replace("vec2 march", "float glow;\nvec2 march")
+        .replace(
+            "t += 0.5 * d;",
+            "t += 0.5 * d; glow += 0.02 / (0.1 + abs(d));",
+        );
+    let steps = half
+        .replace("float t = 0.0;", "float t = 0.0, n = 0.0;")
+        .replace("t += 0.5 * d;", "t += 0.5 * d; n += 0.03;")
+        .replace("vec2(t, 1.0)", "vec2(n, 1.0)");
+    for (scene, march) in [(STEEP[3], &half), (GENTLE[3], &glow), (GENTLE[3], &steps)] {
+        let scratch = Scratch::new(&[("a.glsl", &shader(scene, [march, LIGHT]))]);
+        let found = scratch.run(&SHORT_STEPS);
+        assert!(!found.out.contains("as long"), "{}", found.out);
+    }
+}
