@@ -96,6 +96,7 @@ mod shadows_builtin;
 mod shared_counter;
 mod shift_precedence;
 mod shift_range;
+mod short_steps;
 mod sin_hash;
 mod single_turn_loop;
 mod six_sample_normal;
@@ -248,6 +249,7 @@ pub static RULES: &[&Rule] = &[
     &shared_counter::RULE,
     &shift_precedence::RULE,
     &shift_range::RULE,
+    &short_steps::RULE,
     &sin_hash::RULE,
     &single_turn_loop::RULE,
     &six_sample_normal::RULE,

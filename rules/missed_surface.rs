@@ -2,8 +2,9 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::march::March;
+use shaderlint_lint::march_limit::limit_edit;
 use shaderlint_lint::sample::{StepLength, percent, rounded};
-use shaderlint_lint::step_edit::{limit_edit, step_edits};
+use shaderlint_lint::step_edit::step_edits;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 
@@ -62,7 +63,7 @@ fn fix(cx: &Context, march: &March, length: StepLength) -> Option<Fix> {
     let factor = f64::from(length.thousandths) / 1000.0;
     let mut edits = step_edits(cx.facts, march, factor)?;
     if length.times > 1 {
-        edits.push(limit_edit(cx.program, march, length.times)?);
+        edits.push(limit_edit(cx.facts, march, length.times)?);
     }
     Some(Fix::suggestion(title(length), edits))
 }

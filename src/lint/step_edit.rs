@@ -5,7 +5,7 @@ use super::march::March;
 use shaderlint_ir::Provenance;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind, UnaryOp};
-use shaderlint_text::Edit;
+use shaderlint_text::{Edit, Span};
 
 /// Significant digits of a factor.
 const DIGITS: i32 = 4;
@@ -20,20 +20,45 @@ pub fn step_edits(facts: &Facts, march: &March, factor: f64) -> Option<Vec<Edit>
     edits.collect()
 }
 
-/// The edit that multiplies the literal limit of a loop; `None` for other limits.
-pub fn limit_edit(program: &Program, march: &March, times: u32) -> Option<Edit> {
-    let limit = march.looped.given?;
-    let expr = program.tree.expr(limit);
-    let times_int = i32::try_from(times).ok()?;
-    let text = match expr.kind {
-        ExprKind::Int(n) => n.checked_mul(times_int)?.to_string(),
-        ExprKind::Uint(n) => format!("{}u", n.checked_mul(times)?),
-        ExprKind::Float(n) => literal(f64::from(n) * f64::from(times)),
-        _ => return None,
-    };
-    program
-        .is_direct(expr.extent)
-        .then(|| Edit::replace(program.expr_span(limit), text))
+/// The literal factor that shortens all steps of a loop; `None` where they have none, or several.
+pub fn step_factor(facts: &Facts, march: &March) -> Option<f64> {
+    let program = facts.program();
+    let mut all = step_terms(facts, march)?.into_iter().map(|term| {
+        let own = factors(program, term).into_iter();
+        own.fold(1.0, |product, factor| match factor.divides {
+            true => product / factor.value,
+            false => product * factor.value,
+        })
+    });
+    let first = all.next()?;
+    let is_shorter = first > 0.0 && first < 1.0;
+    (is_shorter && all.all(|other| other == first)).then_some(first)
+}
+
+/// The edits that give the steps of a loop another literal factor than that of [`step_factor`].
+pub fn factor_edits(facts: &Facts, march: &March, [from, to]: [f64; 2]) -> Option<Vec<Edit>> {
+    let program = facts.program();
+    let edits = step_terms(facts, march)?.into_iter().map(|term| {
+        let shortens = |f: &LiteralFactor| f.divides == (f.value > 1.0) && f.value != 1.0;
+        let factor = factors(program, term).into_iter().find(shortens)?;
+        let value = match factor.divides {
+            true => factor.value * from / to,
+            false => factor.value * to / from,
+        };
+        let span = program.expr_span(factor.expr);
+        let text = literal(value);
+        Some(match factor.rest.filter(|_| text == "1.0") {
+            Some(rest) => {
+                let rest = program.expr_span(rest);
+                Edit::delete(match rest.start < span.start {
+                    true => Span::new(rest.end, span.end),
+                    false => Span::new(span.start, rest.start),
+                })
+            }
+            None => Edit::replace(span, text),
+        })
+    });
+    edits.collect()
 }
 
 /// The expressions that are added to the ray parameter or point.
@@ -75,23 +100,52 @@ fn multiplied(program: &Program, expr: ExprId, factor: f64) -> Option<Edit> {
 
 /// The first literal that multiplies an expression.
 fn literal_factor(program: &Program, expr: ExprId) -> Option<(ExprId, f64)> {
-    let mut todo = vec![expr];
-    while let Some(expr) = todo.pop() {
+    let mut all = factors(program, expr).into_iter();
+    let factor = all.find(|factor| !factor.divides)?;
+    Some((factor.expr, factor.value))
+}
+
+/// A literal that multiplies or divides an expression.
+#[derive(Clone, Copy)]
+struct LiteralFactor {
+    expr: ExprId,
+    value: f64,
+    divides: bool,
+    /// What is left of the product without it.
+    rest: Option<ExprId>,
+}
+
+/// The literals that multiply or divide an expression, from left to right.
+fn factors(program: &Program, expr: ExprId) -> Vec<LiteralFactor> {
+    let mut found = Vec::new();
+    let mut todo = vec![(expr, false, None)];
+    while let Some((expr, divides, rest)) = todo.pop() {
         match program.tree.expr(expr).kind {
-            ExprKind::Float(value) => return Some((expr, f64::from(value))),
-            ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner) => {
-                todo.push(inner);
+            ExprKind::Float(value) => found.push(LiteralFactor {
+                expr,
+                value: f64::from(value),
+                divides,
+                rest,
+            }),
+            ExprKind::Paren(inner) | ExprKind::Unary(UnaryOp::Minus | UnaryOp::Plus, inner)
+                if !divides =>
+            {
+                todo.push((inner, divides, None));
             }
-            ExprKind::Binary(BinaryOp::Mul, left, right) => todo.extend([right, left]),
-            ExprKind::Binary(BinaryOp::Div, left, _) => todo.push(left),
+            ExprKind::Binary(BinaryOp::Mul, left, right) if !divides => {
+                todo.extend([(right, false, Some(left)), (left, false, Some(right))]);
+            }
+            ExprKind::Binary(BinaryOp::Div, left, right) if !divides => {
+                todo.extend([(right, true, Some(left)), (left, false, None)]);
+            }
             _ => {}
         }
     }
-    None
+    found
 }
 
 /// A float literal with a few significant digits.
-fn literal(value: f64) -> String {
+pub(super) fn literal(value: f64) -> String {
     let digits = DIGITS - 1 - value.abs().log10().floor() as i32;
     let scale = 10_f64.powi(digits.clamp(0, 12));
     let text = ((value * scale).round() / scale).to_string();

@@ -157,6 +157,39 @@ fn a_limit_is_raised_if_more_steps_are_necessary() {
 }
 
 #[test]
+fn a_limit_with_a_name_is_raised_at_its_definition() {
+    let named = PARAMETER.replace("i < 120", "i < STEPS");
+    let tested = named
+        .replace("for (int i = 0", "int i;\n    for (i = 0")
+        .replace(
+            "return vec2(20.0, 0.0)",
+            "return vec2(i == STEPS ? t : 20.0, 0.0)",
+        );
+    let counted = named.replace("vec2(20.0, 0.0)", "vec2(20.0 + 0.0 * float(STEPS), 0.0)");
+    for (definition, march, is_raised) in [
+        ("#define STEPS 24", &named, true),
+        ("#define STEPS (24)", &tested, true),
+        ("const int STEPS = 24;", &named, true),
+        ("const int STEPS = 24;", &tested, true),
+        ("#define STEPS 24", &counted, false),
+        ("const int STEPS = 24;", &counted, false),
+        ("#define STEPS 24\n#if STEPS > 99\n#endif", &named, false),
+        ("#define STEPS (12 * 2)", &named, false),
+        ("const int STEPS = 12 * 2;", &named, false),
+    ] {
+        let march = format!("{definition}\n{march}");
+        let scratch = Scratch::new(&[("a.glsl", &shader(STEEP[2], [&march, LIGHT]))]);
+        let found = lint(&scratch, &["--unsafe-fixes"]);
+        let fixed = scratch.read("a.glsl");
+        let raised = definition.replace("24", "120");
+        let is_fixed = fixed.contains("t += d * 0.2;") && fixed.contains(&raised);
+        assert_eq!(is_fixed, is_raised, "{definition}\n{found}\n{fixed}");
+        let is_advised = found.contains("the number of steps by 5");
+        assert_eq!(is_advised, !is_raised, "{definition}\n{found}");
+    }
+}
+
+#[test]
 fn glow_volumes_and_soft_shadows_are_no_holes() {
     let glow = PARAMETER
         .replace("vec2 march", "float glow;\nvec2 march")
@@ -248,4 +281,68 @@ fn slopes_have_an_image() {
         "{}",
         ran.err
     );
+}
+
+/// What lints a shader with the rule about needlessly short steps.
+const SHORT_STEPS: [&str; 6] = [
+    "a.glsl",
+    "--run-samples",
+    "4096",
+    "--only",
+    "short-steps",
+    "--info",
+];
+
+#[test]
+fn steps_are_as_long_as_the_scene_permits() {
+    let lint = |scratch: &Scratch| {
+        scratch.run(&[&SHORT_STEPS[..], &["--unsafe-fixes"]].concat());
+        scratch.read("a.glsl")
+    };
+    let with = |march: &str, from: &str, to: &str, scene: usize| {
+        let text = shader(GENTLE[scene], [&march.replace(from, to), LIGHT]);
+        Scratch::new(&[("a.glsl", &text)])
+    };
+    for (step, fixed) in [
+        ("t += d * 0.4;", "t += d;"),
+        ("t += 0.4 * d;", "t += d;"),
+        ("t += d / 2.5;", "t += d;"),
+        ("t += 0.8 * d * 0.5;", "t += 2.0 * d * 0.5;"),
+    ] {
+        let scratch = with(PARAMETER, "t += d;", step, 3);
+        let ran = scratch.run(&[
+            "run", "a.glsl", "--size", "96x54", "--time", "1", "--report",
+        ]);
+        let line = "steps could be 2.5 times as long: 6 instead of 15 iterations per ray";
+        assert!(ran.out.contains(line), "{step}: {}", ran.out);
+        let text = lint(&scratch);
+        assert!(text.contains(fixed), "{step}: {text}");
+        assert!(
+            !scratch
+                .run(&["run", "a.glsl", "--report"])
+                .out
+                .contains("as long")
+        );
+    }
+    assert!(lint(&with(POINT, "rd * d * 0.9", "rd * 0.5 * d", 0)).contains("p += rd * d;"));
+}
+
+#[test]
+fn short_steps_that_a_scene_needs_are_left_alone() {
+    let half = PARAMETER.replace("t += d;", "t += 0.5 * d;");
+    let glow = half
+        .replace("vec2 march", "float glow;\nvec2 march")
+        .replace(
+            "t += 0.5 * d;",
+            "t += 0.5 * d; glow += 0.02 / (0.1 + abs(d));",
+        );
+    let steps = half
+        .replace("float t = 0.0;", "float t = 0.0, n = 0.0;")
+        .replace("t += 0.5 * d;", "t += 0.5 * d; n += 0.03;")
+        .replace("vec2(t, 1.0)", "vec2(n, 1.0)");
+    for (scene, march) in [(STEEP[3], &half), (GENTLE[3], &glow), (GENTLE[3], &steps)] {
+        let scratch = Scratch::new(&[("a.glsl", &shader(scene, [march, LIGHT]))]);
+        let found = scratch.run(&SHORT_STEPS);
+        assert!(!found.out.contains("as long"), "{}", found.out);
+    }
 }

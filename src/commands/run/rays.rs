@@ -10,9 +10,12 @@ use shaderlint_engine::playback::Moment;
 use shaderlint_exec::{RayProbe, Sampled, Watch, quads_all_over};
 use shaderlint_ir::Provenance;
 use shaderlint_lint::Facts;
+use shaderlint_lint::longer_steps::{
+    MarchSample, are_clearly_fewer, factor_length, largest_factor, longer_factors,
+};
 use shaderlint_lint::march::March;
 use shaderlint_lint::sample::{RayOutcome, StepLength, ray_probe, rounded};
-use shaderlint_semantic::Program;
+use shaderlint_lint::step_edit::step_factor;
 
 /// Most quads that are sampled.
 const MOST_QUADS: usize = 2048;
@@ -33,6 +36,20 @@ pub struct RayRow {
     pub first: Option<MissedPoint>,
     /// Largest slope of the distance between two steps of a ray.
     pub slope: f64,
+    /// Longer steps that draw the same frame, if the steps have a factor and they save iterations.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub longer: Option<LongerRow>,
+}
+
+/// Longer steps of a loop.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct LongerRow {
+    /// The factor of the steps.
+    pub factor: f64,
+    /// The larger factor.
+    pub larger: f64,
+    /// Iterations per ray with both.
+    pub iterations: [f64; 2],
 }
 
 /// A point of a surface that a ray steps over.
@@ -55,13 +72,13 @@ pub fn rays(
     let program = loaded.program(own)?;
     let facts = Facts::of(program, &own.known);
     let marches = facts.marches().iter();
-    let rows = marches.filter_map(|march| row((loaded, program), own, (setting, moment), march));
+    let rows = marches.filter_map(|march| row((loaded, &facts), own, (setting, moment), march));
     let rows: Vec<RayRow> = rows.collect();
     (!rows.is_empty()).then_some(rows)
 }
 
 fn row(
-    (loaded, program): (&Loaded, &Program),
+    (loaded, facts): (&Loaded, &Facts),
     own: &Shot,
     (setting, moment): (&ShotSetting, &Moment),
     march: &March,
@@ -70,7 +87,8 @@ fn row(
     let [short, shortest] = StepLength::SHORTER;
     let runs = [StepLength::FULL, short, shortest].map(|length| {
         let probe = ray_probe(march, &own.module, length)?;
-        sampled(loaded, (setting, moment), probe, &quads)
+        let (_, sampled) = sampled(loaded, (setting, moment), (probe, Watch::Nothing), &quads)?;
+        Some(sampled)
     });
     let [full, short, shortest] = runs;
     let full = full?;
@@ -91,6 +109,7 @@ fn row(
     });
     let first = missed.next();
     let count = missed.count() + usize::from(first.is_some());
+    let program = facts.program();
     let place = span(program, Provenance::Stmt(march.looped.stmt))?;
     let function = program.function(march.looped.function);
     Some(RayRow {
@@ -100,6 +119,35 @@ fn row(
         stepped_over: count as f64 / rays.max(1) as f64,
         first,
         slope: decimal(slope),
+        longer: longer((loaded, facts), (setting, moment), march, &quads),
+    })
+}
+
+/// The longest steps that draw the same pixels, of a loop whose steps have a literal factor.
+fn longer(
+    (loaded, facts): (&Loaded, &Facts),
+    (setting, moment): (&ShotSetting, &Moment),
+    march: &March,
+    quads: &[[u32; 2]],
+) -> Option<LongerRow> {
+    let factor = step_factor(facts, march)?;
+    let with = |other: f64| {
+        let probe = ray_probe(march, facts.module(), factor_length(factor, other))?;
+        let (shot, sampled) = sampled(loaded, (setting, moment), (probe, Watch::Flow), quads)?;
+        Some(MarchSample::of(shot.code(), &sampled, march.ray.looped))
+    };
+    let per_ray = |sample: &MarchSample| MarchSample::per_ray(std::slice::from_ref(sample));
+    let before = with(factor)?;
+    if !are_clearly_fewer([per_ray(&before), 0.0]) {
+        return None;
+    }
+    let keeps = |other| Some(before.is_kept_by(&with(other)?));
+    let larger = largest_factor(&longer_factors(factor), keeps)?;
+    let iterations = [per_ray(&before), per_ray(&with(larger)?)];
+    are_clearly_fewer(iterations).then(|| LongerRow {
+        factor: decimal(factor as f32),
+        larger: decimal(larger as f32),
+        iterations: iterations.map(|n| decimal(n as f32)),
     })
 }
 
@@ -107,21 +155,23 @@ fn row(
 fn sampled(
     loaded: &Loaded,
     (setting, moment): (&ShotSetting, &Moment),
-    probe: RayProbe,
+    (probe, watch): (RayProbe, Watch),
     quads: &[[u32; 2]],
-) -> Option<Sampled> {
+) -> Option<(Shot, Sampled)> {
     let setting = ShotSetting {
         show: None,
         rays: ObservedRays::Probe(probe),
-        watch: Watch::Nothing,
+        watch,
         trace: false,
         ..*setting
     };
     let mut observed = shot(loaded, &setting).ok()?;
-    observed.sampled(moment, quads, &mut |_| {}).ok()
+    let sampled = observed.sampled(moment, quads, &mut |_| {}).ok()?;
+    Some((observed, sampled))
 }
 
-/// The lines for people, of the loops with rays that step over a surface.
+/// The lines for people: the loops with rays that step over a surface, and those with needlessly short
+/// steps.
 pub fn lines(rows: &[RayRow]) -> String {
     let missed = rows.iter().filter_map(|row| {
         let MissedPoint {
@@ -138,5 +188,14 @@ pub fn lines(rows: &[RayRow]) -> String {
             row.at
         ))
     });
-    missed.collect()
+    let short = rows.iter().filter_map(|row| {
+        let longer = row.longer?;
+        let times = rounded((longer.larger / longer.factor * 10.0).round() / 10.0);
+        let [before, after] = longer.iterations.map(f64::round);
+        Some(format!(
+            "  {}: steps could be {times} times as long: {after} instead of {before} iterations per ray\n",
+            row.at
+        ))
+    });
+    missed.chain(short).collect()
 }

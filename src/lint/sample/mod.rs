@@ -71,7 +71,7 @@ pub const INSTANTS: [Instant; 4] = [
 
 /// Instants at which a claim is checked again before it is made: other times, and other places of the
 /// mouse.
-const LATER: [Instant; 16] = [
+pub(crate) const LATER: [Instant; 16] = [
     Instant::at(0.7),
     Instant::pressed(1.4, [20.0, 20.0], true),
     Instant::at(4.1),
@@ -283,7 +283,7 @@ impl<'a> Facts<'a> {
     }
 
     /// Half of the quads of the sample run, per instant.
-    fn fewer_quads(&self) -> Option<usize> {
+    pub(crate) fn fewer_quads(&self) -> Option<usize> {
         let (bench, _) = self.bench()?;
         let quads = bench.quads(Round::Last, self.round(Round::First))?;
         Some(quads.div_ceil(2))
