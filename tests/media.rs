@@ -107,7 +107,7 @@ fn a_page_contains_each_used_generator_once() {
         let inputs: Vec<String> = ids.iter().map(input).collect();
         let mut project = project(&inputs);
         let composed = project.resolve("test").unwrap();
-        html(&project, &composed, None).whole()
+        html(&project, &composed, None, None).whole()
     };
     // One shader draws both sizes of noise.
     let page = used(&["Xsf3zn", "XdXGzn"]);

@@ -353,6 +353,7 @@ fn linked_stages_share_varying_locations() {
         version: None,
         poster: None,
         split: false,
+        playground: None,
         interface: true,
         first_row: FirstRow::Top,
     };

@@ -298,7 +298,7 @@ fn port(text: &str) {
     for unit in &composed.units {
         composed.analysis(unit);
     }
-    let _ = html(&project, &composed, None);
+    let _ = html(&project, &composed, None, None);
     let _ = glsl(&project, &composed);
 }
 

@@ -196,7 +196,7 @@ Exit codes:
   1  Shaders with errors were left out
   2  Wrong usage, or a file cannot be read or written";
 
-/// The playground of the site of the program, once that has an address.
+/// The playground beside the documentation, once that has an address.
 const PLAYGROUND: Option<&str> = match env!("CARGO_PKG_HOMEPAGE").is_empty() {
     true => None,
     false => Some(concat!(env!("CARGO_PKG_HOMEPAGE"), "playground/")),
