@@ -2,13 +2,15 @@
 
 use super::arguments::{BreakpointArgument, SourceArgument};
 use super::debuggee::{Debuggee, message};
-use super::evaluate::EvaluatedExpression;
+use super::evaluate::{DrawLimits, EvaluatedExpression};
 use super::places::{StackFrame, StopPlace};
 use super::stepping::moment_of;
 use super::timeline::Timeline;
 use shaderlint_diagnostic::grouped;
 use shaderlint_exec::{CompileOptions, Draw, QUAD, Stop, draw};
 use shaderlint_text::FileId;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// The number of instructions per thread after which pixels are no longer counted: a second or two.
 const COUNT_BUDGET: u64 = 100_000_000;
@@ -117,11 +119,15 @@ impl Breakpoint {
         Ok(moments)
     }
 
-    /// Counts the pixels of the image that hit it.
+    /// Counts the pixels of the image that hit it, unless `interrupt` is set before the end.
     ///
     /// # Errors
     /// A message about a draw that cannot be run.
-    pub fn count(&mut self, debuggee: &Debuggee, threads: usize) -> Result<(), String> {
+    pub fn count(
+        &mut self,
+        debuggee: &Debuggee,
+        (threads, interrupt): (usize, &Arc<AtomicBool>),
+    ) -> Result<(), String> {
         let Ok(place) = &self.place else {
             return Ok(());
         };
@@ -131,9 +137,14 @@ impl Breakpoint {
             Some(condition) => {
                 let frame = frame(debuggee, place)?;
                 let any = EvaluatedExpression::ever(debuggee, &frame, condition)?;
-                let Ok(image) = any.image(debuggee, (threads, COUNT_BUDGET)) else {
-                    self.hits = Some(UNCOUNTED.to_string());
-                    return Ok(());
+                let limits = DrawLimits {
+                    threads,
+                    budget: COUNT_BUDGET,
+                    interrupt: Some(interrupt.clone()),
+                };
+                let image = match any.image(debuggee, limits)? {
+                    Ok(image) => image,
+                    Err(stop) => return Ok(self.uncounted(&stop)),
                 };
                 (image.count_true(), None)
             }
@@ -146,9 +157,10 @@ impl Breakpoint {
                 let variant = variant.map_err(message)?;
                 let mut whole = variant.draw();
                 whole.budget = COUNT_BUDGET;
-                let Ok(drawn) = draw(&whole, threads) else {
-                    self.hits = Some(UNCOUNTED.to_string());
-                    return Ok(());
+                whole.cancelled = Some(interrupt.clone());
+                let drawn = match draw(&whole, threads) {
+                    Ok(drawn) => drawn,
+                    Err(stop) => return Ok(self.uncounted(&stop)),
                 };
                 let mut statements = variant.code.statements().iter().zip(&drawn.seen.statements);
                 let found = statements.find(|(extent, _)| **extent == place.extent);
@@ -162,6 +174,15 @@ impl Breakpoint {
         }
         self.hits = Some(text);
         Ok(())
+    }
+}
+
+impl Breakpoint {
+    /// The pixels are not counted: never, or not yet.
+    fn uncounted(&mut self, stop: &Stop) {
+        if *stop != Stop::Cancelled {
+            self.hits = Some(UNCOUNTED.to_string());
+        }
     }
 }
 

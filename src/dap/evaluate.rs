@@ -11,6 +11,7 @@ use shaderlint_ir::OpKind;
 use shaderlint_semantic::{Program, Type, VariableId};
 use shaderlint_syntax::ast::ExprKind;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Maximum number of values of one expression that are kept.
 const MOST_VALUES: usize = 100_000;
@@ -145,15 +146,15 @@ impl EvaluatedExpression {
         self.ty == Type::BOOL
     }
 
-    /// Draws the last value of each pixel, with at most `budget` instructions per thread.
+    /// Draws the last value of each pixel, or returns why that was stopped.
     ///
     /// # Errors
     /// A message about a draw that cannot be run.
     pub fn image(
         &self,
         debuggee: &Debuggee,
-        (threads, budget): (usize, u64),
-    ) -> Result<ValueImage, String> {
+        limits: DrawLimits,
+    ) -> Result<Result<ValueImage, Stop>, String> {
         let probe = self.probe().ok_or("the value is not stored")?;
         let options = CompileOptions {
             probe: Some(probe),
@@ -162,13 +163,12 @@ impl EvaluatedExpression {
         let build = debuggee.variant(Some((self.pass, self.text.clone())), &options);
         let build = build.map_err(message)?;
         let mut whole = build.draw();
-        whole.budget = budget;
-        let drawn = draw(&whole, threads).map_err(|stop| stop.to_string())?;
+        whole.budget = limits.budget;
+        whole.cancelled = limits.interrupt;
+        let drawn = draw(&whole, limits.threads);
         drop(whole);
-        Ok(ValueImage {
-            code: build.code,
-            drawn,
-        })
+        let code = build.code;
+        Ok(drawn.map(|drawn| ValueImage { code, drawn }))
     }
 
     /// The store, whose last value of each pixel is drawn.
@@ -184,6 +184,15 @@ impl EvaluatedExpression {
             is_value.then_some(Probe::Value(value))
         })
     }
+}
+
+/// How an image is drawn.
+pub struct DrawLimits {
+    pub threads: usize,
+    /// The number of instructions per thread.
+    pub budget: u64,
+    /// Stops the draw when it is set.
+    pub interrupt: Option<Arc<AtomicBool>>,
 }
 
 /// The values of an expression over the screen.

@@ -6,6 +6,7 @@ use shaderlint_commands::run::Loaded;
 use shaderlint_dap::{Adapter, Launch, ProgramSource};
 use shaderlint_engine::playback::Decode;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// A debugger of the texts that come with `launch`.
 pub struct ModuleDebugger {
@@ -32,7 +33,8 @@ impl ModuleDebugger {
 
     /// Counts what new breakpoints hit. Returns messages for the client.
     pub fn idle(&mut self) -> Value {
-        self.adapter.idle().into()
+        // No message can come while a worker is busy.
+        self.adapter.idle(&Arc::default()).into()
     }
 }
 

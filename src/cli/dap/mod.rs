@@ -10,12 +10,14 @@ use crate::port::Composed;
 use serde_json::Value;
 use std::io::{self, Write};
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
 use std::thread;
 use std::time::Duration;
 
-/// How often is looked whether a drawing is done, while no message comes.
-const DRAWING: Duration = Duration::from_millis(20);
+/// The time between attempts to do what can wait, while no message comes.
+const PAUSE: Duration = Duration::from_millis(20);
 
 /// Serves a client until it disconnects.
 ///
@@ -23,6 +25,8 @@ const DRAWING: Duration = Duration::from_millis(20);
 /// If standard input holds no message, or standard output fails.
 pub fn serve() -> io::Result<()> {
     let (sender, messages) = channel();
+    let interrupt = Arc::<AtomicBool>::default();
+    let arrived = interrupt.clone();
     thread::Builder::new()
         .name("input".to_string())
         .spawn(move || {
@@ -33,12 +37,13 @@ pub fn serve() -> io::Result<()> {
                 if sender.send(body).is_err() || is_last {
                     return;
                 }
+                arrived.store(true, Ordering::Relaxed);
             }
         })?;
     let programs = DiskPrograms;
     let mut adapter = Adapter::new(&programs);
     while !adapter.is_done() {
-        let Some(body) = next(&messages, &mut adapter)? else {
+        let Some(body) = next(&messages, &mut adapter, &interrupt)? else {
             return Ok(());
         };
         let message: Value = serde_json::from_slice(&body)
@@ -52,23 +57,26 @@ pub fn serve() -> io::Result<()> {
 fn next(
     messages: &Receiver<io::Result<Option<Vec<u8>>>>,
     adapter: &mut Adapter<'_>,
+    interrupt: &Arc<AtomicBool>,
 ) -> io::Result<Option<Vec<u8>>> {
-    match messages.try_recv() {
-        Ok(body) => return body,
-        Err(TryRecvError::Disconnected) => return Ok(None),
-        Err(TryRecvError::Empty) => write(adapter.idle())?,
-    }
-    while adapter.is_drawing() {
-        match messages.recv_timeout(DRAWING) {
+    loop {
+        interrupt.store(false, Ordering::Relaxed);
+        match messages.try_recv() {
+            Ok(body) => return body,
+            Err(TryRecvError::Disconnected) => return Ok(None),
+            Err(TryRecvError::Empty) => write(adapter.idle(interrupt))?,
+        }
+        // The message that has interrupted it may be one that was handled before.
+        let is_done = !adapter.is_drawing() && !interrupt.load(Ordering::Relaxed);
+        if is_done {
+            return messages.recv().unwrap_or(Ok(None));
+        }
+        match messages.recv_timeout(PAUSE) {
             Ok(body) => return body,
             Err(RecvTimeoutError::Disconnected) => return Ok(None),
             Err(RecvTimeoutError::Timeout) => {}
         }
-        if !adapter.is_drawing() {
-            write(adapter.idle())?;
-        }
     }
-    messages.recv().unwrap_or(Ok(None))
 }
 
 fn write(messages: Vec<Value>) -> io::Result<()> {

@@ -3,7 +3,7 @@
 use super::reply::{ClientState, DebugAnswer, Reply};
 use super::session::{DebugSession, Handle};
 use crate::arguments::DebugArguments;
-use crate::evaluate::{EvaluatedExpression, named};
+use crate::evaluate::{DrawLimits, EvaluatedExpression, named};
 use crate::places::StackFrame;
 use crate::value::{DebugValue, is_simple};
 use base64::Engine;
@@ -298,7 +298,13 @@ impl DebugSession {
     pub(super) fn image(&mut self, asked: &DebugArguments, threads: usize) -> DebugAnswer {
         let (.., frame) = self.frame(asked.frame_id)?;
         let evaluated = self.compiled(&frame, &asked.expression)?;
-        let image = evaluated.image(&self.debuggee, (threads, u64::MAX))?;
+        let limits = DrawLimits {
+            threads,
+            budget: u64::MAX,
+            interrupt: None,
+        };
+        let image = evaluated.image(&self.debuggee, limits)?;
+        let image = image.map_err(|stop| stop.to_string())?;
         let bitmap = image.bitmap(&asked.expression);
         let [width, height] = bitmap.size;
         let png = bitmap.png()?;

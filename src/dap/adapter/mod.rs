@@ -19,6 +19,8 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use session::DebugSession;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// A debugger for one client.
 pub struct Adapter<'p> {
@@ -108,11 +110,12 @@ impl<'p> Adapter<'p> {
         messages
     }
 
-    /// Work that can wait until no message does. Returns the messages for the client.
-    pub fn idle(&mut self) -> Vec<Value> {
+    /// Work that can wait until no message does, and ends soon after `interrupt` is set. Returns the messages
+    /// for the client.
+    pub fn idle(&mut self, interrupt: &Arc<AtomicBool>) -> Vec<Value> {
         let threads = self.programs.threads();
         let events = match &mut self.session {
-            Some(session) if self.client.is_configured => session.count_hits(threads),
+            Some(session) if self.client.is_configured => session.count_hits((threads, interrupt)),
             _ => Vec::new(),
         };
         let mut messages = self.sent(events);

@@ -15,6 +15,8 @@ use shaderlint_exec::{Fault, Pause, QUAD, Replay, lane_of};
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_text::SourceFile;
 use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// A program that is debugged.
 pub struct DebugSession {
@@ -316,8 +318,11 @@ impl DebugSession {
             .collect()
     }
 
-    /// Counts the pixels that hit breakpoints, and tells the client.
-    pub fn count_hits(&mut self, threads: usize) -> Vec<DebugEvent> {
+    /// Counts the pixels that hit breakpoints until `interrupt` is set, and tells the client.
+    pub fn count_hits(
+        &mut self,
+        (threads, interrupt): (usize, &Arc<AtomicBool>),
+    ) -> Vec<DebugEvent> {
         let mut events = Vec::new();
         let is_counted = |known: &Breakpoint| known.hits.is_some() || known.place.is_err();
         if self.debuggee.is_drawing() || self.breakpoints.iter().all(is_counted) {
@@ -334,8 +339,11 @@ impl DebugSession {
             if is_counted(breakpoint) {
                 continue;
             }
-            if let Err(message) = breakpoint.count(&self.debuggee, threads) {
+            if let Err(message) = breakpoint.count(&self.debuggee, (threads, interrupt)) {
                 breakpoint.place = Err(message);
+            }
+            if !is_counted(breakpoint) {
+                break;
             }
             let body = json!({ "reason": "changed", "breakpoint": self.shown_breakpoint(at) });
             events.push(("breakpoint", body));
