@@ -119,6 +119,13 @@ impl Breakpoint {
         Ok(moments)
     }
 
+    /// The pixels are not counted: never, or not yet.
+    fn uncounted(&mut self, stop: &Stop) {
+        if *stop != Stop::Cancelled {
+            self.hits = Some(UNCOUNTED.to_string());
+        }
+    }
+
     /// Counts the pixels of the image that hit it, unless `interrupt` is set before the end.
     ///
     /// # Errors
@@ -144,7 +151,10 @@ impl Breakpoint {
                 };
                 let image = match any.image(debuggee, limits)? {
                     Ok(image) => image,
-                    Err(stop) => return Ok(self.uncounted(&stop)),
+                    Err(stop) => {
+                        self.uncounted(&stop);
+                        return Ok(());
+                    }
                 };
                 (image.count_true(), None)
             }
@@ -160,7 +170,10 @@ impl Breakpoint {
                 whole.cancelled = Some(interrupt.clone());
                 let drawn = match draw(&whole, threads) {
                     Ok(drawn) => drawn,
-                    Err(stop) => return Ok(self.uncounted(&stop)),
+                    Err(stop) => {
+                        self.uncounted(&stop);
+                        return Ok(());
+                    }
                 };
                 let mut statements = variant.code.statements().iter().zip(&drawn.seen.statements);
                 let found = statements.find(|(extent, _)| **extent == place.extent);
@@ -174,15 +187,6 @@ impl Breakpoint {
         }
         self.hits = Some(text);
         Ok(())
-    }
-}
-
-impl Breakpoint {
-    /// The pixels are not counted: never, or not yet.
-    fn uncounted(&mut self, stop: &Stop) {
-        if *stop != Stop::Cancelled {
-            self.hits = Some(UNCOUNTED.to_string());
-        }
     }
 }
 
