@@ -11,8 +11,8 @@
 //! nodes, which are compared.
 //!
 //! Why other conditions may be taken as they are on the surface: where surfaces cross, both are left
-//! within any neighbourhood, and equality holds in the limit. A condition that changes on the very same
-//! surface is told by an argument that is zero in the whole case: then all combinations must be equal.
+//! within any neighbourhood, and equality holds in the limit. The argument of a condition that changes on
+//! the very same surface is zero in the whole case: then all combinations must be equal.
 
 use super::form::{ScalarForm, ScalarFunction, ScalarId};
 use super::interval::RealSpan;
