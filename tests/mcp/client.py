@@ -109,7 +109,7 @@ async def test_tools_are_described(tools):
         assert tool.input_schema["additionalProperties"] is False
         assert tool.annotations.read_only_hint == (tool.name in ("check", "run", "explain", "references"))
     heat = next(tool for tool in listed if tool.name == "run").input_schema["properties"]["heatmap"]
-    assert heat["enum"] == ["steps", "cost", "overdraw", "nan", "slope"], heat
+    assert heat["enum"] == ["steps", "cost", "divergence", "nan", "slope"], heat
 
 
 async def test_check_reports_position_rule_and_edit(tools):

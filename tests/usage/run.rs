@@ -201,7 +201,7 @@ fn places_are_those_of_included_files() {
 #[test]
 fn heatmaps_have_a_legend() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
-    for heat in ["steps", "cost", "overdraw", "nan"] {
+    for heat in ["steps", "cost", "divergence", "overdraw", "nan"] {
         let name = format!("{heat}.png");
         let ran = scratch.run(&[
             "run",
@@ -219,7 +219,9 @@ fn heatmaps_have_a_legend() {
     }
     let (_, _, steps) = pixels(&scratch, "steps.png");
     assert_ne!(steps[0], steps[20]);
-    let (_, _, waiting) = pixels(&scratch, "overdraw.png");
+    let (_, _, waiting) = pixels(&scratch, "divergence.png");
+    // The old name.
+    assert_eq!(waiting, pixels(&scratch, "overdraw.png").2);
     // The first pixels of a group leave the march before the others; further right all run eight
     // iterations.
     assert_ne!(waiting[0], waiting[7]);

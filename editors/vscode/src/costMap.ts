@@ -14,7 +14,7 @@ interface Kind extends vscode.QuickPickItem {
 const KINDS: Kind[] = [
     { heatmap: 'cost', label: 'Operations per pixel' },
     { heatmap: 'steps', label: 'Loop iterations per pixel' },
-    { heatmap: 'overdraw', label: 'Divergence', description: 'share of the work of its group that a pixel only waits for' },
+    { heatmap: 'divergence', label: 'Divergence', description: 'share of the work of its group that a pixel only waits for' },
     { heatmap: 'nan', label: 'NaN and infinity', description: 'where values are not finite' },
 ];
 

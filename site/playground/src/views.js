@@ -6,7 +6,7 @@ import { momentOf, passOf } from './moment.js';
 const WIDTH = { view: 320, compared: 128 };
 
 /** What can be shown, by its name in `shaderlint run --heatmap`. */
-const HEATMAPS = { steps: 'Loop iterations', cost: 'Operations', overdraw: 'Waiting for neighbours', nan: 'Not finite' };
+const HEATMAPS = { steps: 'Loop iterations', cost: 'Operations', divergence: 'Divergence', nan: 'Not finite' };
 
 /** The name under the cursor of an editor, with its line. @param {import('codemirror').EditorView} view */
 function nameAtCursor({ state }) {

@@ -56,10 +56,10 @@ pub struct RunArgs {
     #[arg(long, value_name = "X,Y[,down]", value_parser = mouse_of, help_heading = FRAME)]
     pub mouse: Option<Mouse>,
 
-    /// Draw a heat map of each pixel: steps, cost, overdraw, nan, slope
+    /// Draw a heat map of each pixel: steps, cost, divergence, nan, slope
     ///
-    /// steps: loop iterations. cost: operations. overdraw: percentage of the work of the 8x4 pixel
-    /// group that a pixel only waits for. nan: pixels with values that are not finite.
+    /// steps: loop iterations. cost: operations. divergence: percentage of the work of the 8x4
+    /// pixel group that a pixel only waits for. nan: pixels with values that are not finite.
     #[arg(long, value_enum, value_name = "WHAT", help_heading = ANALYSIS)]
     #[arg(hide_possible_values = true)]
     pub heatmap: Option<Heat>,
@@ -144,7 +144,8 @@ pub enum Heat {
     /// Operations
     Cost,
     /// Percentage of the work of its 8x4 pixel group that the pixel only waits for
-    Overdraw,
+    #[value(alias = "overdraw")]
+    Divergence,
     /// Values that are not finite
     Nan,
     /// The largest slope of the scene's distance along the ray
@@ -166,7 +167,7 @@ impl Heat {
         match self {
             Heat::Steps => HeatMap::Steps,
             Heat::Cost => HeatMap::Cost,
-            Heat::Overdraw => HeatMap::Overdraw,
+            Heat::Divergence => HeatMap::Divergence,
             Heat::Nan => HeatMap::Nan,
             Heat::Slope => HeatMap::Slope,
         }

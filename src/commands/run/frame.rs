@@ -51,13 +51,13 @@ fn heat_map(heat: HeatMap, image: &RenderedImage, drawn: &Drawn) -> Bitmap {
     let (values, title) = match heat {
         HeatMap::Steps => (counts(&drawn.iterations), "STEPS"),
         HeatMap::Cost => (counts(&drawn.cost), "OPERATIONS"),
-        HeatMap::Overdraw => {
+        HeatMap::Divergence => {
             let waited = |(own, all): (&u32, &u32)| match *all {
                 0 => 0.0,
                 all => 100.0 * f64::from(all - own.min(&all)) / f64::from(all),
             };
             let pairs = drawn.cost.iter().zip(&drawn.ran);
-            (pairs.map(waited).collect(), "OVERDRAW IN 8X4, %")
+            (pairs.map(waited).collect(), "DIVERGENCE IN 8X4, %")
         }
         HeatMap::Nan => {
             let is_bad = |pixel: &[f32; 4]| pixel.iter().any(|lane| !lane.is_finite());

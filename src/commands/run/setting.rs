@@ -22,7 +22,8 @@ pub enum HeatMap {
     /// Operations.
     Cost,
     /// Percentage of the work of its 8x4 pixel group that the pixel only waits for.
-    Overdraw,
+    #[serde(alias = "overdraw")]
+    Divergence,
     /// Values that are not finite.
     Nan,
     /// The largest slope of the scene's distance along the ray.

@@ -89,7 +89,7 @@ export interface RunOptions extends ShaderOptions {
   /** Values of uniforms by name. */
   uniforms?: Record<string, unknown>;
   /** A heat map instead of the image. */
-  heatmap?: "steps" | "cost" | "overdraw" | "nan";
+  heatmap?: "steps" | "cost" | "divergence" | "nan";
   /** A variable on a line instead of the image. */
   show?: { name: string; line: number };
   /** Whether loops, functions and invalid numbers are reported. */

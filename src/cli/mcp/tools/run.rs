@@ -63,7 +63,7 @@ pub struct RunTool {
     /// Draw the value of a variable on a line, such as `d@42`
     show: Option<String>,
     /// Draw a heat map: loop iterations (steps), operations (cost), work of the pixel group that a
-    /// pixel only waits for (overdraw), values that are not finite (nan), or the slope of the distance
+    /// pixel only waits for (divergence), values that are not finite (nan), or the slope of the distance
     /// along marching rays (slope)
     #[schemars(schema_with = "one_of::<Heat>")]
     #[serde(default)]
