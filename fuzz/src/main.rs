@@ -13,7 +13,7 @@
 //! for `tests/browser/drawn.js`, which draws them in Chromium; `builtins` prints the programs that
 //! evaluate built-in functions for random arguments. `shaderlint-fuzz played FILE.json...` prints
 //! what the VM draws for exports, for `tests/browser/exports.js`, and `unsettled` the pixels that
-//! other GPUs may draw differently.
+//! other GPUs may draw differently; `values FILE.jsonl...` which shaders do not draw white.
 
 mod builtins;
 mod compute;
@@ -29,6 +29,7 @@ mod run;
 mod targets;
 mod texts;
 mod throw;
+mod values;
 
 use generate::generate;
 use shaderlint::semantic::Stage;
@@ -66,6 +67,10 @@ fn main() -> ExitCode {
     }
     if name == "drawn" {
         run::print(seed, count);
+        return ExitCode::SUCCESS;
+    }
+    if name == "values" {
+        words.iter().skip(1).for_each(|file| values::print(file));
         return ExitCode::SUCCESS;
     }
     if name == "pairs" {
