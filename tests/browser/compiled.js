@@ -12,7 +12,7 @@ import { load } from './player.js';
 /** Number of shaders that are compiled in one graphics context. */
 const BATCH = 64;
 
-const { passSource } = load(['gl.js'], ['passSource']);
+const { passSource } = load(['draw/gl.js'], ['passSource']);
 
 /**
  * A fragment shader to compile, or, with a vertex shader, a program to link.

@@ -40,7 +40,7 @@ export default [
   },
   {
     files: [
-      `${player}/mount.js`, `${player}/materials.js`, `${player}/three.js`, `${player}/webgpu.js`, `${player}/react.js`,
+      `${player}/modules/*.js`,
       'tests/browser/*.js', 'tests/browser/page/*.js', 'tests/site/*.js', 'site/.vitepress/**/*.js',
       'tests/wasm/*.js', 'tests/package/*.mjs', 'src/wasm/js/*.js', 'site/playground/*.js', 'site/playground/src/*.js',
     ],
