@@ -2,8 +2,8 @@
 
 import os
 
-from client import INVALID_PARAMS, path_of
-from harness import by_rule, errors, everything, refusal, rules, without
+from client import INVALID_PARAMS, everything, path_of
+from harness import by_rule, errors, refusal, rules, without
 
 SHADER = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 uv = fragCoord / iResolution.xy;
@@ -83,22 +83,16 @@ def test_a_comment_suppresses_a_diagnostic(case):
     finding = by_rule(client.published(source.uri), "unused-variable")
     action = titled(asked(client, source, finding), "Allow `unused-variable`")
     client.apply(action["edit"])
-    assert (
-        "\n    // shaderlint: allow(unused-variable)\n    float unused = 2.0;\n" in client.text(source.uri)
-    ), "the text"
+    assert "\n    // shaderlint: allow(unused-variable)\n    float unused = 2.0;\n" in client.text(source.uri)
     left = client.published(source.uri)
-    assert [r for r in rules(left) if r in ("unused-variable", "unused-suppression")] == [], (
-        "the remaining diagnostics"
-    )
+    assert [r for r in rules(left) if r in ("unused-variable", "unused-suppression")] == []
 
 
 def test_errors_cannot_be_suppressed(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
-    assert [a["title"] for a in asked(client, source, finding) if a["title"].startswith("Allow")] == [], (
-        "the actions that allow it"
-    )
+    assert [a["title"] for a in asked(client, source, finding) if a["title"].startswith("Allow")] == []
 
 
 def test_a_diagnostic_can_be_explained(case):
@@ -106,9 +100,7 @@ def test_a_diagnostic_can_be_explained(case):
     source = case.write("a.glsl", GOOD).open(client)
     finding = by_rule(client.published(source.uri), "unused-variable")
     command = titled(asked(client, source, finding), "Explain")["command"]
-    assert command["command"] in client.initialized["capabilities"]["executeCommandProvider"]["commands"], (
-        f"a command that was not announced: {command}"
-    )
+    assert command["command"] in client.initialized["capabilities"]["executeCommandProvider"]["commands"]
     page = client.request("workspace/executeCommand", command)
     assert "unused-variable" in page, "the page of the rule"
     shown = client.asked_for("window/showDocument")
@@ -143,9 +135,7 @@ def test_actions_are_filtered_by_kind(case):
         assert kinds == {"source.fixAll.shaderlint"}, "the actions of kind %s" % only
     nowhere = client.lines(source.uri).range(0, 0)
     context = {"diagnostics": []}
-    assert client.of(source.uri, "textDocument/codeAction", range=nowhere, context=context) == [], (
-        "the actions without a diagnostic"
-    )
+    assert client.of(source.uri, "textDocument/codeAction", range=nowhere, context=context) == []
 
 
 PARTS = """// A wave.
@@ -173,21 +163,19 @@ def test_expressions_are_extracted_and_variables_inlined(case):
     source = case.write("a.glsl", PARTS).open(client)
     found = refactorings(client, source, source["sum"], source["end"])
     kinds = {a["title"]: a["kind"] for a in found}
-    assert kinds == {"Extract to variable": "refactor.extract.variable",
-                 "Extract to function": "refactor.extract.function",
-                 "Preview this value": "refactor"}, "the refactorings"
-    assert (
-        set(kinds.values()) < set(client.initialized["capabilities"]["codeActionProvider"]["codeActionKinds"])
-    ), "kinds that were not announced"
+    assert kinds == {
+        "Extract to variable": "refactor.extract.variable",
+        "Extract to function": "refactor.extract.function",
+        "Preview this value": "refactor",
+    }, "the refactorings"
+    assert set(kinds.values()) < set(client.initialized["capabilities"]["codeActionProvider"]["codeActionKinds"])
     # A server whose client has no command for it does not ask for a name.
     commands = [a["command"]["command"] for a in found if "command" in a]
     assert commands == ["shaderlint.openPreview"], "the commands"
     functions = refactorings(client, source, source["sum"], source["end"], "refactor.extract.function")
     assert [a["title"] for a in functions] == ["Extract to function"], "the refactorings of a kind"
     client.apply(titled(found, "Extract to variable")["edit"])
-    assert (
-        "\n    float value = uv.x * 2.0;\n    float bright = value + wave(uv.y);\n" in client.text(source.uri)
-    ), "the text"
+    assert "\n    float value = uv.x * 2.0;\n    float bright = value + wave(uv.y);\n" in client.text(source.uri)
     assert errors(client.published(source.uri)) == [], "the errors"
     at = client.text(source.uri).index("value")
     client.apply(titled(refactorings(client, source, at, at), "Inline variable")["edit"])

@@ -2,7 +2,8 @@
 
 import re
 
-from harness import errors, everything
+from client import everything
+from harness import errors
 
 SHADER = """struct Ray { vec3 origin; float speed; };
 #define LIMIT 4.0

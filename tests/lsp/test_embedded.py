@@ -36,9 +36,7 @@ def judged(case, name):
     lines = client.lines(source.uri)
     found = client.published(source.uri)
     assert [lines.span(d["range"])[0] for d in errors(found)] == [source["bad"]], "the error"
-    assert "float unused" in client.at(source.uri, source["var"], "textDocument/hover")["contents"]["value"], (
-        "the code at the error"
-    )
+    assert "float unused" in client.at(source.uri, source["var"], "textDocument/hover")["contents"]["value"]
     client.apply(client.at(source.uri, source["var"], "textDocument/rename", newName="other"))
     assert client.text(source.uri) == source.text.replace("unused", "other"), "the text afterwards"
     client.replace(source.uri, client.text(source.uri).index("nope"), client.text(source.uri).index("nope") + 4, "x")

@@ -2,8 +2,8 @@
 
 import os
 
-from client import path_of
-from harness import by_rule, errors, everything, pulling, rules, without
+from client import everything, path_of
+from harness import by_rule, errors, pulling, rules, without
 
 UNUSED = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float «var»unused = 2.0;
@@ -74,7 +74,7 @@ def test_rule_pages_are_deleted_when_the_server_exits(case):
         paths.append(path)
     client.stop()
     assert [p for p in paths if os.path.exists(p)] == [], "the remaining pages"
-    assert os.listdir(case.temp()) == [], "the remaining files of the server"
+    assert os.listdir(case.temp) == [], "the remaining files of the server"
 
 
 def test_diagnostics_from_sampling_arrive_later(case):
@@ -101,9 +101,7 @@ def test_sampling_can_be_turned_off(case):
     other.published_when(source.uri, lambda d: "dark-frame" in rules(d), "diagnostics without sampling")
     client.settle()
     found = client.told("textDocument/publishDiagnostics")
-    assert not any("dark-frame" in rules(p["diagnostics"]) for p in found), (
-        f"diagnostics with sampling: {found}"
-    )
+    assert not any("dark-frame" in rules(p["diagnostics"]) for p in found)
 
 
 def test_pulled_diagnostics_can_be_unchanged(case):
@@ -145,9 +143,7 @@ def test_workspace_diagnostics_include_closed_files(case):
     client.open(case.uri("four.glsl"), MACRO.replace("«bad»", "").replace("«use»", ""))
     report = client.request("workspace/diagnostic", {"previousResultIds": []})
     found = {item["uri"]: item for item in report["items"]}
-    assert sorted(os.path.basename(u) for u in found) == ["four.glsl", "one.glsl", "three.glsl", "two.frag"], (
-        "the files"
-    )
+    assert sorted(os.path.basename(u) for u in found) == ["four.glsl", "one.glsl", "three.glsl", "two.frag"]
     by_rule(found[case.uri("one.glsl")]["items"], "unused-variable")
     assert rules(errors(found[case.uri("inner/two.frag")]["items"])) == ["undeclared-name"], "two.frag"
     by_rule(found[third.uri]["items"], "unused-variable")
@@ -157,8 +153,9 @@ def test_workspace_diagnostics_include_closed_files(case):
     client.replace(third.uri, 0, 0, "\n")
     again = client.request("workspace/diagnostic", {"previousResultIds": previous})
     kinds = {os.path.basename(i["uri"]): i["kind"] for i in again["items"]}
-    assert kinds == {"four.glsl": "unchanged", "one.glsl": "unchanged", "two.frag": "unchanged",
-                 "three.glsl": "full"}, "the changed documents"
+    assert kinds == {
+        "four.glsl": "unchanged", "one.glsl": "unchanged", "two.frag": "unchanged", "three.glsl": "full",
+    }, "the changed documents"
 
 
 def test_includes_are_read_from_open_texts(case):
@@ -190,9 +187,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     found = by_rule(client.published(source.uri), "undeclared-name")
     assert client.lines(source.uri).at(found["range"]) == '#include "lib.glsl"', "the position of the error"
     place = found["relatedInformation"][0]["location"]
-    assert (place["uri"], client.lines(place["uri"]).at(place["range"])) == (case.uri("lib.glsl"), "missing"), (
-        "the related location"
-    )
+    assert (place["uri"], client.lines(place["uri"]).at(place["range"])) == (case.uri("lib.glsl"), "missing")
 
 
 def test_vertex_and_fragment_shaders_are_linked(case):

@@ -31,9 +31,7 @@ def edited(client, source, edits):
 def test_a_text_is_formatted(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
-    assert edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR)) == NEAT, (
-        "the text"
-    )
+    assert edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR)) == NEAT
     assert client.of(source.uri, "textDocument/formatting", options=FOUR) == [], "the edits of a formatted text"
 
 
@@ -74,8 +72,8 @@ def test_a_formatted_range_has_no_edits(case):
     client = case.client()
     source = case.write("a.glsl", NEAT).open(client)
     for start, end in ((0, 0), (0, len(NEAT)), (60, 200)):
-        assert client.of(source.uri, "textDocument/rangeFormatting", options=FOUR,
-                       range=client.lines(source.uri).range(start, end)) == [], "the edits"
+        range_ = client.lines(source.uri).range(start, end)
+        assert client.of(source.uri, "textDocument/rangeFormatting", options=FOUR, range=range_) == [], "the edits"
 
 
 def test_a_block_is_formatted_when_it_is_closed(case):
@@ -84,9 +82,7 @@ def test_a_block_is_formatted_when_it_is_closed(case):
     at = source["close"] + 1
     edits = client.at(source.uri, at, "textDocument/onTypeFormatting", ch="}", options=FOUR)
     text = edited(client, source, edits)
-    assert "    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }\n" in text, (
-        f"the loop is not formatted: {text}"
-    )
+    assert "    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }\n" in text
     assert text.startswith(source.text[:source["loop"]]), f"code before the block changes: {text}"
     assert text.endswith(source.text[at:]), f"code after the block changes: {text}"
 

@@ -4,7 +4,7 @@ import base64
 import re
 import struct
 
-from harness import everything
+from client import everything
 
 SHADER = """// Noise of a point.
 // It is cheap.
@@ -168,16 +168,12 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
                              ("speed", "float speed")):
         assert active(help_at(client, source, source[place])) == parameter, "the parameter at «%s»" % place
     found = help_at(client, source, source["one"])
-    assert found["signatures"][0]["label"] == "float shade(vec3 normal, float gain, out vec3 color)", (
-        "the signature"
-    )
+    assert found["signatures"][0]["label"] == "float shade(vec3 normal, float gain, out vec3 color)"
     assert "a" in active(help_at(client, source, source["third"])), "the third parameter of mix"
     assert "mix(" in help_at(client, source, source["third"])["signatures"][0]["label"], "the signature of mix"
     labels = [s["label"] for s in help_at(client, source, source["coord"])["signatures"]]
     assert all("texture(" in label for label in labels), f"other functions: {labels}"
-    assert "texture" in help_at(client, source, source["coord"])["signatures"][0]["documentation"]["value"], (
-        "its documentation"
-    )
+    assert "texture" in help_at(client, source, source["coord"])["signatures"][0]["documentation"]["value"]
     assert help_at(client, source, source["out"]) is None, "outside of calls"
 
 

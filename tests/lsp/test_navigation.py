@@ -50,9 +50,7 @@ def test_definitions_are_found_in_this_file_and_in_others(case):
     assert place(client, found) == (library.uri, library["proto"]), "the declaration"
     found = client.at(source.uri, source["path"], "textDocument/definition")
     assert place(client, found) == (library.uri, 0), "the file that is included"
-    assert client.at(source.uri, source["host"], "textDocument/definition") is None, (
-        "the definition of a host's name"
-    )
+    assert client.at(source.uri, source["host"], "textDocument/definition") is None
     for name in ("variable", "use"):
         found = client.at(source.uri, source[name], "textDocument/typeDefinition")
         assert place(client, found) == (library.uri, library["struct"]), "the type of «%s»" % name
@@ -101,9 +99,7 @@ def test_references_are_found_in_all_files(case):
     assert references(client, library, library["def"]) == everywhere, "from the definition"
     calls = [(u, at) for u, at in everywhere if u != library.uri]
     assert references(client, source, source["call"], declaration=False) == calls, "without declarations"
-    assert references(client, source, source["read"]) == [(source.uri, at) for at in every(source, "t")], (
-        "of a local"
-    )
+    assert references(client, source, source["read"]) == [(source.uri, at) for at in every(source, "t")]
 
 
 def test_highlights_distinguish_reads_and_writes(case):
@@ -115,9 +111,7 @@ def test_highlights_distinguish_reads_and_writes(case):
     assert kinds[source["read"]] == 2, "the kind of a use, where 2 is a read"
     found = client.at(source.uri, source["expand"], "textDocument/documentHighlight")
     assert sorted(client.lines(source.uri).at(h["range"]) for h in found) == ["FAR", "FAR"], "of a macro"
-    assert (client.at(source.uri, source.text.index("{"), "textDocument/documentHighlight") or []) == [], (
-        "of a bracket"
-    )
+    assert (client.at(source.uri, source.text.index("{"), "textDocument/documentHighlight") or []) == []
 
 
 def test_passes_of_a_folder_use_their_common_code(case):
@@ -172,9 +166,7 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(«first»size(p), «second»siz
     for use, target in (("first", "one"), ("second", "two")):
         found = client.at(source.uri, source[use], "textDocument/definition")
         assert place(client, found)[1] == source[target], "the definition of the %s call" % use
-        assert (
-            references(client, source, source[use]) == sorted((source.uri, source[n]) for n in (use, target))
-        ), "the references"
+        assert references(client, source, source[use]) == sorted((source.uri, source[n]) for n in (use, target))
 
 
 def test_slow_requests_leave_no_stale_state(case):

@@ -1,8 +1,8 @@
 """Previews: the page of a shader, its channels and its values; costs of lines."""
 
-from actions import GOOD, QUIET
-from client import path_of
-from harness import errors, everything, refusal
+from client import everything, path_of
+from harness import errors, refusal
+from test_actions import GOOD, QUIET
 
 
 def test_a_page_is_returned_to_the_client(case):
@@ -58,9 +58,7 @@ def test_previews_show_the_shader_at_a_position(case):
     assert client.of(source.uri, "shaderlint/page", position=place)["shader"] == 1, "the shader at a position"
     # The vertex shader cannot be played: the first that can.
     place = client.lines(source.uri).position(source.text.index("amount"))
-    assert client.of(source.uri, "shaderlint/page", position=place)["shader"] == 1, (
-        "the shader of a vertex shader"
-    )
+    assert client.of(source.uri, "shaderlint/page", position=place)["shader"] == 1
 
 
 def test_previews_include_what_checks_include(case):
@@ -90,8 +88,10 @@ def test_assumed_channels_are_listed_and_written(case):
     image = case.write("image.glsl", IMAGE).open(client)
     page = client.of(image.uri, "shaderlint/page")
     channels = [(a["pass"], a["channel"], a["shows"]) for a in page["assumed"]]
-    assert channels == [("image", "iChannel0", "generated texture"), ("image", "iChannel1", "generated cube map"),
-                    ("buffer_a", "iChannel0", "generated texture")], "the assumed channels"
+    assert channels == [
+        ("image", "iChannel0", "generated texture"), ("image", "iChannel1", "generated cube map"),
+        ("buffer_a", "iChannel0", "generated texture"),
+    ], "the assumed channels"
     assert page["channels"] == {"uri": case.uri("channels.toml"), "exists": False}, "the file"
     client.request("workspace/executeCommand",
                    {"command": "shaderlint.writeChannels", "arguments": [image.uri]})
@@ -162,9 +162,7 @@ def test_values_are_previewed(case):
     assert page["value"] == {"text": "y + 0.625", "limits": [0.0, 1.0]}, "the value"
     assert "showValue(y + 0.625)" in page["html"], "the page"
     [command] = offered(source["loop"], source["loop"])
-    assert client.of(source.uri, "shaderlint/page", value=command["arguments"][1])["value"]["text"] == "y", (
-        "a variable"
-    )
+    assert client.of(source.uri, "shaderlint/page", value=command["arguments"][1])["value"]["text"] == "y"
     # With sample runs, the limits are those of the image.
     runs = case.client()
     source.open(runs)

@@ -5,7 +5,7 @@ import os
 import re
 
 from client import CHANGED, changes_of, path_of
-from embedded import export
+from test_embedded import export
 from harness import errors, refusal
 
 
@@ -89,16 +89,12 @@ def test_renaming_reaches_code_that_is_not_compiled(case):
         client.write_all(source.uri, source.text)
     # A local of a branch and a member have the same name.
     after = renamed(client, source, source["local"], "other")[source.uri]
-    assert after == source.text.replace("float far = p.y; return far;", "float other = p.y; return other;"), (
-        "the text"
-    )
+    assert after == source.text.replace("float far = p.y; return far;", "float other = p.y; return other;")
     client.write_all(source.uri, source.text)
     places = client.at(source.uri, source["glow"], "textDocument/documentHighlight")
     assert len(places) == 4, "the highlights"
     target = client.at(source.uri, source.text.index("color += "), "textDocument/definition")
-    assert client.lines(source.uri).span(target["range"])[0] == source.text.index("color = vec3"), (
-        "the definition"
-    )
+    assert client.lines(source.uri).span(target["range"])[0] == source.text.index("color = vec3")
 
 
 def test_a_name_that_another_branch_would_hide_is_rejected(case):
@@ -301,9 +297,7 @@ def test_invalid_names_are_rejected(case):
     for new in ("float", "1x", "a b", "", "for", "gl_wave", "a__b", "é", "sample", "wave()"):
         error = refusal(lambda: client.at(source.uri, source["fn"], "textDocument/rename", newName=new))
         assert len(error.message) > 10, f"no reason is given: {error}"
-    assert changes_of(client.at(source.uri, source["fn"], "textDocument/rename", newName="wave")) == [], (
-        "the same name"
-    )
+    assert changes_of(client.at(source.uri, source["fn"], "textDocument/rename", newName="wave")) == []
 
 
 def test_renamings_that_change_the_meaning_are_rejected(case):

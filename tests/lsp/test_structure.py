@@ -50,19 +50,13 @@ def test_symbols_contain_their_members(case):
     client, source = opened(case)
     lines = client.lines(source.uri)
     found = client.of(source.uri, "textDocument/documentSymbol")
-    assert [s["name"] for s in found] == ["STEPS", "seen", "Ray", "gain", "SKY", "shape", "mainImage"], (
-        "the outline, in the order of the text"
-    )
+    assert [s["name"] for s in found] == ["STEPS", "seen", "Ray", "gain", "SKY", "shape", "mainImage"]
     for symbol in found + [m for s in found for m in s.get("children", [])]:
-        assert inside(lines, symbol["range"], symbol["selectionRange"]), (
-            f"a name outside of its range: {symbol}"
-        )
+        assert inside(lines, symbol["range"], symbol["selectionRange"])
         assert lines.at(symbol["selectionRange"]) == symbol["name"], "the code at the name"
     ray = found[2]
     assert [m["name"] for m in ray["children"]] == ["origin", "speed"], "the members"
-    assert all(inside(lines, ray["range"], m["range"]) for m in ray["children"]), (
-        f"members outside their parent: {ray}"
-    )
+    assert all(inside(lines, ray["range"], m["range"]) for m in ray["children"])
     kinds = {s["name"]: s["kind"] for s in found}
     assert (kinds["shape"], kinds["Ray"], kinds["SKY"]) == (12, 23, 14), "function, struct, constant"
     assert "fragColor = vec4(sqrt" in lines.at(found[-1]["range"]), "the range of a function"
@@ -113,9 +107,7 @@ def test_semantic_tokens_reflect_the_meaning(case):
     assert found[at][:2] == ("place", "parameter"), "a parameter"
     assert found[source.text.index("origin")][:2] == ("origin", "property"), "a member"
     assert "readonly" in found[source.text.index("SKY *")][2], ("a constant", found[source.text.index("SKY *")])
-    assert found[source.text.index("iResolution")][1:] == ("variable", {"readonly", "defaultLibrary"}), (
-        "a uniform"
-    )
+    assert found[source.text.index("iResolution")][1:] == ("variable", {"readonly", "defaultLibrary"})
     # Code removed by the preprocessor is dimmed.
     assert found[source.text.index("unseen")][:2] == ("unseen", "comment"), "the inactive code"
 
@@ -127,9 +119,7 @@ def test_tokens_of_a_range_are_a_subset(case):
     range_ = client.lines(source.uri).range(start, end)
     some = decoded(client, source.uri, client.of(
         source.uri, "textDocument/semanticTokens/range", range=range_)["data"])
-    assert some == {at: token for at, token in everywhere.items() if start <= at < end}, (
-        "the tokens of two lines"
-    )
+    assert some == {at: token for at, token in everywhere.items() if start <= at < end}
 
 
 def test_token_deltas_update_old_tokens(case):
@@ -233,9 +223,7 @@ def test_folds_exclude_the_last_line(case):
     assert (line("for (int"), line("«write»")) in pairs, f"no fold of a loop: {pairs}"
     assert (line("Ray {"), line("speed;")) in pairs, f"no fold of a struct: {pairs}"
     assert pairs.get((line("#if STEPS"), line("#else") - 1)) == "region", "the fold of a group"
-    assert [f for f in found if "startCharacter" in f or "endCharacter" in f] == [], (
-        "columns for a client of lines"
-    )
+    assert [f for f in found if "startCharacter" in f or "endCharacter" in f] == []
     for start, end in pairs:
         for other_start, other_end in pairs:
             crosses = start < other_start <= end < other_end
@@ -285,9 +273,7 @@ def test_colours_are_shown_and_edited(case):
     client, source = opened(case)
     lines = client.lines(source.uri)
     found = client.of(source.uri, "textDocument/documentColor")
-    assert [lines.at(c["range"]) for c in found] == ["vec3(0.2, 0.4, 0.8)", "vec4(1.0, 0.5, 0.25, 1.0)"], (
-        "the colours"
-    )
+    assert [lines.at(c["range"]) for c in found] == ["vec3(0.2, 0.4, 0.8)", "vec4(1.0, 0.5, 0.25, 1.0)"]
     for name, value in (("red", 0.2), ("green", 0.4), ("blue", 0.8), ("alpha", 1.0)):
         assert abs(found[0]["color"][name] - value) < 1e-6, ("the %s" % name, found[0])
     new = {"red": 1.0, "green": 0.5, "blue": 0.0, "alpha": 1.0}
@@ -308,9 +294,7 @@ def test_lenses_offer_server_commands(case):
     lines = client.lines(source.uri)
     found = client.of(source.uri, "textDocument/codeLens")
     titles = [lens["command"]["title"] for lens in found]
-    assert any("Preview" in t for t in titles) and any("operations" in t for t in titles), (
-        f"other lenses: {titles}"
-    )
+    assert any("Preview" in t for t in titles) and any("operations" in t for t in titles)
     commands = client.initialized["capabilities"]["executeCommandProvider"]["commands"]
     for lens in found:
         assert "mainImage" in lines.at(lens["range"]), "the code below the lens"
@@ -327,9 +311,7 @@ def test_a_lens_shows_the_sampled_cost(case):
     titles = [lens["command"]["title"] for lens in client.of(source.uri, "textDocument/codeLens")]
     cost = [re.search(r"sample run: (\d+) operations per pixel(?:, at most (\d+) operations)?; loops up to 8 iterations", t) for t in titles]
     cost = [c for c in cost if c]
-    assert len(cost) == 1 and 0 < int(cost[0].group(1)) <= int(cost[0].group(2) or cost[0].group(1)), (
-        f"the cost: {titles}"
-    )
+    assert len(cost) == 1 and 0 < int(cost[0].group(1)) <= int(cost[0].group(2) or cost[0].group(1))
     assert not any("estimated" in t for t in titles), f"two costs: {titles}"
 
 

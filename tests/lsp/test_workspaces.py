@@ -2,8 +2,8 @@
 
 import os
 
-from client import CHANGED, CREATED, DELETED, changes_of, path_of, uri_of
-from harness import errors, everything, pulling, rules, without
+from client import CHANGED, CREATED, DELETED, changes_of, everything, path_of, uri_of
+from harness import errors, pulling, rules, without
 from text import Lines, apply_edits
 
 UNUSED = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
@@ -142,9 +142,7 @@ def test_file_names_may_contain_any_characters(case):
     assert rules(errors(client.published(source.uri))) == ["undeclared-name"], "the errors"
     # Another spelling of the same URI, as some editors send it.
     other = source.uri.replace("+", "%2B").replace("&", "%26")
-    assert (
-        client.request("textDocument/documentSymbol", {"textDocument": {"uri": other}})[0]["name"] == "mainImage"
-    ), "the outline under another spelling"
+    assert client.request("textDocument/documentSymbol", {"textDocument": {"uri": other}})[0]["name"] == "mainImage"
 
 
 def test_pulled_diagnostics_include_new_files(case):
