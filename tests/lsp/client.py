@@ -325,7 +325,7 @@ class Connection:
 
     def finish(self):
         """Waits for the process to exit; returns its exit code."""
-        code = self.process.wait(PATIENCE)
+        code = self.process.wait()
         self.reader.join(PATIENCE)
         return code
 

@@ -13,7 +13,7 @@ LONGEST = 600
 def pytest_generate_tests(metafunc):
     if "bursts" in metafunc.fixturenames:
         option = metafunc.config.option
-        total = option.bursts if option.bursts is not None else 2000 if option.all else 25
+        total = option.bursts if option.bursts is not None else 2000 if option.all else 15
         counts = [min(LONGEST, total - done) for done in range(0, total, LONGEST)]
         sessions = [(option.seed + index, count) for index, count in enumerate(counts)]
         metafunc.parametrize(["seed", "bursts"], sessions)
