@@ -99,7 +99,7 @@ async function mount(context) {
     gl.readPixels(0, 0, 64, 36, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return bytes.toBase64();
   }));
-  const expected = bytesOf(await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] }));
+  const expected = await reference(page, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] });
   assert.equal(differences(drawn, expected), 0, 'same pixels as the reference player');
   const after = await page.evaluate(async () => {
     const { second } = globalThis;
@@ -174,7 +174,7 @@ async function three(context) {
     shader.dispose();`);
   await until(() => globalThis.drawn);
   const drawn = bytesOf(await page.evaluate(() => globalThis.drawn));
-  const expected = bytesOf(await page.evaluate(reference, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] }));
+  const expected = await reference(page, { shader: test.shader, width: 64, height: 36, last: 5, date: [0, 0, 0, 0] });
   assert.equal(differences(drawn, expected), 0, 'same pixels as the reference player');
 }
 
