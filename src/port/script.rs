@@ -20,6 +20,8 @@ const MATERIALS: &str = include_str!("player/modules/materials.js");
 const THREE: &str = include_str!("player/modules/three.js");
 #[cfg(feature = "naga")]
 const WEBGPU: &str = include_str!("player/modules/webgpu.js");
+/// What both modules for three.js do in a frame.
+const FRAMES: &str = include_str!("player/modules/frames.js");
 const REACT: &str = include_str!("player/modules/react.js");
 const MOUNT_TYPES: &str = include_str!("player/modules/mount.d.ts");
 const THREE_TYPES: &str = include_str!("player/modules/three.d.ts");
@@ -52,7 +54,7 @@ pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
 /// A module for three.js, which exports a `RawShaderMaterial` and its update function.
 pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
     let code = format!(
-        "{}{}{}{MATERIALS}{THREE}",
+        "{}{}{}{FRAMES}{MATERIALS}{THREE}",
         comment(project),
         project_constant(project, composed),
         SHARED.concat(),
@@ -71,7 +73,7 @@ pub(super) fn three_webgpu(project: &Project, passes: &[WebGpuPass]) -> ScriptMo
     let data = escape(&serde_json::to_string(passes).unwrap_or_default());
     let controls = escape(&serde_json::to_string(&project.controls).unwrap_or_default());
     let code = format!(
-        "{}const PASSES = {data};\n\nconst CONTROLS = {controls};\n\n{}{WEBGPU}",
+        "{}const PASSES = {data};\n\nconst CONTROLS = {controls};\n\n{}{FRAMES}{WEBGPU}",
         comment(project),
         SHARED.concat(),
     );

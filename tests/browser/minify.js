@@ -9,7 +9,7 @@ const from = path.join(import.meta.dirname, '../../src/port/player');
 const to = path.join(from, 'min');
 
 /** Types only, or modules that users read. */
-const KEPT = ['types.js', 'modules/materials.js', 'modules/three.js', 'modules/react.js', 'modules/webgpu.js'];
+const KEPT = ['types.js', ...['frames', 'materials', 'react', 'three', 'webgpu'].map((name) => `modules/${name}.js`)];
 
 /** Names that the converter writes. */
 const RESERVED = ['PROJECT', 'mount', 'openPage', 'startFrame', 'receiveProject', 'followChanges'];
