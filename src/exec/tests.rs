@@ -19,7 +19,7 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
 
 pub(super) fn compiled(code: &str, options: &CompileOptions) -> Bytecode {
     let analysis = check_fragment(code);
-    assert!(analysis.is_valid(), "{code}: {:?}", analysis.problems);
+    assert!(analysis.is_valid(), "{code}: {:?}", analysis.problems.all);
     let module = lower(&analysis.program);
     let made = compile(&analysis.program, &module, options);
     made.unwrap_or_else(|refusal| panic!("{refusal:?}\n{code}"))

@@ -21,6 +21,6 @@ pub(super) fn checked(code: &str) -> CheckedShader {
         completeness: Completeness::Complete,
     };
     let shader = check_shader(&unit, &mut Search::for_text());
-    assert!(shader.is_valid(), "{:?}", shader.problems);
+    assert!(shader.is_valid(), "{:?}", shader.problems.all);
     shader
 }

@@ -12,7 +12,7 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
 
 fn lowered(code: &str) -> (Program, Module) {
     let analysis = check_fragment(code);
-    assert!(analysis.is_valid(), "{code}: {:?}", analysis.problems);
+    assert!(analysis.is_valid(), "{code}: {:?}", analysis.problems.all);
     let module = lower(&analysis.program);
     (analysis.program, module)
 }

@@ -60,7 +60,6 @@ pub struct SecondDeclaration {
 }
 
 /// All problems of a shader, in the order in which they were found.
-#[derive(Debug)]
 pub struct Problems {
     pub all: Vec<Problem>,
     /// Log of the scopes, to restore those of any moment.

@@ -310,14 +310,18 @@ fn problems_in_the_tables_of_the_checker_have_messages() {
     let mut rows = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
-        for line in text
+        let tests = text
+            .split_once("\nmod tests {")
+            .map_or("", |(_, tests)| tests);
+        for line in tests
             .lines()
             .map(|line| line.trim().trim_matches([',', '"']))
         {
             let Some((code, expected)) = line.rsplit_once(" => ") else {
                 continue;
             };
-            if expected.contains(|c: char| !c.is_alphanumeric()) || code.contains("{{") {
+            // Not a row that a test computes.
+            if !expected.chars().all(char::is_alphanumeric) || code.contains("{{") {
                 continue;
             }
             assert!(finds(code, expected), "{code}: no `{expected}`");
