@@ -26,6 +26,7 @@ pub use shaderlint_dap as dap;
 pub use shaderlint_diagnostic as diagnostic;
 pub use shaderlint_engine as engine;
 pub use shaderlint_exec as exec;
+pub use shaderlint_explain as explain;
 pub use shaderlint_flow as flow;
 pub use shaderlint_format as format;
 pub use shaderlint_host as host;

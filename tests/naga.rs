@@ -4,13 +4,14 @@
 //! `INSTA_UPDATE=always cargo test --all-features --test all naga` accepts the current output.
 #![cfg(feature = "naga")]
 
+use shaderlint::explain::{Checked, analyze};
 use shaderlint::port::naga::{
     FirstRow, LowerOptions, Lowered, Refused, Repeated, TargetLanguage, lower, translate, write,
 };
 use shaderlint::port::{
     Destination, MainChoice, Order, Project, Target, complete_shaders, compose, translate_shaders,
 };
-use shaderlint::semantic::{Checked, Completeness, Dialect, Stage, Unit, analyze};
+use shaderlint::semantic::{Completeness, Dialect, Stage, Unit};
 use shaderlint::text::{Role, Sources};
 use std::fs;
 use std::path::Path;

@@ -249,18 +249,30 @@ fn compares_a_built_in(line: &str) -> bool {
 /// name.
 #[test]
 fn messages_are_in_the_file_of_their_problem() {
-    let mut wrong = Vec::new();
-    for (file, text) in files(&["src/semantic/explain"], ".rs") {
-        for rest in text.split("\nimpl Explain for ").skip(1) {
-            let name = rest.split_once(' ').unwrap().0;
-            let rules = root().join(file.replace("/explain/", "/checker/"));
-            let rules = fs::read_to_string(rules).unwrap_or_default();
-            if !rules.contains(&format!("enum {name} {{")) {
-                wrong.push(format!("{file}: {name}"));
-            }
-        }
+    let problems = fs::read_to_string(root().join("src/semantic/problem.rs")).unwrap();
+    let kinds = problems.split_once("\nkinds! {").unwrap().1;
+    let kinds: Vec<&str> = kinds
+        .lines()
+        .filter_map(|line| line.trim().strip_suffix("),")?.split_once('('))
+        .map(|(_, of)| of)
+        .collect();
+    assert!(kinds.contains(&"NameError"), "{kinds:?}");
+    let (checks, messages) = (
+        files(&["src/semantic"], ".rs"),
+        files(&["src/explain"], ".rs"),
+    );
+    let name_of = |all: &[(String, String)], item: String| {
+        let (file, _) = all.iter().find(|(_, text)| text.contains(&item))?;
+        Some(file.rsplit('/').next().unwrap().to_string())
+    };
+    for kind in kinds {
+        let check = name_of(&checks, format!("\npub enum {kind} {{"));
+        let message = name_of(&messages, format!("\nimpl Explain for {kind} {{"));
+        assert!(
+            check.is_some() && check == message,
+            "{kind}: {check:?}, {message:?}"
+        );
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// Messages start in lower case and have no full stop.

@@ -4,8 +4,9 @@
 
 use crate::mutate::Random;
 use shaderlint::diagnostic::Severity;
-use shaderlint::semantic::link::link;
-use shaderlint::semantic::{Completeness, Dialect, Stage, Unit, analyze};
+use shaderlint::explain::analyze;
+use shaderlint::explain::link::link;
+use shaderlint::semantic::{Completeness, Dialect, Stage, Unit};
 use shaderlint::text::{Role, Sources};
 use std::sync::Arc;
 

@@ -1,10 +1,11 @@
 //! A checked shader that outlives the check, for editors and sample runs.
 
 use super::reading::code_of;
+use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_ir::Module;
 use shaderlint_lint::{CachedFacts, Facts};
-use shaderlint_semantic::{Checked, Completeness, Program};
+use shaderlint_semantic::{Completeness, Program};
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 

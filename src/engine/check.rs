@@ -15,13 +15,14 @@ use super::{upgrade, version};
 use shaderlint_diagnostic::{
     Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
 };
+use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_lint::{
     Allows, CachedFacts, CheckedSpans, Facts, Obstacles, ShaderContext, SkippedRules,
     keep_comments, lint_within,
 };
 use shaderlint_rules::RULES;
-use shaderlint_semantic::{Checked, Completeness};
+use shaderlint_semantic::Completeness;
 use shaderlint_syntax::{Version, WordClass, classify};
 use shaderlint_text::embed::LeadingBlanks;
 use shaderlint_text::{FileId, Role, Sources};

@@ -9,12 +9,13 @@ use super::reading::{Reading, Readings};
 use super::repair::repair;
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
+use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_port::{
     Clues, Hosted, Project, SiblingTexts, TextChange, calls_entry, hosted, may_be_composed,
 };
 use shaderlint_semantic::snippet::is_body;
-use shaderlint_semantic::{Checked, Dialect, Stage, guess};
+use shaderlint_semantic::{Dialect, Stage, guess};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::ops::Range;
 use std::path::Path;

@@ -3,8 +3,9 @@
 use super::repair::{Repairs, error_count, fixed};
 use super::upgrade::reason;
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_explain::{Upgrade, UpgradeObstacle, upgrade};
 use shaderlint_port::{Composed, Project, compose};
-use shaderlint_semantic::{Program, Upgrade, UpgradeObstacle, upgrade};
+use shaderlint_semantic::Program;
 use shaderlint_text::{Edit, Role, Sources, Span, apply_edits};
 
 /// Longest text that is quoted in the title of a repair.

@@ -4,12 +4,12 @@
 use super::options::{DialectChoice, Options};
 use super::prelude::{after_version, prelude, with_host};
 use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
+use shaderlint_explain::{Checked, analyze_chunk, analyze_within, confirm_unknown};
 use shaderlint_host::{HostVersion, Preset};
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
-    CHUNK_OUTPUT, Checked, Completeness, Dialect, Guess, GuessedKind, Pass, Stage, Unit,
-    analyze_chunk, analyze_within, chunk_declarations, confirm_unknown, first_of_300, guess,
-    needs_300,
+    CHUNK_OUTPUT, Completeness, Dialect, Guess, GuessedKind, Pass, Stage, Unit, chunk_declarations,
+    first_of_300, guess, needs_300,
 };
 use shaderlint_syntax::{ES_300, Feature, Search, Version};
 use shaderlint_text::kind::has_main;

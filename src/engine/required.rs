@@ -3,9 +3,10 @@
 
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_explain::Checked;
 use shaderlint_host::{Preset, RequiredVersion, presets};
 use shaderlint_port::limits;
-use shaderlint_semantic::{Checked, Completeness, Program, Stage, Storage, Variable};
+use shaderlint_semantic::{Completeness, Program, Stage, Storage, Variable};
 use shaderlint_syntax::Version;
 use shaderlint_text::{Role, Sources, Span};
 

@@ -2,11 +2,10 @@
 
 use super::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Origin, Severity, error};
+use shaderlint_explain::{Checked, ObstacleKind, UpgradeObstacle, upgrade};
 use shaderlint_lint::Settings;
 use shaderlint_rules::rule;
-use shaderlint_semantic::{
-    Checked, Completeness, Dialect, ObstacleKind, Program, Stage, UpgradeObstacle, upgrade,
-};
+use shaderlint_semantic::{Completeness, Dialect, Program, Stage};
 use shaderlint_syntax::Version;
 use shaderlint_text::{Role, Span};
 

@@ -8,6 +8,7 @@ use shaderlint_exec::{
     COMPARED_SIZE, CompileOptions, Draw, Equality, Filter, Image, ImageShape, OutputSlot, Sampling,
     Texels, Texture, equality,
 };
+use shaderlint_explain::Checked;
 use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::lower;
 use shaderlint_math::hash;
@@ -15,7 +16,7 @@ use shaderlint_port::{
     Bindings, Composed, File, HostedShader, PassUnit, Project, Target, Wrapper, bindings, compose,
     glsl,
 };
-use shaderlint_semantic::{Checked, Pass, Program, Sampler, Scalar, Stage};
+use shaderlint_semantic::{Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
 
 /// Number of instructions that may run to compare a pass.
@@ -439,7 +440,7 @@ impl HeldCode {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shaderlint_semantic::analyze_fragment;
+    use shaderlint_explain::analyze_fragment;
 
     const BEFORE: &str = "#version 300 es\nprecision highp float; uniform float u; out vec4 c;\n\
                           void main() { c = vec4(sin(u), gl_FragCoord.x * 0.01, u, 1); }\n";

@@ -3,7 +3,7 @@
 use super::tests::compiled;
 use super::{CompileOptions, Draw, Pause, QUAD, Replay, StopKind, draw};
 use shaderlint_ir::lower;
-use shaderlint_semantic::{Program, analyze_fragment};
+use shaderlint_semantic::{Program, check_fragment};
 
 /// Options for code that stops.
 fn stepping() -> CompileOptions {
@@ -106,7 +106,7 @@ color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3
 
 #[test]
 fn stops_before_each_statement() {
-    let analysis = analyze_fragment(SHADER);
+    let analysis = check_fragment(SHADER);
     let code = compiled(SHADER, &stepping());
     let mut ready = Draw::new(&code, [4, 2]);
     ready.set("x", &[0.25]);
@@ -147,7 +147,7 @@ fn a_replay_ends_as_the_draw() {
 fn a_checkpoint_brings_back_every_bit() {
     let code = compiled(SHADER, &stepping());
     let ready = Draw::new(&code, [4, 2]);
-    let program = &analyze_fragment(SHADER).program;
+    let program = &check_fragment(SHADER).program;
     let count = lower(program).variables.len() as u32;
     let state = |replay: &Replay<'_>| -> Vec<_> {
         let ids = (0..count).map(shaderlint_semantic::VariableId);
@@ -173,7 +173,7 @@ fn a_checkpoint_brings_back_every_bit() {
 /// The statistics of a draw count how often each statement runs, and for how many pixels.
 #[test]
 fn a_draw_counts_statements() {
-    let analysis = analyze_fragment(SHADER);
+    let analysis = check_fragment(SHADER);
     let code = compiled(SHADER, &stepping());
     let ready = Draw::new(&code, [4, 2]);
     let seen = draw(&ready, 1).unwrap().seen.statements;

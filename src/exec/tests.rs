@@ -9,7 +9,7 @@ use super::{
 };
 use shaderlint_ir::lower;
 use shaderlint_math::{Faster, faster};
-use shaderlint_semantic::analyze_fragment;
+use shaderlint_semantic::check_fragment;
 use std::collections::BTreeSet;
 
 /// The declarations of every shader here, on one line.
@@ -18,8 +18,8 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
                     uniform float a[4]; struct S { float a; vec2 b; };\n";
 
 pub(super) fn compiled(code: &str, options: &CompileOptions) -> Bytecode {
-    let analysis = analyze_fragment(code);
-    assert_eq!(analysis.diagnostics, [], "{code}");
+    let analysis = check_fragment(code);
+    assert!(analysis.is_valid(), "{code}: {:?}", analysis.problems.all);
     let module = lower(&analysis.program);
     let made = compile(&analysis.program, &module, options);
     made.unwrap_or_else(|refusal| panic!("{refusal:?}\n{code}"))
@@ -630,7 +630,7 @@ fn every_run_ends() {
 fn what_is_too_large_is_refused() {
     let large =
         format!("{HEAD}void main() {{ float k[40000]; k[n] = 1.0; color = vec4(k[n + 1]); }}");
-    let analysis = analyze_fragment(&large);
+    let analysis = check_fragment(&large);
     let module = lower(&analysis.program);
     let refusal = compile(&analysis.program, &module, &CompileOptions::default());
     assert_eq!(

@@ -1,11 +1,12 @@
 //! Shaders for the unit tests of the analyses.
 
-use shaderlint_semantic::{Checked, Completeness, Dialect, Pass, Stage, Unit, analyze};
+use shaderlint_semantic::{CheckedShader, Completeness, Dialect, Pass, Stage, Unit, check_shader};
+use shaderlint_syntax::Search;
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
 /// Checks the code of a ShaderToy image pass and asserts that it has no errors.
-pub(super) fn checked(code: &str) -> Checked {
+pub(super) fn checked(code: &str) -> CheckedShader {
     let mut sources = Sources::default();
     let prelude = Pass::Image.host().prelude([None; 4]);
     let header = sources.add("header", None, Role::Prelude, prelude).unwrap();
@@ -19,11 +20,7 @@ pub(super) fn checked(code: &str) -> Checked {
         infer_channels: true,
         completeness: Completeness::Complete,
     };
-    let analysis = analyze(&unit);
-    assert!(
-        analysis.diagnostics.is_empty(),
-        "{:?}",
-        analysis.diagnostics
-    );
-    analysis
+    let shader = check_shader(&unit, &mut Search::for_text());
+    assert!(shader.is_valid(), "{:?}", shader.problems.all);
+    shader
 }

@@ -3,7 +3,7 @@
 use super::{
     Access, Lanes, Module, OpId, OpKind, PlaceId, Precision, Provenance, Step, lower, print, verify,
 };
-use shaderlint_semantic::{Constant, Program, Type, analyze_fragment};
+use shaderlint_semantic::{Constant, Program, Type, check_fragment};
 
 /// The declarations of every shader here, on one line.
 const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int; out vec4 color; \
@@ -11,8 +11,8 @@ const HEAD: &str = "#version 300 es\nprecision highp float; precision highp int;
                     uniform sampler2D tex; struct S { float a; vec2 b; };\n";
 
 fn lowered(code: &str) -> (Program, Module) {
-    let analysis = analyze_fragment(code);
-    assert_eq!(analysis.diagnostics, [], "{code}");
+    let analysis = check_fragment(code);
+    assert!(analysis.is_valid(), "{code}: {:?}", analysis.problems.all);
     let module = lower(&analysis.program);
     (analysis.program, module)
 }

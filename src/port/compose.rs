@@ -2,7 +2,8 @@
 
 use super::sliders::{SliderChoice, Sliders};
 use super::{OutputId, Project, ProjectPass, Wrapper};
-use shaderlint_semantic::{Channels, Checked, Completeness, Dialect, Pass, Stage, Unit, analyze};
+use shaderlint_explain::{Checked, analyze};
+use shaderlint_semantic::{Channels, Completeness, Dialect, Pass, Stage, Unit};
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 

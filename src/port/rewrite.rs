@@ -8,8 +8,9 @@
 use super::glsl::signed;
 use super::same::{Added, LoweredShader, is_same};
 use super::{Composed, PassUnit, Project, Wrapper};
+use shaderlint_explain::analyze_alone;
 use shaderlint_ir::lower;
-use shaderlint_semantic::{FunctionRef, Pass, Program, Stage, analyze_alone, builtins::Builtins};
+use shaderlint_semantic::{FunctionRef, Pass, Program, Stage, builtins::Builtins};
 use shaderlint_syntax::ast::{
     Expr, ExprId, ExprKind, Extent, FunctionDecl, Param, QualifierKind, StmtKind, TokenId, TypeBase,
 };

@@ -6,9 +6,8 @@ use super::order::Order;
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 use super::{Composed, Project};
 use shaderlint_diagnostic::{Diagnostic, Severity};
-use shaderlint_semantic::{
-    Checked, Completeness, Dialect, GuessedKind, Stage, Unit, analyze, guess,
-};
+use shaderlint_explain::{Checked, analyze};
+use shaderlint_semantic::{Completeness, Dialect, GuessedKind, Stage, Unit, guess};
 use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;

@@ -1,8 +1,9 @@
 //! Chooses between corrections that are all syntactically valid: the shader is checked with each,
 //! and the one with the fewest errors is used.
 
-use super::checker::{ParsedShader, Problems};
+use super::checker::ParsedShader;
 use super::infer_channels::check_unit;
+use super::problem::Problems;
 use super::program::Program;
 use super::unit::Unit;
 use shaderlint_diagnostic::Diagnostic;
@@ -135,9 +136,7 @@ fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {
 mod tests {
     use super::*;
     use crate::checker::MAX_ERRORS;
-    use crate::chunk::Completeness;
-    use crate::dialect::Dialect;
-    use crate::{Pass, Stage};
+    use crate::{Completeness, Dialect, Pass, Stage};
     use shaderlint_syntax::{Search, parse, preprocess};
     use shaderlint_text::{Role, Sources};
     use std::sync::Arc;

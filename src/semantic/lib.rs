@@ -1,55 +1,70 @@
 //! Semantic analysis: types, scopes and the checks of the browser's compiler.
 //!
-//! [`check`] takes a parsed shader and returns a [`Program`], which later layers only read, and the
-//! errors. The rules follow GLSL ES 3.00 and 1.00 as implemented by ANGLE, the compiler used by
-//! browsers.
+//! [`check_shader`] returns a [`Program`], which later layers only read, and the problems in it as
+//! data, which `explain` turns into messages. The rules follow GLSL ES 3.00 and 1.00 as implemented
+//! by ANGLE, the compiler used by browsers.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
-mod analyze;
 pub mod builtins;
 mod calls;
 mod channels;
+mod check_shader;
+#[expect(
+    missing_docs,
+    reason = "named after what it is; read by `explain` only"
+)]
 mod checker;
-mod chunk;
 mod constant;
 mod corrections;
 mod dialect;
-mod explain;
 mod fold;
 mod host;
 mod infer_channels;
+pub mod interface;
 mod late_values;
-pub mod link;
 pub mod lists;
 mod mentions;
-mod parsed;
+#[expect(
+    missing_docs,
+    reason = "named after what it is; read by `explain` only"
+)]
+pub mod parsed;
+#[expect(
+    missing_docs,
+    reason = "named after what it is; read by `explain` only"
+)]
+pub mod problem;
 mod program;
 mod reach;
-mod root_cause;
-mod scope;
-mod single_pass;
+#[expect(
+    missing_docs,
+    reason = "named after what it is; read by `explain` only"
+)]
+pub mod scope;
 pub mod snippet;
+mod static_use;
 mod structure;
 mod target;
 pub mod tunable;
 mod tunable_mark;
 mod types;
-mod typing;
+#[expect(
+    missing_docs,
+    reason = "named after what it is; read by `explain` only"
+)]
+pub mod typing;
 mod undefined;
 mod unit;
-mod upgrade;
 
-pub use analyze::{
-    analyze, analyze_alone, analyze_chunk, analyze_fragment, analyze_within, confirm_unknown,
-};
 pub use builtins::{BuiltinId, Stage};
 pub use calls::CallGraph;
 pub use channels::needed_channels;
-pub use chunk::{Completeness, Open};
+pub use check_shader::{CheckedShader, check_fragment, check_shader};
 pub use constant::{Constant, Pool, Value};
 pub use dialect::first_of_300;
 pub use dialect::{
-    CHUNK_OUTPUT, Channels, Dialect, Guess, GuessedKind, Pass, chunk_declarations, guess, needs_300,
+    CHUNK_OUTPUT, CORE_EXTENSIONS, Channels, Dialect, Guess, GuessedKind, Pass, chunk_declarations,
+    guess, needs_300,
 };
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use late_values::{globals, late_values};
@@ -63,5 +78,4 @@ pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
-pub use unit::{Checked, Unit};
-pub use upgrade::{CORE_EXTENSIONS, ObstacleKind, Upgrade, UpgradeObstacle, upgrade};
+pub use unit::{Completeness, Unit};

@@ -13,7 +13,7 @@ use std::ops::Deref;
 
 /// A shader before semantic analysis.
 #[derive(Clone, Copy)]
-pub(super) struct ParsedView<'a> {
+pub struct ParsedView<'a> {
     pub sources: &'a Sources,
     pub tokens: &'a Tokens,
     pub names: &'a Names,
@@ -143,7 +143,7 @@ impl<'a> ParsedView<'a> {
 }
 
 /// A shader with the types of its expressions, as far as it has been checked.
-pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
+pub trait Typed<'a>: Deref<Target = ParsedView<'a>> {
     /// Types and values of expressions, by [`ExprId`].
     fn exprs(&self) -> &[ExprInfo];
 
@@ -197,13 +197,13 @@ pub(super) trait Typed<'a>: Deref<Target = ParsedView<'a>> {
 
 /// Whether an integer literal without its suffix is decimal, so that its digits have the same value as
 /// a float.
-pub(crate) fn is_decimal(digits: &str) -> bool {
+pub fn is_decimal(digits: &str) -> bool {
     let is_octal = digits.len() > 1 && digits.starts_with('0');
     !digits.is_empty() && !is_octal && digits.bytes().all(|b| b.is_ascii_digit())
 }
 
 /// `mySample` for `sample`: a name for what a shader declares where the language has `sample`.
-pub(crate) fn own_name(word: &str) -> String {
+pub fn own_name(word: &str) -> String {
     let mut chars = word.chars();
     let first = chars.next().map(|c| c.to_ascii_uppercase());
     first.into_iter().fold("my".to_string(), |mut name, c| {

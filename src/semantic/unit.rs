@@ -1,10 +1,7 @@
-//! Input and result of the analysis of one shader.
+//! Input of the analysis of one shader.
 
 use super::builtins::Stage;
-use super::chunk::{Completeness, Open};
 use super::dialect::Dialect;
-use super::program::Program;
-use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
@@ -24,22 +21,15 @@ pub struct Unit<'a> {
     pub completeness: Completeness,
 }
 
-/// An analysed shader.
-pub struct Checked {
-    /// The checked program.
-    pub program: Program,
-    /// Errors and warnings of the browser's compiler, in source order.
-    pub diagnostics: Vec<Diagnostic>,
-    /// What cannot be resolved in a shader fragment.
-    pub open: Open,
-    /// How much of a shader the text contains.
-    pub completeness: Completeness,
-}
-
-impl Checked {
-    /// Whether the browser would reject it.
-    pub fn has_errors(&self) -> bool {
-        let mut all = self.diagnostics.iter();
-        all.any(|d| d.severity == Severity::Error)
-    }
+/// How much of a shader a text contains.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Completeness {
+    /// A complete shader.
+    Complete,
+    /// A shader fragment: other code may come before and after it.
+    Chunk,
+    /// A fragment that may be cut anywhere: other code may close its braces.
+    Piece,
+    /// A fragment with omissions inside.
+    Excerpt,
 }

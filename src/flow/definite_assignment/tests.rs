@@ -5,7 +5,9 @@ use crate::calls::Calls;
 use crate::ranges::{Query, Ranges};
 use crate::reaching_definitions::ReachingDefinitions;
 use shaderlint_ir::lower;
-use shaderlint_semantic::{Completeness, Dialect, Mentions, Pass, Stage, Unit, analyze};
+use shaderlint_semantic::problem::{CallError, ProblemKind};
+use shaderlint_semantic::{Completeness, Dialect, Mentions, Pass, Stage, Unit, check_shader};
+use shaderlint_syntax::Search;
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
@@ -18,15 +20,28 @@ fn check(code: &str, expected: &str) {
     let head = sources.add("", None, Role::Prelude, head).unwrap();
     let user = sources.add("a.glsl", None, Role::User, code).unwrap();
     let sources = Arc::new(sources);
-    let analysis = analyze(&Unit {
+    let unit = Unit {
         sources: &sources,
         files: &[head, user],
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(Pass::Image),
         infer_channels: true,
         completeness: Completeness::Chunk,
-    });
-    assert_eq!(analysis.diagnostics, [], "{code}");
+    };
+    let analysis = check_shader(&unit, &mut Search::for_text());
+    // A host adds the entry function and the bodies of prototypes.
+    let is_added = |what: &ProblemKind| {
+        matches!(
+            what,
+            ProblemKind::Entry(_) | ProblemKind::Calls(CallError::Undefined(_))
+        )
+    };
+    assert!(
+        analysis.problems.all.iter().all(|p| is_added(&p.what)),
+        "{code}"
+    );
+    let reported = [analysis.preprocessing, analysis.syntax, analysis.translated];
+    assert_eq!(reported.concat(), [], "{code}");
     let program = &analysis.program;
     let module = lower(program);
     let calls = Calls::of(&module);

@@ -2,7 +2,8 @@
 
 use super::place::RefactorPlace;
 use super::proposal::{ProposedRefactoring, RefactorKind, RequiredProof};
-use shaderlint_semantic::{Dialect, upgrade};
+use shaderlint_explain::upgrade;
+use shaderlint_semantic::Dialect;
 use shaderlint_syntax::Version;
 
 pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {

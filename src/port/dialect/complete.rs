@@ -3,9 +3,10 @@
 
 use super::clues::{Clues, VersionAsked};
 use shaderlint_diagnostic::Severity;
+use shaderlint_explain::{Checked, analyze};
 use shaderlint_host::{Preset, declared_in, matches_any};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
-use shaderlint_semantic::{Checked, Completeness, Dialect, Stage, Unit, analyze};
+use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
 use shaderlint_syntax::{Lexer, RawKind, Version};
 use shaderlint_text::{Role, Sources};
 use std::ops::Range;

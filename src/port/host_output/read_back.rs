@@ -2,8 +2,8 @@
 
 use crate::Bindings;
 use crate::dialect::{Clues, Completion, TextChange, best, bind, plan};
+use shaderlint_explain::Checked;
 use shaderlint_host::{HostVersion, Preset};
-use shaderlint_semantic::Checked;
 
 /// A checked shader of a host.
 pub struct HostedShader {

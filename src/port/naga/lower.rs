@@ -12,7 +12,7 @@ use ::naga::proc::Layouter;
 use ::naga::{Arena, Expression, Handle, Module};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{self as ir, Layout, OpId, OpKind};
-use shaderlint_semantic::link::{Block, Interface};
+use shaderlint_semantic::interface::{Block, Interface};
 use shaderlint_semantic::{
     Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
 };

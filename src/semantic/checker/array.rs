@@ -6,7 +6,7 @@ use super::*;
 
 /// An error in an array type or declaration.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum ArrayError {
+pub enum ArrayError {
     /// An array without a size.
     NoSize,
     /// An array without a size and without an initializer to infer it from.

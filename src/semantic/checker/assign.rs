@@ -5,7 +5,7 @@ use super::*;
 
 /// An error in the initializer of a declaration.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum ValueError {
+pub enum ValueError {
     /// A value of another type than the declared one, and the extent of that type if it can be
     /// edited.
     Initializer(Declarator, Option<Extent>, Type, ExprId, TypeMismatch),

@@ -9,7 +9,7 @@ const TEXEL_OFFSETS: std::ops::RangeInclusive<i32> = -8..=7;
 
 /// An error in a call or its arguments.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum ArgumentError {
+pub enum ArgumentError {
     /// A call of a variable.
     Variable(ExprId, Name, VariableId, List),
     /// A call that matches none of the shader's functions of this name.

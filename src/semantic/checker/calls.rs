@@ -7,7 +7,7 @@ const MAX_CALL_DEPTH: u32 = 256;
 
 /// An error in the call graph of the shader.
 #[derive(Clone, Debug)]
-pub(crate) enum CallError {
+pub enum CallError {
     /// A call of a function that has no body.
     Undefined(FunctionRef),
     /// A cycle: each function calls the next, and the last is the first again.

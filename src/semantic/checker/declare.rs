@@ -6,7 +6,7 @@ use super::*;
 
 /// An error in the declaration of a variable.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum DeclarationError {
+pub enum DeclarationError {
     /// A variable of type `void`.
     Void,
     /// A sampler that is neither a uniform nor a parameter.

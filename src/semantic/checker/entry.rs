@@ -6,7 +6,7 @@ use super::*;
 
 /// An error in the entry point of a shader.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum EntryError {
+pub enum EntryError {
     /// A shader without `main`.
     Missing,
     /// A shader without the function that its host calls.

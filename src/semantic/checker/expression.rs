@@ -6,7 +6,7 @@ use crate::typing::LENGTH;
 
 /// An error in an expression.
 #[derive(Clone, Debug)]
-pub(crate) enum ExpressionError {
+pub enum ExpressionError {
     /// Operands or arguments of wrong types, in the order in which the misfit numbers them.
     Misfit(ExprId, Vec<ExprId>, TypeMismatch),
     /// An unsigned literal in a version without them.
@@ -27,7 +27,7 @@ pub(crate) enum ExpressionError {
 
 /// What accepts only constant indices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Indexed {
+pub enum Indexed {
     Samplers,
     Blocks,
     Outputs,

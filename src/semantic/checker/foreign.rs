@@ -6,7 +6,7 @@ use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 
 /// A use of a name of another language.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum ForeignError {
+pub enum ForeignError {
     /// A type without a GLSL equivalent.
     Absent(Name),
     /// A type that has another name in GLSL.

@@ -8,7 +8,7 @@ use std::hash::{Hash, Hasher};
 
 /// An error in the header of a function, or between its declarations.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum FunctionError {
+pub enum FunctionError {
     /// A function that is declared inside another.
     Local,
     /// A second prototype, in a version that allows only one.

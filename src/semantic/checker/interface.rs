@@ -6,7 +6,7 @@ use super::*;
 
 /// An error in the type of an input or output.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum InterfaceError {
+pub enum InterfaceError {
     /// A type that is not allowed with this storage.
     Type(StorageRequest, Type),
     /// A `bool` or vector of them.

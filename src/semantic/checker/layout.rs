@@ -8,7 +8,7 @@ const MAX_VERTEX_ATTRIBS: i32 = 16;
 
 /// An error in a `layout(...)`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum LayoutError {
+pub enum LayoutError {
     /// A block layout that WebGL does not support.
     NotInWebgl(Name),
     /// `location` without a number.

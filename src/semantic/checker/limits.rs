@@ -13,7 +13,7 @@ const MAX_SIZE: u64 = 2 * 1024 * 1024 * 1024;
 
 /// A limit of the browser that the shader exceeds.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum LimitError {
+pub enum LimitError {
     /// Nesting depth of statements and operators.
     Depth,
     /// Size of a variable in bytes, and the limit that it must be below.

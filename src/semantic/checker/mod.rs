@@ -5,7 +5,7 @@
 //! that each error is reported once.
 //!
 //! Each file has the checks of one area, and an enum of its errors. Their messages are in the file
-//! of the same name in `explain`.
+//! of the same name in `explain/messages`.
 
 mod array;
 mod assign;
@@ -27,7 +27,6 @@ mod limits;
 mod names;
 mod output;
 mod place;
-mod problem;
 mod qualifier;
 mod record;
 mod statement;
@@ -40,44 +39,44 @@ use super::builtins::{Builtins, Stage};
 use super::constant::{Constant, Pool};
 use super::dialect::{Channels, Dialect};
 use super::parsed::{ParsedView, Typed};
+use super::problem::{Aside, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration};
 use super::program::*;
-use super::scope::{Binding, ScopeLog, ScopeMark, Scopes};
+use super::scope::{Binding, Scopes};
 use super::types::*;
 use super::typing::{self, Clash, Member, TypeMismatch};
 use crate::BuiltinId;
-pub(super) use array::ArrayError;
-pub(super) use assign::ValueError;
-pub(super) use call::ArgumentError;
-pub(super) use calls::CallError;
+pub use array::ArrayError;
+pub use assign::ValueError;
+pub use call::ArgumentError;
+pub use calls::CallError;
 use candidate_type::{CandidateTypes, choose_types};
-pub(super) use declare::DeclarationError;
-pub(super) use entry::EntryError;
-pub(super) use expression::{ExpressionError, Indexed};
+pub use declare::DeclarationError;
+pub use entry::EntryError;
+pub use expression::{ExpressionError, Indexed};
 use finish::LoopCheck;
-pub(super) use foreign::ForeignError;
-pub(super) use function::FunctionError;
-pub(super) use interface::InterfaceError;
-pub(super) use layout::LayoutError;
-pub(super) use limits::LimitError;
-pub(super) use names::{NameError, Owner};
-pub(super) use output::OutputError;
-pub(super) use place::{PlaceError, Writer};
-pub(super) use problem::{Aside, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration};
+pub use foreign::ForeignError;
+pub use function::FunctionError;
+pub use interface::InterfaceError;
+pub use layout::LayoutError;
+pub use limits::LimitError;
+pub use names::{NameError, Owner};
+pub use output::OutputError;
+pub use place::{PlaceError, Writer};
 use qualifier::Precisions;
-pub(super) use qualifier::{QualifierError, StorageRequest};
-pub(super) use record::{RecordError, RecordKind};
+pub use qualifier::{QualifierError, StorageRequest};
+pub use record::{RecordError, RecordKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Names, Search, TokenKind, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
-pub(super) use statement::{Condition, StatementError};
+pub use statement::{Condition, StatementError};
 use std::ops::Deref;
 use std::sync::Arc;
-pub(super) use switch::SwitchError;
-pub(super) use webgl1::Restriction;
+pub use switch::SwitchError;
+pub use webgl1::Restriction;
 
 /// Most errors that are reported in one shader.
-pub(super) const MAX_ERRORS: usize = 200;
+pub const MAX_ERRORS: usize = 200;
 /// Most components that constant folding of binary operators processes in one shader.
 const MAX_COMPARED: usize = 50_000_000;
 

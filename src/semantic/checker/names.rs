@@ -5,7 +5,7 @@ use super::*;
 
 /// An error in the declaration or use of a name.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum NameError {
+pub enum NameError {
     /// A reserved name, and who reserves it.
     Reserved(Name, Owner),
     /// A name that is already declared in the scope.
@@ -24,7 +24,7 @@ pub(crate) enum NameError {
 
 /// Who reserves a name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Owner {
+pub enum Owner {
     Language,
     Webgl,
     /// WebGL as well: names with two underscores in a row.

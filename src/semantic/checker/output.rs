@@ -8,7 +8,7 @@ const MAX_DRAW_BUFFERS: u64 = 8;
 
 /// An error in the outputs of a fragment shader.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum OutputError {
+pub enum OutputError {
     /// An output beyond the last location, and the number of locations.
     Outside(Name, u64),
     /// An output, and another one at the same location.
@@ -23,7 +23,7 @@ pub(crate) enum OutputError {
 
 /// An output of a fragment shader.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OutputVariable {
+pub(super) struct OutputVariable {
     pub ident: Ident,
     location: Option<i32>,
     size: u32,

@@ -4,7 +4,7 @@ use super::*;
 
 /// A write to something that is not assignable.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum PlaceError {
+pub enum PlaceError {
     /// An expression that is not an l-value, and what writes to it.
     NoPlace(ExprId, Writer),
     /// A swizzle that repeats a component, and the size of its vector.
@@ -21,7 +21,7 @@ pub(crate) enum PlaceError {
 
 /// What writes to a place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Writer {
+pub enum Writer {
     /// `=`, or an operator combined with it.
     Assign(Option<BinaryOp>),
     /// `++` or `--`, or the qualifier of a parameter.

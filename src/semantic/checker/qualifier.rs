@@ -4,7 +4,7 @@ use super::*;
 
 /// An error in qualifiers or precisions.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum QualifierError {
+pub enum QualifierError {
     /// A qualifier that is not allowed on a local variable.
     Local,
     /// A qualifier that is only allowed at global scope.
@@ -99,7 +99,7 @@ impl Precisions {
 /// The storage that qualifiers request, before it is known what they qualify.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[rustfmt::skip]
-pub(crate) enum StorageRequest {
+pub enum StorageRequest {
     None, Const, In, Out, Inout, Uniform, Attribute, Varying, Centroid, Flat, Smooth,
     FlatIn, FlatOut, SmoothIn, SmoothOut, CentroidIn, CentroidOut,
 }

@@ -5,7 +5,7 @@ use super::*;
 
 /// An error in a struct or an interface block.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum RecordError {
+pub enum RecordError {
     /// A struct or block without members.
     Empty(RecordKind),
     /// A struct that is declared inside another.
@@ -34,7 +34,7 @@ pub(crate) enum RecordError {
 
 /// Declarations with members.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum RecordKind {
+pub enum RecordKind {
     Struct,
     Block,
 }

@@ -9,7 +9,7 @@ const MAX_DEPTH: u32 = 400;
 
 /// An error in a statement.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum StatementError {
+pub enum StatementError {
     /// `break` outside of loops and `switch`.
     Break,
     /// `continue` outside of loops.
@@ -28,7 +28,7 @@ pub(crate) enum StatementError {
 
 /// The statement or operator that a condition belongs to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Condition {
+pub enum Condition {
     /// `? :`
     Choice,
     If,

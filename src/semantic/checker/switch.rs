@@ -5,7 +5,7 @@ use super::*;
 
 /// An error in a `switch`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum SwitchError {
+pub enum SwitchError {
     /// A selector that is not an integer.
     Selector(ExprId),
     /// A label that is not an integer.

@@ -4,7 +4,7 @@ use super::*;
 
 /// Something of GLSL ES 1.00 that WebGL1 does not accept.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Restriction {
+pub enum Restriction {
     /// A loop with this keyword.
     Loop(&'static str),
     /// A loop that declares no index.

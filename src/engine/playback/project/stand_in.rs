@@ -5,9 +5,9 @@ use crate::playback::RenderedImage;
 use shaderlint_exec::{
     Bytecode, CompileOptions, Draw, Image, ImageShape, Stop, Texels, compile, draw,
 };
+use shaderlint_explain::analyze_alone;
 use shaderlint_ir::lower;
 use shaderlint_port::{Input, InputKind, StandIn};
-use shaderlint_semantic::analyze_alone;
 use shaderlint_text::Role;
 use std::sync::Arc;
 

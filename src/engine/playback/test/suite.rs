@@ -10,7 +10,8 @@ use super::marks::{
 use crate::Analysis;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, Severity};
-use shaderlint_semantic::{Function, FunctionRef, Program, Scalar, Type, Unit, analyze};
+use shaderlint_explain::analyze;
+use shaderlint_semantic::{Function, FunctionRef, Program, Scalar, Type, Unit};
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;

@@ -1,0 +1,383 @@
+//! Diagnostics and fixes of single statements.
+
+use super::explain;
+use crate::analyze_fragment;
+use shaderlint_semantic::{Completeness, Dialect, Pass, Stage, Unit, check_shader};
+use shaderlint_syntax::Search;
+use shaderlint_text::{Role, Sources, apply_edits};
+use std::sync::Arc;
+
+const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
+                    uniform vec3 size;\nfloat own(vec2 p, float k) { return p.x * k; }\n\
+                    void main() {\n    color = vec4(1);\n    int i = 1; float f = 2.; vec2 v = vec2(f);\n";
+
+/// Checks the diagnostics of a statement: `message`, or `message => the statement with the fix
+/// applied`.
+#[track_caller]
+fn check(statement: &str, expected: &str) {
+    let text = format!("{HEAD}{statement}\n}}\n");
+    let found = analyze_fragment(&text);
+    let all: Vec<String> = found
+        .diagnostics
+        .iter()
+        .map(|d| match &d.fix {
+            Some(fix) => {
+                let repaired = apply_edits(&text, 0, &fix.edits).unwrap();
+                let repaired = repaired.strip_prefix(HEAD).unwrap_or(&repaired);
+                let repaired = repaired.strip_suffix("\n}\n").unwrap_or(repaired);
+                format!("{} => {repaired}", d.message)
+            }
+            None => d.message.clone(),
+        })
+        .collect();
+    assert_eq!(all.join("; "), expected, "{statement}");
+}
+
+/// A missing brace has no position for an edit.
+#[test]
+fn a_list_without_its_brace_is_not_rewritten() {
+    let text = format!("{HEAD}float x = {{ f\n");
+    for found in analyze_fragment(&text).diagnostics {
+        let edits = found.fix.map_or(Vec::new(), |fix| fix.edits);
+        assert!(apply_edits(&text, 0, &edits).is_ok(), "{}", found.message);
+        assert!(found.rule != "initializer-list" || edits.is_empty());
+    }
+}
+
+#[test]
+fn a_literal_changes_and_all_else_is_converted() {
+    check(
+        "f = i * 2.;",
+        "cannot multiply `int` by `float` => f = float(i) * 2.;",
+    );
+    check("f = f + 1;", "cannot add `int` to `float` => f = f + 1.0;");
+    check(
+        "i = i % f;",
+        "`%` requires integers; use `mod(a, b)` for floats => i = mod(float(i), f);",
+    );
+    check(
+        "float g[2] = float[2](1., i);",
+        "array element must be `float`, found `int` => float g[2] = float[2](1., float(i));",
+    );
+}
+
+#[test]
+fn vectors_are_cut_or_filled() {
+    check(
+        "v = size;",
+        "cannot assign `vec3` to `vec2` => v = size.xy;",
+    );
+    check("v += size;", "cannot add `vec3` to `vec2` => v += size.xy;");
+    check("f = v;", "cannot assign `vec2` to `float` => f = v.x;");
+    check(
+        "vec3 w = vec3(v);",
+        "`vec3` expects 3 components, found 2 => vec3 w = vec3(v, 0.0);",
+    );
+    check(
+        "vec3 w = vec3(v, v, 1.);",
+        "`vec3` expects 3 components, found 5 => vec3 w = vec3(v, v);",
+    );
+    check(
+        "vec3 w = vec3();",
+        "`vec3()` needs at least one argument => vec3 w = vec3(0.0);",
+    );
+}
+
+#[test]
+fn truth_values_are_no_numbers() {
+    check(
+        "bool b = 0. < f < 1.;",
+        "comparisons cannot be chained => bool b = 0. < f && f < 1.;",
+    );
+    check(
+        "if (i) f = 1.;",
+        "`if` condition must be `bool`, found `int` => if (i != 0) f = 1.;",
+    );
+    check(
+        "if (v == size.xy && f) f = 1.;",
+        "cannot apply `&&` to `bool` and `float` => if (v == size.xy && f != 0.0) f = 1.;",
+    );
+    check("f = !f;", "cannot apply `!` to `float` => f = (f == 0.0);");
+    check(
+        "f = i > 0 ? 1 : 2.;",
+        "`? :` has incompatible types: `int` and `float` => f = i > 0 ? 1.0 : 2.;",
+    );
+    check(
+        "return f;",
+        "a `void` function cannot return a value, found `float` => return;",
+    );
+}
+
+#[test]
+fn members_that_are_not_there() {
+    check("f = v.q;", "`vec2` has no component `q` => f = v.t;");
+    check("f = f.x;", "`float` has no component `x`");
+    check(
+        "f = v[f];",
+        "index must be an integer, found `float` => f = v[int(f)];",
+    );
+    check(
+        "v.xx = v;",
+        "cannot assign to swizzle `xx`: it repeats a component => v.xy = v;",
+    );
+    check(
+        "f = v.length();",
+        "`.length()` requires an array, found `vec2` => f = length(v);",
+    );
+}
+
+#[test]
+fn arguments_are_given_swapped_or_taken_away() {
+    check(
+        "f = own(f, v);",
+        "no overload of `own` accepts `(float, vec2)` => f = own(v, f);",
+    );
+    check(
+        "f = own(v);",
+        "`own` expects 2 arguments, found 1 => f = own(v, 0.0);",
+    );
+    check(
+        "f = own(v, f, 1.);",
+        "`own` expects 2 arguments, found 3 => f = own(v, 1.);",
+    );
+    check(
+        "f = sin(i);",
+        "`sin` expects `float`, found `int` => f = sin(float(i));",
+    );
+    check(
+        "f = sin(v, 1.);",
+        "`sin` expects 1 argument, found 2 => f = sin(v);",
+    );
+    check(
+        "f = f(v);",
+        "`f` is a variable, not a function => f = f * (v);",
+    );
+}
+
+#[test]
+fn names_that_are_typos_or_of_other_languages() {
+    check(
+        "f = saturate(f);",
+        "`saturate` is not a GLSL function; use `clamp(a, 0.0, 1.0)` => f = clamp(f, 0.0, 1.0);",
+    );
+    check(
+        "float3 w = float3(1.);",
+        "`float3` is not a GLSL type; use `vec3` => vec3 w = vec3(1.);",
+    );
+    check("f = ff;", "`ff` is not declared => f = f;");
+    check(
+        "f = vx + vg;",
+        "`vx` is not declared => f = v.x + vg;; `vg` is not declared => f = vx + v.g;",
+    );
+    check("f = vz;", "`vz` is not declared");
+    check("f = Size.x;", "`Size` is not declared => f = size.x;");
+    check(
+        "int uStep = 2; i = step2 + Step;",
+        "`step2` is not declared; `Step` is not declared => int uStep = 2; i = step2 + uStep;",
+    );
+    check("brake;", "`brake` is not declared => break;");
+    check("f = fx;", "`fx` is not declared");
+    check(
+        "f = own2(v, f);",
+        "function `own2` is not declared => f = own(v, f);",
+    );
+}
+
+#[test]
+fn the_side_that_is_written_to() {
+    check("1. = f;", "cannot assign to this expression => f = 1.;");
+}
+
+/// Applies the only fix of each shader: `before => after`, or `None` if there is no fix.
+#[test]
+fn fixes_of_whole_shaders() {
+    const VERSION: &str = "#version 300 es\nprecision highp float;\n";
+    let table = [
+        (
+            "#define G(x) uvec4(x)\nout vec4 a;\nvoid main() { a = vec4(G(3).r / 2.0); }",
+            Some(
+                "#define G(x) uvec4(x)\nout vec4 a;\nvoid main() { a = vec4(float(G(3).r) / 2.0); }",
+            ),
+        ),
+        (
+            "#define G 1u + uvec4(3)\nout vec4 a;\nvoid main() { a = G.r / vec4(2); }",
+            None,
+        ),
+        (
+            "out vec4 a[2];\nvoid main() { gl_FragData[1] = vec4(1); a[0] = vec4(1); }",
+            Some("out vec4 a[2];\nvoid main() { a[1] = vec4(1); a[0] = vec4(1); }"),
+        ),
+        (
+            "layout(location = 1) out vec4 b;\nlayout(location = 0) out vec4 a;\n\
+             void main() { gl_FragData[1] = vec4(1); a = vec4(1); }",
+            Some(
+                "layout(location = 1) out vec4 b;\nlayout(location = 0) out vec4 a;\n\
+                 void main() { b = vec4(1); a = vec4(1); }",
+            ),
+        ),
+        (
+            "void main() { gl_FragData[0] = vec4(1); gl_FragData[2] = vec4(0); }",
+            Some(
+                "layout(location = 0) out vec4 fragColor;\n\
+                 layout(location = 2) out vec4 fragColor2;\n\
+                 void main() { fragColor = vec4(1); fragColor2 = vec4(0); }",
+            ),
+        ),
+        (
+            "out vec4 a;\nvoid main() { gl_FragData[2] = vec4(1); a = vec4(0); }",
+            None,
+        ),
+        (
+            "out vec3 a;\nvoid main() { gl_FragColor = vec4(1); a = vec3(0); }",
+            None,
+        ),
+        (
+            "out vec4 a;\nvoid main() { float 2d = 1.; a = vec4(2d); }",
+            Some("out vec4 a;\nvoid main() { float _2d = 1.; a = vec4(_2d); }"),
+        ),
+    ];
+    for (before, expected) in table {
+        let text = format!("{VERSION}{before}");
+        let found = analyze_fragment(&text).diagnostics;
+        let fix = found.iter().find_map(|d| d.fix.as_ref());
+        let after = fix.map(|f| apply_edits(&text, 0, &f.edits).unwrap());
+        let expected = expected.map(|e| format!("{VERSION}{e}"));
+        assert_eq!(after, expected, "{before}");
+        if let Some(after) = after {
+            let left = analyze_fragment(&after).diagnostics;
+            assert!(left.is_empty(), "{after}: {left:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_superfluous_is_removed() {
+    check("break;", "`break` outside of a loop or `switch` => ;");
+    check(
+        "if (f > 1.) continue;",
+        "`continue` outside of a loop => if (f > 1.) ;",
+    );
+    check(
+        "const float k;",
+        "constant `k` has no initializer => float k;",
+    );
+    check(
+        "highp lowp float k;",
+        "`lowp` repeats a qualifier of the same kind => highp float k;",
+    );
+    check("v = v.xg;", "invalid swizzle `xg` on `vec2` => v = v.xy;");
+    check("v = v.ry;", "invalid swizzle `ry` on `vec2` => v = v.rg;");
+    let all = |text: &str| {
+        let found = analyze_fragment(text);
+        let fix = |d: &shaderlint_diagnostic::Diagnostic| {
+            let fix = d
+                .fix
+                .as_ref()
+                .map(|f| apply_edits(text, 0, &f.edits).unwrap());
+            fix.unwrap_or_default()
+        };
+        found.diagnostics.iter().map(fix).collect::<Vec<_>>()
+    };
+    let declared = |before: &str, after: &str| {
+        let text = |line: &str| {
+            format!("#version 300 es\nprecision highp float;\n{line}\nvoid main() {{}}\n")
+        };
+        assert_eq!(all(&text(before)), [text(after)], "{before}");
+    };
+    declared("uniform float k = 1.0, l;", "uniform float k, l;");
+    declared("uniform vec2 k = vec2(1.0, 2.0);", "uniform vec2 k;");
+    declared("precision highp vec3;", "precision highp float;");
+    declared("precision mediump uvec2;", "precision mediump int;");
+    declared("sampler2D image;", "uniform sampler2D image;");
+    declared(
+        "float f(float x, float k = 2.0) { return x * k; }",
+        "float f(float x, float k) { return x * k; }",
+    );
+    declared(
+        "vec2 f(float x) {\n    float y = x;\n    vec2(x, y);\n}",
+        "vec2 f(float x) {\n    float y = x;\n    return vec2(x, y);\n}",
+    );
+    declared(
+        "layout(loc = 1) out vec4 other;",
+        "layout(location = 1) out vec4 other;",
+    );
+}
+
+/// Every problem in the checker's tables of tests has a message of one line without a full stop.
+#[test]
+fn problems_in_the_tables_of_the_checker_have_messages() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../semantic/checker");
+    let mut rows = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+        let tests = text
+            .split_once("\nmod tests {")
+            .map_or("", |(_, tests)| tests);
+        for line in tests
+            .lines()
+            .map(|line| line.trim().trim_matches([',', '"']))
+        {
+            let Some((code, expected)) = line.rsplit_once(" => ") else {
+                continue;
+            };
+            // Not a row that a test computes.
+            if !expected.chars().all(char::is_alphanumeric) || code.contains("{{") {
+                continue;
+            }
+            assert!(finds(code, expected), "{code}: no `{expected}`");
+            rows += 1;
+        }
+    }
+    assert!(rows > 200, "{rows} rows");
+}
+
+/// Whether a row of a table, some of which lack the same head, has a problem with this name. All
+/// problems in it must have messages.
+fn finds(code: &str, expected: &str) -> bool {
+    let (stage, code) = match code.split_once(": ") {
+        Some((stage, code)) if stage.starts_with(['f', 'v', 'i']) => (stage, code),
+        _ => ("fragment", code),
+    };
+    let in_main = format!("void main() {{ {code} }}");
+    let in_webgl1 = format!("uniform int n; uniform float a[4]; {in_main}");
+    let readings = [
+        (stage, code),
+        (stage, &in_main),
+        ("fragment 100", &in_webgl1),
+    ];
+    readings.into_iter().any(|(stage, code)| {
+        let (stage, dialect, head) = match stage {
+            "vertex" => (Stage::Vertex, Dialect::WebGl, "#version 300 es\n"),
+            "vertex 100" => (Stage::Vertex, Dialect::WebGl, ""),
+            "image" => (Stage::Fragment, Dialect::ShaderToy(Pass::Image), ""),
+            "fragment 100" => (Stage::Fragment, Dialect::WebGl, "precision highp float;\n"),
+            _ => (
+                Stage::Fragment,
+                Dialect::WebGl,
+                "#version 300 es\nprecision highp float;\n",
+            ),
+        };
+        let mut sources = Sources::new();
+        let prelude = dialect.host().prelude([None; 4]);
+        let files = [
+            sources.add("prelude", None, Role::Prelude, prelude),
+            sources.add("test", None, Role::User, format!("{head}{code}")),
+        ];
+        let files: Vec<_> = files.into_iter().flatten().collect();
+        let unit = Unit {
+            sources: &Arc::new(sources),
+            files: &files,
+            stage,
+            dialect,
+            infer_channels: false,
+            completeness: Completeness::Complete,
+        };
+        let shader = check_shader(&unit, &mut Search::for_text());
+        for d in explain(&shader.program, &shader.problems) {
+            let ends_well = !d.message.is_empty() && !d.message.ends_with('.');
+            assert!(ends_well && !d.message.contains('\n'), "{d:?}");
+        }
+        let mut problems = shader.problems.all.iter();
+        problems.any(|p| format!("{:?}", p.what).contains(&format!("({expected}")))
+    })
+}

@@ -1,0 +1,106 @@
+//! Checks one shader from its files to the problems in it, as data.
+
+use super::builtins::Stage;
+use super::checker::{MAX_ERRORS, ParsedShader, check};
+use super::corrections::{Corrected, Recheck};
+use super::dialect::Dialect;
+use super::problem::Problems;
+use super::program::Program;
+use super::unit::{Completeness, Unit};
+use shaderlint_diagnostic::Diagnostic;
+use shaderlint_syntax::{ParseOptions, Preprocessed, Search, parse, preprocess};
+use shaderlint_text::{Role, Sources};
+use std::sync::Arc;
+
+/// A checked shader with all that is wrong in it.
+pub struct CheckedShader {
+    /// The checked program.
+    pub program: Program,
+    /// What the preprocessor reports.
+    pub preprocessing: Vec<Diagnostic>,
+    /// What the parser reports, with the best corrections.
+    pub syntax: Vec<Diagnostic>,
+    /// Forms of other languages, which were read as what they mean.
+    pub translated: Vec<Diagnostic>,
+    /// What the checker found.
+    pub problems: Problems,
+    /// Whether preprocessing stopped early, so that only what it reports is certain.
+    pub gave_up: bool,
+}
+
+impl CheckedShader {
+    /// Whether nothing is wrong.
+    pub fn is_valid(&self) -> bool {
+        let reported = [&self.preprocessing, &self.syntax, &self.translated];
+        self.problems.is_empty() && reported.iter().all(|list| list.is_empty())
+    }
+}
+
+/// Checks a shader. Of several ways to read broken code, the one with the fewest problems is used.
+pub fn check_shader(unit: &Unit, search: &mut Search) -> CheckedShader {
+    let is_fragment = unit.stage == Stage::Fragment;
+    let Preprocessed {
+        mut tokens,
+        names,
+        version,
+        diagnostics,
+        gave_up,
+    } = preprocess(unit.sources, unit.files, is_fragment);
+    if gave_up {
+        tokens.tokens.drain(..tokens.tokens.len().saturating_sub(1));
+    }
+    let language = ParseOptions {
+        version,
+        is_fragment,
+    };
+    let parse = parse(unit.sources, &mut tokens, &names, language, search);
+    let translated = parse.translated;
+    let has_errors = !diagnostics.is_empty()
+        || !parse.diagnostics.is_empty()
+        || !translated.diagnostics.is_empty();
+    let parsed = ParsedShader {
+        sources: Arc::clone(unit.sources),
+        tokens,
+        names,
+        tree: parse.tree,
+        version,
+        has_errors,
+        enough: MAX_ERRORS,
+    };
+    let corrected = Corrected {
+        options: language,
+        choices: parse.choices,
+        original: parse.original,
+        lost: translated.lost,
+    };
+    let looked = match gave_up {
+        true => {
+            let (program, problems) = check(parsed, unit.stage, unit.dialect, [None; 4], search);
+            Recheck::new(program, Vec::new(), problems)
+        }
+        false => corrected.choose(parsed, parse.diagnostics, unit, search),
+    };
+    CheckedShader {
+        program: looked.program,
+        preprocessing: diagnostics,
+        syntax: looked.syntax,
+        translated: translated.diagnostics,
+        problems: looked.problems,
+        gave_up,
+    }
+}
+
+/// Checks a complete fragment shader without a host, for tests of higher layers.
+pub fn check_fragment(code: &str) -> CheckedShader {
+    let mut sources = Sources::new();
+    let file = sources.add("test", None, Role::User, code);
+    let unit = Unit {
+        sources: &Arc::new(sources),
+        files: file.as_slice(),
+        stage: Stage::Fragment,
+        dialect: Dialect::WebGl,
+        infer_channels: false,
+        completeness: Completeness::Complete,
+    };
+    check_shader(&unit, &mut Search::for_text())
+}
