@@ -32,7 +32,7 @@ pub use definite_assignment::{
     AssignmentFindings, DefiniteAssignment, PartMask, UnassignedVariable,
 };
 pub use effects::Effects;
-pub use equivalence::{ShaderVersion, is_equivalent};
+pub use equivalence::{ImageEntry, ShaderVersion, is_equivalent};
 pub use gradients::{DivergenceCause, Gradient, gradients};
 pub use jumps::{Jump, jump};
 pub use liveness::Liveness;
