@@ -20,8 +20,6 @@ const TOLD = {
   isf: 'read as ISF',
   'vscode-shader-toy': 'read as VS Code Shader Toy',
   vertexshaderart: 'read as VertexShaderArt',
-  shadered: 'read as SHADERed',
-  synthclipse: 'read as Synthclipse',
   hyprland: 'read as Hyprland',
   ghostty: 'read as Ghostty',
   niri: 'read as niri',

@@ -14,10 +14,7 @@ mod isf;
 mod kodelife;
 mod kodi;
 mod niri;
-#[cfg(feature = "cli")]
-mod shadered;
 mod shadertoy;
-mod synthclipse;
 mod three;
 mod twigl;
 mod veda;
@@ -231,10 +228,7 @@ static CODES: &[&HostCode] = &[
     &kodelife::CODE,
     &kodi::CODE,
     &niri::CODE,
-    #[cfg(feature = "cli")]
-    &shadered::CODE,
     &shadertoy::CODE,
-    &synthclipse::CODE,
     &three::CODE,
     &twigl::CODE,
     &veda::CODE,
