@@ -55,7 +55,6 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ),
     ("twgl", include_str!("presets/twgl.glsl")),
     ("twigl", include_str!("presets/twigl.glsl")),
-    ("veda", include_str!("presets/veda.glsl")),
     (
         "vertexshaderart",
         include_str!("presets/vertexshaderart.glsl"),

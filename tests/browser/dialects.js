@@ -24,7 +24,6 @@ const TOLD = {
   ghostty: 'read as Ghostty',
   niri: 'read as niri',
   flutter: 'read as Flutter',
-  veda: 'read as VEDA',
   xscreensaver: 'read as XScreenSaver',
 };
 

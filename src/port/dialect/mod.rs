@@ -17,7 +17,6 @@ mod niri;
 mod shadertoy;
 mod three;
 mod twigl;
-mod veda;
 mod vertex;
 mod vertexshaderart;
 mod vscode;
@@ -231,7 +230,6 @@ static CODES: &[&HostCode] = &[
     &shadertoy::CODE,
     &three::CODE,
     &twigl::CODE,
-    &veda::CODE,
     &vertexshaderart::CODE,
     &vscode::CODE,
 ];
