@@ -219,8 +219,12 @@ impl<W: Write> Reporter<W> {
     ) -> io::Result<()> {
         let read_as = scope.read_as.as_ref();
         match self.format {
-            Format::Checkstyle => self.out.write_all(checkstyle::file(name, sources, found).as_bytes())?,
-            Format::Junit => self.out.write_all(junit::file(name, sources, found).as_bytes())?,
+            Format::Checkstyle => self
+                .out
+                .write_all(checkstyle::file(name, sources, found).as_bytes())?,
+            Format::Junit => self
+                .out
+                .write_all(junit::file(name, sources, found).as_bytes())?,
             Format::Sarif | Format::Gitlab => self.with_fingerprints(sources, found)?,
             _ => {}
         }

@@ -109,7 +109,11 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             return None;
         }
         // Outputs have no initial value.
-        let is_global = |id| self.module.variable(id).is_some_and(|v| v.root == Root::Global);
+        let is_global = |id| {
+            self.module
+                .variable(id)
+                .is_some_and(|v| v.root == Root::Global)
+        };
         let ids: Vec<VariableId> = self.shared.iter().map(|g| g.id).collect();
         let globals = ids.into_iter().filter(|id| is_global(*id));
         let shared = globals.map(|id| self.whole(0, id)).collect();
@@ -122,7 +126,9 @@ impl<'n, 'a> Evaluation<'n, 'a> {
     /// The current values of the variables that outlive calls.
     fn shared_values(&mut self) -> Vec<NodeId> {
         let keys = self.shared_keys();
-        keys.into_iter().map(|(call, id)| self.whole(call, id)).collect()
+        keys.into_iter()
+            .map(|(call, id)| self.whole(call, id))
+            .collect()
     }
 
     /// The variables that outlive calls.
@@ -219,7 +225,9 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         let mut values = Vec::new();
         for parameter in parameters {
             let root = self.module.variable(*parameter)?.root;
-            if matches!(root, Root::ParameterOut | Root::ParameterInout) && !self.is_shared(*parameter) {
+            if matches!(root, Root::ParameterOut | Root::ParameterInout)
+                && !self.is_shared(*parameter)
+            {
                 values.push(self.whole(frame.number, *parameter));
             }
         }

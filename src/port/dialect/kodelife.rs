@@ -4,7 +4,9 @@
 //! (parameters). A project is XML: parameters of the document, of passes and of stages say which
 //! value a uniform has; each stage has a source for each API. The last pass is shown.
 
-use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled, usual_plan};
+use super::{
+    Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled, usual_plan,
+};
 use crate::{ControlKind, Input, InputKind, PassDraw, UniformControl};
 use roxmltree::{Document, Node};
 use shaderlint_host::{Preset, preset};
@@ -272,10 +274,7 @@ fn child<'d>(node: Node<'d, 'd>, name: &str) -> Option<Node<'d, 'd>> {
     node.children().find(|n| n.has_tag_name(name))
 }
 
-fn children<'d>(
-    node: Node<'d, 'd>,
-    name: &'static str,
-) -> impl Iterator<Item = Node<'d, 'd>> {
+fn children<'d>(node: Node<'d, 'd>, name: &'static str) -> impl Iterator<Item = Node<'d, 'd>> {
     node.children().filter(move |n| n.has_tag_name(name))
 }
 
