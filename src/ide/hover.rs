@@ -13,7 +13,7 @@ use shaderlint_host::Feed;
 use shaderlint_lint::Facts;
 use shaderlint_port::bindings;
 use shaderlint_semantic::builtins::Builtins;
-use shaderlint_semantic::{BuiltinId, FunctionRef, Program, Scalar, Stage, Storage, Type, Value};
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Stage, Storage, Type, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId};
 use shaderlint_text::Span;
 
