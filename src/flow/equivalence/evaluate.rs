@@ -79,6 +79,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         side: ShaderVersion<'a>,
         called: FxHashMap<FunctionRef, CalledFunction>,
     ) -> Evaluation<'n, 'a> {
+        nodes.host_structs = side.host_structs();
         let start = nodes.add(NodeTag::Start, Type::VOID, Vec::new());
         Evaluation {
             nodes,

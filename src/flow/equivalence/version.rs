@@ -85,6 +85,14 @@ impl<'a> ShaderVersion<'a> {
         self.effects.is_pure(id) && !self.effects.acts(id)
     }
 
+    /// The number of structs that the text of the host declares; they are the first.
+    pub(super) fn host_structs(&self) -> u16 {
+        let structs = self.program.structs.iter();
+        let token = |s: &shaderlint_semantic::Struct| self.program.token(s.token);
+        let is_host = |s| token(s).is_some_and(|t| !self.program.is_user(t.span));
+        structs.take_while(|s| is_host(s)).count() as u16
+    }
+
     /// The number of calls of a function.
     pub(super) fn call_count(&self, id: FunctionRef) -> usize {
         let calls = self.program.calls.iter();
