@@ -1,8 +1,6 @@
 //! Marching loops whose steps are shorter than they need to be.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_flow::{DistanceField, Slope};
-use shaderlint_lint::march::March;
 use shaderlint_lint::sample::rounded;
 use shaderlint_lint::step_edit::{factor_edits, step_factor};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
@@ -37,38 +35,11 @@ fn check(cx: &mut Context) {
         let head = Extent::token(cx.program.tree.stmt(march.looped.stmt).extent.first);
         let times = (found.factor / factor * 10.0).round() / 10.0;
         let [before, after] = found.iterations.map(f64::round);
-        let proved = proved(cx, march, found.factor);
-        let mut finding = cx
-            .report(head, format!("steps could be {times} times as long"))
+        cx.report(head, format!("steps could be {times} times as long"))
             .note(format!(
                 "{after} instead of {before} iterations per ray, and no pixel changes visibly"
             ))
-            .note(found.sampled);
-        if let Some(proved) = proved {
-            finding = finding.note(proved);
-        }
-        finding.fix(fix);
+            .note(found.sampled)
+            .fix(fix);
     }
-}
-
-/// That the scene is nowhere too steep for steps with a factor, if it is proved.
-fn proved(cx: &Context, march: &March, factor: f64) -> Option<String> {
-    let own = DistanceField::of(cx.facts.ranges(), &march.ray)?;
-    let mut slopes = cx.facts.slopes().iter();
-    let (_, slope) = slopes.find(|(field, _)| *field == own)?;
-    let Slope::AtMost(most) = *slope else {
-        return None;
-    };
-    if most * factor > shaderlint_flow::STEEPEST_DISTANCE {
-        return None;
-    }
-    let function = cx.program.function(own.function)?;
-    let (name, most) = (
-        cx.program.names.text(function.name),
-        (most * 1e3).ceil() / 1e3,
-    );
-    Some(format!(
-        "the slope of `{name}` is proved to be at most {}",
-        rounded(most)
-    ))
 }

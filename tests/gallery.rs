@@ -74,29 +74,6 @@ fn a_gallery_has_a_page_for_each_shader() {
     assert!(page.contains("og:image\" content=\"https://e.org/seas/passes.png\""));
 }
 
-/// The shaders of a project that names them are not shaders of the gallery.
-#[test]
-fn a_gallery_has_projects_of_several_files() {
-    let folder = Folder::new();
-    let fixtures = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/tests/fixtures/dialects/shadered"
-    );
-    for file in [
-        "single.sprj",
-        "shaders/quadVS.glsl",
-        "shaders/simplePS.glsl",
-    ] {
-        folder.put(
-            &format!("s/{file}"),
-            fs::read(format!("{fixtures}/{file}")).unwrap(),
-        );
-    }
-    folder.works("gallery s -o out", NO_ADDRESSES);
-    assert!(folder.path("out/single.png").is_file());
-    assert!(!folder.path("out/shaders_quadVS.html").exists());
-}
-
 #[test]
 fn shaders_with_errors_are_left_out_of_a_gallery() {
     let folder = Folder::new();

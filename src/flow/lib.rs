@@ -6,6 +6,7 @@ mod angles;
 mod calls;
 mod columns;
 mod definite_assignment;
+mod distance_field;
 mod effects;
 mod equivalence;
 mod gradients;
@@ -17,7 +18,6 @@ mod rays;
 pub mod reaching_definitions;
 mod same;
 mod slice;
-mod slope;
 #[cfg(test)]
 mod test_shader;
 mod trace;
@@ -31,8 +31,9 @@ pub use columns::{ColumnReads, column_reads};
 pub use definite_assignment::{
     AssignmentFindings, DefiniteAssignment, PartMask, UnassignedVariable,
 };
+pub use distance_field::{DistanceField, fields};
 pub use effects::Effects;
-pub use equivalence::{ShaderVersion, is_equivalent};
+pub use equivalence::{ImageEntry, ShaderVersion, is_equivalent};
 pub use gradients::{DivergenceCause, Gradient, gradients};
 pub use jumps::{Jump, jump};
 pub use liveness::Liveness;
@@ -40,7 +41,6 @@ pub use loops::{Bound, LoopFacts, Loops};
 pub use rays::{HitTest, RayKind, RayLoop, RayMotion, RayStep, SceneCall, ray_loops};
 pub use same::is_same;
 pub use slice::backward_slice;
-pub use slope::{DistanceField, Obstacle, STEEPEST_DISTANCE, Slope, SlopeObstacle, fields, slope};
 pub use trace::{Start, origin, trace};
 pub use uniformity::{
     Control, ControlId, Divergence, DivergenceId, LoopControls, Uniformity, Varying,

@@ -47,9 +47,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ("processing", include_str!("presets/processing.glsl")),
     ("regl", include_str!("presets/regl.glsl")),
     ("shader-park", include_str!("presets/shader-park.glsl")),
-    ("shadered", include_str!("presets/shadered.glsl")),
     ("shadertoy", include_str!("presets/shadertoy.glsl")),
-    ("synthclipse", include_str!("presets/synthclipse.glsl")),
     ("three", include_str!("presets/three.glsl")),
     (
         "three-custom-shader-material",
@@ -57,7 +55,6 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ),
     ("twgl", include_str!("presets/twgl.glsl")),
     ("twigl", include_str!("presets/twigl.glsl")),
-    ("veda", include_str!("presets/veda.glsl")),
     (
         "vertexshaderart",
         include_str!("presets/vertexshaderart.glsl"),

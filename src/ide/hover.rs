@@ -7,13 +7,13 @@ use super::run::RunObservations;
 use super::symbol::{Symbol, builtin_variable, declared_at};
 use shaderlint_diagnostic::count;
 use shaderlint_engine::Files;
+use shaderlint_flow::Bound;
 use shaderlint_flow::ranges::Interval;
-use shaderlint_flow::{Bound, Slope};
 use shaderlint_host::Feed;
 use shaderlint_lint::Facts;
 use shaderlint_port::bindings;
 use shaderlint_semantic::builtins::Builtins;
-use shaderlint_semantic::{BuiltinId, FunctionRef, Program, Scalar, Stage, Storage, Type, Value};
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Stage, Storage, Type, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId};
 use shaderlint_text::Span;
 
@@ -219,23 +219,8 @@ fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         0 => "never called".to_string(),
         n => count(n, "call site"),
     };
-    format!(
-        "\nabout {} per call; {times}\n{}",
-        operations(work.operations(id)),
-        of_field(facts, id)
-    )
-}
-
-/// What is proved of the slope of a distance field that rays march along.
-fn of_field(facts: &Facts, id: FunctionRef) -> String {
-    let mut all = facts.slopes().iter();
-    match all.find(|(field, _)| field.function == id) {
-        Some((_, slope)) if slope.is_distance() => {
-            "\ndistance field: nowhere steeper than a distance\n".to_string()
-        }
-        Some((_, Slope::AtMost(most))) => format!("\ndistance field: slope at most {most:.2}\n"),
-        _ => String::new(),
-    }
+    let cost = operations(work.operations(id));
+    format!("\nabout {cost} per call; {times}\n")
 }
 
 /// Formats a number of operations.

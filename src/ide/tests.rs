@@ -311,35 +311,6 @@ fn hovers_and_signatures_in_code_that_is_not_compiled() {
 }
 
 #[test]
-fn slopes_of_distance_fields_are_shown() {
-    let shown = |body: &str| {
-        hovered(&format!(
-            "float |map(vec3 p) {{ {body} }}\nvoid main() {{
-                vec3 ro = vec3(0.0, 0.0, -3.0), rd = normalize(vec3(gl_FragCoord.xy, 1.0));
-                float t = 0.0;
-                for (int i = 0; i < 80; i++) {{
-                    float d = map(ro + rd * t); if (d < 0.001 || t > 20.0) break; t += d; }}
-                color = vec4(t); }}"
-        ))
-    };
-    let text = shown("return length(p) - 1.0;");
-    let expected = "distance field: nowhere steeper than a distance";
-    assert!(text.contains(expected), "{text}");
-    let text = shown("return length(p * 2.0) - 1.0;");
-    assert!(
-        text.contains("distance field: slope at most 2.00"),
-        "{text}"
-    );
-    // Nothing is said of fields that were not decided, nor of functions that no ray follows.
-    let text = shown("return length(p) - p.x * p.y;");
-    assert!(!text.contains("distance field"), "{text}");
-    let text = hovered(
-        "float |map(vec3 p) { return length(p); }\nvoid main() { color = vec4(map(vec3(time))); }\n",
-    );
-    assert!(!text.contains("distance field"), "{text}");
-}
-
-#[test]
 fn what_is_known_is_shown() {
     let text = hovered("void main() { float a = |fract(time); color = vec4(a); }\n");
     assert!(

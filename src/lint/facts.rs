@@ -9,8 +9,8 @@ use rustc_hash::FxHashMap;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use shaderlint_flow::reaching_definitions::ReachingDefinitions;
 use shaderlint_flow::{
-    Calls, DefiniteAssignment, DistanceField, Effects, Gradient, Jump, Liveness, Loops, Slope,
-    Start, Uniformity, Work, Writes, fields, gradients, is_same, jump, origin, slope, trace,
+    Calls, DefiniteAssignment, DistanceField, Effects, Gradient, Jump, Liveness, Loops, Start,
+    Uniformity, Work, Writes, fields, gradients, is_same, jump, origin, trace,
 };
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Root, lower};
 use shaderlint_semantic::{
@@ -60,7 +60,6 @@ pub struct CachedFacts {
     uniformity: OnceLock<Uniformity>,
     gradients: OnceLock<Vec<Gradient>>,
     marches: OnceLock<Vec<March>>,
-    slopes: OnceLock<Vec<(DistanceField, Slope)>>,
 }
 
 impl CachedFacts {
@@ -89,7 +88,6 @@ impl CachedFacts {
             self.uniformity.get().is_some(),
             self.gradients.get().is_some(),
             self.marches.get().is_some(),
-            self.slopes.get().is_some(),
         ];
         all.into_iter().filter(|is_known| *is_known).count()
     }
@@ -238,14 +236,9 @@ impl<'a> Facts<'a> {
             .get_or_init(|| marches(self.ranges(), (self.loops(), self.calls()), self.entry()))
     }
 
-    /// The distance fields that the marching loops move by, and bounds of their slopes.
-    pub fn slopes(&self) -> &[(DistanceField, Slope)] {
-        self.known.slopes.get_or_init(|| {
-            let query = self.ranges();
-            let rays = self.marches().iter().map(|march| &march.ray);
-            let fields = fields(query, rays).into_iter();
-            fields.map(|field| (field, slope(query, field))).collect()
-        })
+    /// The distance fields that the marching loops move by.
+    pub fn fields(&self) -> Vec<DistanceField> {
+        fields(self.ranges(), self.marches().iter().map(|march| &march.ray))
     }
 
     /// Definite assignment on the paths through each function.

@@ -35,7 +35,6 @@ mod pieces;
 mod project;
 mod repair;
 mod rewrite;
-mod same;
 mod script;
 mod signature;
 mod single;

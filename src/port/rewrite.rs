@@ -2,13 +2,14 @@
 //! output variable, the second `gl_FragCoord.xy`.
 //!
 //! The rewrite is used only if it provably draws the same image: the result is checked again, and
-//! its `main` is compared with `mainImage` operation by operation. Otherwise the reason is
-//! reported, and the pass keeps the player's header.
+//! its `main` is proved to be equivalent to `mainImage` for all inputs. `--verify` compares pixels,
+//! which shows equality only for the samples. Otherwise the reason is reported, and the pass keeps
+//! the player's header.
 
 use super::glsl::signed;
-use super::same::{Added, LoweredShader, is_same};
 use super::{Composed, PassUnit, Project, Wrapper};
 use shaderlint_explain::analyze_alone;
+use shaderlint_flow::{Effects, ImageEntry, ShaderVersion, is_equivalent};
 use shaderlint_ir::lower;
 use shaderlint_semantic::{FunctionRef, Pass, Program, Stage, builtins::Builtins};
 use shaderlint_syntax::ast::{
@@ -88,21 +89,25 @@ fn prove(program: &Program, main: &Main, how: &Rewriting, text: &str) -> Result<
         let message = format!("the rewritten shader does not compile: {}", problem.message);
         return Err(not_safe(main.header, message));
     }
-    let pass = LoweredShader {
+    let modules = [lower(program), lower(&made.program)];
+    let effects = Effects::default();
+    let [before, after] = [program, &made.program];
+    let version = |program, module, entry| ShaderVersion {
         program,
-        module: &lower(program),
+        module,
+        effects: &effects,
+        entry,
     };
-    let made = LoweredShader {
-        program: &made.program,
-        module: &lower(&made.program),
-    };
-    let added = Added {
-        color: main.color_name,
-        clears: how.clears,
-        coordinate: how.has_local.then_some(main.coord_name),
+    let entry = main_image(program, main).map(|function| ImageEntry {
+        function,
+        is_cleared: how.clears,
         is_opaque: how.is_opaque,
+    });
+    let is_proved = entry.is_some() && {
+        let [ours, theirs] = &modules;
+        is_equivalent(version(before, ours, entry), version(after, theirs, None))
     };
-    match main_image(program, main).is_some_and(|image| is_same(&pass, image, &made, &added)) {
+    match is_proved {
         true => Ok(()),
         false => Err(not_safe(main.header, "equivalence could not be proved")),
     }
@@ -263,8 +268,6 @@ struct Rewriting {
     edits: Vec<Edit>,
     /// Whether the output is set to zero at the start.
     clears: bool,
-    /// Whether a local variable replaces the second parameter.
-    has_local: bool,
     /// Whether alpha is set to 1.0 at the end.
     is_opaque: bool,
 }
@@ -312,7 +315,6 @@ impl Rewriting {
         Ok(Rewriting {
             edits,
             clears,
-            has_local,
             is_opaque,
         })
     }
@@ -438,4 +440,72 @@ fn header(composed: &Composed, unit: &PassUnit, main: &Main) -> String {
     }
     text.push_str(&format!("out vec4 {};\n\n", main.color_name));
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Project, rewrite};
+
+    /// The rewritten Image pass, or the reason why it was not rewritten.
+    fn rewritten(code: &str) -> Result<String, String> {
+        let mut project = Project::draft("", code, None).unwrap();
+        let composed = project.resolve("").unwrap();
+        rewrite(&project, &composed, &composed.units[0]).map_err(|e| e.message)
+    }
+
+    #[track_caller]
+    fn kept(body: &str, reason: &str) {
+        let code = format!("{body}\n");
+        assert_eq!(rewritten(&code).unwrap_err(), reason, "{code}");
+    }
+
+    const HEAD: &str = "void mainImage(out vec4 c, in vec2 p) {";
+
+    #[test]
+    fn what_does_the_same_is_written() {
+        for code in [
+            "c = vec4(p, 0, 1);",
+            "if (p.x > 9.0) c = vec4(p.y);",
+            "p /= 2.0; c = vec4(p[int(p.x)]);",
+            "for (int i = 0; i < 9; ++i) { if (i == 7) continue; c += p.xyxy; }",
+            "switch (int(p.x)) { case 1: c = vec4(1); break; default: c.x = 0.5; }",
+            "do { c.x += 1.0; } while (c.x < p.y); { vec4 c = vec4(2); c.x = 1.0; }",
+            "vec2 gl = gl_FragCoord.xy; c = vec4(gl, p.yx);",
+            "c = vec4(p[int(iTime)]);",
+        ] {
+            let text = rewritten(&format!("{HEAD} {code} }}")).unwrap();
+            assert!(text.contains("void main()"), "{text}");
+        }
+        let struct_of_a_type = "struct S { float x; } f() { return S(0.5); }\n";
+        let text = format!("{struct_of_a_type}{HEAD} c = vec4(f().x); }}");
+        assert_eq!(rewritten(&text).err(), None);
+    }
+
+    #[test]
+    fn what_might_not_do_the_same_is_kept() {
+        kept(
+            &format!("{HEAD} for (int i = 0; i < 4; i++) c[i] = p.x; }}"),
+            "the rewritten shader does not compile: a fragment output must be indexed with a constant",
+        );
+        kept(
+            &format!("#define a 0.5\n{HEAD} c = vec4(a); }}"),
+            "`a` is a macro",
+        );
+        kept(
+            &format!("#define xy yx\n{HEAD} c = p.xyxy; }}"),
+            "`xy` is a macro",
+        );
+        kept(
+            &format!("{HEAD} c = vec4(1);\n#define c d\nvec4 d; d.x = 1.0; }}"),
+            "`c` is a macro",
+        );
+        kept(
+            &format!("{HEAD} c = vec4(__LINE__); }}"),
+            "`__LINE__` would change",
+        );
+        kept(
+            &format!("float c;\n{HEAD} c = vec4(1); }}"),
+            "`c` is already a global variable",
+        );
+    }
 }

@@ -2,38 +2,31 @@
 
 use super::others::{placed_message, with_advice};
 use super::place::region;
-use super::xml::escape;
+use super::xml::Element;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
-use std::io::{self, Write};
 
-/// Writes everything before the first file.
-pub fn begin(out: &mut impl Write) -> io::Result<()> {
-    out.write_all(b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<checkstyle version=\"4.3\">\n")
-}
+/// Everything before the first file.
+pub const BEGIN: &str =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<checkstyle version=\"4.3\">\n";
 
-/// Writes the findings of one file.
-pub fn file(
-    out: &mut impl Write,
-    name: &str,
-    sources: &Sources,
-    found: &[Diagnostic],
-) -> io::Result<()> {
-    writeln!(out, "  <file name=\"{}\">", escape(name))?;
-    for d in found {
+/// Everything after the last file.
+pub const END: &str = "</checkstyle>\n";
+
+/// The findings of one file.
+pub fn file(name: &str, sources: &Sources, found: &[Diagnostic]) -> String {
+    let errors = found.iter().map(|d| {
         let (line, column) = region(sources, d.span).map_or((1, 1), |(s, _)| (s.line, s.column));
-        writeln!(
-            out,
-            "    <error line=\"{line}\" column=\"{column}\" severity=\"{}\" message=\"{}\" source=\"shaderlint.{}\"/>",
-            d.severity.name(),
-            escape(&with_advice(placed_message(sources, d), d)),
-            d.rule
-        )?;
-    }
-    out.write_all(b"  </file>\n")
-}
-
-/// Writes everything after the last file.
-pub fn end(out: &mut impl Write) -> io::Result<()> {
-    out.write_all(b"</checkstyle>\n")
+        let message = with_advice(placed_message(sources, d), d);
+        let error = Element::new("error")
+            .with("line", line)
+            .with("column", column);
+        let error = error.with("severity", d.severity.name());
+        let error = error.with("message", message);
+        error.with("source", format!("shaderlint.{}", d.rule))
+    });
+    format!(
+        "{:2}",
+        Element::new("file").with("name", name).children(errors)
+    )
 }

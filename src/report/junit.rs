@@ -3,67 +3,59 @@
 
 use super::human::render;
 use super::others::placed_message;
-use super::xml::escape;
+use super::xml::Element;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
-use std::io::{self, Write};
 
-/// Writes everything before the first file.
-pub fn begin(out: &mut impl Write) -> io::Result<()> {
-    out.write_all(b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"shaderlint\">\n")
+/// Everything before the first suite.
+pub fn begin(name: &str) -> String {
+    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{name}\">\n")
 }
 
-/// Writes the findings of one file.
-pub fn file(
-    out: &mut impl Write,
-    name: &str,
-    sources: &Sources,
-    found: &[Diagnostic],
-) -> io::Result<()> {
-    let name = escape(name);
-    writeln!(
-        out,
-        "  <testsuite name=\"{name}\" tests=\"{}\" failures=\"{}\" errors=\"0\">",
-        found.len().max(1),
-        found.iter().filter(|d| is_failure(d)).count()
-    )?;
-    if found.is_empty() {
-        writeln!(
-            out,
-            "    <testcase name=\"{name}\" classname=\"shaderlint\"/>"
-        )?;
-    }
-    for d in found {
-        let position = sources
-            .file_at(d.span.start)
-            .map(|f| f.position(d.span.start));
-        let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
-        writeln!(
-            out,
-            "    <testcase name=\"{} at {line}:{column}\" classname=\"{name}\">",
-            d.rule
-        )?;
-        let text = render(sources, d);
-        let text = escape(text.trim_end());
-        if is_failure(d) {
-            let (kind, message) = (d.severity.name(), escape(&placed_message(sources, d)));
-            writeln!(
-                out,
-                "      <failure type=\"{kind}\" message=\"{message}\">{text}</failure>"
-            )?;
-        } else {
-            writeln!(out, "      <system-out>{text}</system-out>")?;
+/// The suite of a file; the last two arguments count its cases that failed and were skipped.
+pub fn suite(name: &str, cases: Vec<Element>, failed: usize, skipped: usize) -> String {
+    let suite = Element::new("testsuite").with("name", name);
+    let suite = suite.with("tests", cases.len()).with("failures", failed);
+    let suite = suite.with("errors", 0).with("skipped", skipped);
+    format!("{:2}", suite.children(cases))
+}
+
+/// A case that passed.
+pub fn case(class: &str, name: &str) -> Element {
+    let case = Element::new("testcase").with("classname", class);
+    case.with("name", name)
+}
+
+/// Why a case failed.
+pub fn failure(kind: &str, message: &str, text: &str) -> Element {
+    let failure = Element::new("failure").with("type", kind);
+    failure.with("message", message).text(text)
+}
+
+/// Everything after the last suite.
+pub const END: &str = "</testsuites>\n";
+
+/// The findings of one file.
+pub(super) fn file(name: &str, sources: &Sources, found: &[Diagnostic]) -> String {
+    let failures = found.iter().filter(|d| d.severity != Severity::Info);
+    let cases = match found {
+        [] => vec![case("shaderlint", name)],
+        found => found.iter().map(|d| finding(name, sources, d)).collect(),
+    };
+    suite(name, cases, failures.count(), 0)
+}
+
+fn finding(name: &str, sources: &Sources, d: &Diagnostic) -> Element {
+    let file = sources.file_at(d.span.start);
+    let position = file.map(|f| f.position(d.span.start));
+    let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
+    let text = render(sources, d);
+    let content = match d.severity {
+        Severity::Info => Element::new("system-out").text(text.trim_end()),
+        severity => {
+            let message = placed_message(sources, d);
+            failure(severity.name(), &message, text.trim_end())
         }
-        out.write_all(b"    </testcase>\n")?;
-    }
-    out.write_all(b"  </testsuite>\n")
-}
-
-fn is_failure(d: &Diagnostic) -> bool {
-    d.severity != Severity::Info
-}
-
-/// Writes everything after the last file.
-pub fn end(out: &mut impl Write) -> io::Result<()> {
-    out.write_all(b"</testsuites>\n")
+    };
+    case(name, &format!("{} at {line}:{column}", d.rule)).children([content])
 }

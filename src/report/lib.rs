@@ -11,13 +11,13 @@ mod github;
 mod gitlab;
 mod human;
 mod json;
-mod junit;
+pub mod junit;
 mod others;
 mod place;
 mod sarif;
 mod short;
 mod summary;
-mod xml;
+pub mod xml;
 
 pub use fingerprint::fingerprints;
 pub use human::render;
@@ -219,8 +219,12 @@ impl<W: Write> Reporter<W> {
     ) -> io::Result<()> {
         let read_as = scope.read_as.as_ref();
         match self.format {
-            Format::Checkstyle => checkstyle::file(&mut self.out, name, sources, found)?,
-            Format::Junit => junit::file(&mut self.out, name, sources, found)?,
+            Format::Checkstyle => self
+                .out
+                .write_all(checkstyle::file(name, sources, found).as_bytes())?,
+            Format::Junit => self
+                .out
+                .write_all(junit::file(name, sources, found).as_bytes())?,
             Format::Sarif | Format::Gitlab => self.with_fingerprints(sources, found)?,
             _ => {}
         }
@@ -283,8 +287,8 @@ impl<W: Write> Reporter<W> {
             Format::Json => json::begin(&mut self.out),
             Format::Sarif => sarif::begin(&mut self.out),
             Format::Gitlab => self.out.write_all(b"["),
-            Format::Junit => junit::begin(&mut self.out),
-            Format::Checkstyle => checkstyle::begin(&mut self.out),
+            Format::Junit => self.out.write_all(junit::begin("shaderlint").as_bytes()),
+            Format::Checkstyle => self.out.write_all(checkstyle::BEGIN.as_bytes()),
             _ => Ok(()),
         }
     }
@@ -306,8 +310,8 @@ impl<W: Write> Reporter<W> {
                 sarif::end(&mut self.out, &names, self.pages)?;
             }
             Format::Gitlab => self.out.write_all(b"\n]\n")?,
-            Format::Junit => junit::end(&mut self.out)?,
-            Format::Checkstyle => checkstyle::end(&mut self.out)?,
+            Format::Junit => self.out.write_all(junit::END.as_bytes())?,
+            Format::Checkstyle => self.out.write_all(checkstyle::END.as_bytes())?,
             Format::Statistics => {
                 let mut counts: Vec<_> = std::mem::take(&mut self.names).into_iter().collect();
                 counts.sort_by_key(|(name, count)| (std::cmp::Reverse(*count), *name));

@@ -99,7 +99,7 @@ fn within(comment: Span, start: usize, end: usize) -> Span {
     Span::new(comment.start + start as u32, comment.start + end as u32)
 }
 
-/// Parses the marks of a comment: a range with a tilde, a command of Synthclipse and Fragmentarium,
+/// Parses the marks of a comment: a range with a tilde, a command of Fragmentarium,
 /// a range of VS Code Shader Toy, a colour, or an interval that contains the value.
 fn find_mark(text: &str, value: &[f64]) -> Option<(usize, usize, MarkMeaning)> {
     let one = |(start, end, min, max)| (start, end, MarkMeaning::Range(vec![min], vec![max]));

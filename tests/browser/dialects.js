@@ -20,13 +20,10 @@ const TOLD = {
   isf: 'read as ISF',
   'vscode-shader-toy': 'read as VS Code Shader Toy',
   vertexshaderart: 'read as VertexShaderArt',
-  shadered: 'read as SHADERed',
-  synthclipse: 'read as Synthclipse',
   hyprland: 'read as Hyprland',
   ghostty: 'read as Ghostty',
   niri: 'read as niri',
   flutter: 'read as Flutter',
-  veda: 'read as VEDA',
   xscreensaver: 'read as XScreenSaver',
 };
 

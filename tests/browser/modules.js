@@ -269,7 +269,7 @@ const DIALECTS = path.join(top, 'tests/fixtures/dialects');
 const OWN = [
   'three/gradient.glsl', 'three/terrain.glsl', 'glsl-sandbox/feedback.glsl', 'glsl-sandbox/surface.glsl', 'webgl/samplers.frag',
   'book-of-shaders/buffers.frag', 'isf/trails.fs', 'isf/edges.fs', 'isf/wipe.fs',
-  'shadered/feedback.sprj', 'twigl/mrt.glsl', 'vertexshaderart/strip.vert', 'vertexshaderart/rings.vert',
+  'twigl/mrt.glsl', 'vertexshaderart/strip.vert', 'vertexshaderart/rings.vert',
 ];
 
 async function threeOwn(context, file) {

@@ -20,7 +20,7 @@ fn fixtures() -> Vec<(String, PathBuf)> {
         let host = folder.file_name().unwrap().to_str().unwrap().to_string();
         for file in fs::read_dir(folder).unwrap() {
             let path = file.unwrap().path();
-            let others = ["vs", "sprj", "klproj"];
+            let others = ["vs", "klproj"];
             let is_shader = path
                 .extension()
                 .is_some_and(|e| others.iter().all(|o| e != *o));
@@ -87,8 +87,7 @@ fn both_programs_recognise_the_same_host() {
 fn playable_shaders_are_not_rejected_for_their_dialect() {
     let scratch = Scratch::new(&[]);
     for (host, path) in fixtures() {
-        let is_complete =
-            ["bonzomatic", "kodelife", "kodi", "synthclipse"].contains(&host.as_str());
+        let is_complete = ["bonzomatic", "kodelife", "kodi"].contains(&host.as_str());
         let composes = preset(&host).is_some_and(|host| host.composes);
         if !is_complete && !composes {
             continue;

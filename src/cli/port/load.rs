@@ -289,7 +289,7 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
     if text.trim_start().starts_with(['{', '[']) {
         return Ok(Drafted::of(export(&name, &text)?));
     }
-    if text.trim_start().starts_with('<') && !PROJECTS.iter().any(|tag| text.contains(tag)) {
+    if text.trim_start().starts_with('<') && !text.contains("<klxml") {
         return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
     if let FileKind::Holds(language) = decide(&name, &text, Claim::None).kind {
@@ -334,9 +334,6 @@ fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Dr
         siblings,
     })
 }
-
-/// The elements of projects in XML: SHADERed and KodeLife.
-const PROJECTS: [&str; 2] = ["<pipeline", "<klxml"];
 
 /// Rejects a shader in a language that shaderport does not read, at the code that shows it.
 fn reject_other_languages(name: &str, text: &str) -> Result<(), String> {

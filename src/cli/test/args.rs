@@ -28,29 +28,19 @@ pub struct TestArgs {
     /// Test again what a change touches, until stopped
     #[arg(long)]
     pub watch: bool,
-    /// Output format: human, json, junit, tap
+    /// Output format: human, json, junit
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     #[arg(hide_possible_values = true)]
     pub format: TestFormat,
 
     /// Also run functions `bench_*`, and print the operations of each test
-    #[arg(long, help_heading = BENCH)]
+    #[arg(long)]
     pub bench: bool,
-    /// Write the operations of each test to FILE
-    #[arg(long, value_name = "FILE", help_heading = BENCH)]
-    pub save_baseline: Option<PathBuf>,
-    /// Fail if a test needs more operations than in FILE
-    #[arg(long, value_name = "FILE", help_heading = BENCH)]
-    pub baseline: Option<PathBuf>,
-    /// Percentage by which operations may exceed the baseline
-    #[arg(long, value_name = "PERCENT", default_value = "5", value_parser = percent_of)]
-    #[arg(help_heading = BENCH)]
-    pub bench_tolerance: f64,
 
     /// Write which lines and branches of the files under test ran
     #[arg(long, value_name = "FILE", help_heading = COVERAGE)]
     pub coverage: Option<PathBuf>,
-    /// Format of the coverage: lcov, html, json; default: by the extension of FILE, or lcov
+    /// Format of the coverage: lcov, json; default: by the extension of FILE, or lcov
     #[arg(long, value_enum, value_name = "FORMAT", requires = "coverage")]
     #[arg(hide_possible_values = true, help_heading = COVERAGE)]
     pub coverage_format: Option<CoverageFormat>,
@@ -79,7 +69,6 @@ pub struct TestArgs {
     pub force: bool,
 }
 
-const BENCH: &str = "Benchmarks";
 const COVERAGE: &str = "Coverage";
 const GOLDEN: &str = "Golden images";
 
@@ -105,15 +94,6 @@ pub enum TestFormat {
     Json,
     /// JUnit XML
     Junit,
-    /// Test Anything Protocol, version 14
-    Tap,
-}
-
-impl TestArgs {
-    /// Whether operations are counted and benchmarks run.
-    pub fn counts(&self) -> bool {
-        self.bench || self.baseline.is_some() || self.save_baseline.is_some()
-    }
 }
 
 /// Parses a percentage, with or without `%`.

@@ -47,7 +47,7 @@ impl TestFile<'_> {
             if self.run.args.coverage.is_some() {
                 found.coverage.add_files(analysis);
             }
-            let is_selected = |test: &&Test| self.run.args.counts() || !test.is_bench;
+            let is_selected = |test: &&Test| self.run.args.bench || !test.is_bench;
             for test in suite.tests.iter().filter(is_selected) {
                 let is_own = |shared: &&TextureMark| {
                     test.textures
@@ -149,7 +149,7 @@ impl TestFile<'_> {
         let settings = TestSettings {
             cases: args.cases,
             seed: args.seed,
-            cost: args.counts(),
+            cost: args.bench,
             coverage: args.coverage.is_some(),
         };
         let sources = analysis.sources();

@@ -1,7 +1,6 @@
 //! `shaderlint test`: runs tests written in GLSL, and compares shaders with their golden images.
 
 mod args;
-mod baseline;
 mod coverage;
 mod difference;
 mod file;
@@ -12,7 +11,6 @@ mod junit;
 mod outcome;
 mod session;
 mod shared;
-mod tap;
 mod textures;
 mod watch;
 

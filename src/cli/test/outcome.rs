@@ -31,9 +31,6 @@ pub struct TestRow {
     /// Operations of one call on average.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub operations: Option<f64>,
-    /// Operations in the baseline.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub baseline: Option<f64>,
     /// The comparisons of a function that failed, at the first pixel with a wrong result.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<ConditionRow>,
@@ -152,7 +149,6 @@ impl TestRow {
             expected_failure: None,
             counterexample: None,
             operations: None,
-            baseline: None,
             conditions: Vec::new(),
             difference: None,
             written: None,

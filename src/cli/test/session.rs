@@ -7,14 +7,12 @@ use super::super::input::{InputFile, collect};
 use super::super::parallel::{in_order, threads};
 use super::super::watch::Stamp;
 use super::args::{TestArgs, TestFormat};
-use super::baseline::OperationBaseline;
 use super::coverage;
 use super::file::{Done, test_file};
 use super::inputs::with_neighbours;
 use super::junit::junit;
 use super::outcome::{Tally, TestRow};
 use super::shared::TestRun;
-use super::tap::tap;
 use super::textures::Textures;
 use crate::engine::config::Selection;
 use crate::engine::playback::Coverage;
@@ -74,18 +72,6 @@ impl TestSession {
         let inputs = inputs(args);
         let mut problems = inputs.problems;
         problems.iter().for_each(|problem| complain(problem));
-        let baseline = args
-            .baseline
-            .as_deref()
-            .map(OperationBaseline::read)
-            .transpose();
-        let baseline = match baseline {
-            Ok(baseline) => baseline,
-            Err(why) => {
-                complain(&why);
-                return Ok(FAILED);
-            }
-        };
         let is_known = |input: &InputFile| {
             let known = self.known.get(&input.name);
             known.is_some_and(|(done, stamp)| Stamp::of(done.read.iter().cloned()) == *stamp)
@@ -118,13 +104,9 @@ impl TestSession {
             };
             let is_new = tested.is_some();
             let earlier = || self.known.get(&name).map(|(done, _)| done.clone());
-            let Some(mut done) = tested.or_else(earlier) else {
+            let Some(done) = tested.or_else(earlier) else {
                 return Ok(());
             };
-            if let Some(baseline) = &baseline {
-                let rows = done.rows.iter_mut();
-                rows.for_each(|row| baseline.judge(row, args.bench_tolerance));
-            }
             if args.format == TestFormat::Human && is_new {
                 print(&done)?;
             }
@@ -154,10 +136,9 @@ fn finish(
         TestFormat::Human => tally.text(),
         TestFormat::Json => tally.json(),
         TestFormat::Junit => junit(tally),
-        TestFormat::Tap => tap(tally),
     };
     io::stdout().lock().write_all(text.as_bytes())?;
-    problems.extend(save(args, tally, all));
+    problems.extend(save(args, all));
     if tally.tests.is_empty() && problems.is_empty() {
         complain("no tests found: expected `bool test_*()` or a golden image");
     }
@@ -183,19 +164,14 @@ fn print(done: &Done) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes the coverage and the baseline. Returns what went wrong.
-fn save(args: &TestArgs, tally: &Tally, all: &Coverage) -> Vec<String> {
-    let mut results = Vec::new();
-    if let Some(path) = &args.coverage {
-        results.push(coverage::save(all, path, args.coverage_format));
-        if args.format == TestFormat::Human {
-            print_message(&coverage::summary(all));
-        }
+/// Writes the coverage. Returns what went wrong.
+fn save(args: &TestArgs, all: &Coverage) -> Option<String> {
+    let path = args.coverage.as_ref()?;
+    let saved = coverage::save(all, path, args.coverage_format);
+    if args.format == TestFormat::Human {
+        print_message(&coverage::summary(all));
     }
-    if let Some(path) = &args.save_baseline {
-        results.push(OperationBaseline::of(&tally.tests).save(path));
-    }
-    let problems: Vec<String> = results.into_iter().filter_map(Result::err).collect();
-    problems.iter().for_each(|problem| complain(problem));
-    problems
+    let problem = saved.err()?;
+    complain(&problem);
+    Some(problem)
 }

@@ -1,10 +1,13 @@
 //! Evaluates a function symbolically.
 
 use super::nodes::{NodeId, NodeTag, Nodes, PathStep};
-use super::version::{ShaderVersion, SharedGlobal};
+use super::version::{ImageEntry, ShaderVersion, SharedGlobal};
 use rustc_hash::FxHashMap;
-use shaderlint_ir::{Access, Module, OpId, OpKind, Place, PlaceId, Precision, Root};
-use shaderlint_semantic::{FunctionRef, Type, VariableId};
+use shaderlint_ir::{Access, Lanes, Module, OpId, OpKind, Place, PlaceId, Precision, Root};
+use shaderlint_semantic::{FunctionRef, Scalar, Type, Value, VariableId};
+
+const VEC2: Type = Type::vector(Scalar::Float, 2);
+const VEC4: Type = Type::vector(Scalar::Float, 4);
 
 /// Maximum number of operations that are evaluated.
 const MAX_OPS: u32 = 2_000_000;
@@ -76,6 +79,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         side: ShaderVersion<'a>,
         called: FxHashMap<FunctionRef, CalledFunction>,
     ) -> Evaluation<'n, 'a> {
+        nodes.host_structs = side.host_structs();
         let start = nodes.add(NodeTag::Start, Type::VOID, Vec::new());
         Evaluation {
             nodes,
@@ -105,7 +109,15 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         if !is_alive || !self.effects.is_empty() {
             return None;
         }
-        let shared = self.shared_values();
+        // Outputs have no initial value.
+        let is_global = |id| {
+            self.module
+                .variable(id)
+                .is_some_and(|v| v.root == Root::Global)
+        };
+        let ids: Vec<VariableId> = self.shared.iter().map(|g| g.id).collect();
+        let globals = ids.into_iter().filter(|id| is_global(*id));
+        let shared = globals.map(|id| self.whole(0, id)).collect();
         let is_const = |(_, id): &CallVariable| self.side.is_const(*id);
         let all = std::mem::take(&mut self.values);
         self.constants = all.into_iter().filter(|(key, _)| is_const(key)).collect();
@@ -114,13 +126,15 @@ impl<'n, 'a> Evaluation<'n, 'a> {
 
     /// The current values of the variables that outlive calls.
     fn shared_values(&mut self) -> Vec<NodeId> {
-        let ids: Vec<VariableId> = self.shared.iter().map(|g| g.id).collect();
-        ids.into_iter().map(|id| self.whole(0, id)).collect()
+        let keys = self.shared_keys();
+        keys.into_iter()
+            .map(|(call, id)| self.whole(call, id))
+            .collect()
     }
 
     /// The variables that outlive calls.
     pub fn shared_keys(&self) -> Vec<CallVariable> {
-        self.shared.iter().map(|g| (0, g.id)).collect()
+        self.shared.iter().map(|g| (g.call, g.id)).collect()
     }
 
     /// What a function computes.
@@ -140,7 +154,14 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             let value = self.whole(call, id);
             self.values.insert((call, id), value);
         }
+        let entry = self.side.entry.filter(|e| e.function == id);
+        if let Some(entry) = entry {
+            self.enter(entry)?;
+        }
         for (number, parameter) in (0..).zip(self.module.parameters(function)) {
+            if entry.is_some() {
+                break;
+            }
             let variable = self.module.variable(*parameter)?;
             let tag = match variable.root {
                 Root::ParameterOut => NodeTag::Undef,
@@ -150,10 +171,41 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             self.values.insert((1, *parameter), value);
         }
         if self.region(function.body?, &mut frame)? {
+            if let Some(entry) = entry.filter(|e| e.is_opaque) {
+                let color = self.side.parameter(entry, 0)?;
+                let one = self.nodes.constant(&[Value::Float(1.0)], Type::FLOAT);
+                let alpha = NodeTag::Insert(vec![PathStep::Lanes(Lanes::new([3]))]);
+                let operands = vec![self.whole(1, color), one];
+                let value = self.nodes.add(alpha, VEC4, operands);
+                self.values.insert((1, color), value);
+            }
             self.leave(None, &frame)?;
         }
         let effects = std::mem::take(&mut self.effects);
         Some(self.node(NodeTag::Effects, effects))
+    }
+
+    /// Sets the parameters of a function that the other version has as `main`.
+    fn enter(&mut self, entry: ImageEntry) -> Option<()> {
+        let color = self.side.parameter(entry, 0)?;
+        let coordinate = self.side.parameter(entry, 1)?;
+        let is_high = |id| {
+            let precision = self.module.variable(id).map(|v| v.precision);
+            precision == Some(Precision::High)
+        };
+        if !is_high(color) || !is_high(coordinate) {
+            return None;
+        }
+        if entry.is_cleared {
+            let zero = self.nodes.constant(&[Value::Float(0.0); 4], VEC4);
+            self.values.insert((1, color), zero);
+        }
+        let fragment = NodeTag::Entry("gl_FragCoord".to_string());
+        let fragment = self.nodes.add(fragment, VEC4, Vec::new());
+        let lanes = NodeTag::Swizzle(Lanes::new([0, 1]));
+        let place = self.nodes.add(lanes, VEC2, vec![fragment]);
+        self.values.insert((1, coordinate), place);
+        Some(())
     }
 
     /// Records what a function returns.
@@ -174,11 +226,17 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         let mut values = Vec::new();
         for parameter in parameters {
             let root = self.module.variable(*parameter)?.root;
-            if matches!(root, Root::ParameterOut | Root::ParameterInout) {
+            if matches!(root, Root::ParameterOut | Root::ParameterInout)
+                && !self.is_shared(*parameter)
+            {
                 values.push(self.whole(frame.number, *parameter));
             }
         }
         Some(values)
+    }
+
+    fn is_shared(&self, id: VariableId) -> bool {
+        self.shared.iter().any(|g| g.id == id)
     }
 
     /// The variable of a call, or a global variable.
@@ -198,7 +256,7 @@ impl<'n, 'a> Evaluation<'n, 'a> {
         let variable = self.module.variable(id);
         let ty = variable.map_or(Type::ERROR, |v| v.ty);
         let name = self.side.name(id);
-        let tag = match variable.is_some_and(|v| v.function.is_some()) {
+        let tag = match variable.is_some_and(|v| v.function.is_some() && !self.is_shared(id)) {
             true => NodeTag::Undef,
             false => NodeTag::Entry(name.to_string()),
         };
@@ -371,10 +429,10 @@ impl<'n, 'a> Evaluation<'n, 'a> {
             return Some(());
         }
         self.effects.push(call);
-        let names: Vec<(&str, VariableId)> = self.shared.iter().map(|g| (g.name, g.id)).collect();
-        for (name, variable) in names {
-            let after = self.node(NodeTag::After(name.to_string()), vec![call]);
-            self.values.insert((0, variable), after);
+        for key in self.shared_keys() {
+            let name = self.side.name(key.1).to_string();
+            let after = self.node(NodeTag::After(name), vec![call]);
+            self.values.insert(key, after);
         }
         let parameters = self.module.parameters(self.module.function(callee)?);
         let returned = (0..).zip(parameters).map(|(number, parameter)| {

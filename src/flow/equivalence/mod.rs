@@ -15,7 +15,7 @@ use evaluate::{CalledFunction, Evaluation};
 use nodes::{NodeId, Nodes};
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::FunctionRef;
-pub use version::ShaderVersion;
+pub use version::{ImageEntry, ShaderVersion};
 
 /// A function that both versions have.
 struct CommonFunction {
@@ -32,7 +32,7 @@ struct CommonFunction {
 pub fn is_equivalent(before: ShaderVersion, after: ShaderVersion) -> bool {
     let (ours, theirs) = (before.functions(), after.functions());
     let entry = |side: &ShaderVersion, of: &FxHashMap<String, FunctionRef>| {
-        let entry = side.module.entry?;
+        let entry = side.entry_function()?;
         let found = of.iter().find(|(_, id)| **id == entry)?;
         Some(found.0.clone())
     };

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Binary, Lanes, Precision, Unary};
-use shaderlint_semantic::{BuiltinId, Scalar, Type, Value};
+use shaderlint_semantic::{Base, BuiltinId, Scalar, Type, Value};
 
 /// Number of a value, a list of side effects, or a position in the control flow.
 pub(super) type NodeId = u32;
@@ -90,6 +90,8 @@ struct ValueNode {
 pub(super) struct Nodes {
     numbers: FxHashMap<ValueNode, NodeId>,
     all: Vec<ValueNode>,
+    /// The number of structs that the host declares before those of the shader, which may differ.
+    pub host_structs: u16,
 }
 
 fn bits(value: &Value) -> (Scalar, u32) {
@@ -132,6 +134,11 @@ impl Nodes {
     }
 
     fn number(&mut self, tag: NodeTag, ty: Type, operands: Vec<NodeId>) -> NodeId {
+        let base = match ty.base {
+            Base::Struct(id) => Base::Struct(id.wrapping_sub(self.host_structs)),
+            other => other,
+        };
+        let ty = Type { base, ..ty };
         let node = ValueNode { tag, ty, operands };
         if let Some(number) = self.numbers.get(&node) {
             return *number;

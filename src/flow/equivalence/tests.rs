@@ -28,6 +28,7 @@ fn check(before: [&str; 2], after: [&str; 2], expected: bool) {
         program: &checked[at].program,
         module: &modules[at],
         effects: &effects[at],
+        entry: None,
     };
     let found = is_equivalent(version(0), version(1));
     assert_eq!(found, expected, "{}\n{}", texts[0], texts[1]);

@@ -147,5 +147,6 @@ fn version<'a>(analysis: &'a Analysis, facts: &'a Facts<'a>) -> ShaderVersion<'a
         program: &analysis.program,
         module: facts.module(),
         effects: facts.effects(),
+        entry: None,
     }
 }

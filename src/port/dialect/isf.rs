@@ -148,7 +148,7 @@ struct IsfTarget {
 
 /// The size of the target of a pass, from the values of `WIDTH` and `HEIGHT`; `None` for the size of
 /// the output.
-pub(super) fn target_size(
+fn target_size(
     [width, height]: [Option<&Value>; 2],
     notes: &mut Vec<String>,
 ) -> Option<[SizeTerm; 2]> {

@@ -4,11 +4,13 @@
 //! (parameters). A project is XML: parameters of the document, of passes and of stages say which
 //! value a uniform has; each stage has a source for each API. The last pass is shown.
 
-use super::shadered::{after, child, children};
-use super::{Clues, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled, usual_plan};
+use super::{
+    Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled, usual_plan,
+};
 use crate::{ControlKind, Input, InputKind, PassDraw, UniformControl};
 use roxmltree::{Document, Node};
 use shaderlint_host::{Preset, preset};
+use std::sync::Arc;
 
 const HOST: &str = "kodelife";
 
@@ -266,4 +268,36 @@ impl ParameterReader<'_> {
 fn is_name(text: &str) -> bool {
     let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
     text.starts_with(is_letter) && text.chars().all(|c| is_letter(c) || c.is_ascii_digit())
+}
+
+fn child<'d>(node: Node<'d, 'd>, name: &str) -> Option<Node<'d, 'd>> {
+    node.children().find(|n| n.has_tag_name(name))
+}
+
+fn children<'d>(node: Node<'d, 'd>, name: &'static str) -> impl Iterator<Item = Node<'d, 'd>> {
+    node.children().filter(move |n| n.has_tag_name(name))
+}
+
+/// A candidate with macros before it, but after its `#version`.
+fn after(completion: Completion, macros: &str) -> Completion {
+    if macros.is_empty() {
+        return completion;
+    }
+    let mut before = completion.before.to_string();
+    if before.is_empty() {
+        let version = completion
+            .code
+            .lines()
+            .find(|l| l.trim_start().starts_with("#version"));
+        before = version.map_or(String::new(), |v| format!("{}\n", v.trim()));
+        let bare = Completion::after(before + macros, &completion.code);
+        return Completion {
+            note: completion.note,
+            ..bare
+        };
+    }
+    Completion {
+        before: Arc::from(before + macros),
+        ..completion
+    }
 }

@@ -14,13 +14,9 @@ mod isf;
 mod kodelife;
 mod kodi;
 mod niri;
-#[cfg(feature = "cli")]
-mod shadered;
 mod shadertoy;
-mod synthclipse;
 mod three;
 mod twigl;
-mod veda;
 mod vertex;
 mod vertexshaderart;
 mod vscode;
@@ -231,13 +227,9 @@ static CODES: &[&HostCode] = &[
     &kodelife::CODE,
     &kodi::CODE,
     &niri::CODE,
-    #[cfg(feature = "cli")]
-    &shadered::CODE,
     &shadertoy::CODE,
-    &synthclipse::CODE,
     &three::CODE,
     &twigl::CODE,
-    &veda::CODE,
     &vertexshaderart::CODE,
     &vscode::CODE,
 ];

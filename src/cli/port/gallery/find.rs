@@ -132,14 +132,6 @@ fn find(
     let entries: io::Result<Vec<_>> = fs::read_dir(folder).map_err(wrong)?.collect();
     let mut entries = entries.map_err(wrong)?;
     entries.sort_by_key(fs::DirEntry::file_name);
-    // The other files of a folder with projects of SHADERed belong to these.
-    let is_project = |path: &PathBuf| path.extension().is_some_and(|e| e == "sprj");
-    let projects = entries.iter().map(fs::DirEntry::path).filter(is_project);
-    let projects: Vec<PathBuf> = projects.collect();
-    if !projects.is_empty() {
-        found.extend(projects);
-        return Ok(());
-    }
     for entry in entries {
         let (path, kind) = (entry.path(), entry.file_type().map_err(wrong)?);
         let name = entry.file_name();

@@ -1,6 +1,5 @@
 //! `--coverage`: which lines and branches of the files under test ran.
 
-mod html;
 mod json;
 mod lcov;
 mod share;
@@ -16,8 +15,6 @@ use std::path::Path;
 pub enum CoverageFormat {
     /// As `genhtml`, CI systems and editors read it
     Lcov,
-    /// A page
-    Html,
     /// One JSON object
     Json,
 }
@@ -33,13 +30,11 @@ pub fn save(
 ) -> Result<(), String> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     let format = format.unwrap_or(match extension {
-        "html" | "htm" => CoverageFormat::Html,
         "json" => CoverageFormat::Json,
         _ => CoverageFormat::Lcov,
     });
     let text = match format {
         CoverageFormat::Lcov => lcov::lcov(coverage),
-        CoverageFormat::Html => html::html(coverage),
         CoverageFormat::Json => json::json(coverage),
     };
     let written = write(path, text.as_bytes(), Overwrite::Allowed);
