@@ -23,6 +23,7 @@ pub mod cli;
 pub use shaderlint_commands as commands;
 #[cfg(feature = "dap")]
 pub use shaderlint_dap as dap;
+pub use shaderlint_detect as detect;
 pub use shaderlint_diagnostic as diagnostic;
 pub use shaderlint_engine as engine;
 pub use shaderlint_exec as exec;

@@ -12,6 +12,7 @@ use super::required;
 use super::shader_input::{Shader, ShaderInput};
 use super::unknown::{self, Unresolved};
 use super::{upgrade, version};
+use shaderlint_detect::embed::LeadingBlanks;
 use shaderlint_diagnostic::{
     Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
 };
@@ -23,7 +24,6 @@ use shaderlint_lint::{
 use shaderlint_rules::RULES;
 use shaderlint_semantic::{Checked, Completeness};
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::LeadingBlanks;
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 use std::sync::Arc;
