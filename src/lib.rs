@@ -35,6 +35,7 @@ pub use shaderlint_ir as ir;
 pub use shaderlint_lint as lint;
 #[cfg(feature = "lsp")]
 pub use shaderlint_lsp as lsp;
+pub use shaderlint_play as play;
 pub use shaderlint_port as port;
 pub use shaderlint_report as report;
 pub use shaderlint_rules as rules;

@@ -15,10 +15,10 @@ const LEFT: &[&[&str]] = &[
         "src/engine/verify.rs",
     ],
     &[
-        "src/engine/playback/project/channel.rs",
-        "src/engine/playback/project/mod.rs",
-        "src/engine/playback/project/sound.rs",
-        "src/engine/playback/project/target.rs",
+        "src/play/project/channel.rs",
+        "src/play/project/mod.rs",
+        "src/play/project/sound.rs",
+        "src/play/project/target.rs",
     ],
     &["src/exec/vm/mod.rs", "src/exec/vm/watch.rs"],
     &[

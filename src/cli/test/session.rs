@@ -17,7 +17,7 @@ use super::shared::TestRun;
 use super::tap::tap;
 use super::textures::Textures;
 use crate::engine::config::Selection;
-use crate::engine::playback::Coverage;
+use crate::play::Coverage;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;

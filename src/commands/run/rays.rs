@@ -6,7 +6,7 @@ use super::scalars::decimal;
 use super::setting::{ObservedRays, ShotSetting};
 use super::shot::{Loaded, Shot, shot};
 use serde::Serialize;
-use shaderlint_engine::playback::Moment;
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{RayProbe, Sampled, Watch, quads_all_over};
 use shaderlint_ir::Provenance;
 use shaderlint_lint::Facts;

@@ -1,7 +1,7 @@
 //! Coverage as a page: a table of the files, and their code with counts.
 
 use super::share::{Share, shares};
-use crate::engine::playback::{Coverage, FileCoverage};
+use crate::play::{Coverage, FileCoverage};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
