@@ -2,9 +2,8 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{DistanceField, Slope};
-use shaderlint_lint::march::March;
+use shaderlint_lint::march::{March, factor_edits, step_factor};
 use shaderlint_lint::sample::rounded;
-use shaderlint_lint::step_edit::{factor_edits, step_factor};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 

@@ -35,11 +35,11 @@ const LEFT: &[&[&str]] = &[
         "src/lint/settings.rs",
         "src/lint/sample/bench.rs",
         "src/lint/sample/culprit.rs",
-        "src/lint/sample/hit.rs",
+        "src/lint/march/hit.rs",
         "src/lint/sample/more_iterations.rs",
         "src/lint/sample/mod.rs",
         "src/lint/sample/pixels.rs",
-        "src/lint/sample/stepped_over.rs",
+        "src/lint/march/stepped_over.rs",
         "src/lint/sample/verdict.rs",
     ],
     &[

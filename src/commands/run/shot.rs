@@ -10,7 +10,7 @@ use shaderlint_exec::{
     Sampled, Stop, Watch, draw, sample, trace,
 };
 use shaderlint_ir::Module;
-use shaderlint_lint::sample::slope_probe;
+use shaderlint_lint::march::slope_probe;
 use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_play::{PlaybackOptions, Player};
 use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
