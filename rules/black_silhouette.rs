@@ -2,7 +2,8 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Observations, Watch};
-use shaderlint_lint::sample::{Hit, Round, SampleRun, SampledPixel, share};
+use shaderlint_lint::march::Hit;
+use shaderlint_lint::sample::{Round, SampleRun, SampledPixel, share};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use std::collections::BTreeMap;
 

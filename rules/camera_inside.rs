@@ -1,7 +1,8 @@
 //! Rays that stop at their first step because the camera is inside an object.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{RayCounts, SampleRun, grouped};
+use shaderlint_lint::march::RayCounts;
+use shaderlint_lint::sample::{SampleRun, grouped};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {

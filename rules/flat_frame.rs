@@ -1,9 +1,8 @@
 //! Frames of one colour, and frames in which no ray hits anything.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{
-    MarchOutcome, SampleFrame, SampleRun, SampledPixel, grouped, is_too_bright,
-};
+use shaderlint_lint::march::MarchOutcome;
+use shaderlint_lint::sample::{SampleFrame, SampleRun, SampledPixel, grouped, is_too_bright};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
 pub static RULE: Rule = Rule {

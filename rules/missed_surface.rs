@@ -1,10 +1,8 @@
 //! Marching loops whose rays step over a surface.
 
 use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::march::March;
-use shaderlint_lint::march_limit::limit_edit;
-use shaderlint_lint::sample::{StepLength, percent, rounded};
-use shaderlint_lint::step_edit::step_edits;
+use shaderlint_lint::march::{March, StepLength, limit_edit, step_edits};
+use shaderlint_lint::sample::{percent, rounded};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 

@@ -1,8 +1,8 @@
 //! Marching loops whose steps are shorter than they need to be.
 
 use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_lint::march::{factor_edits, step_factor};
 use shaderlint_lint::sample::rounded;
-use shaderlint_lint::step_edit::{factor_edits, step_factor};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 

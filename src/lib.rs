@@ -23,6 +23,7 @@ pub mod cli;
 pub use shaderlint_commands as commands;
 #[cfg(feature = "dap")]
 pub use shaderlint_dap as dap;
+pub use shaderlint_detect as detect;
 pub use shaderlint_diagnostic as diagnostic;
 pub use shaderlint_engine as engine;
 pub use shaderlint_exec as exec;
@@ -35,6 +36,7 @@ pub use shaderlint_ir as ir;
 pub use shaderlint_lint as lint;
 #[cfg(feature = "lsp")]
 pub use shaderlint_lsp as lsp;
+pub use shaderlint_play as play;
 pub use shaderlint_port as port;
 pub use shaderlint_report as report;
 pub use shaderlint_rules as rules;

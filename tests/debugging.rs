@@ -8,8 +8,9 @@ use shaderlint::commands::run::{
     FrameDraw, Loaded, ObservedRays, Shot, ShotSetting, Variant, shot,
 };
 use shaderlint::dap::{Adapter, Launch, ProgramSource};
-use shaderlint::engine::playback::{Decode, Moment};
+use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::{CompileOptions, Replay, TracedValue, Watch, lane_of};
+use shaderlint::play::Decode;
 use shaderlint::port::{Project, add_stand_ins};
 use shaderlint::semantic::VariableId;
 use std::collections::HashMap;

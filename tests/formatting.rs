@@ -4,12 +4,12 @@
 //! `SHADERLINT_CASES=DIR cargo test --test all formatting` also reads the ShaderToy exports in
 //! `DIR/shadertoy`.
 
+use shaderlint::detect::kind::Claim;
 use shaderlint::engine::{NoFiles, Options, analyze, format};
 use shaderlint::format::{Brace, Indentation, Style};
 use shaderlint::ir::print;
 use shaderlint::syntax::{RawKind, tokenize};
 use shaderlint::text::apply_edits;
-use shaderlint::text::kind::Claim;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,7 @@
 //! A traced pixel is that of the image: the same bits, the same cost.
 
 use shaderlint::commands::run::{Loaded, ObservedRays, ShotSetting, shot};
-use shaderlint::engine::playback::Moment;
+use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::{TracedValue, Watch};
 use shaderlint::port::{Project, add_stand_ins};
 use std::fs;

@@ -3,10 +3,11 @@
 
 mod voxel;
 
-use shaderlint::engine::playback::{Moment, RenderedImage, Scene};
+use shaderlint::engine::inputs::{Moment, Scene};
 use shaderlint::engine::{Analysis, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, draw, quads_all_over, sample};
 use shaderlint::ir::lower;
+use shaderlint::play::RenderedImage;
 use std::hint::black_box;
 use std::time::Instant;
 

@@ -2,7 +2,7 @@
 //! syntax tree, at random positions.
 
 use crate::mutate::Random;
-use shaderlint::engine::playback::{Moment, Scene};
+use shaderlint::engine::inputs::{Moment, Scene};
 use shaderlint::engine::{Analysis, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, sample};
 use shaderlint::semantic::{Dialect, Program};

@@ -1,8 +1,9 @@
 //! ShaderToy exports and what the VM draws for them, for comparison with a browser.
 
 use serde_json::json;
-use shaderlint::engine::playback::{Moment, PlaybackOptions, Played, Player, RenderedImage};
+use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::{CompileOptions, ErrorDirection, FaultKind, GpuProfile, Watch};
+use shaderlint::play::{PlaybackOptions, Played, Player, RenderedImage};
 use shaderlint::port::{Composed, Project, add_stand_ins};
 use std::{fs, thread};
 

@@ -2,7 +2,7 @@
 
 use crate::builtins::CASES;
 use crate::compute::{Computing, compute};
-use shaderlint::engine::playback::{Moment, Scene};
+use shaderlint::engine::inputs::{Moment, Scene};
 use shaderlint::engine::{Analysis, DialectChoice, NoFiles, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, compile, draw, sample};
 use shaderlint::lint::Settings;

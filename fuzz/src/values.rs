@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use shaderlint::commands::run::{
     FrameView, Loaded, ObservedRays, ShotSetting, UniformText, frame, shot,
 };
-use shaderlint::engine::playback::Moment;
+use shaderlint::play::Moment;
 use shaderlint::exec::Watch;
 use shaderlint::port::Project;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,8 +1,8 @@
 //! Finds and reads input files.
 
 use super::config::{Configs, absolute};
+use crate::detect::kind::{Claim, is_script, is_searched, made};
 use crate::text::Content;
-use crate::text::kind::{Claim, is_script, is_searched, made};
 use ignore::WalkBuilder;
 use std::collections::BTreeSet;
 use std::fs;

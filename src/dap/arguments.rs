@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 use serde_json::Value;
-use shaderlint_engine::playback::{Button, Moment, Mouse};
+use shaderlint_engine::inputs::{Button, Moment, Mouse};
 use std::collections::BTreeMap;
 
 /// The arguments of `launch`.

@@ -8,9 +8,10 @@ use super::value::{DebugValue, MOST};
 use shaderlint_commands::run::{
     FrameDraw, Loaded, ObservedRays, ShotSetting, UniformText, Unmade, Variant, shot,
 };
-use shaderlint_engine::playback::{Decode, Moment};
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{CompileOptions, Location, Pause, Replay, Watch};
 use shaderlint_ir::{LoopId, OpId, Step};
+use shaderlint_play::Decode;
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{StmtId, StmtKind};
 use std::sync::Arc;

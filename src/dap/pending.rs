@@ -4,7 +4,7 @@
 //! in another thread.
 
 use shaderlint_commands::run::Shot;
-use shaderlint_engine::playback::Moment;
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::DrawInputs;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -26,8 +26,9 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// `known` holds the analyses that the rules have computed already.
-    pub(super) fn new(
+    /// A checked shader and the texts that it consists of, in order. `known` holds the analyses that
+    /// the rules have computed already.
+    pub fn new(
         checked: Checked,
         has_errors: bool,
         host: Option<&'static Preset>,
@@ -55,7 +56,7 @@ impl Analysis {
     }
 
     /// The texts that it consists of, in order.
-    pub(super) fn files(&self) -> &[FileId] {
+    pub fn files(&self) -> &[FileId] {
         &self.files
     }
 

@@ -5,13 +5,14 @@ use super::check_context::Keep;
 use super::host::Hosts;
 use super::hosted;
 use super::inactive;
+use super::inputs::Supply;
 use super::options::{DialectChoice, Options};
-use super::playback::Supply;
 use super::reading::{Readings, lacking};
 use super::required;
 use super::shader_input::{Shader, ShaderInput};
 use super::unknown::{self, Unresolved};
 use super::{upgrade, version};
+use shaderlint_detect::embed::LeadingBlanks;
 use shaderlint_diagnostic::{
     Applicability, Certainty, Diagnostic, Facet, Severity, Subject, error,
 };
@@ -24,7 +25,6 @@ use shaderlint_lint::{
 use shaderlint_rules::RULES;
 use shaderlint_semantic::Completeness;
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::embed::LeadingBlanks;
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -4,9 +4,9 @@
 use super::input::SplitInput;
 use super::options::{Desktop, Options};
 use super::version;
+use shaderlint_detect::embed::Embedded;
+use shaderlint_detect::kind::{Decision, Evidence, ShaderLanguage, reason};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_text::embed::Embedded;
-use shaderlint_text::kind::{Decision, Evidence, ShaderLanguage, reason};
 use shaderlint_text::{FileId, Span};
 
 /// Whether desktop GLSL is checked as GLSL ES 3.00.

@@ -1,13 +1,13 @@
 //! Formats the shaders of every kind of file: shaders, ShaderToy exports, and embedded shaders.
 
+use shaderlint_detect::embed::{DocumentLanguage, Embedded, Wrapping, extract_named};
+use shaderlint_detect::kind::{Claim, Decision, Evidence, FileKind, ShaderLanguage, decide};
 use shaderlint_format::{
     Indentation, Lines, Style, StyleChoice, TextExtent, Unformatted, counts_lines,
     format as format_code,
 };
 use shaderlint_port::Project;
-use shaderlint_text::embed::{DocumentLanguage, Embedded, Wrapping, extract_named};
 use shaderlint_text::json::{JsonString, strings_in};
-use shaderlint_text::kind::{Claim, Decision, Evidence, FileKind, ShaderLanguage, decide};
 use shaderlint_text::{Edit, Span};
 
 /// The result of formatting a file.

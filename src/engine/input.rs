@@ -3,8 +3,8 @@
 use super::export::ExportText;
 use super::include::Hushed;
 use super::shader_input::ShaderInput;
+use shaderlint_detect::embed::Embedded;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_text::embed::Embedded;
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use super::check_context::CheckContext;
 use super::host::imports;
 use super::path::plain;
-use shaderlint_text::embed::{Embedder, LeadingBlanks};
+use shaderlint_detect::embed::{Embedder, LeadingBlanks};
 use std::path::Path;
 
 /// Maximum number of scripts of a page that are read.

@@ -1,12 +1,12 @@
 //! The options of a check: dialect, rules, host, includes.
 
 use super::file_cache::FileCache;
+use shaderlint_detect::kind::Claim;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
 use shaderlint_rules::RULES;
 #[cfg(feature = "cli")]
 use shaderlint_syntax::Version;
-use shaderlint_text::kind::Claim;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -3,6 +3,7 @@
 
 use super::options::{DialectChoice, Options};
 use super::prelude::{after_version, prelude, with_host};
+use shaderlint_detect::kind::has_main;
 use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
 use shaderlint_explain::{Checked, analyze_chunk, analyze_within, confirm_unknown};
 use shaderlint_host::{HostVersion, Preset};
@@ -12,7 +13,6 @@ use shaderlint_semantic::{
     first_of_300, guess, needs_300,
 };
 use shaderlint_syntax::{ES_300, Feature, Search, Version};
-use shaderlint_text::kind::has_main;
 use shaderlint_text::{FileId, Role, Sources};
 use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;

@@ -3,7 +3,7 @@
 use super::files::{FileType, Files};
 use super::path::plain;
 use rustc_hash::{FxHashMap, FxHasher};
-use shaderlint_text::kind::file_extension;
+use shaderlint_detect::kind::file_extension;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::{Path, PathBuf};

@@ -6,10 +6,10 @@ use super::input::SplitInput;
 use super::options::{DialectChoice, Options};
 use super::reading::{InputText, Readings, Surroundings};
 use super::shader_input::ShaderInput;
+use shaderlint_detect::embed::{Embedder, mask};
+use shaderlint_detect::kind::file_extension;
 use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
 use shaderlint_text::FileId;
-use shaderlint_text::embed::{Embedder, mask};
-use shaderlint_text::kind::file_extension;
 use std::sync::Arc;
 
 /// Reads the shader of a shader file. `None` if it is too large.

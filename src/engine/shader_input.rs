@@ -3,13 +3,13 @@
 use super::analysis::Analysis;
 use super::include::MissingInclude;
 use super::reading::{PresumedCompleteness, Reading, Readings};
+use shaderlint_detect::embed::Embedder;
 use shaderlint_host::Preset;
 use shaderlint_lint::SkippedRules;
 use shaderlint_port::PassUnit;
 use shaderlint_semantic::{Completeness, Dialect, Stage};
 use shaderlint_syntax::Version;
 use shaderlint_text::FileId;
-use shaderlint_text::embed::Embedder;
 use std::collections::BTreeSet;
 
 /// One shader of an input.

@@ -1,7 +1,7 @@
 //! Verifies that the output of a port draws the same as the project: the output is read back, and
 //! each pass is compared with its original.
 
-use super::playback::{Button, Moment, Mouse, Scene};
+use super::inputs::{Button, Moment, Mouse, Scene};
 use super::{NoFiles, Options, analyze};
 use serde::Deserialize;
 use shaderlint_exec::{

@@ -299,7 +299,7 @@ fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal>
         let is_own = folder.join(name) == own;
         let is_folder =
             files.entry(&folder.join(name)) == Some(shaderlint_engine::FileType::Folder);
-        let is_shader = shaderlint_text::kind::is_shader(name);
+        let is_shader = shaderlint_detect::kind::is_shader(name);
         !name.starts_with('.') && !is_own && (is_folder || is_shader)
     };
     names.retain(is_named);

@@ -5,12 +5,12 @@ use super::document::{Document, FileSpan, Spot, SymbolOrigin};
 use super::index::{NameUse, Occurrence, is_inactive};
 use super::scripts::{in_scripts, names_file, role};
 use super::symbol::{Symbol, SymbolKind};
+use shaderlint_detect::embed::{MentionKind, NameRole};
 use shaderlint_engine::Files;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Completeness, Program, Resolution};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Span;
-use shaderlint_text::embed::{MentionKind, NameRole};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The name at an offset, in a reading of the document that compiles it.

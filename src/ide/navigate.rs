@@ -4,10 +4,10 @@ use super::document::{Document, FileSpan, Spot};
 use super::family::{NameHere, family, name_at};
 use super::index::{NameUse, Occurrence};
 use super::symbol::{Symbol, declared_at};
+use shaderlint_detect::embed::MentionKind;
 use shaderlint_engine::Files;
 use shaderlint_semantic::Base;
 use shaderlint_text::Span;
-use shaderlint_text::embed::MentionKind;
 
 /// The definition of the symbol at an offset; of a function, its body.
 pub fn definition(document: &Document, offset: u32, files: &dyn Files) -> Option<FileSpan> {

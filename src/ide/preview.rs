@@ -1,10 +1,10 @@
 //! One shader of a document as a project that can be played.
 
 use super::document::Document;
+use shaderlint_detect::kind::file_extension;
 use shaderlint_engine::Analysis;
 use shaderlint_port::{Project, ShaderError};
 use shaderlint_semantic::Stage;
-use shaderlint_text::kind::file_extension;
 
 /// The shader that a preview of a document shows: the one at an offset, or the first that can be
 /// played.

@@ -3,8 +3,9 @@
 use super::document::Document;
 use super::line_costs::observed_lines;
 use shaderlint_engine::Analysis;
-use shaderlint_engine::playback::{Moment, RenderedImage, Scene};
+use shaderlint_engine::inputs::{Moment, Scene};
 use shaderlint_exec::{CompileOptions, Drawn, LANES, LoopObservation, Probe, Stop, Watch, draw};
+use shaderlint_play::RenderedImage;
 use shaderlint_semantic::{Stage, VariableId};
 use shaderlint_syntax::ast::StmtId;
 use shaderlint_text::Span;

@@ -2,11 +2,11 @@
 
 use super::document::Document;
 use super::symbol::{Symbol, SymbolKind};
+use shaderlint_detect::embed::{DocumentLanguage, Mention, MentionKind, NameRole, mentions};
+use shaderlint_detect::kind::file_extension;
 use shaderlint_semantic::{Program, Stage};
 use shaderlint_syntax::ast::DeclKind;
 use shaderlint_text::Span;
-use shaderlint_text::embed::{DocumentLanguage, Mention, MentionKind, NameRole, mentions};
-use shaderlint_text::kind::file_extension;
 
 /// What scripts may use a symbol for.
 pub fn role(program: &Program, symbol: Symbol) -> NameRole {

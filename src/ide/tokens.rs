@@ -4,10 +4,10 @@
 use super::document::Document;
 use super::index::NameUse;
 use super::symbol::{Symbol, SymbolKind};
+use shaderlint_detect::embed::{Embedded, Wrapping};
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, WordClass, classify, tokenize};
 use shaderlint_text::Span;
-use shaderlint_text::embed::{Embedded, Wrapping};
 
 /// The kind of a semantic token.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -6,6 +6,7 @@ use super::march::{March, marches};
 use super::sample::{SampleCache, Supplier};
 use super::words::counts;
 use rustc_hash::FxHashMap;
+use shaderlint_detect::embed::Embedder;
 use shaderlint_flow::ranges::{Giver, Interval, Query, Ranges, Reason, Side};
 use shaderlint_flow::reaching_definitions::ReachingDefinitions;
 use shaderlint_flow::{
@@ -19,7 +20,6 @@ use shaderlint_semantic::{
 use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
-use shaderlint_text::embed::Embedder;
 use std::cell::OnceCell;
 use std::sync::{Arc, OnceLock};
 

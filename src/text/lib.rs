@@ -6,9 +6,7 @@
 
 mod content;
 mod edit;
-pub mod embed;
 pub mod json;
-pub mod kind;
 mod line_index;
 mod removal;
 mod source;

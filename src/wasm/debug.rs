@@ -4,7 +4,7 @@ use super::project::{ShaderText, valid};
 use serde_json::Value;
 use shaderlint_commands::run::Loaded;
 use shaderlint_dap::{Adapter, Launch, ProgramSource};
-use shaderlint_engine::playback::Decode;
+use shaderlint_play::Decode;
 use std::path::PathBuf;
 use std::sync::Arc;
 

@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 use shaderlint_commands::run::Loaded;
+use shaderlint_detect::kind::{Claim, FileKind, decide};
 use shaderlint_port::{ChannelOrder, Composed, PassFile, PassRole, Project, add_stand_ins};
-use shaderlint_text::kind::{Claim, FileKind, decide};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

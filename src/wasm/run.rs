@@ -10,7 +10,7 @@ use shaderlint_commands::run::{
     Bitmap, FrameView, HeatMap, Loaded, ObservedRays, Shot, ShotSetting, Show, UniformText,
     compare, compared_moments, frame, rays, shot, trace,
 };
-use shaderlint_engine::playback::{Button, Moment, Mouse};
+use shaderlint_engine::inputs::{Button, Moment, Mouse};
 use shaderlint_exec::Watch;
 
 /// A shader, and what is drawn of it.

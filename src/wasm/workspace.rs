@@ -3,11 +3,11 @@
 use super::configs::SentConfigs;
 use super::files::MemoryFiles;
 use gen_lsp_types::Uri;
+use shaderlint_detect::kind::is_searched;
 use shaderlint_diagnostic::ERRORS;
 use shaderlint_engine::{Files, Options};
 use shaderlint_format::StyleChoice;
 use shaderlint_lsp::{ConfigFinding, SampleRuns, Workspace};
-use shaderlint_text::kind::is_searched;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -15,10 +15,10 @@ const LEFT: &[&[&str]] = &[
         "src/engine/verify.rs",
     ],
     &[
-        "src/engine/playback/project/channel.rs",
-        "src/engine/playback/project/mod.rs",
-        "src/engine/playback/project/sound.rs",
-        "src/engine/playback/project/target.rs",
+        "src/play/project/channel.rs",
+        "src/play/project/mod.rs",
+        "src/play/project/sound.rs",
+        "src/play/project/target.rs",
     ],
     &["src/exec/vm/mod.rs", "src/exec/vm/watch.rs"],
     &[
@@ -35,11 +35,11 @@ const LEFT: &[&[&str]] = &[
         "src/lint/settings.rs",
         "src/lint/sample/bench.rs",
         "src/lint/sample/culprit.rs",
-        "src/lint/sample/hit.rs",
+        "src/lint/march/hit.rs",
         "src/lint/sample/more_iterations.rs",
         "src/lint/sample/mod.rs",
         "src/lint/sample/pixels.rs",
-        "src/lint/sample/stepped_over.rs",
+        "src/lint/march/stepped_over.rs",
         "src/lint/sample/verdict.rs",
     ],
     &[

@@ -83,10 +83,10 @@ const NAME_HOSTS: &[&str] = &[
     "src/engine/include/scan.rs",
     "src/port/dialect/",
     // The name of a canvas context is also the name of a host.
-    "src/text/embed/context.rs",
-    "src/text/embed/embedder.rs",
-    "src/text/embed/markdown.rs",
-    "src/text/kind/mod.rs",
+    "src/detect/embed/context.rs",
+    "src/detect/embed/embedder.rs",
+    "src/detect/embed/markdown.rs",
+    "src/detect/kind/mod.rs",
 ];
 
 /// Hosts are identified by the host table, not by a name in the code.

@@ -5,7 +5,7 @@ use super::run::{Undrawable, decode, read};
 use crate::commands::run::{Loaded, position};
 use crate::dap::{Adapter, Launch, ProgramSource};
 use crate::diagnostic::Severity;
-use crate::engine::playback::Decode;
+use crate::play::Decode;
 use crate::port::Composed;
 use serde_json::Value;
 use std::io::{self, Write};

@@ -6,6 +6,7 @@ use super::media::{Carried, is_cube};
 use super::read::{plain_error, read_text, shown};
 use super::siblings::{draft_with_siblings, folder_of};
 use crate::cli::config::{configured_host, host_of};
+use crate::detect::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
 use crate::engine::{Repairs, modernize, repair};
 use crate::host::{Preset, shadertoy};
 use crate::port::{
@@ -13,7 +14,6 @@ use crate::port::{
     add_stand_ins, saver_roles, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
-use crate::text::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -5,8 +5,9 @@
 
 use crate::cli::run::decode;
 use crate::commands::run::Bitmap;
-use crate::engine::playback::{Moment, PlaybackOptions, Played, Player, RenderedImage};
+use crate::engine::inputs::Moment;
 use crate::exec::{CompileOptions, Drawn};
+use crate::play::{PlaybackOptions, Played, Player, RenderedImage};
 use crate::port::{Composed, Project, Still};
 use std::collections::HashSet;
 

@@ -3,7 +3,7 @@
 use super::super::color::ColorChoice;
 use super::image_file::decode;
 use crate::commands::run::{FrameView, HeatMap, ObservedRays, ShotSetting, Show, UniformText};
-use crate::engine::playback::{Button, Moment, Mouse};
+use crate::engine::inputs::{Button, Moment, Mouse};
 use crate::exec::Watch;
 use clap::ValueEnum;
 use std::path::PathBuf;

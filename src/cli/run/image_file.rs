@@ -1,6 +1,6 @@
 //! Decodes image files: textures of channels and golden images.
 
-use crate::engine::playback::Decoded;
+use crate::play::Decoded;
 use crate::port::kind_of_bytes;
 use std::io::Cursor;
 use zune_core::bytestream::ZCursor;

@@ -3,7 +3,7 @@
 use super::args::MAX_PIXELS;
 use super::image_file;
 use crate::commands::run::Bitmap;
-use crate::engine::playback::Decoded;
+use crate::play::Decoded;
 
 /// Decodes a PNG file and ignores its transparency.
 ///

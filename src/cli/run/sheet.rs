@@ -3,7 +3,7 @@
 use super::args::RunArgs;
 use super::progress::Progress;
 use crate::commands::run::{Bitmap, Loaded, SheetFacts, Shot, font, frame, heat};
-use crate::engine::playback::Moment;
+use crate::engine::inputs::Moment;
 
 /// Distance between two frames in pixels.
 const GAP: u32 = 4;

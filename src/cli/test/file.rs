@@ -7,13 +7,13 @@ use super::golden::{self, GoldenImages, GoldenSubject};
 use super::inputs::TESTS;
 use super::outcome::TestRow;
 use super::shared::TestRun;
+use crate::detect::kind::{FileKind, decide};
 use crate::diagnostic::Severity;
-use crate::engine::playback::Coverage;
 use crate::engine::{Analysis, Completeness, Options, Report, analyze};
+use crate::play::Coverage;
 use crate::port::PassRole;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::text::Role;
-use crate::text::kind::{FileKind, decide};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 

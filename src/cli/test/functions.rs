@@ -4,12 +4,12 @@ use super::outcome::{ConditionRow, CounterexampleRow, ParameterRow, TestRow, Val
 use super::shared::TestRun;
 use super::textures;
 use crate::commands::run::{percent, position, seconds};
-use crate::engine::playback::{
+use crate::engine::{Analysis, Report};
+use crate::exec::Texture;
+use crate::play::{
     Coverage, SeenCondition, Test, TestCase, TestFailure, TestProblem, TestSettings, TestSuite,
     TestVerdict, TextureMark, run_test, unusable_tests,
 };
-use crate::engine::{Analysis, Report};
-use crate::exec::Texture;
 use crate::text::{FileId, Sources};
 use std::path::{Path, PathBuf};
 

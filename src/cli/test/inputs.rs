@@ -1,7 +1,7 @@
 //! The files that a run tests.
 
 use super::super::input::InputFile;
-use crate::text::kind::Claim;
+use crate::detect::kind::Claim;
 use std::collections::BTreeSet;
 use std::path::Path;
 

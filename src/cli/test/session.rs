@@ -15,7 +15,7 @@ use super::outcome::{Tally, TestRow};
 use super::shared::TestRun;
 use super::textures::Textures;
 use crate::engine::config::Selection;
-use crate::engine::playback::Coverage;
+use crate::play::Coverage;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;

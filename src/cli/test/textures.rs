@@ -3,8 +3,9 @@
 
 use super::super::run::{Undrawable, decode, read};
 use crate::commands::run::{ObservedRays, ShotSetting, shot};
-use crate::engine::playback::{Moment, RenderedImage, TextureMark};
+use crate::engine::inputs::Moment;
 use crate::exec::{Filter, Image, ImageShape, Sampling, Texels, Texture, Watch, Wrap};
+use crate::play::{RenderedImage, TextureMark};
 use crate::port::{ChannelOrder, ChannelSource};
 use std::collections::BTreeMap;
 use std::fs;

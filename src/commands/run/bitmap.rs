@@ -1,6 +1,6 @@
 //! 8-bit images.
 
-use shaderlint_engine::playback::{RenderedImage, png};
+use shaderlint_play::{RenderedImage, png};
 
 /// An image of three bytes per pixel, top row first.
 #[derive(Clone, PartialEq, Debug)]

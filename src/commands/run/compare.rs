@@ -6,8 +6,9 @@ use super::facts::{self, MouseFacts};
 use super::heat;
 use super::shot::Shot;
 use serde::Serialize;
-use shaderlint_engine::playback::{Button, Moment, Mouse, RenderedImage};
+use shaderlint_engine::inputs::{Button, Moment, Mouse};
 use shaderlint_exec::{Bytecode, Drawn};
+use shaderlint_play::RenderedImage;
 
 /// Times in seconds that are compared by default.
 const TIMES: [f64; 4] = [0.0, 1.0, 5.0, 20.0];

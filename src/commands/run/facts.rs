@@ -8,8 +8,9 @@ use super::numbers::{self, NumberRow};
 use super::rays::{self, RayRow};
 use serde::Serialize;
 use shaderlint_diagnostic::count;
-use shaderlint_engine::playback::{Button, ImageFacts, Moment};
+use shaderlint_engine::inputs::{Button, Moment};
 use shaderlint_exec::Drawn;
+use shaderlint_play::ImageFacts;
 
 /// The result of a run. The JSON format may gain fields, but never loses any.
 #[derive(Serialize)]

@@ -4,9 +4,9 @@ use super::columns::seconds;
 use super::place::position;
 use super::shot::{Loaded, Shot};
 use serde::Serialize;
-use shaderlint_engine::playback::{Steepest, steepest};
 use shaderlint_flow::DistanceField;
 use shaderlint_lint::Facts;
+use shaderlint_play::{Steepest, steepest};
 use shaderlint_semantic::Program;
 
 /// Number of planes over which the steepest place is searched, per time.

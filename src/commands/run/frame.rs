@@ -5,9 +5,10 @@ use super::facts::{self, CostFacts, OutputFacts, RunFacts};
 use super::setting::{FrameView, HeatMap};
 use super::shot::{Loaded, Shot};
 use super::{fields, functions, heat, loops, numbers, show};
-use shaderlint_engine::playback::{Moment, RenderedImage};
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::Drawn;
-use shaderlint_lint::sample::RayOutcome;
+use shaderlint_lint::march::RayOutcome;
+use shaderlint_play::RenderedImage;
 
 /// A frame that was drawn.
 pub struct Frame {

@@ -6,16 +6,15 @@ use super::scalars::decimal;
 use super::setting::{ObservedRays, ShotSetting};
 use super::shot::{Loaded, Shot, shot};
 use serde::Serialize;
-use shaderlint_engine::playback::Moment;
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{RayProbe, Sampled, Watch, quads_all_over};
 use shaderlint_ir::Provenance;
 use shaderlint_lint::Facts;
-use shaderlint_lint::longer_steps::{
-    MarchSample, are_clearly_fewer, factor_length, largest_factor, longer_factors,
+use shaderlint_lint::march::{
+    March, MarchSample, RayOutcome, StepLength, are_clearly_fewer, factor_length, largest_factor,
+    longer_factors, ray_probe, step_factor,
 };
-use shaderlint_lint::march::March;
-use shaderlint_lint::sample::{RayOutcome, StepLength, ray_probe, rounded};
-use shaderlint_lint::step_edit::step_factor;
+use shaderlint_lint::sample::rounded;
 
 /// Most quads that are sampled.
 const MOST_QUADS: usize = 2048;

@@ -1,8 +1,8 @@
 //! What is drawn, and how.
 
 use serde::Deserialize;
-use shaderlint_engine::playback::Decode;
 use shaderlint_exec::{RayProbe, Watch};
+use shaderlint_play::Decode;
 
 /// A variable on a source line.
 #[derive(Clone, PartialEq, Eq, Debug, Deserialize)]

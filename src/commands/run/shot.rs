@@ -4,14 +4,15 @@ use super::place::{position, span};
 use super::setting::{ObservedRays, ShotSetting, UniformText};
 use super::{show, uniforms};
 use shaderlint_diagnostic::count;
-use shaderlint_engine::playback::{Moment, PlaybackOptions, Player, Scene, Unfit};
+use shaderlint_engine::inputs::{Moment, Scene, Unfit};
 use shaderlint_exec::{
     Bytecode, CompileOptions, DrawInputs, Drawn, OutputSlot, PixelTrace, RayProbe, Refusal,
     Sampled, Stop, Watch, draw, sample, trace,
 };
 use shaderlint_ir::Module;
-use shaderlint_lint::sample::slope_probe;
+use shaderlint_lint::march::slope_probe;
 use shaderlint_lint::{CachedFacts, Facts};
+use shaderlint_play::{PlaybackOptions, Player};
 use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
 use shaderlint_semantic::{Pass, Program, Stage, Storage};
 use shaderlint_text::Sources;

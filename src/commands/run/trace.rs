@@ -10,7 +10,7 @@ use super::shot::{Loaded, Shot};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 use shaderlint_diagnostic::count;
-use shaderlint_engine::playback::Moment;
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{OutputSlot, PixelTrace, TraceSite, TracedValue};
 use shaderlint_ir::{Module, Provenance};
 use shaderlint_semantic::{FunctionRef, Program};

@@ -2,7 +2,7 @@
 
 use super::shot::{Loaded, Shot, refused};
 use shaderlint_diagnostic::Severity;
-use shaderlint_engine::playback::{GivenUniforms, Moment, player_draw};
+use shaderlint_engine::inputs::{GivenUniforms, Moment, player_draw};
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, DrawInputs, compile};
 use shaderlint_ir::{Module, lower};
 use shaderlint_port::{Composed, PassUnit, Wrapper, compose};

@@ -6,8 +6,8 @@ use super::super::options::Options;
 use super::super::path::{plain, tidy};
 use super::find::EXTENSIONS;
 use super::scan::scan;
-use shaderlint_text::embed::{DocumentLanguage, extract_named, strings};
-use shaderlint_text::kind::file_extension;
+use shaderlint_detect::embed::{DocumentLanguage, extract_named, strings};
+use shaderlint_detect::kind::file_extension;
 use shaderlint_text::{Edit, Span};
 use std::path::{Component, Path, PathBuf};
 

@@ -149,7 +149,7 @@ impl Bench {
     }
 
     /// Number of pixels that fit into the budget at this price.
-    pub(super) fn affordable(&self, price: u64) -> usize {
+    pub(crate) fn affordable(&self, price: u64) -> usize {
         match self.limit.insists {
             true => usize::MAX,
             false => (BUDGET / price.max(1)) as usize,

@@ -2,15 +2,14 @@
 
 mod bench;
 mod culprit;
-mod hit;
 mod initial_value;
 mod more_iterations;
 mod open;
 mod pixels;
-mod stepped_over;
 mod verdict;
 
 use super::facts::Facts;
+use super::march::{Hit, MarchOutcome};
 use rustc_hash::FxHashSet;
 use shaderlint_exec::{
     CompileOptions, ErrorDirection, GpuProfile, LANES, Observations, Sampled, Watch,
@@ -22,11 +21,9 @@ use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, Round, SIZE, SampleLimit, colors};
 pub use culprit::{Culprit, percent, report_broken, rounded};
-pub use hit::{Hit, MarchOutcome, RayCounts};
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};
 pub use shaderlint_diagnostic::grouped;
-pub use stepped_over::{RayOutcome, StepLength, SteppedOver, ray_probe, slope_probe};
 pub use verdict::{OFTEN, UnreportedFault, Verdict};
 
 use shaderlint_exec::{Bytecode, Draw};
@@ -202,9 +199,9 @@ pub(crate) struct SampleCache<'a> {
     gpu_profiles: [OnceCell<Option<SampleRun>>; GPU_PROFILES.len()],
     unknown: OnceCell<Uniformity>,
     is_image_known: OnceCell<bool>,
-    hits: OnceCell<Vec<Hit>>,
-    stuck: OnceCell<Vec<MarchOutcome>>,
-    moving: OnceCell<Uniformity>,
+    pub hits: OnceCell<Vec<Hit>>,
+    pub stuck: OnceCell<Vec<MarchOutcome>>,
+    pub moving: OnceCell<Uniformity>,
     later: OnceCell<Option<SampleRun>>,
     compared: OnceCell<Option<SampleRun>>,
     /// Operations that other rules have reported.
@@ -406,11 +403,6 @@ impl<'a> Facts<'a> {
         let ids = given.map(|(_, id)| VariableId(id));
         let written = |id: &VariableId| self.program().variable(*id).is_some_and(|v| v.written);
         ids.filter(written).collect()
-    }
-
-    /// The conditions that test whether a ray has hit something.
-    pub fn hits(&self) -> &[Hit] {
-        self.samples.hits.get_or_init(|| hit::hits(self))
     }
 
     /// Records that a rule has reported an operation.

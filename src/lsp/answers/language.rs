@@ -5,9 +5,9 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use gen_lsp_types::*;
 use shaderlint_engine::Analysis;
-use shaderlint_engine::playback::{RenderedImage, png};
 use shaderlint_ide::{self as ide, CompletionKind, Proposal, Symbol, SymbolKind, image_of};
 use shaderlint_lint::Page;
+use shaderlint_play::{RenderedImage, png};
 use shaderlint_rules::page;
 use shaderlint_text::Span;
 

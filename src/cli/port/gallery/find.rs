@@ -3,8 +3,8 @@
 use crate::cli::port::load::in_folder;
 use crate::cli::port::read::{plain_error, read_text, shown};
 use crate::cli::port::save::file_name;
+use crate::detect::kind::{Claim, FileKind, decide};
 use crate::port::{PassRole, exports_in};
-use crate::text::kind::{Claim, FileKind, decide};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;

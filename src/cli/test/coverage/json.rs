@@ -1,7 +1,7 @@
 //! Coverage as JSON. The format may gain fields, but never loses any.
 
 use super::share::shares;
-use crate::engine::playback::{Coverage, FileCoverage};
+use crate::play::{Coverage, FileCoverage};
 use serde_json::{Value, json};
 
 pub fn json(coverage: &Coverage) -> String {

@@ -1,7 +1,7 @@
 //! The tracefile format of LCOV (geninfo(1)).
 
 use super::share::{Share, shares};
-use crate::engine::playback::{Coverage, FileCoverage};
+use crate::play::{Coverage, FileCoverage};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

@@ -5,7 +5,7 @@ mod lcov;
 mod share;
 
 use super::super::output::{Overwrite, write};
-use crate::engine::playback::Coverage;
+use crate::play::Coverage;
 use clap::ValueEnum;
 use share::{Share, shares};
 use std::path::Path;

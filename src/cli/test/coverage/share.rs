@@ -1,6 +1,6 @@
 //! How much of a file ran.
 
-use crate::engine::playback::FileCoverage;
+use crate::play::FileCoverage;
 
 /// How much of something ran.
 #[derive(Clone, Copy, Default)]

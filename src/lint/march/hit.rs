@@ -1,8 +1,8 @@
 //! What sampled rays hit: the outcome of marching loops, and the conditions after them.
 
-use super::{INSTANTS, Round, SampleFrame, SampleRun};
+use super::{March, MarchGoal};
 use crate::facts::Facts;
-use crate::march::{March, MarchGoal};
+use crate::sample::{INSTANTS, Round, SIZE, SampleFrame, SampleRun};
 use shaderlint_exec::{Observations, Watch};
 use shaderlint_flow::{HitTest, Uniformity, Varying};
 use shaderlint_ir::{Module, OpId, OpKind, Provenance, Region, Step};
@@ -54,7 +54,7 @@ pub struct MarchOutcome {
 }
 
 /// The hit conditions of a shader.
-pub(super) fn hits(facts: &Facts) -> Vec<Hit> {
+fn hits(facts: &Facts) -> Vec<Hit> {
     let module = facts.module();
     let marches: Vec<(&March, HitTest)> = facts.camera_marches().collect();
     let stmts: Vec<_> = marches.iter().map(|(m, _)| m.looped.stmt).collect();
@@ -170,6 +170,11 @@ impl MarchOutcome {
 }
 
 impl Facts<'_> {
+    /// The conditions that test whether a ray has hit something.
+    pub fn hits(&self) -> &[Hit] {
+        self.samples.hits.get_or_init(|| hits(self))
+    }
+
     /// The marching loops of rays from the camera, with the condition that ends them at a hit.
     pub fn camera_marches(&self) -> impl Iterator<Item = (&March, HitTest)> {
         let marches = self.marches().iter();
@@ -354,7 +359,7 @@ impl Facts<'_> {
             return Vec::new();
         };
         let code = bench.watched();
-        let draws = INSTANTS.map(|instant| supplier.draw(code, super::SIZE, &instant));
+        let draws = INSTANTS.map(|instant| supplier.draw(code, SIZE, &instant));
         let Some((first, others)) = draws.split_first() else {
             return Vec::new();
         };

@@ -3,7 +3,7 @@
 //! The function is drawn over planes in space: random ones of several sizes, then smaller ones around the
 //! steepest places, along their gradients. Two neighbouring pixels are a witness of a slope.
 
-use super::{Moment, Scene};
+use shaderlint_engine::inputs::{Moment, Scene};
 use shaderlint_exec::{CompileOptions, Draw, Drawn, draw};
 use shaderlint_flow::DistanceField;
 use shaderlint_host::Preset;
@@ -416,7 +416,7 @@ fn length(a: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DialectChoice, NoFiles, Options, analyze};
+    use shaderlint_engine::{DialectChoice, NoFiles, Options, analyze};
     use shaderlint_lint::Settings;
 
     /// The steepest slope of `map`, given by its body, that was sampled.

@@ -1,7 +1,7 @@
 //! The shader of a pass, with inputs that do not depend on its channels.
 
 use super::PlaybackProblem;
-use crate::playback::{Moment, Scene, Unfit, player_draw};
+use shaderlint_engine::inputs::{Moment, Scene, Unfit, player_draw};
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, compile};
 use shaderlint_host::Feed;
 use shaderlint_ir::lower;

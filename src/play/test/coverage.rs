@@ -1,7 +1,7 @@
 //! Which statements of a file ran in tests, and which branches were taken.
 
-use crate::Analysis;
 use rustc_hash::FxHashMap;
+use shaderlint_engine::Analysis;
 use shaderlint_exec::{Bytecode, Observations, statements};
 use shaderlint_ir::{Module, Provenance, Step};
 use shaderlint_semantic::{FunctionRef, Program};

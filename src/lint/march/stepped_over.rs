@@ -1,11 +1,9 @@
 //! Rays that step over a surface: the same march with shorter steps finds it before the place where a longer
 //! step has passed it.
 
-use super::bench::colors;
-use super::more_iterations::is_apart;
-use super::{Instant, Round, SampleFrame, SampleRun};
+use super::March;
 use crate::facts::Facts;
-use crate::march::March;
+use crate::sample::{Instant, Round, SampleFrame, SampleRun, colors, is_apart};
 use shaderlint_exec::{Bytecode, CompileOptions, RayProbe, Sampled};
 use shaderlint_flow::{Bound, RayKind};
 use shaderlint_ir::{Module, Step};

@@ -110,9 +110,9 @@ fn uniforms_are_those_of_the_player() {
     let passes = [image(code, &inputs), buffer(0, COUNT, &[])];
     let mut player = player(&passes, [8, 4]).unwrap();
     let moment = Moment {
-        mouse: Some(crate::playback::Mouse {
+        mouse: Some(shaderlint_engine::inputs::Mouse {
             at: [3.5, 2.0],
-            button: crate::playback::Button::Down,
+            button: shaderlint_engine::inputs::Button::Down,
         }),
         ..Moment::at(0.5)
     };

@@ -15,10 +15,10 @@ pub use coverage::{Coverage, CoveredFunction, FileCoverage, RunCounts};
 pub use marks::{TestProblem, TextureMark};
 pub use suite::{Test, TestCase, TestSuite, unusable_tests};
 
-use crate::Analysis;
 use invocation::{Invocation, failures};
 use quad::SIZE;
 use random::{RandomInputs, Values};
+use shaderlint_engine::Analysis;
 use shaderlint_exec::{
     Bytecode, CompileOptions, Refusal, Sampled, Stop, Texture, Watch, quads_all_over, sample,
     sample_cases,

@@ -5,7 +5,7 @@ use super::invocation::{GivenInput, Invocation, failures};
 use super::marks::TestProblem;
 use super::quad::SIZE;
 use super::suite::{AnyParameter, TestCase};
-use crate::playback::Scene;
+use shaderlint_engine::inputs::Scene;
 use shaderlint_exec::{CompileOptions, OutputSlot, Stop, sample, sample_cases};
 use shaderlint_math::hash;
 use shaderlint_semantic::Scalar;

@@ -1,7 +1,7 @@
 //! Substitutes for missing files, drawn by small shaders.
 
 use super::PlaybackProblem;
-use crate::playback::RenderedImage;
+use crate::RenderedImage;
 use shaderlint_exec::{
     Bytecode, CompileOptions, Draw, Image, ImageShape, Stop, Texels, compile, draw,
 };

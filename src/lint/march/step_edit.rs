@@ -1,7 +1,7 @@
 //! Edits of the steps of a marching loop.
 
-use super::facts::Facts;
-use super::march::March;
+use super::March;
+use crate::facts::Facts;
 use shaderlint_ir::Provenance;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind, UnaryOp};

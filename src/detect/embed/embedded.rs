@@ -1,6 +1,6 @@
 //! A shader embedded in a file, and which edits are safe.
 
-use crate::{Edit, Span};
+use shaderlint_text::{Edit, Span};
 
 /// A shader embedded in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -6,7 +6,7 @@ use super::stand_in::{Film, SubstituteImage};
 use super::still::{Decode, Stills};
 use super::target::ImagePair;
 use super::{PlaybackProblem, Player};
-use crate::playback::Moment;
+use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{Draw, Filter, Image, ImageShape, Sampling, Stop, Texels, Texture, Wrap};
 use shaderlint_port::{Input, InputKind, OutputId, Project};
 use shaderlint_semantic::Pass;

@@ -2,8 +2,8 @@
 
 use super::quad::SIZE;
 use super::suite::TestCase;
-use crate::Analysis;
-use crate::playback::{Moment, Scene};
+use shaderlint_engine::Analysis;
+use shaderlint_engine::inputs::{Moment, Scene};
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, OutputSlot, Refusal, Sampled, Texture};
 use shaderlint_semantic::Type;
 

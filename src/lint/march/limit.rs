@@ -1,8 +1,8 @@
 //! Edits of the limit of a marching loop.
 
-use super::facts::Facts;
-use super::march::March;
+use super::March;
 use super::step_edit::literal;
+use crate::facts::Facts;
 use shaderlint_flow::RayKind;
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};

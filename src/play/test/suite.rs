@@ -7,9 +7,9 @@
 use super::marks::{
     AnyMark, EachMark, Marked, Marks, TestProblem, TextureMark, marks, shared_textures,
 };
-use crate::Analysis;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, Severity};
+use shaderlint_engine::Analysis;
 use shaderlint_explain::analyze;
 use shaderlint_semantic::{Function, FunctionRef, Program, Scalar, Type, Unit};
 use shaderlint_syntax::ast::ExprId;

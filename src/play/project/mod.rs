@@ -13,10 +13,9 @@ mod target;
 mod tests;
 
 use super::image::RenderedImage;
-use super::moment::Moment;
-use super::scene::Unfit;
 use channel::Channel;
 use shader::PassShader;
+use shaderlint_engine::inputs::{Moment, Unfit};
 use shaderlint_exec::{CompileOptions, Draw, DrawInputs, Drawn, Stop, draw};
 use shaderlint_port::{Composed, Project};
 use shaderlint_semantic::Pass;

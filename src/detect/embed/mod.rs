@@ -62,7 +62,7 @@ pub fn extract_named(name: &str, language: DocumentLanguage, text: &str) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Edit, Span};
+    use shaderlint_text::{Edit, Span};
 
     #[test]
     fn edits_stay_inside_the_shader() {

@@ -1,11 +1,9 @@
 //! Steps that are needlessly short: a march with longer ones draws the same image.
 
-use super::facts::Facts;
-use super::march::{March, MarchGoal};
-use super::sample::{
-    INSTANTS, Instant, LATER, RayOutcome, Round, SIZE, SampleFrame, StepLength, colors, is_apart,
-    ray_probe,
-};
+use super::stepped_over::{RayOutcome, StepLength, ray_probe};
+use super::{March, MarchGoal};
+use crate::facts::Facts;
+use crate::sample::{INSTANTS, Instant, LATER, Round, SIZE, SampleFrame, colors, is_apart};
 use shaderlint_exec::{Bytecode, CompileOptions, Sampled, Watch, quads_all_over};
 use shaderlint_ir::LoopId;
 

@@ -1,0 +1,5 @@
+//! Finds GLSL in other files, and decides which language a text is.
+#![cfg_attr(test, allow(clippy::string_slice))]
+
+pub mod embed;
+pub mod kind;
