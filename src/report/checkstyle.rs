@@ -1,8 +1,7 @@
 //! Checkstyle XML. Columns count characters.
 
 use super::others::{placed_message, with_advice};
-use super::place::region;
-use super::xml::escape;
+use super::place::{region, xml};
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 use std::io::{self, Write};
@@ -19,14 +18,14 @@ pub fn file(
     sources: &Sources,
     found: &[Diagnostic],
 ) -> io::Result<()> {
-    writeln!(out, "  <file name=\"{}\">", escape(name))?;
+    writeln!(out, "  <file name=\"{}\">", xml(name))?;
     for d in found {
         let (line, column) = region(sources, d.span).map_or((1, 1), |(s, _)| (s.line, s.column));
         writeln!(
             out,
             "    <error line=\"{line}\" column=\"{column}\" severity=\"{}\" message=\"{}\" source=\"shaderlint.{}\"/>",
             d.severity.name(),
-            escape(&with_advice(placed_message(sources, d), d)),
+            xml(&with_advice(placed_message(sources, d), d)),
             d.rule
         )?;
     }

@@ -3,7 +3,7 @@
 
 use super::human::render;
 use super::others::placed_message;
-use super::xml::escape;
+use super::place::xml;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
 use std::io::{self, Write};
@@ -20,7 +20,7 @@ pub fn file(
     sources: &Sources,
     found: &[Diagnostic],
 ) -> io::Result<()> {
-    let name = escape(name);
+    let name = xml(name);
     writeln!(
         out,
         "  <testsuite name=\"{name}\" tests=\"{}\" failures=\"{}\" errors=\"0\">",
@@ -44,9 +44,9 @@ pub fn file(
             d.rule
         )?;
         let text = render(sources, d);
-        let text = escape(text.trim_end());
+        let text = xml(text.trim_end());
         if is_failure(d) {
-            let (kind, message) = (d.severity.name(), escape(&placed_message(sources, d)));
+            let (kind, message) = (d.severity.name(), xml(&placed_message(sources, d)));
             writeln!(
                 out,
                 "      <failure type=\"{kind}\" message=\"{message}\">{text}</failure>"

@@ -17,7 +17,6 @@ mod place;
 mod sarif;
 mod short;
 mod summary;
-mod xml;
 
 pub use fingerprint::fingerprints;
 pub use human::render;
