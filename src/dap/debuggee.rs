@@ -13,6 +13,7 @@ use shaderlint_exec::{CompileOptions, Location, Pause, Replay, Watch};
 use shaderlint_ir::{LoopId, OpId, Step};
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{StmtId, StmtKind};
+use shaderlint_text::path::slashed;
 use std::sync::Arc;
 
 /// Reads programs.
@@ -34,7 +35,7 @@ pub trait ProgramSource {
 
     /// The path that names a file, whatever a client calls it.
     fn path(&self, path: &str) -> String {
-        path.replace('\\', "/")
+        slashed(path)
     }
 }
 

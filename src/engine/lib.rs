@@ -30,7 +30,6 @@ mod modernize;
 mod offer;
 mod options;
 mod partner;
-pub mod path;
 mod place;
 pub mod playback;
 mod prelude;

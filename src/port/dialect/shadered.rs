@@ -12,6 +12,7 @@ use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, s
 use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl};
 use roxmltree::{Document, Node};
 use shaderlint_semantic::Pass;
+use shaderlint_text::path::slashed;
 use std::sync::Arc;
 
 pub(super) static CODE: HostCode = HostCode {
@@ -130,7 +131,7 @@ impl<'d> ShaderedReader<'_, '_, 'd> {
         let shader = children(pass, "shader").find(|s| s.attribute("type") == Some("ps"));
         // Version 1 has elements where later versions have attributes.
         let path = shader.and_then(|s| s.attribute("path").or_else(|| child(s, "path")?.text()));
-        let path = path.unwrap_or("").trim().replace('\\', "/");
+        let path = slashed(path.unwrap_or("").trim());
         let path = path.as_str();
         let is_foreign = [".hlsl", ".rs", ".slang", ".lua"]
             .iter()
