@@ -1,8 +1,9 @@
 //! Rays that stop at their first step because the camera is inside an object.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{RayCounts, SampleRun, grouped};
+use shaderlint_lint::sample::{RayCounts, SampleRun};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "camera-inside",

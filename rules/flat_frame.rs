@@ -1,10 +1,9 @@
 //! Frames of one colour, and frames in which no ray hits anything.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{
-    MarchOutcome, SampleFrame, SampleRun, SampledPixel, grouped, is_too_bright,
-};
+use shaderlint_lint::sample::{MarchOutcome, SampleFrame, SampleRun, SampledPixel, is_too_bright};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "flat-frame",

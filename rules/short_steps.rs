@@ -3,10 +3,10 @@
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{DistanceField, Slope};
 use shaderlint_lint::march::March;
-use shaderlint_lint::sample::rounded;
 use shaderlint_lint::step_edit::{factor_edits, step_factor};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
+use shaderlint_text::number::decimals;
 
 pub static RULE: Rule = Rule {
     name: "short-steps",
@@ -29,7 +29,7 @@ fn check(cx: &mut Context) {
         };
         let fix = factor_edits(facts, march, [factor, found.factor]).map(|edits| {
             let title = match found.factor < 1.0 {
-                true => format!("multiply the distance by {}", rounded(found.factor)),
+                true => format!("multiply the distance by {}", decimals(found.factor, 6)),
                 false => "step as far as the distance".to_string(),
             };
             Fix::suggestion(title, edits)
@@ -69,6 +69,6 @@ fn proved(cx: &Context, march: &March, factor: f64) -> Option<String> {
     );
     Some(format!(
         "the slope of `{name}` is proved to be at most {}",
-        rounded(most)
+        decimals(most, 6)
     ))
 }

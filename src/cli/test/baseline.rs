@@ -2,7 +2,7 @@
 
 use super::super::output::{Overwrite, write};
 use super::outcome::{Status, TestRow};
-use crate::commands::run::heat::short;
+use crate::text::number::short;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;

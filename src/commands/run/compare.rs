@@ -1,13 +1,13 @@
 //! Compares two shaders bit for bit in the same frames.
 
 use super::bitmap::Bitmap;
-use super::columns::{percent, seconds};
 use super::facts::{self, MouseFacts};
 use super::heat;
 use super::shot::Shot;
 use serde::Serialize;
 use shaderlint_engine::playback::{Button, Moment, Mouse, RenderedImage};
 use shaderlint_exec::{Bytecode, Drawn};
+use shaderlint_text::number::{percent, seconds, short};
 
 /// Times in seconds that are compared by default.
 const TIMES: [f64; 4] = [0.0, 1.0, 5.0, 20.0];
@@ -184,7 +184,7 @@ impl Compared {
                 seconds(moment.time),
                 moment.pixels,
                 moment.shown,
-                heat::short(moment.most),
+                short(moment.most),
             ));
         }
         if let Some(output) = &self.output {

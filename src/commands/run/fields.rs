@@ -1,6 +1,5 @@
 //! The distance fields that rays march along: whether they are as steep as a distance at most.
 
-use super::columns::seconds;
 use super::place::{position, span};
 use super::shot::{Loaded, Shot};
 use serde::Serialize;
@@ -8,6 +7,7 @@ use shaderlint_engine::playback::{Steepest, steepest};
 use shaderlint_flow::{DistanceField, Obstacle, Slope, SlopeObstacle};
 use shaderlint_lint::Facts;
 use shaderlint_semantic::Program;
+use shaderlint_text::number::seconds;
 
 /// Number of planes over which the steepest place is searched, per time.
 const PLANES: u32 = 40;
